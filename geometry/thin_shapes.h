@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/points.h"
+
+namespace touchstone {
+
+/// The closed set of points between a and b. a == b is legal: the single point a.
+template <class Real>
+struct Segment2 {
+  Point2<Real> a, b;
+};
+
+/// The line through two points. p == q is refused: it has no direction.
+template <class Real>
+struct Line2 {
+  Point2<Real> p, q;
+};
+
+/// The line origin + t direction. A zero direction is refused.
+template <class Real>
+struct ParametricLine2 {
+  Point2<Real> origin;
+  Vector2<Real> direction;
+};
+
+/// The closed set origin + t direction, t >= 0; t counts in lengths of the direction as given. A zero direction is refused.
+template <class Real>
+struct Ray2 {
+  Point2<Real> origin;
+  Vector2<Real> direction;
+};
+
+/// The circle |p - center| = radius; as a solid, the closed disc. Radius 0 is legal (a point); a negative radius is refused.
+template <class Real>
+struct Circle2 {
+  Point2<Real> center;
+  Real radius;
+};
+
+using Segment2d = Segment2<double>;
+using Line2d = Line2<double>;
+using ParametricLine2d = ParametricLine2<double>;
+using Ray2d = Ray2<double>;
+using Circle2d = Circle2<double>;
+
+}  // namespace touchstone

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::oracle {
+
+/// Truth: sign of the 3x3 determinant of the homogeneous points. Margin: its absolute value (twice the triangle's area).
+Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
+Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p);
+
+}  // namespace touchstone::oracle
