@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "audit/codec/json.h"
+#include "audit/inputs/choices.h"
+#include "audit/judge/verdict.h"
+#include "audit/report/scene.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::audit {
+
+/// How the answers of an operation are compared with the truth.
+enum class Kind {
+  decision,  ///< equal
+  measure,   ///< numbers: distance from the exact value in units in the last place
+  set,       ///< equal after canonical order
+  checked,   ///< a checker accepts
+  covering,  ///< nothing missing
+};
+
+/// What the catalogue says of an operation.
+struct Card {
+  const char* name;
+  const char* chapter;
+  const char* pages;     ///< of the deck
+  const char* question;  ///< one plain sentence: what is asked
+  Kind kind = Kind::decision;
+  std::vector<const char*> fields{};  ///< names of the inputs in JSON, in order
+  const char* answer = "";            ///< the answer's field name where the answer is one bare value
+  double ulps = 0;                    ///< stated bound of the reference's numbers: roundings in the slide's formula
+  int margin_degree = 1;              ///< the oracle's margin is a length to this power
+};
+
+/// A question of any operation, its types forgotten: its numbers in canonical order (a list is preceded by its length).
+struct Question {
+  std::vector<double> numbers;
+  friend bool operator==(const Question&, const Question&) = default;
+};
+
+/// One question with everything that can be said about it. Made by Operation::examine; computes lazily.
+class Examination {
+ public:
+  virtual ~Examination() = default;
+
+  virtual Json truth() const = 0;              ///< exact, "p/q"
+  virtual std::string outcome() const = 0;     ///< the truth's word ("overlap"), or "value"
+  virtual bool touch() const = 0;              ///< the truth is a touch: open and closed sets answer differently
+  virtual mpq_class margin() const = 0;
+  virtual oracle::Certificate certificate() const = 0;
+
+  virtual Json reference(bool binary32 = false) const = 0;  ///< the slide's formula in double or float
+  virtual Json robust() const = 0;
+
+  virtual Judgement judge_reference(bool binary32 = false) const = 0;
+  virtual Judgement judge_robust() const = 0;
+  /// `answer`: the engine's "answer" value: an object with the operation's fields, or true / false.
+  virtual Judgement judge_engine(const Json& answer, const Declaration& declaration) const = 0;
+
+  /// The contract's promise for the double version, tested: empty if it holds here. Where running error analysis proves
+  /// that rounding cannot have changed a decision, reference in double must decide as in exact arithmetic, and its numbers must lie within
+  /// the proved bound.
+  virtual std::string broken_promise() const = 0;
+};
+
+/// One row of the catalogue, its types forgotten: all that the program, the tests and the fuzz targets need.
+class Operation {
+ public:
+  virtual ~Operation() = default;
+
+  virtual const Card& card() const = 0;
+  std::string name() const { return card().name; }
+
+  /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard case of the operation;
+  /// "x+ulp" is x with one coordinate moved by a few units in the last place.
+  virtual const std::vector<std::string>& families() const = 0;
+  virtual Question draw(Choices& choices, std::size_t family) const = 0;
+  /// A question whose numbers are taken from `numbers` (missing ones are 0), for sources that write numbers directly.
+  virtual std::size_t arity() const = 0;
+  /// Every number rounded to the nearest float.
+  virtual Question in_binary32(const Question& question) const = 0;
+
+  virtual Question parse(const Json& input) const = 0;  ///< throws InvalidInput naming the field and the rule
+  virtual Json print(const Question& question) const = 0;
+  virtual Json print_hexadecimal(const Question& question) const = 0;
+
+  /// Throws InvalidInput where the oracle refuses the question.
+  virtual std::unique_ptr<Examination> examine(const Question& question) const = 0;
+  /// Empty if robust and oracle both answer or both refuse with the same field and rule; else what differs.
+  virtual std::string refusal_mismatch(const Question& question) const = 0;
+  /// Truth for the decimals as typed, read as exact rationals.
+  virtual Json truth_as_typed(const Json& input) const = 0;
+
+  /// The figure of a question and of the truth about it.
+  virtual Scene scene(const Question& question) const = 0;
+  /// For maps: indices of the two numbers to move, and a degenerate question around which to move them.
+  virtual Question map_centre() const = 0;
+  virtual std::pair<std::size_t, std::size_t> map_axes() const = 0;
+};
+
+/// The catalogue in the order of the deck.
+const std::vector<const Operation*>& catalogue();
+/// nullptr if there is none of that name.
+const Operation* find_operation(const std::string& name);
+
+}  // namespace touchstone::audit

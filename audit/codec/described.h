@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "geometry/answers.h"
+
+/// What the machine must know of a vocabulary type to convert, print, parse, compare, nudge and draw it: its members by
+/// name, or the words of an enumeration. A new type needs its lines here and nothing elsewhere.
+namespace touchstone::audit {
+
+template <class Class, class Type>
+struct Member {
+  const char* name;
+  Type Class::* pointer;
+};
+
+/// A list is a JSON array in the order of its members; a record is a JSON object.
+enum class Form { list, record };
+
+template <class T>
+struct Described;
+
+template <class R>
+struct Described<Point2<R>> {
+  static constexpr Form form = Form::list;
+  static constexpr auto members = std::tuple{Member{"x", &Point2<R>::x}, Member{"y", &Point2<R>::y}};
+};
+template <class R>
+struct Described<Vector2<R>> {
+  static constexpr Form form = Form::list;
+  static constexpr auto members = std::tuple{Member{"x", &Vector2<R>::x}, Member{"y", &Vector2<R>::y}};
+};
+template <class R>
+struct Described<Segment2<R>> {
+  static constexpr Form form = Form::list;
+  static constexpr auto members = std::tuple{Member{"a", &Segment2<R>::a}, Member{"b", &Segment2<R>::b}};
+};
+template <class R>
+struct Described<Line2<R>> {
+  static constexpr Form form = Form::list;
+  static constexpr auto members = std::tuple{Member{"p", &Line2<R>::p}, Member{"q", &Line2<R>::q}};
+};
+template <class R>
+struct Described<ParametricLine2<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{Member{"origin", &ParametricLine2<R>::origin},
+                                             Member{"direction", &ParametricLine2<R>::direction}};
+};
+template <class R>
+struct Described<Ray2<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{Member{"origin", &Ray2<R>::origin}, Member{"direction", &Ray2<R>::direction}};
+};
+template <class R>
+struct Described<Circle2<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{Member{"center", &Circle2<R>::center}, Member{"radius", &Circle2<R>::radius}};
+};
+template <class R>
+struct Described<PointOnSegment<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{Member{"relation", &PointOnSegment<R>::relation}, Member{"t", &PointOnSegment<R>::t}};
+};
+template <class R>
+struct Described<LineLine<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{Member{"relation", &LineLine<R>::relation}, Member{"ta", &LineLine<R>::ta},
+                 Member{"tb", &LineLine<R>::tb}, Member{"point", &LineLine<R>::point}};
+};
+template <class R>
+struct Described<SegmentSegment<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{Member{"relation", &SegmentSegment<R>::relation}, Member{"ta", &SegmentSegment<R>::ta},
+                 Member{"tb", &SegmentSegment<R>::tb}, Member{"point", &SegmentSegment<R>::point},
+                 Member{"overlap", &SegmentSegment<R>::overlap}};
+};
+template <class R>
+struct Described<RaySegment<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{Member{"relation", &RaySegment<R>::relation}, Member{"t", &RaySegment<R>::t},
+                 Member{"point", &RaySegment<R>::point}, Member{"overlap", &RaySegment<R>::overlap}};
+};
+
+/// The words of an enumeration, in the order of its enumerators, and the words that mean "no common point" /
+/// "not in the closed shape": a plain false. An enumeration without `no` has no yes-or-no reading.
+template <class E>
+struct Words;
+
+template <>
+struct Words<Side> {
+  static constexpr std::array<const char*, 3> words{"left", "on", "right"};
+};
+template <>
+struct Words<Height> {
+  static constexpr std::array<const char*, 3> words{"above", "on", "below"};
+};
+template <>
+struct Words<Location> {
+  static constexpr std::array<const char*, 3> words{"inside", "boundary", "outside"};
+  static constexpr Location no = Location::outside;
+};
+template <>
+struct Words<Incidence> {
+  static constexpr std::array<const char*, 2> words{"on", "off"};
+  static constexpr Incidence no = Incidence::off;
+};
+template <>
+struct Words<LineRelation> {
+  static constexpr std::array<const char*, 3> words{"crossing", "parallel", "same"};
+  static constexpr LineRelation no = LineRelation::parallel;
+};
+template <>
+struct Words<SegmentRelation> {
+  static constexpr std::array<const char*, 3> words{"disjoint", "point", "overlap"};
+  static constexpr SegmentRelation no = SegmentRelation::disjoint;
+};
+template <>
+struct Words<RayRelation> {
+  static constexpr std::array<const char*, 3> words{"none", "point", "overlap"};
+  static constexpr RayRelation no = RayRelation::none;
+};
+
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+
+template <class T>
+concept Composite = requires { Described<T>::members; };
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+/// Whatever is neither described nor an enumeration nor a container is a number.
+template <class T>
+concept Number = !Enumeration<T> && !Composite<T> && !is_optional<T> && !is_vector<T>;
+
+/// The same shape over another number type.
+template <class T, class To>
+struct Rebound {
+  using type = To;
+};
+template <Enumeration T, class To>
+struct Rebound<T, To> {
+  using type = T;
+};
+template <template <class> class Shape, class From, class To>
+  requires Composite<Shape<From>>
+struct Rebound<Shape<From>, To> {
+  using type = Shape<To>;
+};
+template <class T, class To>
+struct Rebound<std::optional<T>, To> {
+  using type = std::optional<typename Rebound<T, To>::type>;
+};
+template <class T, class To>
+struct Rebound<std::vector<T>, To> {
+  using type = std::vector<typename Rebound<T, To>::type>;
+};
+template <class... Ts, class To>
+struct Rebound<std::tuple<Ts...>, To> {
+  using type = std::tuple<typename Rebound<Ts, To>::type...>;
+};
+template <class T, class To>
+using rebound_t = typename Rebound<T, To>::type;
+
+template <class T, class Visit>
+void for_each_member(Visit&& visit) {
+  std::apply([&](const auto&... member) { (visit(member), ...); }, Described<T>::members);
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/codec/described.h"
+
+/// Walks over described values: every number in canonical order, and the same value over another number type.
+namespace touchstone::audit {
+
+template <class T, class Visit>
+void for_each_number(T& value, Visit&& visit) {
+  using Bare = std::remove_const_t<T>;
+  if constexpr (Enumeration<Bare>) {
+    return;
+  } else if constexpr (Composite<Bare>) {
+    for_each_member<Bare>([&](const auto& member) { for_each_number(value.*member.pointer, visit); });
+  } else if constexpr (is_optional<Bare>) {
+    if (value) for_each_number(*value, visit);
+  } else if constexpr (is_vector<Bare>) {
+    for (auto& element : value) for_each_number(element, visit);
+  } else {
+    visit(value);
+  }
+}
+
+template <class... Ts, class Visit>
+void for_each_number(std::tuple<Ts...>& values, Visit&& visit) {
+  std::apply([&](auto&... value) { (for_each_number(value, visit), ...); }, values);
+}
+
+template <class... Ts, class Visit>
+void for_each_number(const std::tuple<Ts...>& values, Visit&& visit) {
+  std::apply([&](const auto&... value) { (for_each_number(value, visit), ...); }, values);
+}
+
+/// The same value over the number type To, each number passed through `change`.
+template <class To, class T, class Change>
+rebound_t<T, To> converted(const T& value, const Change& change) {
+  if constexpr (Enumeration<T>) {
+    return value;
+  } else if constexpr (Composite<T>) {
+    rebound_t<T, To> result{};
+    std::apply(
+        [&](const auto&... from) {
+          std::apply(
+              [&](const auto&... to) {
+                ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...);
+              },
+              Described<rebound_t<T, To>>::members);
+        },
+        Described<T>::members);
+    return result;
+  } else if constexpr (is_optional<T>) {
+    if (!value) return std::nullopt;
+    return converted<To>(*value, change);
+  } else if constexpr (is_vector<T>) {
+    rebound_t<T, To> result;
+    result.reserve(value.size());
+    for (const auto& element : value) result.push_back(converted<To>(element, change));
+    return result;
+  } else {
+    return change(value);
+  }
+}
+
+template <class To, class... Ts, class Change>
+rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
+  return std::apply([&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; },
+                    values);
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "audit/catalogue/operation.h"
+
+namespace touchstone::audit {
+
+/// What came back for one question.
+struct Reply {
+  enum class Kind {
+    answered,     ///< `answer` holds it
+    unsupported,  ///< the engine does not have the operation, or not for this input
+    failed,       ///< error, crash, time-out, nonsense: `remark` says which; the judge says `invalid`
+  };
+  Kind kind = Kind::answered;
+  Json answer;
+  std::string remark;
+};
+
+/// Somebody's implementation, asked many questions of one operation at a time. It loses a question when it crashes or hangs,
+/// never the run.
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual const Declaration& declaration() const = 0;
+  virtual bool supports(const std::string& operation) const = 0;
+  /// One reply per question, in order.
+  virtual std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) = 0;
+};
+
+/// Thrown where the engine cannot be run at all (exit code 3).
+struct EngineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Starts `command` (by the shell) and shakes hands as in docs/engines.md. timeout: seconds per question.
+std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace touchstone::audit {
+
+/// A floating-point number that carries a bound of its own rounding error: running error analysis (Higham, Accuracy and
+/// Stability of Numerical Algorithms, 2nd ed., section 3.3), made rigorous by rounding every bound up.
+///
+/// A reference formula run in this type computes what it computes in Float, bit for bit, and in the end each number lies
+/// within `error()` of the value of the same formula in exact arithmetic. An operation that happens to be exact adds
+/// nothing. A comparison that the bound cannot decide sets `doubtful()`: as long as it is not set, rounding cannot have
+/// changed the course of the formula. Float: float or double, rounding to nearest.
+template <class Float>
+class Tracked {
+ public:
+  Tracked() = default;
+  Tracked(int value) : value_(static_cast<Float>(value)) {}
+  explicit Tracked(Float value) : value_(value) {}
+
+  Float value() const { return value_; }
+  double error() const { return error_; }
+  static bool& doubtful() {
+    thread_local bool doubt = false;
+    return doubt;
+  }
+
+  friend Tracked operator+(const Tracked& a, const Tracked& b) { return sum(a, b, a.value_ + b.value_, b.value_); }
+  friend Tracked operator-(const Tracked& a, const Tracked& b) { return sum(a, b, a.value_ - b.value_, -b.value_); }
+  friend Tracked operator-(const Tracked& a) { return Tracked(-a.value_, a.error_); }
+
+  friend Tracked operator*(const Tracked& a, const Tracked& b) {
+    const Float product = a.value_ * b.value_;
+    const double propagated = plus(times(size(a), b.error_), times(plus(size(b), b.error_), a.error_));
+    return Tracked(product, plus(propagated, product_rounding(a.value_, b.value_, product)));
+  }
+
+  friend Tracked operator/(const Tracked& a, const Tracked& b) {
+    const Float quotient = a.value_ / b.value_;
+    const double least_divisor = down(size(b) - b.error_);
+    if (!(least_divisor > 0) || !std::isfinite(quotient)) return Tracked(quotient, infinite);
+    const double propagated = over(plus(a.error_, times(magnitude(quotient), b.error_)), least_divisor);
+    const bool exact = std::fma(quotient, b.value_, -a.value_) == 0 && magnitude(a.value_) > safe_product;
+    const double rounding = exact || a.value_ == 0 ? 0 : half_ulp(quotient);
+    // The propagated term is relative to the computed quotient; its own rounding enters once more through the divisor.
+    return Tracked(quotient, plus(propagated, times(rounding, over(size(b), least_divisor))));
+  }
+
+  friend bool operator<(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ < b.value_; }
+  friend bool operator>(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ > b.value_; }
+  friend bool operator<=(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ <= b.value_; }
+  friend bool operator>=(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ >= b.value_; }
+  friend bool operator==(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ == b.value_; }
+  friend bool operator!=(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ != b.value_; }
+
+  /// The C library's cosine and sine, taken to be off by at most two units in the last place (glibc's manual: one).
+  friend Tracked cos(const Tracked& a) { return library(std::cos(a.value_), a); }
+  friend Tracked sin(const Tracked& a) { return library(std::sin(a.value_), a); }
+
+ private:
+  static constexpr double infinite = std::numeric_limits<double>::infinity();
+  /// Products above this are far enough from the subnormals that their error term is a Float.
+  static constexpr double safe_product =
+      sizeof(Float) == 8 ? 0x1p-900 : 0x1p-100;
+
+  Tracked(Float value, double error) : value_(value), error_(std::isfinite(value) && error == error ? error : infinite) {}
+
+  static double magnitude(Float x) { return std::fabs(static_cast<double>(x)); }
+  static double size(const Tracked& a) { return magnitude(a.value_); }
+  // Bounds are added, multiplied and divided upwards: one step beyond the nearest double, unless the result is exactly 0.
+  static double plus(double x, double y) { return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, infinite); }
+  static double times(double x, double y) { return x == 0 || y == 0 ? 0 : std::nextafter(x * y, infinite); }
+  static double over(double x, double y) { return x == 0 ? 0 : std::nextafter(x / y, infinite); }
+  static double down(double x) { return std::nextafter(x, -infinite); }
+  static double half_ulp(Float x) {
+    const Float next = std::nextafter(std::fabs(x), std::numeric_limits<Float>::infinity());
+    const double gap = static_cast<double>(next) - magnitude(x);
+    return gap == static_cast<double>(std::numeric_limits<Float>::denorm_min()) ? gap : gap / 2;
+  }
+
+  static Tracked sum(const Tracked& a, const Tracked& b, Float result, Float addend) {
+    // A sum in the subnormal range is exact; elsewhere TwoSum's error term tells (Knuth).
+    const Float virtual_b = result - a.value_;
+    const Float rest = (a.value_ - (result - virtual_b)) + (addend - virtual_b);
+    const double rounding = rest == 0 ? 0 : half_ulp(result);
+    return Tracked(result, plus(plus(a.error_, b.error_), rounding));
+  }
+
+  static double product_rounding(Float a, Float b, Float product) {
+    if (a == 0 || b == 0) return 0;
+    if (magnitude(product) > safe_product && std::fma(a, b, -product) == 0) return 0;
+    return half_ulp(product);
+  }
+
+  static Tracked library(Float result, const Tracked& argument) {
+    const bool exact = argument.value_ == 0 && argument.error_ == 0;
+    return Tracked(result, exact ? 0 : plus(argument.error_, 4 * half_ulp(result)));
+  }
+
+  static void settled(const Tracked& a, const Tracked& b) {
+    const double gap = std::fabs(static_cast<double>(a.value_) - static_cast<double>(b.value_));
+    const double error = plus(a.error_, b.error_);
+    if (error > 0 && !(down(gap) > error)) doubtful() = true;
+    if (a.value_ != a.value_ || b.value_ != b.value_) doubtful() = true;
+  }
+
+  Float value_ = 0;
+  double error_ = 0;
+};
+
+}  // namespace touchstone::audit
