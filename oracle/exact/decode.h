@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+
+using Integer = mpz_class;
+
+/// mantissa * 2^exponent, |mantissa| < 2^53.
+struct Dyadic {
+  std::int64_t mantissa;
+  int exponent;
+};
+
+/// A finite double taken apart as bits. No floating-point operation touches it, so neither flush-to-zero,
+/// denormals-are-zero nor a rounding mode can change what it denotes. -0.0 is 0.
+constexpr Dyadic decode(double value) {
+  const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
+  const int field = static_cast<int>(bits >> 52 & 0x7ff);
+  const auto fraction = static_cast<std::int64_t>(bits & 0xfffffffffffff);
+  const std::int64_t magnitude = field == 0 ? fraction : fraction | std::int64_t{1} << 52;
+  return {bits >> 63 ? -magnitude : magnitude, (field == 0 ? 1 : field) - 1075};
+}
+
+/// whole * 2^exponent, canonical.
+Rational scaled(const Integer& whole, int exponent);
+
+/// value * 2^exponent, canonical.
+Rational scaled(const Rational& value, int exponent);
+
+/// numerator / denominator, canonical; the denominator is not zero.
+Rational quotient(const Integer& numerator, const Integer& denominator);
+
+/// The real number that a finite double is.
+Rational exact(double value);
+
+/// An integer of the machine as one of GMP.
+Integer widen(__int128 value);
+inline const Integer& widen(const Integer& value) { return value; }
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::oracle {
+
+/// Truth: sign of |point - center|^2 - radius^2 on integers. Margin: its absolute value (a difference of squared lengths).
+Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point);
+Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::oracle {
+
+/// Truth: origin + t direction in rationals. Nothing is decided but the rounding: the margin is the smaller of the two
+/// coordinates' distances, in their units in the last place, to the nearest tie between doubles.
+Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t);
+Certificate line_point_at_certificate(const ParametricLine2d& line, double t);
+
+}  // namespace touchstone::oracle
