@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: Apache-2.0
+# bench/NAME.cpp -> bench/NAME, beside the peers that it measures.
+
+find_package(benchmark REQUIRED)
+file(GLOB benches CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/*.cpp)
+foreach(source ${benches})
+  cmake_path(GET source STEM name)
+  add_executable(bench_${name} ${source})
+  touchstone_own(bench_${name})
+  target_link_libraries(bench_${name} PRIVATE touchstone_audit benchmark::benchmark MPFR::mpfr GMP::gmpxx)
+  set_target_properties(bench_${name} PROPERTIES OUTPUT_NAME ${name}
+                                                 RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bench)
+endforeach()

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+# audit/engines/programs/NAME.cpp -> engines/NAME: one audit program a foreign library. What a program needs is read
+# from its own includes; where the library is not installed the program is left out.
+
+find_package(GEOS QUIET)
+find_path(BOOST_GEOMETRY_DIR boost/geometry.hpp)
+find_path(CGAL_DIR_OF_HEADERS CGAL/version.h)
+mark_as_advanced(BOOST_GEOMETRY_DIR CGAL_DIR_OF_HEADERS)
+
+file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/audit/engines/programs/*.cpp)
+foreach(source ${programs})
+  cmake_path(GET source STEM name)
+  set(missing "")
+  set(libraries touchstone_audit)
+  file(STRINGS ${source} foreign REGEX "^#include <(boost/geometry|geos|CGAL)")
+  if(foreign MATCHES "<boost/geometry" AND NOT BOOST_GEOMETRY_DIR)
+    list(APPEND missing Boost.Geometry)
+  endif()
+  if(foreign MATCHES "<CGAL" AND NOT CGAL_DIR_OF_HEADERS)
+    list(APPEND missing CGAL)
+  endif()
+  if(foreign MATCHES "<geos")
+    if(TARGET GEOS::geos_c)
+      list(APPEND libraries $<IF:$<TARGET_EXISTS:GEOS::geos>,GEOS::geos,GEOS::geos_c> GEOS::geos_c)
+    else()
+      list(APPEND missing GEOS)
+    endif()
+  endif()
+  if(missing)
+    message(STATUS "engine ${name} is left out: ${missing} not found")
+    continue()
+  endif()
+  add_executable(engine_${name} ${source})
+  touchstone_own(engine_${name})
+  target_link_libraries(engine_${name} PRIVATE ${libraries} MPFR::mpfr)
+  set_target_properties(engine_${name} PROPERTIES OUTPUT_NAME ${name}
+                                                  RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/engines)
+endforeach()

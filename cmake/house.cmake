@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: Apache-2.0
+# How our own sources are compiled. Nothing here reaches a user of the installed libraries.
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # Precompiled headers are cached only when ccache may overlook their time stamps and macros.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
+endif()
+
+set(coverage_flags "")
+if(TOUCHSTONE_COVERAGE)
+  set(coverage_flags -fprofile-instr-generate -fcoverage-mapping)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 19)
+    list(APPEND coverage_flags -fcoverage-mcdc)
+  endif()
+endif()
+
+# A target compiled from our sources: strict floating point and all warnings, privately.
+function(touchstone_own target)
+  target_compile_options(
+    ${target} PRIVATE -ffp-contract=off -frounding-math -Wall -Wextra -Wconversion -Wno-sign-conversion
+                      ${coverage_flags} $<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer-no-link>)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    # ccache: a precompiled header must not carry the time at which it was made.
+    target_compile_options(${target} PRIVATE -Xclang -fno-pch-timestamp)
+  endif()
+  target_link_options(${target} PRIVATE ${coverage_flags})
+endfunction()

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+# proptests/FOLDER/*.cpp -> the program test_FOLDER; every file is a test of its own in ctest, named FOLDER/FILE.
+# A folder with a CMakeLists.txt builds itself.
+
+find_package(Catch2 2 REQUIRED)
+find_package(rapidcheck REQUIRED)
+
+function(touchstone_test_sources target)
+  touchstone_own(${target})
+  target_compile_options(${target} PRIVATE -Wno-conversion)
+  target_link_libraries(${target} PRIVATE touchstone_audit Catch2::Catch2 rapidcheck rapidcheck_catch MPFR::mpfr)
+endfunction()
+
+function(touchstone_test_program folder)
+  set(target test_${folder})
+  add_executable(${target} ${ARGN})
+  touchstone_test_sources(${target})
+  target_link_libraries(${target} PRIVATE touchstone_test_main)
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  if(TOUCHSTONE_PCH)
+    target_precompile_headers(${target} REUSE_FROM touchstone_test_main)
+  endif()
+  foreach(source ${ARGN})
+    cmake_path(GET source STEM file)
+    add_test(NAME ${folder}/${file} COMMAND ${target} --filenames-as-tags --warn NoTests "[#${file}]"
+             WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  endforeach()
+endfunction()
+
+if(EXISTS ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
+  # main.cpp defines how Catch2 is expanded, so it alone cannot take the headers precompiled.
+  add_library(touchstone_test_main OBJECT ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
+  touchstone_test_sources(touchstone_test_main)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/proptests/main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  if(TOUCHSTONE_PCH)
+    target_precompile_headers(touchstone_test_main PRIVATE <catch2/catch.hpp> <rapidcheck.h> <nlohmann/json.hpp>
+                              <gmpxx.h>)
+  endif()
+  file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/proptests/*)
+  foreach(folder ${folders})
+    cmake_path(GET folder FILENAME name)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    if(EXISTS ${folder}/CMakeLists.txt OR NOT sources)
+      continue()
+    endif()
+    touchstone_test_program(${name} ${sources})
+  endforeach()
+endif()

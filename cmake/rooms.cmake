@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+# One library a room. reference, robust and oracle never see one another; audit sees them all.
+
+find_package(GMP REQUIRED)
+find_package(MPFR REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(PNG REQUIRED)
+
+# touchstone_room(name sources...): touchstone::name, installed with the package.
+function(touchstone_room room)
+  set(target touchstone_${room})
+  if(ARGN)
+    add_library(${target} STATIC ${ARGN})
+    touchstone_own(${target})
+    set(scope PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  add_library(touchstone::${room} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(
+    ${target} ${scope} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/touchstone>)
+endfunction()
+
+# touchstone_links(room PUBLIC|PRIVATE libraries...), also while a room has no sources yet.
+function(touchstone_links room scope)
+  get_target_property(type touchstone_${room} TYPE)
+  if(type STREQUAL INTERFACE_LIBRARY)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(touchstone_${room} ${scope} ${ARGN})
+endfunction()
+
+file(GLOB_RECURSE robust_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/robust/*.cpp)
+file(GLOB_RECURSE oracle_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/oracle/*.cpp)
+file(GLOB_RECURSE audit_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/audit/*.cpp)
+set(certify_sources ${oracle_sources})
+list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
+list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
+list(FILTER audit_sources EXCLUDE REGEX "/audit/(cli/main\\.cpp|engines/programs/)")
+
+touchstone_room(geometry)
+touchstone_room(reference)
+touchstone_room(robust ${robust_sources})
+touchstone_room(oracle ${oracle_sources})
+touchstone_room(certify ${certify_sources})
+touchstone_room(audit ${audit_sources})
+
+touchstone_links(reference PUBLIC touchstone_geometry)
+touchstone_links(robust PUBLIC touchstone_geometry)
+touchstone_links(robust PRIVATE MPFR::mpfr GMP::gmp)
+touchstone_links(oracle PUBLIC touchstone_geometry GMP::gmpxx)
+touchstone_links(oracle PRIVATE MPFR::mpfr)
+touchstone_links(certify PUBLIC GMP::gmpxx)
+touchstone_links(audit PUBLIC touchstone_reference touchstone_robust touchstone_oracle touchstone_certify MPFR::mpfr
+                 nlohmann_json::nlohmann_json)
+touchstone_links(audit PRIVATE fmt::fmt PNG::PNG)
+
+if(TOUCHSTONE_PCH AND audit_sources)
+  target_precompile_headers(touchstone_audit PRIVATE <nlohmann/json.hpp> <gmpxx.h>)
+endif()
