@@ -18,7 +18,7 @@ function(touchstone_test_program folder)
   target_link_libraries(${target} PRIVATE touchstone_test_main)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if(TOUCHSTONE_PCH)
-    target_precompile_headers(${target} REUSE_FROM touchstone_test_main)
+    target_precompile_headers(${target} REUSE_FROM touchstone_test_headers)
   endif()
   foreach(source ${ARGN})
     cmake_path(GET source STEM file)
@@ -28,12 +28,14 @@ function(touchstone_test_program folder)
 endfunction()
 
 if(EXISTS ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
-  # main.cpp defines how Catch2 is expanded, so it alone cannot take the headers precompiled.
   add_library(touchstone_test_main OBJECT ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
   touchstone_test_sources(touchstone_test_main)
-  set_source_files_properties(${PROJECT_SOURCE_DIR}/proptests/main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
   if(TOUCHSTONE_PCH)
-    target_precompile_headers(touchstone_test_main PRIVATE <catch2/catch.hpp> <rapidcheck.h> <nlohmann/json.hpp>
+    # main.cpp chooses how Catch2 is expanded, so the precompiled headers live with a program that does nothing.
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/test_headers.cpp CONTENT "int main() {}\n")
+    add_executable(touchstone_test_headers ${PROJECT_BINARY_DIR}/test_headers.cpp)
+    touchstone_test_sources(touchstone_test_headers)
+    target_precompile_headers(touchstone_test_headers PRIVATE <catch2/catch.hpp> <rapidcheck.h> <nlohmann/json.hpp>
                               <gmpxx.h>)
   endif()
   file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/proptests/*)
