@@ -3,6 +3,7 @@
 
 #include "geometry/answers.h"
 #include "oracle/certificates/certificate.h"
+#include "oracle/exact/elimination.h"
 
 namespace touchstone::oracle {
 
@@ -10,7 +11,8 @@ namespace touchstone::oracle {
 Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-/// The answer of `orientation` alone, the same determinant in 128-bit integers where the coordinates allow it.
+/// The answer of `orientation` alone by elimination (oracle/exact/elimination.h), in 128-bit integers where the coordinates
+/// allow it.
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
 }  // namespace touchstone::oracle
