@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/cgal_predicates.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include "robust/kernel/control_word.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
+
+CGAL::Gmpq number(const mpz_class& n) { return CGAL::Gmpq(CGAL::Gmpz(n.get_mpz_t())); }
+Kernel::Point_2 cgal(const Point2<mpz_class>& p) { return {number(p.x), number(p.y)}; }
+Kernel::Vector_2 cgal(const Vector2<mpz_class>& v) { return {number(v.x), number(v.y)}; }
+
+}  // namespace
+
+int turn(const Point2<mpz_class>& p, const Point2<mpz_class>& q, const Point2<mpz_class>& r) {
+  const ControlWord guard;
+  return static_cast<int>(CGAL::orientation(cgal(p), cgal(q), cgal(r)));
+}
+
+int turn(const Vector2<mpz_class>& v, const Vector2<mpz_class>& w) {
+  const ControlWord guard;
+  return static_cast<int>(CGAL::orientation(cgal(v), cgal(w)));
+}
+
+int side_of_circle(const Circle2<mpz_class>& circle, const Point2<mpz_class>& p) {
+  const ControlWord guard;
+  const CGAL::Gmpq radius = number(circle.radius);
+  return static_cast<int>(
+      CGAL::compare(CGAL::Gmpq(radius * radius), CGAL::squared_distance(cgal(circle.center), cgal(p))));
+}
+
+int sign_by_cgal(const mpz_class& x) {
+  const ControlWord guard;
+  return static_cast<int>(CGAL::sign(number(x)));
+}
+
+}  // namespace touchstone::robust::kernel

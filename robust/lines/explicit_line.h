@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/answers.h"
+#include "robust/kernel/stage.h"
+
+namespace touchstone::robust {
+
+/// Contract: reference/lines/explicit_line.h. Right for all finite doubles in every floating-point environment.
+Height explicit_line(double slope, double intercept, const Point2d& point);
+
+/// The same, and which stage decided.
+Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided);
+
+/// The stages; robust/kernel/stage.h says what each may expect and answer.
+std::optional<Height> explicit_line_lattice(double slope, double intercept, const Point2d& point);
+Height explicit_line_exact(double slope, double intercept, const Point2d& point);
+
+}  // namespace touchstone::robust

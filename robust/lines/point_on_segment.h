@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/answers.h"
+#include "robust/kernel/stage.h"
+
+namespace touchstone::robust {
+
+/// Contract: reference/lines/point_on_segment.h. Right, and t correctly rounded, for all finite doubles in every floating-point
+/// environment.
+PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment);
+
+/// The decision alone; and which stage decided.
+Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment);
+Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided);
+
+/// The stages; robust/kernel/stage.h says what each may expect and answer.
+std::optional<Incidence> point_on_segment_relation_lattice(const Point2d& point, const Segment2d& segment);
+Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d& segment);
+std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment);
+PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segment2d& segment);
+
+}  // namespace touchstone::robust

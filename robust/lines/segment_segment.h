@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/answers.h"
+#include "robust/kernel/stage.h"
+
+namespace touchstone::robust {
+
+/// Contract: reference/lines/segment_segment.h. Right, and every number correctly rounded, for all finite doubles in every
+/// floating-point environment.
+SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
+
+/// The decision alone; and which stage decided.
+SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
+SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided);
+
+/// The stages; robust/kernel/stage.h says what each may expect and answer.
+std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b);
+SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment2d& b);
+std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b);
+SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d& b);
+
+}  // namespace touchstone::robust
