@@ -17,8 +17,13 @@ namespace touchstone::audit {
 template <class Class, class Type>
 struct Member {
   const char* name;
-  Type Class::* pointer;
+  Type Class::*pointer;
 };
+
+template <class Class, class Type>
+constexpr Member<Class, Type> member(const char* name, Type Class::*pointer) {
+  return {name, pointer};
+}
 
 /// A list is a JSON array in the order of its members; a record is a JSON object.
 enum class Form { list, record };
@@ -29,68 +34,68 @@ struct Described;
 template <class R>
 struct Described<Point2<R>> {
   static constexpr Form form = Form::list;
-  static constexpr auto members = std::tuple{Member{"x", &Point2<R>::x}, Member{"y", &Point2<R>::y}};
+  static constexpr auto members = std::tuple{member("x", &Point2<R>::x), member("y", &Point2<R>::y)};
 };
 template <class R>
 struct Described<Vector2<R>> {
   static constexpr Form form = Form::list;
-  static constexpr auto members = std::tuple{Member{"x", &Vector2<R>::x}, Member{"y", &Vector2<R>::y}};
+  static constexpr auto members = std::tuple{member("x", &Vector2<R>::x), member("y", &Vector2<R>::y)};
 };
 template <class R>
 struct Described<Segment2<R>> {
   static constexpr Form form = Form::list;
-  static constexpr auto members = std::tuple{Member{"a", &Segment2<R>::a}, Member{"b", &Segment2<R>::b}};
+  static constexpr auto members = std::tuple{member("a", &Segment2<R>::a), member("b", &Segment2<R>::b)};
 };
 template <class R>
 struct Described<Line2<R>> {
   static constexpr Form form = Form::list;
-  static constexpr auto members = std::tuple{Member{"p", &Line2<R>::p}, Member{"q", &Line2<R>::q}};
+  static constexpr auto members = std::tuple{member("p", &Line2<R>::p), member("q", &Line2<R>::q)};
 };
 template <class R>
 struct Described<ParametricLine2<R>> {
   static constexpr Form form = Form::record;
-  static constexpr auto members = std::tuple{Member{"origin", &ParametricLine2<R>::origin},
-                                             Member{"direction", &ParametricLine2<R>::direction}};
+  static constexpr auto members = std::tuple{member("origin", &ParametricLine2<R>::origin),
+                                             member("direction", &ParametricLine2<R>::direction)};
 };
 template <class R>
 struct Described<Ray2<R>> {
   static constexpr Form form = Form::record;
   static constexpr auto members =
-      std::tuple{Member{"origin", &Ray2<R>::origin}, Member{"direction", &Ray2<R>::direction}};
+      std::tuple{member("origin", &Ray2<R>::origin), member("direction", &Ray2<R>::direction)};
 };
 template <class R>
 struct Described<Circle2<R>> {
   static constexpr Form form = Form::record;
   static constexpr auto members =
-      std::tuple{Member{"center", &Circle2<R>::center}, Member{"radius", &Circle2<R>::radius}};
+      std::tuple{member("center", &Circle2<R>::center), member("radius", &Circle2<R>::radius)};
 };
 template <class R>
 struct Described<PointOnSegment<R>> {
   static constexpr Form form = Form::record;
   static constexpr auto members =
-      std::tuple{Member{"relation", &PointOnSegment<R>::relation}, Member{"t", &PointOnSegment<R>::t}};
+      std::tuple{member("relation", &PointOnSegment<R>::relation), member("t", &PointOnSegment<R>::t)};
 };
 template <class R>
 struct Described<LineLine<R>> {
   static constexpr Form form = Form::record;
   static constexpr auto members =
-      std::tuple{Member{"relation", &LineLine<R>::relation}, Member{"ta", &LineLine<R>::ta},
-                 Member{"tb", &LineLine<R>::tb}, Member{"point", &LineLine<R>::point}};
+      std::tuple{member("relation", &LineLine<R>::relation), member("ta", &LineLine<R>::ta),
+                 member("tb", &LineLine<R>::tb), member("point", &LineLine<R>::point)};
 };
 template <class R>
 struct Described<SegmentSegment<R>> {
   static constexpr Form form = Form::record;
   static constexpr auto members =
-      std::tuple{Member{"relation", &SegmentSegment<R>::relation}, Member{"ta", &SegmentSegment<R>::ta},
-                 Member{"tb", &SegmentSegment<R>::tb}, Member{"point", &SegmentSegment<R>::point},
-                 Member{"overlap", &SegmentSegment<R>::overlap}};
+      std::tuple{member("relation", &SegmentSegment<R>::relation), member("ta", &SegmentSegment<R>::ta),
+                 member("tb", &SegmentSegment<R>::tb), member("point", &SegmentSegment<R>::point),
+                 member("overlap", &SegmentSegment<R>::overlap)};
 };
 template <class R>
 struct Described<RaySegment<R>> {
   static constexpr Form form = Form::record;
   static constexpr auto members =
-      std::tuple{Member{"relation", &RaySegment<R>::relation}, Member{"t", &RaySegment<R>::t},
-                 Member{"point", &RaySegment<R>::point}, Member{"overlap", &RaySegment<R>::overlap}};
+      std::tuple{member("relation", &RaySegment<R>::relation), member("t", &RaySegment<R>::t),
+                 member("point", &RaySegment<R>::point), member("overlap", &RaySegment<R>::overlap)};
 };
 
 /// The words of an enumeration, in the order of its enumerators, and the words that mean "no common point" /

@@ -30,6 +30,7 @@ mpq_class read_exact(const Json& value, const std::string& field);
 
 /// A double: an integer where it is one below 2^53, else the shortest decimal that reads back; "nan", "inf", "-inf".
 Json written(double value);
+inline Json written(const Json& value) { return value; }
 /// "p/q" or "p".
 Json written(const mpq_class& value);
 std::string hexadecimal(double value);

@@ -36,6 +36,10 @@ class Exact {
   friend bool operator==(const Exact& a, const Exact& b) { return both(a, b) && a.value_ == b.value_; }
   friend bool operator!=(const Exact& a, const Exact& b) { return !(a == b); }
 
+  /// Irrational: rationals within 2^-2399 of the true value, relatively.
+  friend Exact cos(const Exact& a);
+  friend Exact sin(const Exact& a);
+
  private:
   Exact(mpq_class value, const Exact& a, const Exact& b) : value_(std::move(value)), defined_(both(a, b)) {}
   static bool both(const Exact& a, const Exact& b) { return a.defined_ && b.defined_; }

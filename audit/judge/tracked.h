@@ -18,7 +18,7 @@ class Tracked {
  public:
   Tracked() = default;
   Tracked(int value) : value_(static_cast<Float>(value)) {}
-  explicit Tracked(Float value) : value_(value) {}
+  explicit Tracked(Float value) : value_(value) {}  // exact
 
   Float value() const { return value_; }
   double error() const { return error_; }
@@ -27,18 +27,25 @@ class Tracked {
     return doubt;
   }
 
-  friend Tracked operator+(const Tracked& a, const Tracked& b) { return sum(a, b, a.value_ + b.value_, b.value_); }
-  friend Tracked operator-(const Tracked& a, const Tracked& b) { return sum(a, b, a.value_ - b.value_, -b.value_); }
+  friend Tracked operator+(const Tracked& a, const Tracked& b) {
+    return kept_undefined(a, b, sum(a, b, a.value_ + b.value_, b.value_));
+  }
+  friend Tracked operator-(const Tracked& a, const Tracked& b) {
+    return kept_undefined(a, b, sum(a, b, a.value_ - b.value_, -b.value_));
+  }
   friend Tracked operator-(const Tracked& a) { return Tracked(-a.value_, a.error_); }
 
   friend Tracked operator*(const Tracked& a, const Tracked& b) {
+    if (a.is_undefined() || b.is_undefined()) return undefined();
     const Float product = a.value_ * b.value_;
     const double propagated = plus(times(size(a), b.error_), times(plus(size(b), b.error_), a.error_));
     return Tracked(product, plus(propagated, product_rounding(a.value_, b.value_, product)));
   }
 
   friend Tracked operator/(const Tracked& a, const Tracked& b) {
+    if (a.is_undefined() || b.is_undefined()) return undefined();
     const Float quotient = a.value_ / b.value_;
+    if (a.value_ == 0 && a.error_ == 0 && b.value_ == 0 && b.error_ == 0) return undefined();
     const double least_divisor = down(size(b) - b.error_);
     if (!(least_divisor > 0) || !std::isfinite(quotient)) return Tracked(quotient, infinite);
     const double propagated = over(plus(a.error_, times(magnitude(quotient), b.error_)), least_divisor);
@@ -66,6 +73,16 @@ class Tracked {
       sizeof(Float) == 8 ? 0x1p-900 : 0x1p-100;
 
   Tracked(Float value, double error) : value_(value), error_(std::isfinite(value) && error == error ? error : infinite) {}
+
+  /// 0 / 0 without any rounding before it: undefined in exact arithmetic too, so no comparison with it is in doubt.
+  static Tracked undefined() {
+    Tracked result(std::numeric_limits<Float>::quiet_NaN());
+    return result;
+  }
+  bool is_undefined() const { return value_ != value_ && error_ == 0; }
+  static Tracked kept_undefined(const Tracked& a, const Tracked& b, const Tracked& result) {
+    return a.is_undefined() || b.is_undefined() ? undefined() : result;
+  }
 
   static double magnitude(Float x) { return std::fabs(static_cast<double>(x)); }
   static double size(const Tracked& a) { return magnitude(a.value_); }
@@ -100,6 +117,7 @@ class Tracked {
   }
 
   static void settled(const Tracked& a, const Tracked& b) {
+    if (a.is_undefined() || b.is_undefined()) return;
     const double gap = std::fabs(static_cast<double>(a.value_) - static_cast<double>(b.value_));
     const double error = plus(a.error_, b.error_);
     if (error > 0 && !(down(gap) > error)) doubtful() = true;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/catalogue/lines/explicit_line.h"
+#include "audit/catalogue/lines/implicit_circle.h"
+#include "audit/catalogue/lines/line_line.h"
+#include "audit/catalogue/lines/line_point_at.h"
+#include "audit/catalogue/lines/orientation.h"
+#include "audit/catalogue/lines/parametric_circle.h"
+#include "audit/catalogue/lines/point_on_segment.h"
+#include "audit/catalogue/lines/ray_segment.h"
+#include "audit/catalogue/lines/segment_segment.h"
+
+namespace touchstone::audit {
+
+template <class... R>
+struct RowList {
+  template <class Visit>
+  static void for_each(const Visit& visit) {
+    (visit.template operator()<R>(), ...);
+  }
+};
+
+/// The catalogue, in the order of the deck. There is no other list of operations.
+using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
+                     rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation>;
+
+/// visit.template operator()<Row>() for every row.
+template <class Visit>
+void for_each_row(const Visit& visit) {
+  Rows::for_each(visit);
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/codec/json.h"
+#include "audit/report/scene.h"
+#include "geometry/thin_shapes.h"
+
+/// How each shape is drawn; a new type of geometry adds its overload.
+namespace touchstone::audit {
+
+inline void draw(Scene& scene, const std::string& label, double value, bool) {
+  scene.notes.push_back(label + " = " + decimal(value));
+}
+inline void draw(Scene& scene, const std::string& label, const Point2d& p, bool answer) {
+  scene.figures.push_back({Figure::Kind::point, label, {p.x, p.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Vector2d& v, bool answer) {
+  scene.figures.push_back({Figure::Kind::arrow, label, {0, 0, v.x, v.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Segment2d& s, bool answer) {
+  scene.figures.push_back({Figure::Kind::segment, label, {s.a.x, s.a.y, s.b.x, s.b.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Line2d& l, bool answer) {
+  scene.figures.push_back({Figure::Kind::line, label, {l.p.x, l.p.y, l.q.x, l.q.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const ParametricLine2d& l, bool answer) {
+  const Point2d end = l.origin + l.direction;
+  scene.figures.push_back({Figure::Kind::line, label, {l.origin.x, l.origin.y, end.x, end.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Ray2d& r, bool answer) {
+  const Point2d end = r.origin + r.direction;
+  scene.figures.push_back({Figure::Kind::ray, label, {r.origin.x, r.origin.y, end.x, end.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Circle2d& c, bool answer) {
+  scene.figures.push_back({Figure::Kind::circle, label, {c.center.x, c.center.y, c.radius}, answer});
+}
+
+}  // namespace touchstone::audit

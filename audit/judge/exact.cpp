@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/judge/exact.h"
+
+#include <mpfr.h>
+
+namespace touchstone::audit {
+namespace {
+
+// More than the 1074 + 1024 bits between the ends of the binary64 range would be needed for an exact sum of any two
+// doubles; 2400 also leave 300 bits beyond the last place for the question of ties.
+constexpr mpfr_prec_t precision = 2400;
+
+template <class Function>
+Exact by_mpfr(const Exact& a, Function function) {
+  if (!a.defined()) return a;
+  mpfr_t argument, result;
+  mpfr_init2(argument, precision);
+  mpfr_init2(result, precision);
+  mpfr_set_q(argument, a.value().get_mpq_t(), MPFR_RNDN);
+  function(result, argument, MPFR_RNDN);
+  mpq_class value;
+  mpfr_get_q(value.get_mpq_t(), result);
+  mpfr_clear(argument);
+  mpfr_clear(result);
+  return Exact(value);
+}
+
+}  // namespace
+
+Exact cos(const Exact& a) { return by_mpfr(a, mpfr_cos); }
+Exact sin(const Exact& a) { return by_mpfr(a, mpfr_sin); }
+
+}  // namespace touchstone::audit

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/report/wording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "audit/codec/json.h"
+
+namespace touchstone::audit {
+namespace {
+
+bool is_exact_value(const std::string& text) {
+  const std::size_t sign = !text.empty() && text[0] == '-' ? 1 : 0;
+  const bool plausible = text.find_first_not_of("0123456789/", sign) == std::string::npos;
+  return plausible && text.size() > sign && text.back() != '/' && text[sign] != '/' &&
+         std::count(text.begin(), text.end(), '/') <= 1;
+}
+
+Json rewritten(const Json& answer, bool abbreviate) {
+  if (is_typed_number(answer)) return written(read_answer_number(answer, "answer"));
+  if (answer.is_string() && abbreviate) {
+    const std::string& text = answer.get_ref<const std::string&>();
+    if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text));
+    return answer;
+  }
+  if (!answer.is_structured()) return answer;
+  Json result = answer.is_array() ? Json::array() : Json::object();
+  for (const auto& [key, value] : answer.items()) {
+    if (answer.is_array()) {
+      result.push_back(rewritten(value, abbreviate));
+    } else {
+      result[key] = rewritten(value, abbreviate);
+    }
+  }
+  return result;
+}
+
+bool mentions_nan(const Json& answer) {
+  if (answer.is_string()) return answer.get_ref<const std::string&>() == "nan";
+  return answer.is_structured() &&
+         std::any_of(answer.begin(), answer.end(), [](const Json& part) { return mentions_nan(part); });
+}
+
+std::string why_algorithm(const Finding& finding, Speaker speaker) {
+  switch (speaker) {
+    case Speaker::reference:
+      return std::string(
+                 "The slide's formula itself fails here: even in exact arithmetic it is wrong, or undefined such as "
+                 "0/0.") +
+             (mentions_nan(finding.answer) ? " The NaN in the answer is what 0/0 leaves behind." : "");
+    case Speaker::robust:
+      return "robust promises the right answer for every finite input, so this is a bug of robust.";
+    case Speaker::foreign:
+      break;
+  }
+  return "Rounding is not to blame: in the engine's own number type even the slide's formula is certain of its "
+         "decision on "
+         "this input.";
+}
+
+std::string why_rounding(Speaker speaker) {
+  if (speaker == Speaker::reference) {
+    return "The slide's formula is right here: in exact arithmetic it gives the truth. Rounding its intermediate "
+           "results "
+           "changed the decision.";
+  }
+  return "What decides is smaller than the rounding errors of the slide's formula in the engine's own number type: "
+         "without "
+         "exact arithmetic or an error bound nothing certain can be said on this input.";
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string counted(std::uint64_t n, const std::string& noun) { return grouped(n) + " " + noun + (n == 1 ? "" : "s"); }
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0 || part == 0) return "0%";
+  if (part == whole) return "100%";
+  const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  if (percent < 0.01) return "<0.01%";
+  if (percent > 99.99) return ">99.99%";
+  return fmt::format("{:.{}f}%", percent, percent < 1 || percent > 99 ? 2 : 1);
+}
+
+std::string subject(const Declaration& declaration) {
+  return (declaration.engine.empty() ? "reference" : declaration.engine) +
+         (declaration.binary32 ? " (binary32)" : " (binary64)");
+}
+
+std::string boundary_word(Declaration::Boundary boundary) {
+  switch (boundary) {
+    case Declaration::Boundary::closed:
+      return "closed";
+    case Declaration::Boundary::open:
+      return "open";
+    case Declaration::Boundary::unspecified:
+      break;
+  }
+  return "unspecified";
+}
+
+std::string meaning(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::agree:
+      return "right decision, every number within the stated bound";
+    case Verdict::rounding:
+      return "wrong decision; the same formula in exact arithmetic is right";
+    case Verdict::algorithm:
+      return "wrong decision, or undefined, even in exact arithmetic";
+    case Verdict::inexact:
+      return "right decision, a number further off than the stated bound";
+    case Verdict::convention:
+      return "right for open sets, where the truth is a touch";
+    case Verdict::tolerance:
+      return "wrong decision, within the tolerance that the engine declares";
+    case Verdict::invalid:
+      return "NaN, infinity, exception, crash, no legal answer or none in time";
+    case Verdict::unsupported:
+      return "the engine does not answer this";
+  }
+  return "";
+}
+
+Speaker speaker_of(const Declaration& declaration) {
+  return declaration.engine.empty() || declaration.engine == "reference" ? Speaker::reference : Speaker::foreign;
+}
+
+std::string why(const Finding& finding, const Operation* operation, Speaker speaker) {
+  switch (finding.judgement.verdict) {
+    case Verdict::rounding:
+      return why_rounding(speaker);
+    case Verdict::algorithm:
+      return why_algorithm(finding, speaker);
+    case Verdict::inexact: {
+      const std::string off = decimal(finding.judgement.ulps);
+      if (speaker == Speaker::robust)
+        return "The decision is right, but a number is " + off + " ulps from the correctly rounded one.";
+      const std::string bound = operation ? " Stated bound: " + decimal(operation->card().ulps) + "." : "";
+      return "The decision is right, but a number is " + off + " ulps from the exact value." + bound;
+    }
+    case Verdict::convention:
+      return "The truth is a touch, and the answer is right for open sets; the engine does not promise closed ones.";
+    case Verdict::tolerance:
+      return "The margin is within the tolerance that the engine declares.";
+    case Verdict::invalid:
+      return finding.judgement.remark.empty() ? "No legal answer." : finding.judgement.remark;
+    case Verdict::unsupported:
+      return "The engine does not answer this input.";
+    case Verdict::agree:
+      break;
+  }
+  return "The answer is right.";
+}
+
+std::string readable(const mpq_class& exact, std::size_t most) {
+  std::string whole = exact.get_str();
+  if (whole.size() <= most) return whole;
+  mp_exp_t exponent = 0;
+  const mpf_class rounded(exact, 192);
+  std::string digits = rounded.get_str(exponent, 10, 6);
+  const std::string sign = digits[0] == '-' ? "-" : "";
+  digits.erase(0, sign.size());
+  return fmt::format("about {}{}{}{}e{:+d}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1),
+                     static_cast<long>(exponent) - 1);
+}
+
+Json readable(const Json& answer) { return rewritten(answer, true); }
+Json plain(const Json& answer) { return rewritten(answer, false); }
+
+std::string word_in(const Json& answer) {
+  if (answer.is_boolean()) return answer.get<bool>() ? "true" : "false";
+  if (!answer.is_object()) return "value";
+  for (const auto& [key, value] : answer.items()) {
+    if (!value.is_string() || is_typed_number(value)) continue;
+    const std::string& text = value.get_ref<const std::string&>();
+    if (text != "nan" && text != "inf" && text != "-inf" && !is_exact_value(text)) return text;
+  }
+  return "value";
+}
+
+std::string repeat_command(const Operation& operation, const Question& question) {
+  return "echo '" + one_line(operation.print(question)) + "' | touchstone ask " + operation.name() + " -";
+}
+
+Smallest smallest_of(const OperationTally& tally, Verdict verdict) {
+  Smallest best;
+  for (const auto& [family, cell] : tally.families) {
+    const auto& candidate = cell.smallest[static_cast<std::size_t>(verdict)];
+    if (!candidate || (best.finding && !smaller(candidate->question, best.finding->question))) continue;
+    best = {&*candidate, family};
+  }
+  return best;
+}
+
+Cell sum_of(const std::vector<OperationTally>& tallies) {
+  Cell sum;
+  for (const OperationTally& tally : tallies) sum.merge(tally.total());
+  return sum;
+}
+
+std::string summary_of(const Cell& sum) {
+  const std::uint64_t rounding = sum.count(Verdict::rounding), algorithm = sum.count(Verdict::algorithm);
+  const std::uint64_t invalid = sum.count(Verdict::invalid), unsupported = sum.count(Verdict::unsupported);
+  std::string text =
+      grouped(rounding + algorithm + invalid) + " of " + grouped(sum.cases() - unsupported) + " answers wrong";
+  std::string separator = ": ";
+  const auto name = [&](std::uint64_t n, const std::string& words) {
+    if (n == 0) return;
+    text += separator + grouped(n) + " " + words;
+    separator = ", ";
+  };
+  name(rounding, "by rounding");
+  name(algorithm, "by algorithm");
+  name(invalid, "invalid");
+  separator = "; ";
+  name(sum.count(Verdict::inexact), "inexact");
+  name(sum.count(Verdict::convention), "by another convention");
+  name(sum.count(Verdict::tolerance), "within tolerance");
+  name(unsupported, "not supported");
+  return text;
+}
+
+std::string closing_sentence(const Tally& tally) {
+  const Cell robust = sum_of(tally.robust);
+  return subject(tally.declaration) + ": " + summary_of(sum_of(tally.operations)) +
+         (tally.robust.empty() ? "" : "; robust: " + grouped(robust.cases() - robust.count(Verdict::agree))) + "\n";
+}
+
+}  // namespace touchstone::audit
