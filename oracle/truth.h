@@ -8,8 +8,8 @@ namespace touchstone::oracle {
 /// Every number of the oracle: an exact rational, canonical. (Never `auto` on an expression of these.)
 using Rational = mpq_class;
 
-/// The one right answer and the margin: how far the input is, along the deciding quantity of the operation (named in the
-/// operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative.
+/// The one right answer and the margin: how far the input is, along the deciding quantity of the operation (named in
+/// the operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative.
 template <class Answer>
 struct Truth {
   Answer answer;

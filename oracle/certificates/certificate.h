@@ -9,8 +9,9 @@
 
 namespace touchstone::oracle {
 
-/// A proof of one answer in named lists of rationals, for a checker that knows no geometry algorithm: it only multiplies,
-/// adds and compares. `kind` says which inequalities are to hold; each kind is described where it is checked.
+/// A proof of one answer in named lists of rationals, for a checker that knows no geometry algorithm: it only
+/// multiplies, adds and compares. `kind` says which inequalities are to hold; each kind is described where it is
+/// checked.
 struct Certificate {
   std::string kind;
   std::vector<std::pair<std::string, std::vector<Rational>>> facts;

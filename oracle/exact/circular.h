@@ -14,7 +14,8 @@ struct CosineAndSine {
   Enclosure cosine, sine;
 };
 
-/// cos u and sin u of a finite u other than 0, each enclosed to within 2^(1 - bits) of itself. u of any size: MPFR reduces it exactly.
+/// cos u and sin u of a finite u other than 0, each enclosed to within 2^(1 - bits) of itself. u of any size: MPFR
+/// reduces it exactly.
 CosineAndSine cosine_and_sine(double u, int bits);
 
 /// The whole number of quarter turns nearest to u (or next to it): |u - k pi/2| < 0.8.

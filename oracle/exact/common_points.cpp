@@ -62,7 +62,8 @@ SquaredLength squared_distance(const Point2<Integer>& point, const Segment2<Inte
   return {Integer(area * area), length};
 }
 
-Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second, int exponent) {
+Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second,
+                            int exponent) {
   SquaredLength least = squared_distance(first.a, second, Extent::segment);
   const auto consider = [&](const Point2<Integer>& end, const Segment2<Integer>& shape, Extent reach) {
     if (sgn(least.numerator) == 0) return;

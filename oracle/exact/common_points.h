@@ -10,7 +10,8 @@ namespace touchstone::oracle {
 /// program over the two parameters.
 struct CommonPoints {
   bool any = false;
-  /// any: the common points with the least and the greatest parameter on the first shape, with their parameters on the second.
+  /// any: the common points with the least and the greatest parameter on the first shape, with their parameters on the
+  /// second.
   Rational first, last, second_at_first, second_at_last;
   /// none: normal . p < normal . q for every p of the first shape and q of the second (from the Farkas vector).
   Vector2<Integer> normal;
@@ -30,13 +31,14 @@ struct SquaredLength {
 SquaredLength squared_distance(const Point2<Integer>& point, const Segment2<Integer>& shape, Extent extent);
 
 /// The least squared distance of an end of either shape from the other one, for points times 2^exponent.
-Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second, int exponent);
+Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second,
+                            int exponent);
 
 /// shape.a + t (shape.b - shape.a), times 2^exponent.
 Point2<Rational> point_at(const Segment2<Integer>& shape, const Rational& t, int exponent);
 
-/// The number halfway between the greatest of normal . p over the first shape and the least over the second, for points times
-/// 2^exponent; the first shape's direction as in common_points.
+/// The number halfway between the greatest of normal . p over the first shape and the least over the second, for points
+/// times 2^exponent; the first shape's direction as in common_points.
 Rational halfway(const Vector2<Integer>& normal, const Segment2<Integer>& first, Extent extent,
                  const Segment2<Integer>& second, int exponent);
 

@@ -5,8 +5,8 @@
 
 namespace touchstone::oracle {
 
-/// The relation of two closed segments on integers by elimination: Cramer's rule for a(ta) = b(tb) where the directions differ,
-/// the order along the line where all four ends are collinear. No fraction is formed.
+/// The relation of two closed segments on integers by elimination: Cramer's rule for a(ta) = b(tb) where the directions
+/// differ, the order along the line where all four ends are collinear. No fraction is formed.
 ///
 /// Second truth beside the linear program of segment_segment, and the fast one: for exhaustive runs.
 /// Word holds the coordinates, Wide the products: with |coordinate| < 2^k, Word needs k + 2 bits and Wide 2k + 4

@@ -16,7 +16,8 @@ void eliminate(__int128& target, __int128 pivot, __int128 column, __int128 row, 
   if (divisor != 1) target /= divisor;
 }
 
-void eliminate(Integer& target, const Integer& pivot, const Integer& column, const Integer& row, const Integer& divisor) {
+void eliminate(Integer& target, const Integer& pivot, const Integer& column, const Integer& row,
+               const Integer& divisor) {
   mpz_ptr to = target.get_mpz_t();
   mpz_mul(to, to, pivot.get_mpz_t());
   mpz_submul(to, column.get_mpz_t(), row.get_mpz_t());

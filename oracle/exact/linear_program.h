@@ -9,10 +9,10 @@ namespace touchstone::oracle {
 
 /// Exact linear programming on integers: x >= 0 and, row by row, sum_j a_ij x_j = b_i or <= b_i.
 ///
-/// Method: a dictionary of integers over one common denominator (every entry is a minor of the input, so each pivot divides
-/// without remainder). The equations are solved first; then the dual simplex method for the zero objective leads to a
-/// feasible vertex or to a row that proves there is none; then the primal simplex method to an optimum. Bland's least-index rule
-/// in both, so no cycle.
+/// Method: a dictionary of integers over one common denominator (every entry is a minor of the input, so each pivot
+/// divides without remainder). The equations are solved first; then the dual simplex method for the zero objective
+/// leads to a feasible vertex or to a row that proves there is none; then the primal simplex method to an optimum.
+/// Bland's least-index rule in both, so no cycle.
 ///
 /// Value: Integer (any input), or __int128 where the product of two minors of (A b I) stays below 2^126.
 template <class Value>
@@ -35,8 +35,8 @@ class LinearProgram {
   Value numerator(int variable) const;
   const Value& denominator() const { return denominator_; }
 
-  /// After feasible() was false: y, one number a row, with y_i >= 0 on the <= rows, sum_i y_i a_ij >= 0 for every variable j
-  /// and sum_i y_i b_i < 0. No x >= 0 can satisfy that sum of the rows.
+  /// After feasible() was false: y, one number a row, with y_i >= 0 on the <= rows, sum_i y_i a_ij >= 0 for every
+  /// variable j and sum_i y_i b_i < 0. No x >= 0 can satisfy that sum of the rows.
   const std::vector<Value>& farkas() const { return farkas_; }
 
  private:
@@ -49,10 +49,10 @@ class LinearProgram {
   int leaving_row(int column) const;
   void pivot(int row, int column);
 
-  int variables_, columns_;           // the last column is the right side
-  std::vector<Row> rows_;             // variable variables_ + i is what row i lacks: 0, or >= 0
+  int variables_, columns_;  // the last column is the right side
+  std::vector<Row> rows_;    // variable variables_ + i is what row i lacks: 0, or >= 0
   std::vector<int> basic_, nonbasic_;
-  std::vector<Value> entries_;        // basic_i = (entry(i, last) - sum_j entry(i, j) nonbasic_j) / denominator_
+  std::vector<Value> entries_;  // basic_i = (entry(i, last) - sum_j entry(i, j) nonbasic_j) / denominator_
   std::vector<Value> farkas_;
   Value denominator_;
 };

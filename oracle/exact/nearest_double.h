@@ -5,16 +5,17 @@
 
 namespace touchstone::oracle {
 
-/// The exponent k of the unit in the last place at a value: doubles near it are the multiples of 2^k. -1074 at zero and in
-/// the subnormal range; 971 and everything beyond the largest double is counted in 2^971.
+/// The exponent k of the unit in the last place at a value: doubles near it are the multiples of 2^k. -1074 at zero and
+/// in the subnormal range; 971 and everything beyond the largest double is counted in 2^971.
 int ulp_exponent(const Rational& value);
 
-/// The double nearest to a rational, ties to even, put together from integers: right in every floating-point environment.
-/// Zero gives +0.0; a nonzero value that rounds to zero keeps its sign; from 2^1024 - 2^970 on the result is infinite.
+/// The double nearest to a rational, ties to even, put together from integers: right in every floating-point
+/// environment. Zero gives +0.0; a nonzero value that rounds to zero keeps its sign; from 2^1024 - 2^970 on the result
+/// is infinite.
 double nearest_double(const Rational& value);
 
-/// How far a value is, in its unit in the last place, from the nearest point where nearest_double jumps. At most 1/2 below
-/// the largest double; 0 exactly at a tie.
+/// How far a value is, in its unit in the last place, from the nearest point where nearest_double jumps. At most 1/2
+/// below the largest double; 0 exactly at a tie.
 Rational rounding_margin(const Rational& value);
 
 }  // namespace touchstone::oracle

@@ -6,7 +6,8 @@
 
 namespace touchstone::oracle {
 
-/// Truth: sign of |point - center|^2 - radius^2 on integers. Margin: its absolute value (a difference of squared lengths).
+/// Truth: sign of |point - center|^2 - radius^2 on integers. Margin: its absolute value (a difference of squared
+/// lengths).
 Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point);
 Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point);
 

@@ -69,7 +69,8 @@ Certificate line_line_certificate(const Line2d& a, const Line2d& b) {
     return {"level_lines", {{"normal", {Rational(-d.y), Rational(d.x)}}}};
   }
   const Point2<Integer> b_end = s.b_start + s.b_direction;
-  return {"same_line", {{"on_a", {parameter(s.b_start, s.a_start, s.a_direction), parameter(b_end, s.a_start, s.a_direction)}}}};
+  return {"same_line",
+          {{"on_a", {parameter(s.b_start, s.a_start, s.a_direction), parameter(b_end, s.a_start, s.a_direction)}}}};
 }
 
 }  // namespace touchstone::oracle

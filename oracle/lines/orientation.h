@@ -7,12 +7,13 @@
 
 namespace touchstone::oracle {
 
-/// Truth: sign of the 3x3 determinant of the homogeneous points. Margin: its absolute value (twice the triangle's area).
+/// Truth: sign of the 3x3 determinant of the homogeneous points. Margin: its absolute value (twice the triangle's
+/// area).
 Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-/// The answer of `orientation` alone by elimination (oracle/exact/elimination.h), in 128-bit integers where the coordinates
-/// allow it.
+/// The answer of `orientation` alone by elimination (oracle/exact/elimination.h), in 128-bit integers where the
+/// coordinates allow it.
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
 }  // namespace touchstone::oracle

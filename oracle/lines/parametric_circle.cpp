@@ -17,7 +17,8 @@ const int closeness = 60;  // the answer is within 2^-60 units in the last place
 
 Enclosure on_axis(double center, double radius, const Enclosure& unit) {
   const Rational from = exact(center), factor = exact(radius);
-  return {Rational(from + factor * unit.low), Rational(from + factor * unit.value), Rational(from + factor * unit.high)};
+  return {Rational(from + factor * unit.low), Rational(from + factor * unit.value),
+          Rational(from + factor * unit.high)};
 }
 
 /// One double (and one sign) is nearest to everything in the enclosure, and the enclosure is narrow enough.

@@ -29,7 +29,8 @@ Solved solve(const Ray2d& ray, const Segment2d& segment) {
 
 Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) {
   const Solved s = solve(ray, segment);
-  if (!s.common.any) return {{RayRelation::none, {}, {}, {}}, least_end_distance(s.ray, Extent::ray, s.segment, s.exponent)};
+  if (!s.common.any)
+    return {{RayRelation::none, {}, {}, {}}, least_end_distance(s.ray, Extent::ray, s.segment, s.exponent)};
   const Rational &t = s.common.first, &on_segment = s.common.second_at_first;
   const Point2<Rational> first = point_at(s.ray, t, s.exponent);
   if (t < s.common.last) {
@@ -46,7 +47,8 @@ Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) 
   const CommonPoints& common = s.common;
   if (!common.any) {
     const Rational offset = halfway(common.normal, s.ray, Extent::ray, s.segment, s.exponent);
-    return {"separating_line", {{"normal", {Rational(common.normal.x), Rational(common.normal.y)}}, {"offset", {offset}}}};
+    return {"separating_line",
+            {{"normal", {Rational(common.normal.x), Rational(common.normal.y)}}, {"offset", {offset}}}};
   }
   if (common.first < common.last) {
     return {"overlap",
@@ -60,8 +62,7 @@ Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) 
   // Collinear and end to end: the ray starts where the segment does, and leaves it.
   const Vector2<Integer> back{Integer(-direction.x), Integer(-direction.y)};
   const Rational offset = halfway(back, s.ray, Extent::ray, s.segment, s.exponent);
-  return {"supporting_line",
-          {witness, {"normal", {Rational(back.x), Rational(back.y)}}, {"offset", {offset}}}};
+  return {"supporting_line", {witness, {"normal", {Rational(back.x), Rational(back.y)}}, {"offset", {offset}}}};
 }
 
 }  // namespace touchstone::oracle

@@ -6,10 +6,10 @@
 
 namespace touchstone::oracle {
 
-/// Truth: the exact linear program over t >= 0 on the ray and s in [0, 1] on the segment; its Farkas vector is a separating
-/// line, the least and the greatest t are the ends of what is common.
-/// Margin: the least squared distance of the origin from the segment and of the segment's ends from the ray. For `none` that
-/// is the squared distance of the two; 0 for every contact at an end and for `overlap`.
+/// Truth: the exact linear program over t >= 0 on the ray and s in [0, 1] on the segment; its Farkas vector is a
+/// separating line, the least and the greatest t are the ends of what is common. Margin: the least squared distance of
+/// the origin from the segment and of the segment's ends from the ray. For `none` that is the squared distance of the
+/// two; 0 for every contact at an end and for `overlap`.
 Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment);
 Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment);
 

@@ -35,7 +35,8 @@ bool zero_length(const Segment2<Integer>& s) { return s.a == s.b; }
 
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) {
   const Solved s = solve(a, b);
-  if (!s.common.any) return {{SegmentRelation::disjoint, {}, {}, {}, {}}, least_end_distance(s.a, Extent::segment, s.b, s.exponent)};
+  if (!s.common.any)
+    return {{SegmentRelation::disjoint, {}, {}, {}, {}}, least_end_distance(s.a, Extent::segment, s.b, s.exponent)};
   const Rational &ta = s.common.first, &tb = s.common.second_at_first;
   const Point2<Rational> first = point_at(s.a, ta, s.exponent);
   if (s.common.first < s.common.last) {

@@ -7,16 +7,15 @@
 
 namespace touchstone::oracle {
 
-/// Truth: the exact linear program over (ta, tb) in [0, 1]^2 with a(ta) = b(tb): its Farkas vector is a separating line, the
-/// least and the greatest ta are the ends of what is common.
-/// Margin: the least squared distance of an end of one segment from the other segment. For `disjoint` that is the squared
-/// distance of the two segments, for a crossing it says how far the nearest end is from touching; 0 for every contact
-/// at an end and for `overlap`.
+/// Truth: the exact linear program over (ta, tb) in [0, 1]^2 with a(ta) = b(tb): its Farkas vector is a separating
+/// line, the least and the greatest ta are the ends of what is common. Margin: the least squared distance of an end of
+/// one segment from the other segment. For `disjoint` that is the squared distance of the two segments, for a crossing
+/// it says how far the nearest end is from touching; 0 for every contact at an end and for `overlap`.
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b);
 Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b);
 
-/// The relation alone, by another method: elimination (oracle/exact/elimination.h), in 128-bit integers where the coordinates
-/// allow it. Second truth, and several times faster; the tests hold it equal to the linear program.
+/// The relation alone, by another method: elimination (oracle/exact/elimination.h), in 128-bit integers where the
+/// coordinates allow it. Second truth, and several times faster; the tests hold it equal to the linear program.
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
 
 }  // namespace touchstone::oracle

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+/// The small checker of certificates. It knows no geometry algorithm and includes nothing of the oracle that made them:
+/// it multiplies, adds and compares rationals, and says whether what is claimed follows.
+namespace touchstone::certify {
+
+/// One claim, {"op":..,"input":{..},"truth":{..},"certificate":{"kind":..,facts}} (other keys are ignored): empty if
+/// the certificate proves that the truth is the answer of that operation to that input, otherwise why it does not.
+/// Input numbers are JSON numbers or hexadecimal float strings, exact values "p/q" or "p". Never throws.
+std::optional<std::string> refuse(const nlohmann::json& claim);
+
+/// The same for one line of text; text that is not JSON is refused as well.
+std::optional<std::string> refuse_text(const std::string& line);
+
+}  // namespace touchstone::certify

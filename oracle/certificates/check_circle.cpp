@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <string>
+
+#include "oracle/certificates/check_reading.h"
+
+namespace touchstone::certify {
+namespace {
+
+using Integer = mpz_class;
+
+/// Whole numbers of some unit 2^-bits, with the true value between them.
+struct Between {
+  Integer low, high;
+};
+
+Integer floor_quotient(const Integer& n, const Integer& d) {
+  Integer result;
+  mpz_fdiv_q(result.get_mpz_t(), n.get_mpz_t(), d.get_mpz_t());
+  return result;
+}
+
+Integer ceiling_quotient(const Integer& n, const Integer& d) {
+  Integer result;
+  mpz_cdiv_q(result.get_mpz_t(), n.get_mpz_t(), d.get_mpz_t());
+  return result;
+}
+
+Between negated(const Between& x) { return {Integer(-x.high), Integer(-x.low)}; }
+
+void add(Between& sum, const Between& term, bool minus) {
+  sum.low += minus ? Integer(-term.high) : term.low;
+  sum.high += minus ? Integer(-term.low) : term.high;
+}
+
+/// 1/q - 1/(3 q^3) + 1/(5 q^5) - ...: what is left out is smaller than the first term left out, at most one unit.
+Between arc_tangent_of_inverse(long q, long bits) {
+  const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
+  Between power{floor_quotient(one, q), ceiling_quotient(one, q)}, sum{0, 0};
+  for (long odd = 1;; odd += 2) {
+    const Between term{floor_quotient(power.low, odd), ceiling_quotient(power.high, odd)};
+    if (term.high <= 1) return {Integer(sum.low - 1), Integer(sum.high + 1)};
+    add(sum, term, odd % 4 == 3);
+    power = {floor_quotient(power.low, q * q), ceiling_quotient(power.high, q * q)};
+  }
+}
+
+/// Machin: pi/4 = 4 arctan(1/5) - arctan(1/239).
+Between pi(long bits) {
+  const Between fifth = arc_tangent_of_inverse(5, bits), small = arc_tangent_of_inverse(239, bits);
+  return {Integer(16 * fifth.low - 4 * small.high), Integer(16 * fifth.high - 4 * small.low)};
+}
+
+/// Taylor's series of the sine (first = x, from = 2) or cosine (first = 1, from = 1) for x in [0, 1]: the terms fall
+/// and change sign, so what is left out is smaller than the first term left out, at most one unit.
+Between series(const Between& first, const Between& x, long from, long bits) {
+  const Integer unit_squared = Integer(1) << static_cast<mp_bitcnt_t>(2 * bits);
+  Between term = first, sum{0, 0};
+  bool minus = false;
+  for (long k = from; term.high > 1; k += 2, minus = !minus) {
+    add(sum, term, minus);
+    const Integer divisor(unit_squared * (k * (k + 1)));
+    term = {floor_quotient(term.low * x.low * x.low, divisor), ceiling_quotient(term.high * x.high * x.high, divisor)};
+  }
+  return {Integer(sum.low - 1), Integer(sum.high + 1)};
+}
+
+/// u - turns pi/2 in units of 2^-bits.
+Between rest_of_turn(const Rational& u, const Integer& turns, long bits) {
+  const long fine = bits + static_cast<long>(mpz_sizeinbase(turns.get_mpz_t(), 2));
+  const Between circle = pi(fine);
+  const Rational scale(Integer(1) << static_cast<mp_bitcnt_t>(bits)),
+      finer(Integer(2) << static_cast<mp_bitcnt_t>(fine));
+  const bool forward = sgn(turns) >= 0;
+  const Rational low(scale * (u - turns * (forward ? circle.high : circle.low) / finer));
+  const Rational high(scale * (u - turns * (forward ? circle.low : circle.high) / finer));
+  return {floor_quotient(low.get_num(), low.get_den()), ceiling_quotient(high.get_num(), high.get_den())};
+}
+
+void expect_encloses(const Pair& claimed, const Between& computed, long bits, const char* reason) {
+  const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
+  expect(claimed.x * one <= computed.low && claimed.y * one >= computed.high, reason);
+}
+
+/// The claimed enclosures of cos u and sin u hold.
+void expect_cosine_and_sine(const Rational& u, const Pair& cosine, const Pair& sine, const Rational& turns,
+                            const Rational& precision) {
+  expect(precision.get_den() == 1 && precision >= 1 && precision <= 8192, "certificate: bits is not from 1 to 8192");
+  expect(turns.get_den() == 1 && mpz_sizeinbase(turns.get_num_mpz_t(), 2) <= 1030,
+         "certificate: quarter_turns is out of range");
+  const long bits = precision.get_num().get_si();
+  const Between rest = rest_of_turn(u, turns.get_num(), bits);
+  const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
+  const bool negative = sgn(rest.high) <= 0;
+  const Between x = negative ? negated(rest) : rest;
+  expect(sgn(x.low) >= 0 && x.high <= one, "certificate: quarter_turns or bits do not fit u");
+  const Between c = series({one, one}, x, 1, bits), s_of_x = series(x, x, 2, bits);
+  const Between s = negative ? negated(s_of_x) : s_of_x;
+  const Integer quadrant(turns.get_num() & 3);
+  const bool swapped = quadrant == 1 || quadrant == 3;
+  const Between cos_turned = swapped ? s : c, sin_turned = swapped ? c : s;
+  expect_encloses(cosine, quadrant == 1 || quadrant == 2 ? negated(cos_turned) : cos_turned, bits,
+                  "certificate: cosine is wrong");
+  expect_encloses(sine, quadrant >= 2 ? negated(sin_turned) : sin_turned, bits, "certificate: sine is wrong");
+}
+
+/// The exponent of the unit in the last place of a binary64 number near a value that is not 0.
+long ulp_exponent(const Rational& value) {
+  const Rational size(abs(value));
+  long order = static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
+               static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
+  const Rational power = order >= 0 ? Rational(Integer(1) << static_cast<mp_bitcnt_t>(order))
+                                    : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-order));
+  if (size < power) --order;
+  return std::clamp(order - 52, -1074L, 971L);
+}
+
+/// The nearest whole number, ties to even; everything from 2^53 on is infinite alike.
+Integer nearest_whole(const Rational& ulps) {
+  const Rational size(abs(ulps));
+  const Integer whole = floor_quotient(size.get_num(), size.get_den());
+  const int to_half = cmp(Rational(size - whole), Rational(1, 2));
+  const Integer up(to_half > 0 || (to_half == 0 && mpz_odd_p(whole.get_mpz_t())) ? 1 : 0);
+  return std::min(Integer(whole + up), Integer(Integer(1) << 53));
+}
+
+/// The true coordinate is somewhere in [low, high]: the claimed one rounds to the same double, with the same sign, and
+/// is within 2^-60 units in the last place.
+void expect_rounds_alike(const Rational& claimed, const Rational& low, const Rational& high) {
+  expect(sgn(claimed) != 0 && sgn(low) == sgn(claimed) && sgn(high) == sgn(claimed),
+         "truth: the sign of point is not proved");
+  const long exponent = ulp_exponent(claimed);
+  const Rational ulp = exponent >= 0 ? Rational(Integer(1) << static_cast<mp_bitcnt_t>(exponent))
+                                     : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-exponent));
+  const Rational close(ulp / Rational(Integer(1) << 60));
+  expect(claimed - low < close && low - claimed < close && high - claimed < close && claimed - high < close,
+         "truth: point is too far off");
+  const Integer nearest = nearest_whole(claimed / ulp);
+  expect(nearest_whole(low / ulp) == nearest && nearest_whole(high / ulp) == nearest,
+         "truth: the rounding of point is not proved");
+}
+
+}  // namespace
+
+void check_parametric_circle(const Claim& claim) {
+  claim.inputs({"circle", "u"}), claim.answers({"point"});
+  const Circle c = circle(claim.input["circle"], "circle");
+  const Rational u = number(claim.input["u"], "u");
+  const Pair p = exact_pair(claim.truth["point"], "truth.point");
+  if (claim.kind() == "exact") {
+    claim.facts({}), expect(sgn(u) == 0 || sgn(c.radius) == 0, "certificate: neither u nor the radius is 0");
+    expect(p == Pair{Rational(c.center.x + c.radius), c.center.y}, "truth: point is wrong");
+    return;
+  }
+  expect(claim.kind() == "enclosure", "certificate: no such kind for this truth");
+  expect(sgn(u) != 0 && sgn(c.radius) != 0, "certificate: the point is rational");
+  claim.facts({"cosine", "sine", "quarter_turns", "bits"});
+  const Pair cosine = claim.pair("cosine"), sine = claim.pair("sine");
+  expect_cosine_and_sine(u, cosine, sine, claim.single("quarter_turns"), claim.single("bits"));
+  expect_rounds_alike(p.x, Rational(c.center.x + c.radius * cosine.x), Rational(c.center.x + c.radius * cosine.y));
+  expect_rounds_alike(p.y, Rational(c.center.y + c.radius * sine.x), Rational(c.center.y + c.radius * sine.y));
+}
+
+}  // namespace touchstone::certify

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_reading.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace touchstone::certify {
+namespace {
+
+Rational times_power_of_two(const Rational& value, long exponent) {
+  Rational result;
+  if (exponent >= 0) {
+    mpq_mul_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(exponent));
+  } else {
+    mpq_div_2exp(result.get_mpq_t(), value.get_mpq_t(), static_cast<mp_bitcnt_t>(-exponent));
+  }
+  return result;
+}
+
+/// The bits of a double, so that no floating-point environment matters.
+Rational from_double(double value, const std::string& what) {
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const long field = static_cast<long>(bits >> 52 & 0x7ff);
+  expect(field != 0x7ff, what + ": finite number");
+  const std::uint64_t fraction = bits & 0xfffffffffffff;
+  const Rational magnitude(mpz_class(field == 0 ? fraction : fraction | std::uint64_t{1} << 52));
+  const Rational result = times_power_of_two(magnitude, (field == 0 ? 1 : field) - 1075);
+  return bits >> 63 ? Rational(-result) : result;
+}
+
+bool binary64(const Rational& value) {
+  if (sgn(value) == 0) return true;
+  const mpz_class& numerator = value.get_num();
+  const mpz_class& denominator = value.get_den();
+  const long low = static_cast<long>(mpz_scan1(numerator.get_mpz_t(), 0));
+  const long high = static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2));
+  const long scale = static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2)) - 1;
+  return mpz_popcount(denominator.get_mpz_t()) == 1 && high - low <= 53 && low - scale >= -1074 && high - scale <= 1024;
+}
+
+bool digits(const std::string& text, const char* allowed) {
+  return !text.empty() && text.find_first_not_of(allowed) == std::string::npos;
+}
+
+/// [sign] 0x digits [. digits] [p [sign] digits], and exactly a binary64 number.
+Rational from_hexadecimal(const std::string& text, const std::string& what) {
+  const std::string malformed = what + ": a number or a hexadecimal float string";
+  std::string rest = text;
+  const bool negative = rest.starts_with('-');
+  if (negative || rest.starts_with('+')) rest.erase(0, 1);
+  expect(rest.starts_with("0x") || rest.starts_with("0X"), malformed);
+  rest.erase(0, 2);
+  long exponent = 0;
+  if (const auto p = rest.find_first_of("pP"); p != std::string::npos) {
+    std::string power = rest.substr(p + 1);
+    const bool below = power.starts_with('-');
+    if (below || power.starts_with('+')) power.erase(0, 1);
+    expect(digits(power, "0123456789") && power.size() <= 5, malformed);
+    exponent = below ? -std::stol(power) : std::stol(power);
+    rest.erase(p);
+  }
+  if (const auto dot = rest.find('.'); dot != std::string::npos) {
+    exponent -= 4 * static_cast<long>(rest.size() - dot - 1);
+    rest.erase(dot, 1);
+  }
+  expect(digits(rest, "0123456789abcdefABCDEF") && rest.size() <= 1000, malformed);
+  const Rational value = times_power_of_two(Rational(mpz_class(rest, 16)), exponent);
+  expect(binary64(value), what + ": a binary64 number");
+  return negative ? Rational(-value) : value;
+}
+
+void array_of_two(const json& value, const std::string& what) {
+  expect(value.is_array() && value.size() == 2, what + ": a list of two");
+}
+
+}  // namespace
+
+void only(const json& object, const std::string& what, std::initializer_list<const char*> names) {
+  expect(object.is_object(), what + ": an object");
+  for (const char* name : names) expect(object.contains(name), what + ": field " + name + " is missing");
+  for (const auto& [key, value] : object.items()) {
+    expect(std::any_of(names.begin(), names.end(), [&key](const char* name) { return key == name; }),
+           what + ": an unexpected field");
+  }
+}
+
+Rational number(const json& value, const std::string& what) {
+  if (value.is_string()) return from_hexadecimal(value.get_ref<const std::string&>(), what);
+  expect(value.is_number(), what + ": a number or a hexadecimal float string");
+  return from_double(value.get<double>(), what);
+}
+
+Pair point(const json& value, const std::string& what) {
+  array_of_two(value, what);
+  return {number(value[0], what + "[0]"), number(value[1], what + "[1]")};
+}
+
+Ends segment(const json& value, const std::string& what) {
+  array_of_two(value, what);
+  return {point(value[0], what + "[0]"), point(value[1], what + "[1]")};
+}
+
+Ends line_of_two_points(const json& value, const std::string& what) {
+  const Ends ends = segment(value, what);
+  expect(!(ends.a == ends.b), what + ": two distinct points");
+  return ends;
+}
+
+Ray ray(const json& value, const std::string& what) {
+  only(value, what, {"origin", "direction"});
+  const Ray result{point(value["origin"], what + ".origin"), point(value["direction"], what + ".direction")};
+  expect(sgn(result.direction.x) != 0 || sgn(result.direction.y) != 0, what + ".direction: nonzero direction");
+  return result;
+}
+
+Circle circle(const json& value, const std::string& what) {
+  only(value, what, {"center", "radius"});
+  const Circle result{point(value["center"], what + ".center"), number(value["radius"], what + ".radius")};
+  expect(sgn(result.radius) >= 0, what + ".radius: radius >= 0");
+  return result;
+}
+
+Rational exact_value(const json& value, const std::string& what) {
+  const std::string malformed = what + ": an exact value \"p/q\"";
+  expect(value.is_string(), malformed);
+  std::string numerator = value.get<std::string>(), denominator = "1";
+  if (const auto bar = numerator.find('/'); bar != std::string::npos) {
+    denominator = numerator.substr(bar + 1);
+    numerator.erase(bar);
+  }
+  const bool negative = numerator.starts_with('-');
+  if (negative) numerator.erase(0, 1);
+  expect(digits(numerator, "0123456789") && digits(denominator, "0123456789"), malformed);
+  const mpz_class below(denominator, 10);
+  expect(sgn(below) != 0, malformed);
+  Rational result(mpz_class(numerator, 10), below);
+  result.canonicalize();
+  return negative ? Rational(-result) : result;
+}
+
+Pair exact_pair(const json& value, const std::string& what) {
+  array_of_two(value, what);
+  return {exact_value(value[0], what + "[0]"), exact_value(value[1], what + "[1]")};
+}
+
+std::string Claim::word(const char* name) const {
+  expect(truth.is_object() && truth.contains(name) && truth[name].is_string(),
+         std::string("truth: field ") + name + " is missing");
+  return truth[name].get<std::string>();
+}
+
+std::string Claim::kind() const {
+  expect(certificate.is_object() && certificate.contains("kind") && certificate["kind"].is_string(),
+         "certificate: field kind is missing");
+  return certificate["kind"].get<std::string>();
+}
+
+void Claim::facts(std::initializer_list<const char*> names) const {
+  for (const char* name : names) {
+    expect(certificate.contains(name), std::string("certificate: field ") + name + " is missing");
+  }
+  expect(certificate.size() == names.size() + 1, "certificate: an unexpected field");
+}
+
+Rational Claim::single(const char* name) const {
+  const json& list = certificate[name];
+  const std::string what = std::string("certificate.") + name;
+  expect(list.is_array() && list.size() == 1, what + ": a list of one");
+  return exact_value(list[0], what + "[0]");
+}
+
+Pair Claim::pair(const char* name) const { return exact_pair(certificate[name], std::string("certificate.") + name); }
+
+}  // namespace touchstone::certify

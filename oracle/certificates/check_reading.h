@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+namespace touchstone::certify {
+
+using nlohmann::json;
+using Rational = mpq_class;
+
+/// Why a claim is not accepted.
+struct Refusal : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+inline void expect(bool holds, const std::string& reason) {
+  if (!holds) throw Refusal(reason);
+}
+
+/// A position or a displacement.
+struct Pair {
+  Rational x, y;
+};
+
+inline bool operator==(const Pair& p, const Pair& q) { return p.x == q.x && p.y == q.y; }
+inline Pair operator-(const Pair& p, const Pair& q) { return {Rational(p.x - q.x), Rational(p.y - q.y)}; }
+inline Rational dot(const Pair& p, const Pair& q) { return Rational(p.x * q.x + p.y * q.y); }
+inline Rational cross(const Pair& p, const Pair& q) { return Rational(p.x * q.y - p.y * q.x); }
+inline Pair along(const Pair& from, const Rational& t, const Pair& step) {
+  return {Rational(from.x + t * step.x), Rational(from.y + t * step.y)};
+}
+
+struct Ends {
+  Pair a, b;
+};
+
+struct Ray {
+  Pair origin, direction;
+};
+
+struct Circle {
+  Pair center;
+  Rational radius;
+};
+
+/// An object of which every key has to be named, and every name has to be there.
+void only(const json& object, const std::string& what, std::initializer_list<const char*> names);
+
+/// Input, by the field's name; `what` is how the field is called in a refusal. Each checks the rules of its shape.
+Rational number(const json& value, const std::string& what);
+Pair point(const json& value, const std::string& what);
+Ends segment(const json& value, const std::string& what);
+Ends line_of_two_points(const json& value, const std::string& what);
+Ray ray(const json& value, const std::string& what);
+Circle circle(const json& value, const std::string& what);
+
+/// Exact values of the truth and of the certificate.
+Rational exact_value(const json& value, const std::string& what);
+Pair exact_pair(const json& value, const std::string& what);
+
+/// What one operation's check sees.
+struct Claim {
+  const json& input;
+  const json& truth;
+  const json& certificate;
+
+  void inputs(std::initializer_list<const char*> names) const { only(input, "input", names); }
+  void answers(std::initializer_list<const char*> names) const { only(truth, "truth", names); }
+  std::string word(const char* name) const;
+  std::string kind() const;
+  /// Says which facts the certificate holds beside its kind.
+  void facts(std::initializer_list<const char*> names) const;
+  Rational single(const char* name) const;
+  Pair pair(const char* name) const;
+};
+
+/// One function an operation; each returns where the certificate proves the truth and throws Refusal otherwise.
+void check_explicit_line(const Claim&);
+void check_implicit_circle(const Claim&);
+void check_parametric_circle(const Claim&);
+void check_line_point_at(const Claim&);
+void check_point_on_segment(const Claim&);
+void check_line_line(const Claim&);
+void check_segment_segment(const Claim&);
+void check_ray_segment(const Claim&);
+void check_orientation(const Claim&);
+
+}  // namespace touchstone::certify
