@@ -25,8 +25,8 @@ namespace touchstone::reference {
 template <class Real>
 SegmentSegment<Real> segment_segment(const Segment2<Real>& a, const Segment2<Real>& b) {
   const LineLine<Real> lines = line_line(Line2<Real>{a.a, a.b}, Line2<Real>{b.a, b.b});
-  if (lines.relation == LineRelation::crossing && Real(0) <= *lines.ta && *lines.ta <= Real(1) && Real(0) <= *lines.tb &&
-      *lines.tb <= Real(1)) {
+  if (lines.relation == LineRelation::crossing && Real(0) <= *lines.ta && *lines.ta <= Real(1) &&
+      Real(0) <= *lines.tb && *lines.tb <= Real(1)) {
     return {SegmentRelation::point, lines.ta, lines.tb, lines.point, std::nullopt};
   }
   return {SegmentRelation::disjoint, std::nullopt, std::nullopt, std::nullopt, std::nullopt};
