@@ -10,9 +10,10 @@ namespace touchstone::audit {
 struct Figure {
   enum class Kind { point, segment, line, ray, circle, arrow, polygon };
   Kind kind = Kind::point;
-  std::string label;            ///< field name of the input ("a", "segment") or of the answer
-  std::vector<double> numbers;  ///< point x y; segment, line, ray, arrow x y x y (ray and line: two points on it); circle x y r; polygon x y ...
-  bool answer = false;          ///< belongs to the truth, not to the question
+  std::string label;  ///< field name of the input ("a", "segment") or of the answer
+  std::vector<double>
+      numbers;  ///< point x y; segment, line, ray, arrow x y x y (ray and line: two points on it); circle x y r; polygon x y ...
+  bool answer = false;  ///< belongs to the truth, not to the question
 };
 
 struct Scene {

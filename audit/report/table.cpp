@@ -81,7 +81,10 @@ std::string counts(const Tally& tally) {
   }
   rows.push_back({});
   rows.push_back(row_of("all", sum_of(tally.operations)));
-  return laid_out(rows) + "\n";
+  const std::uint64_t refused = sum_of(tally.operations).refused;
+  const std::string note =
+      refused == 0 ? "" : "drawn but outside the contract, so no cases: " + grouped(refused) + "\n";
+  return laid_out(rows) + "\n" + note;
 }
 
 std::string robust_line(const Tally& tally) {
@@ -93,6 +96,18 @@ std::string robust_line(const Tally& tally) {
     if (sum.counts[v] > 0) text += ", " + grouped(sum.counts[v]) + " " + verdict_names[v];
   }
   return text + "\n";
+}
+
+/// Prose broken between words so that it fits beside a key of `indent` columns.
+std::string wrapped(const std::string& prose, std::size_t indent) {
+  std::string text, rest = prose;
+  while (rest.size() > line_width - indent) {
+    const std::size_t space = rest.rfind(' ', line_width - indent);
+    if (space == std::string::npos) break;
+    text += rest.substr(0, space) + "\n" + std::string(indent, ' ');
+    rest.erase(0, space + 1);
+  }
+  return text + rest;
 }
 
 std::string one_finding(const OperationTally& tally, Verdict verdict, const Smallest& smallest, Speaker speaker,
@@ -115,7 +130,7 @@ std::string one_finding(const OperationTally& tally, Verdict verdict, const Smal
     line("truth", std::string("refused: ") + refused.what());
   }
   line(name, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)));
-  line("why", why(finding, operation, speaker));
+  line("why", wrapped(why(finding, operation, speaker), 12));
   line("repeat", repeat_command(*operation, finding.question));
   return text;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <tuple>
 
@@ -12,7 +13,8 @@
 namespace touchstone::audit {
 namespace {
 
-/// How much there is to read in a list of numbers: significant digits of the shortest decimals, then powers of ten.
+/// How much there is to read in a list of numbers: the digits that they take when written out without exponents, so that
+/// 0.1 is shorter than 5e-324 although both have one significant digit; then the powers of ten.
 struct Length {
   std::uint64_t digits = 0, exponents = 0;
 };
@@ -20,15 +22,19 @@ struct Length {
 Length length(const Question& question) {
   Length sum;
   for (const double number : question.numbers) {
-    if (number == 0) continue;
+    if (number == 0) {
+      sum.digits += std::signbit(number) ? 2 : 0;
+      continue;
+    }
     char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, number, std::chars_format::scientific).ptr;
-    const std::string_view whole(text, static_cast<std::size_t>(end - text));
-    const std::size_t mark = whole.find('e');
-    if (mark == std::string_view::npos) continue;
+    const char* end = std::to_chars(text, text + sizeof text, number, std::chars_format::scientific).ptr;
+    const char* mark = std::find<const char*>(text, end, 'e');
+    if (mark == end) continue;
+    const auto significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
+    const long exponent = std::atol(std::string(mark + 1, end).c_str());
     sum.digits +=
-        static_cast<std::uint64_t>(std::count_if(text, text + mark, [](char c) { return c >= '0' && c <= '9'; }));
-    sum.exponents += static_cast<std::uint64_t>(std::abs(std::atoi(std::string(whole.substr(mark + 1)).c_str())));
+        static_cast<std::uint64_t>(exponent < 0 ? significant - exponent : std::max(significant, exponent + 1));
+    sum.exponents += static_cast<std::uint64_t>(std::labs(exponent));
   }
   return sum;
 }

@@ -89,6 +89,8 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
   return fmt::format("{:.{}f}%", percent, percent < 1 || percent > 99 ? 2 : 1);
 }
 
+std::string ulps_in_words(double ulps) { return fmt::format("{:.3g}", ulps) + (ulps == 1 ? " ulp" : " ulps"); }
+
 std::string subject(const Declaration& declaration) {
   return (declaration.engine.empty() ? "reference" : declaration.engine) +
          (declaration.binary32 ? " (binary32)" : " (binary64)");
@@ -139,11 +141,11 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
     case Verdict::algorithm:
       return why_algorithm(finding, speaker);
     case Verdict::inexact: {
-      const std::string off = decimal(finding.judgement.ulps);
+      const std::string off = ulps_in_words(finding.judgement.ulps);
       if (speaker == Speaker::robust)
-        return "The decision is right, but a number is " + off + " ulps from the correctly rounded one.";
-      const std::string bound = operation ? " Stated bound: " + decimal(operation->card().ulps) + "." : "";
-      return "The decision is right, but a number is " + off + " ulps from the exact value." + bound;
+        return "The decision is right, but a number is " + off + " from the correctly rounded one.";
+      const std::string bound = operation ? " Stated bound: " + ulps_in_words(operation->card().ulps) + "." : "";
+      return "The decision is right, but a number is " + off + " from the exact value." + bound;
     }
     case Verdict::convention:
       return "The truth is a touch, and the answer is right for open sets; the engine does not promise closed ones.";
@@ -167,8 +169,16 @@ std::string readable(const mpq_class& exact, std::size_t most) {
   std::string digits = rounded.get_str(exponent, 10, 6);
   const std::string sign = digits[0] == '-' ? "-" : "";
   digits.erase(0, sign.size());
-  return fmt::format("about {}{}{}{}e{:+d}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1),
-                     static_cast<long>(exponent) - 1);
+  const long power = static_cast<long>(exponent) - 1;
+  if (power >= 0 && power < 6) {
+    digits.resize(std::max<std::size_t>(digits.size(), static_cast<std::size_t>(power) + 1), '0');
+    const std::string fraction = digits.substr(static_cast<std::size_t>(power) + 1);
+    return "about " + sign + digits.substr(0, static_cast<std::size_t>(power) + 1) +
+           (fraction.empty() ? "" : "." + fraction);
+  }
+  if (power < 0 && power > -5)
+    return "about " + sign + "0." + std::string(static_cast<std::size_t>(-power - 1), '0') + digits;
+  return fmt::format("about {}{}{}{}e{:+d}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), power);
 }
 
 Json readable(const Json& answer) { return rewritten(answer, true); }

@@ -19,6 +19,9 @@ std::string counted(std::uint64_t n, const std::string& noun);
 /// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not whole.
 std::string share(std::uint64_t part, std::uint64_t whole);
 
+/// A distance in units in the last place: "0.5", "12.3", "4.5e+15".
+std::string ulps_in_words(double ulps);
+
 /// "reference (binary64)"
 std::string subject(const Declaration& declaration);
 std::string boundary_word(Declaration::Boundary boundary);
