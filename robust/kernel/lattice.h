@@ -39,7 +39,7 @@ inline std::optional<Lattice<sizeof...(Doubles)>> lattice_of(Doubles... numbers)
     odd[i] = magnitude >> zeros;
     lowest[i] = parts[i].exponent + zeros;
     low = std::min(low, magnitude != 0 ? lowest[i] : INT_MAX);
-    high = std::max(high, magnitude != 0 ? lowest[i] + std::bit_width(odd[i]) : INT_MIN);
+    high = std::max(high, magnitude != 0 ? lowest[i] + 64 - std::countl_zero(odd[i]) : INT_MIN);
   }
   if (low == INT_MAX) return Lattice<n>{{}, 0};
   if (high - low > lattice_bits) return std::nullopt;

@@ -9,13 +9,25 @@
 namespace touchstone::robust {
 
 /// Contract: reference/lines/explicit_line.h. Right for all finite doubles in every floating-point environment.
-Height explicit_line(double slope, double intercept, const Point2d& point);
+inline Height explicit_line(double slope, double intercept, const Point2d& point);
 
 /// The same, and which stage decided.
-Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided);
+inline Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
 std::optional<Height> explicit_line_lattice(double slope, double intercept, const Point2d& point);
 Height explicit_line_exact(double slope, double intercept, const Point2d& point);
+
+/// The door, then the stages after the filter.
+Height explicit_line_past_filter(double slope, double intercept, const Point2d& point, Stage& decided);
+
+inline Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided) {
+  return explicit_line_past_filter(slope, intercept, point, decided);
+}
+
+inline Height explicit_line(double slope, double intercept, const Point2d& point) {
+  Stage ignored;
+  return explicit_line_past_filter(slope, intercept, point, ignored);
+}
 
 }  // namespace touchstone::robust

@@ -9,13 +9,25 @@
 namespace touchstone::robust {
 
 /// Contract: reference/lines/implicit_circle.h. Right for all finite doubles in every floating-point environment.
-Location implicit_circle(const Circle2d& circle, const Point2d& point);
+inline Location implicit_circle(const Circle2d& circle, const Point2d& point);
 
 /// The same, and which stage decided.
-Location implicit_circle(const Circle2d& circle, const Point2d& point, Stage& decided);
+inline Location implicit_circle(const Circle2d& circle, const Point2d& point, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
 std::optional<Location> implicit_circle_lattice(const Circle2d& circle, const Point2d& point);
 Location implicit_circle_exact(const Circle2d& circle, const Point2d& point);
+
+/// The door, then the stages after the filter.
+Location implicit_circle_past_filter(const Circle2d& circle, const Point2d& point, Stage& decided);
+
+inline Location implicit_circle(const Circle2d& circle, const Point2d& point, Stage& decided) {
+  return implicit_circle_past_filter(circle, point, decided);
+}
+
+inline Location implicit_circle(const Circle2d& circle, const Point2d& point) {
+  Stage ignored;
+  return implicit_circle_past_filter(circle, point, ignored);
+}
 
 }  // namespace touchstone::robust

@@ -9,13 +9,25 @@
 namespace touchstone::robust {
 
 /// Contract: reference/lines/orientation.h. Right for all finite doubles in every floating-point environment.
-Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
+inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
 /// The same, and which stage decided.
-Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
+inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
 std::optional<Side> orientation_lattice(const Point2d& p0, const Point2d& p1, const Point2d& p);
 Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p);
+
+/// The door, then the stages after the filter.
+Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
+
+inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
+  return orientation_past_filter(p0, p1, p, decided);
+}
+
+inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  Stage ignored;
+  return orientation_past_filter(p0, p1, p, ignored);
+}
 
 }  // namespace touchstone::robust

@@ -13,13 +13,25 @@ namespace touchstone::robust {
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment);
 
 /// The decision alone; and which stage decided.
-Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment);
-Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided);
+inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment);
+inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
 std::optional<Incidence> point_on_segment_relation_lattice(const Point2d& point, const Segment2d& segment);
 Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d& segment);
 std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment);
 PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segment2d& segment);
+
+/// The door, then the stages after the filter.
+Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided);
+
+inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided) {
+  return point_on_segment_relation_past_filter(point, segment, decided);
+}
+
+inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment) {
+  Stage ignored;
+  return point_on_segment_relation_past_filter(point, segment, ignored);
+}
 
 }  // namespace touchstone::robust

@@ -13,13 +13,25 @@ namespace touchstone::robust {
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
 
 /// The decision alone; and which stage decided.
-SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
-SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided);
+inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
+inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
 std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b);
 SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment2d& b);
 std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b);
 SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d& b);
+
+/// The door, then the stages after the filter.
+SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided);
+
+inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided) {
+  return segment_segment_relation_past_filter(a, b, decided);
+}
+
+inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
+  Stage ignored;
+  return segment_segment_relation_past_filter(a, b, ignored);
+}
 
 }  // namespace touchstone::robust

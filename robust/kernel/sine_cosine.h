@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust::kernel {
+
+/// cos u and sin u in fixed point: each lies within `error` of n / 2^bits.
+struct SineCosine {
+  mpz_class sine, cosine;
+  mpz_class error;
+  unsigned long bits;
+};
+
+/// For a finite u of any size, by integers alone. The error is below 2^-(bits - 10) of 1 for bits up to 4,096, so more bits make it
+/// as small as one likes. bits >= 32.
+SineCosine sine_cosine(double u, unsigned long bits);
+
+/// pi * 2^bits, off by less than 1; kept for each thread at the most digits asked for so far.
+mpz_class pi(unsigned long bits);
+
+}  // namespace touchstone::robust::kernel

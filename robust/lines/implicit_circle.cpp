@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/lines/implicit_circle.h"
+
+#include "robust/kernel/legal.h"
+#include "robust/kernel/plane.h"
+
+namespace touchstone::robust {
+namespace {
+
+/// 1, 0, -1: inside, on, outside.
+Location location(int sign) { return sign > 0 ? Location::inside : sign < 0 ? Location::outside : Location::boundary; }
+
+void admit(const Circle2d& circle, const Point2d& point) {
+  if (kernel::legal(circle) && kernel::legal(point)) return;
+  door::admit("circle", circle), door::admit("point", point);
+}
+
+}  // namespace
+
+std::optional<Location> implicit_circle_lattice(const Circle2d& circle, const Point2d& point) {
+  const auto lattice = kernel::lattice_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y);
+  if (!lattice) return std::nullopt;
+  const auto& n = lattice->at;
+  const std::int64_t dx = n[3] - n[0], dy = n[4] - n[1], r = n[2];
+  return location(kernel::sign_of(kernel::multiply(r, r) - kernel::multiply(dx, dx) - kernel::multiply(dy, dy)));
+}
+
+Location implicit_circle_exact(const Circle2d& circle, const Point2d& point) {
+  const auto n = kernel::integers_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y).at;
+  return location(kernel::side_of_circle({{n[0], n[1]}, n[2]}, {n[3], n[4]}));
+}
+
+Location implicit_circle_past_filter(const Circle2d& circle, const Point2d& point, Stage& decided) {
+  admit(circle, point);
+  decided = Stage::lattice;
+  if (const auto answer = implicit_circle_lattice(circle, point)) return *answer;
+  decided = Stage::exact;
+  return implicit_circle_exact(circle, point);
+}
+
+}  // namespace touchstone::robust

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/lines/line_line.h"
+
+#include "robust/kernel/legal.h"
+#include "robust/kernel/plane.h"
+
+namespace touchstone::robust {
+namespace {
+
+template <class Integer>
+LineRelation relation_of(const Line2<Integer>& a, const Line2<Integer>& b) {
+  if (kernel::turn(a.q - a.p, b.q - b.p) != 0) return LineRelation::crossing;
+  return kernel::turn(a.p, a.q, b.p) == 0 ? LineRelation::same : LineRelation::parallel;
+}
+
+/// a.p + ta r = b.p + tb s: crossing both sides with s, and with r, leaves one unknown each.
+template <class Integer>
+LineLine<double> answer_of(const Line2<Integer>& a, const Line2<Integer>& b, int exponent) {
+  const LineRelation relation = relation_of(a, b);
+  if (relation != LineRelation::crossing) return {relation, {}, {}, {}};
+  const Vector2<Integer> r = a.q - a.p, s = b.q - b.p, between = b.p - a.p;
+  const kernel::Second<Integer> d = kernel::determinant(r, s), na = kernel::determinant(between, s),
+                                nb = kernel::determinant(between, r);
+  return {relation, kernel::round_quotient(na, d), kernel::round_quotient(nb, d),
+          kernel::point_along(a.p, r, na, d, exponent)};
+}
+
+template <class Integer, class Numbers>
+Line2<Integer> first_in(const Numbers& n) {
+  return {{n[0], n[1]}, {n[2], n[3]}};
+}
+template <class Integer, class Numbers>
+Line2<Integer> second_in(const Numbers& n) {
+  return {{n[4], n[5]}, {n[6], n[7]}};
+}
+
+auto on_lattice(const Line2d& a, const Line2d& b) {
+  return kernel::lattice_of(a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y);
+}
+auto as_integers(const Line2d& a, const Line2d& b) {
+  return kernel::integers_of(a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y);
+}
+
+void admit(const Line2d& a, const Line2d& b) {
+  if (kernel::legal(a) && kernel::legal(b)) return;
+  door::admit("a", a), door::admit("b", b);
+}
+
+}  // namespace
+
+std::optional<LineRelation> line_line_relation_lattice(const Line2d& a, const Line2d& b) {
+  const auto lattice = on_lattice(a, b);
+  if (!lattice) return std::nullopt;
+  return relation_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at));
+}
+
+LineRelation line_line_relation_exact(const Line2d& a, const Line2d& b) {
+  const auto n = as_integers(a, b).at;
+  return relation_of(first_in<mpz_class>(n), second_in<mpz_class>(n));
+}
+
+std::optional<LineLine<double>> line_line_lattice(const Line2d& a, const Line2d& b) {
+  const auto lattice = on_lattice(a, b);
+  if (!lattice) return std::nullopt;
+  return answer_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at), lattice->exponent);
+}
+
+LineLine<double> line_line_exact(const Line2d& a, const Line2d& b) {
+  const auto n = as_integers(a, b);
+  return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
+}
+
+LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, Stage& decided) {
+  admit(a, b);
+  decided = Stage::lattice;
+  if (const auto answer = line_line_relation_lattice(a, b)) return *answer;
+  decided = Stage::exact;
+  return line_line_relation_exact(a, b);
+}
+
+LineLine<double> line_line(const Line2d& a, const Line2d& b) {
+  admit(a, b);
+  if (const auto answer = line_line_lattice(a, b)) return *answer;
+  return line_line_exact(a, b);
+}
+
+}  // namespace touchstone::robust

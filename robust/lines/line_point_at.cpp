@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/lines/line_point_at.h"
+
+#include "robust/kernel/legal.h"
+#include "robust/kernel/rounding.h"
+#include "robust/kernel/term_sum.h"
+
+namespace touchstone::robust {
+namespace {
+
+/// origin + t direction, along one axis
+std::array<kernel::Term, 2> coordinate(double origin, double direction, double t) {
+  return {kernel::term(origin), kernel::term(t, direction)};
+}
+
+std::optional<double> on_lattice(double origin, double direction, double t) {
+  const auto sum = kernel::lattice_sum(coordinate(origin, direction, t));
+  if (!sum) return std::nullopt;
+  return kernel::round_scaled(sum->n, sum->exponent);
+}
+
+double exact(double origin, double direction, double t) {
+  const auto sum = kernel::exact_sum(coordinate(origin, direction, t));
+  return kernel::round_scaled(sum.n, sum.exponent);
+}
+
+void admit(const ParametricLine2d& line, double t) {
+  if (kernel::legal(line) && kernel::all_finite(t)) return;
+  door::admit("line", line), door::admit("t", t);
+}
+
+}  // namespace
+
+std::optional<Point2d> line_point_at_lattice(const ParametricLine2d& line, double t) {
+  const auto x = on_lattice(line.origin.x, line.direction.x, t), y = on_lattice(line.origin.y, line.direction.y, t);
+  if (!x || !y) return std::nullopt;
+  return Point2d{*x, *y};
+}
+
+Point2d line_point_at_exact(const ParametricLine2d& line, double t) {
+  return {exact(line.origin.x, line.direction.x, t), exact(line.origin.y, line.direction.y, t)};
+}
+
+Point2d line_point_at(const ParametricLine2d& line, double t, Stage& decided) {
+  admit(line, t);
+  decided = Stage::lattice;
+  if (const auto answer = line_point_at_lattice(line, t)) return *answer;
+  decided = Stage::exact;
+  return line_point_at_exact(line, t);
+}
+
+Point2d line_point_at(const ParametricLine2d& line, double t) {
+  Stage ignored;
+  return line_point_at(line, t, ignored);
+}
+
+}  // namespace touchstone::robust

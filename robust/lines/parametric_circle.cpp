@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/lines/parametric_circle.h"
+
+#include "robust/kernel/legal.h"
+#include "robust/kernel/rounding.h"
+#include "robust/kernel/sine_cosine.h"
+#include "robust/kernel/term_sum.h"
+
+namespace touchstone::robust {
+namespace {
+
+using kernel::Scaled;
+
+Scaled<mpz_class> integer(double value) { return kernel::exact_sum<1>({kernel::term(value)}); }
+
+/// a + b
+Scaled<mpz_class> sum(const Scaled<mpz_class>& a, const Scaled<mpz_class>& b) {
+  const int low = std::min(a.exponent, b.exponent);
+  return {(a.n << static_cast<unsigned long>(a.exponent - low)) + (b.n << static_cast<unsigned long>(b.exponent - low)), low};
+}
+
+/// center + radius * factor rounded, for a factor within error of n, both in units of 2^-bits; empty if that could be two doubles.
+std::optional<double> coordinate(const Scaled<mpz_class>& center, const Scaled<mpz_class>& radius, const mpz_class& n,
+                                 const mpz_class& error, unsigned long bits) {
+  const int exponent = radius.exponent - static_cast<int>(bits);
+  const Scaled<mpz_class> low = sum(center, {radius.n * (n - error), exponent});
+  const Scaled<mpz_class> high = sum(center, {radius.n * (n + error), exponent});
+  const double below = kernel::round_scaled(low.n, low.exponent), above = kernel::round_scaled(high.n, high.exponent);
+  if (std::bit_cast<std::uint64_t>(below) != std::bit_cast<std::uint64_t>(above)) return std::nullopt;
+  return below;
+}
+
+double sum_rounded(double a, double b) {
+  const Scaled<mpz_class> exact = kernel::exact_sum<2>({kernel::term(a), kernel::term(b)});
+  return kernel::round_scaled(exact.n, exact.exponent);
+}
+
+void admit(const Circle2d& circle, double u) {
+  if (kernel::legal(circle) && kernel::all_finite(u)) return;
+  door::admit("circle", circle), door::admit("u", u);
+}
+
+}  // namespace
+
+Point2d parametric_circle(const Circle2d& circle, double u) {
+  admit(circle, u);
+  const Point2d& c = circle.center;
+  if (door::zero(circle.radius)) return {sum_rounded(c.x, 0), sum_rounded(c.y, 0)};
+  if (door::zero(u)) return {sum_rounded(c.x, circle.radius), sum_rounded(c.y, 0)};
+  // The sine and cosine of a rational number other than 0 are transcendental (Lindemann), so both coordinates are: never zero, never
+  // a double, never half-way between two. Some precision therefore tells on which side of every such number they lie.
+  const Scaled<mpz_class> x = integer(c.x), y = integer(c.y), radius = integer(circle.radius);
+  std::optional<double> across, up;
+  // A small angle has a small sine: its leading zeros are no precision.
+  const kernel::Decoded angle = kernel::decode(u);
+  unsigned long bits = 128 + static_cast<unsigned long>(std::max(0, -angle.exponent - 53));
+  for (; !across || !up; bits *= 2) {
+    const kernel::SineCosine at = kernel::sine_cosine(u, bits);
+    if (!across) across = coordinate(x, radius, at.cosine, at.error, bits);
+    if (!up) up = coordinate(y, radius, at.sine, at.error, bits);
+  }
+  return {*across, *up};
+}
+
+Point2d parametric_circle(const Circle2d& circle, double u, Stage& decided) {
+  decided = Stage::exact;
+  return parametric_circle(circle, u);
+}
+
+}  // namespace touchstone::robust

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/lines/point_on_segment.h"
+
+#include "robust/kernel/legal.h"
+#include "robust/kernel/plane.h"
+
+namespace touchstone::robust {
+namespace {
+
+using kernel::before;
+
+/// On the segment's line, and between its ends in the order of the plane. Holds for a segment of length zero too.
+template <class Integer>
+Incidence relation_of(const Point2<Integer>& p, const Segment2<Integer>& s) {
+  const bool reversed = before(s.b, s.a);
+  const Point2<Integer>&first = reversed ? s.b : s.a, &last = reversed ? s.a : s.b;
+  if (before(p, first) || before(last, p)) return Incidence::off;
+  return kernel::turn(s.a, s.b, p) == 0 ? Incidence::on : Incidence::off;
+}
+
+template <class Integer>
+PointOnSegment<double> answer_of(const Point2<Integer>& p, const Segment2<Integer>& s) {
+  if (relation_of(p, s) == Incidence::off) return {Incidence::off, std::nullopt};
+  return {Incidence::on, kernel::parameter_on(p, s)};
+}
+
+template <class Integer, class Numbers>
+Point2<Integer> point_in(const Numbers& n) {
+  return {n[0], n[1]};
+}
+template <class Integer, class Numbers>
+Segment2<Integer> segment_in(const Numbers& n) {
+  return {{n[2], n[3]}, {n[4], n[5]}};
+}
+
+auto on_lattice(const Point2d& p, const Segment2d& s) { return kernel::lattice_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y); }
+auto as_integers(const Point2d& p, const Segment2d& s) {
+  return kernel::integers_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y).at;
+}
+
+void admit(const Point2d& point, const Segment2d& segment) {
+  if (kernel::legal(point) && kernel::legal(segment)) return;
+  door::admit("point", point), door::admit("segment", segment);
+}
+
+}  // namespace
+
+std::optional<Incidence> point_on_segment_relation_lattice(const Point2d& point, const Segment2d& segment) {
+  const auto lattice = on_lattice(point, segment);
+  if (!lattice) return std::nullopt;
+  return relation_of(point_in<std::int64_t>(lattice->at), segment_in<std::int64_t>(lattice->at));
+}
+
+Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d& segment) {
+  const auto n = as_integers(point, segment);
+  return relation_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
+}
+
+std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment) {
+  const auto lattice = on_lattice(point, segment);
+  if (!lattice) return std::nullopt;
+  return answer_of(point_in<std::int64_t>(lattice->at), segment_in<std::int64_t>(lattice->at));
+}
+
+PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segment2d& segment) {
+  const auto n = as_integers(point, segment);
+  return answer_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
+}
+
+Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided) {
+  admit(point, segment);
+  decided = Stage::lattice;
+  if (const auto answer = point_on_segment_relation_lattice(point, segment)) return *answer;
+  decided = Stage::exact;
+  return point_on_segment_relation_exact(point, segment);
+}
+
+PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
+  admit(point, segment);
+  if (const auto answer = point_on_segment_lattice(point, segment)) return *answer;
+  return point_on_segment_exact(point, segment);
+}
+
+}  // namespace touchstone::robust

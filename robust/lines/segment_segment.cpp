@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/lines/segment_segment.h"
+
+#include "robust/kernel/legal.h"
+#include "robust/kernel/plane.h"
+
+namespace touchstone::robust {
+namespace {
+
+using kernel::before;
+
+/// How two segments meet; on_one_line: all four ends lie on one line (or on one point).
+struct Meeting {
+  SegmentRelation relation;
+  bool on_one_line;
+};
+
+/// The ends of a segment in lexicographic order.
+template <class Integer>
+Segment2<Integer> in_order(const Segment2<Integer>& s) {
+  return before(s.b, s.a) ? Segment2<Integer>{s.b, s.a} : s;
+}
+
+/// What two segments on one line have in common, empty if its ends come out in the wrong order. A segment of length zero is its point.
+template <class Integer>
+Segment2<Integer> common_part(const Segment2<Integer>& a, const Segment2<Integer>& b) {
+  const Segment2<Integer> first = in_order(a), second = in_order(b);
+  return {before(first.a, second.a) ? second.a : first.a, before(second.b, first.b) ? second.b : first.b};
+}
+
+template <class Integer>
+Meeting meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
+  const int ba = kernel::turn(a.a, a.b, b.a), bb = kernel::turn(a.a, a.b, b.b);
+  if (ba * bb > 0) return {SegmentRelation::disjoint, false};
+  const int aa = kernel::turn(b.a, b.b, a.a), ab = kernel::turn(b.a, b.b, a.b);
+  if (aa * ab > 0) return {SegmentRelation::disjoint, false};
+  // A point sees both its own turns as zero and turns equally twice for the other, so it has left above unless it is on the line.
+  if (ba != 0 || bb != 0 || aa != 0 || ab != 0) return {SegmentRelation::point, false};
+  const Segment2<Integer> common = common_part(a, b);
+  if (before(common.b, common.a)) return {SegmentRelation::disjoint, true};
+  return {before(common.a, common.b) ? SegmentRelation::overlap : SegmentRelation::point, true};
+}
+
+template <class Integer>
+SegmentSegment<double> answer_of(const Segment2<Integer>& a, const Segment2<Integer>& b, int exponent) {
+  const auto [relation, on_one_line] = meeting_of(a, b);
+  SegmentSegment<double> answer{relation, {}, {}, {}, {}};
+  if (relation == SegmentRelation::disjoint) return answer;
+  if (!on_one_line) {
+    const Vector2<Integer> r = a.b - a.a, s = b.b - b.a, between = b.a - a.a;
+    const kernel::Second<Integer> d = kernel::determinant(r, s), na = kernel::determinant(between, s),
+                                  nb = kernel::determinant(between, r);
+    answer.ta = kernel::round_quotient(na, d);
+    answer.tb = kernel::round_quotient(nb, d);
+    answer.point = kernel::point_along(a.a, r, na, d, exponent);
+    return answer;
+  }
+  const Segment2<Integer> common = common_part(a, b);
+  if (relation == SegmentRelation::point) {
+    answer.ta = kernel::parameter_on(common.a, a);
+    answer.tb = kernel::parameter_on(common.a, b);
+    answer.point = Point2d{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)};
+  } else {
+    answer.overlap = Segment2d{{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)},
+                               {kernel::round_scaled(common.b.x, exponent), kernel::round_scaled(common.b.y, exponent)}};
+  }
+  return answer;
+}
+
+template <class Integer, class Numbers>
+Segment2<Integer> first_in(const Numbers& n) {
+  return {{n[0], n[1]}, {n[2], n[3]}};
+}
+template <class Integer, class Numbers>
+Segment2<Integer> second_in(const Numbers& n) {
+  return {{n[4], n[5]}, {n[6], n[7]}};
+}
+
+auto on_lattice(const Segment2d& a, const Segment2d& b) {
+  return kernel::lattice_of(a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y);
+}
+auto as_integers(const Segment2d& a, const Segment2d& b) {
+  return kernel::integers_of(a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y);
+}
+
+void admit(const Segment2d& a, const Segment2d& b) {
+  if (kernel::legal(a) && kernel::legal(b)) return;
+  door::admit("a", a), door::admit("b", b);
+}
+
+}  // namespace
+
+std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b) {
+  const auto lattice = on_lattice(a, b);
+  if (!lattice) return std::nullopt;
+  return meeting_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at)).relation;
+}
+
+SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment2d& b) {
+  const auto n = as_integers(a, b).at;
+  return meeting_of(first_in<mpz_class>(n), second_in<mpz_class>(n)).relation;
+}
+
+std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b) {
+  const auto lattice = on_lattice(a, b);
+  if (!lattice) return std::nullopt;
+  return answer_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at), lattice->exponent);
+}
+
+SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d& b) {
+  const auto n = as_integers(a, b);
+  return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
+}
+
+SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided) {
+  admit(a, b);
+  decided = Stage::lattice;
+  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;
+  decided = Stage::exact;
+  return segment_segment_relation_exact(a, b);
+}
+
+SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
+  admit(a, b);
+  if (const auto answer = segment_segment_lattice(a, b)) return *answer;
+  return segment_segment_exact(a, b);
+}
+
+}  // namespace touchstone::robust
