@@ -38,7 +38,8 @@ CommonPoints solve(const Segment2<Integer>& first, Extent extent, const Segment2
   static const std::vector<Value> least{Value(1), Value(0)}, greatest{Value(-1), Value(0)};
   program.minimise(least);
   result.first = parameter(0), result.second_at_first = parameter(1);
-  program.minimise(greatest);
+  // On a first shape of length zero every parameter is the same point; the least one, 0, speaks for it.
+  if (sgn(u.x) != 0 || sgn(u.y) != 0) program.minimise(greatest);
   result.last = parameter(0), result.second_at_last = parameter(1);
   return result;
 }
