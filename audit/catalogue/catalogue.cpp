@@ -17,6 +17,14 @@ const std::vector<const Operation*>& catalogue() {
   return operations;
 }
 
+Question Operation::on_grid(int size, std::uint64_t index) const {
+  Question question{std::vector<double>(arity())};
+  for (std::size_t i = arity(); i-- > 0; index /= static_cast<std::uint64_t>(size)) {
+    question.numbers[i] = static_cast<double>(index % static_cast<std::uint64_t>(size));
+  }
+  return question;
+}
+
 const Operation* find_operation(const std::string& name) {
   for (const Operation* operation : catalogue()) {
     if (operation->name() == name) return operation;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,7 @@ class Examination {
   virtual ~Examination() = default;
 
   virtual Json truth() const = 0;              ///< exact, "p/q"
+  virtual Json rounded_truth() const = 0;      ///< every number the nearest double
   virtual std::string outcome() const = 0;     ///< the truth's word ("overlap"), or "value"
   virtual bool touch() const = 0;              ///< the truth is a touch: open and closed sets answer differently
   virtual mpq_class margin() const = 0;
@@ -65,6 +68,13 @@ class Examination {
   /// that rounding cannot have changed a decision, reference in double must decide as in exact arithmetic, and its numbers must lie within
   /// the proved bound.
   virtual std::string broken_promise() const = 0;
+};
+
+/// Every decision on a range of a grid: robust against the oracle's integers, without numbers and certificates.
+struct DecisionCount {
+  std::uint64_t cases = 0, wrong = 0, hash = 0;  ///< hash: sum over the cases, so parts of a range add up
+  std::map<std::string, std::uint64_t> outcomes;
+  std::uint64_t first_wrong = 0;                 ///< index of the first wrong case, if wrong > 0
 };
 
 /// One row of the catalogue, its types forgotten: all that the program, the tests and the fuzz targets need.
@@ -94,6 +104,12 @@ class Operation {
   virtual std::string refusal_mismatch(const Question& question) const = 0;
   /// Truth for the decimals as typed, read as exact rationals.
   virtual Json truth_as_typed(const Json& input) const = 0;
+
+  /// Configurations `first` <= index < `last` of the grid on which every number runs over 0 .. size - 1 (the first number is
+  /// the slowest). Empty where the operation has no such fast pair of decisions.
+  virtual std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const = 0;
+  /// The question of that index.
+  Question on_grid(int size, std::uint64_t index) const;
 
   /// The figure of a question and of the truth about it.
   virtual Scene scene(const Question& question) const = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "audit/catalogue/figures.h"
+#include "audit/catalogue/decisions.h"
 #include "audit/catalogue/row.h"
 #include "audit/inputs/families.h"
 #include "audit/judge/examination_of.h"
@@ -54,6 +55,13 @@ class OperationOf final : public Operation {
       return ExaminationOf<Row>::answer_json(ask_oracle<Row>(exact).answer);
     }
     throw InvalidInput("--as-typed", "an operation whose truth is rational");
+  }
+
+  std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const override {
+    if constexpr (requires { typename Row::decision; }) {
+      return count_decisions_of<Row>(size, first, last);
+    }
+    return std::nullopt;
   }
 
   Scene scene(const Question& question) const override {

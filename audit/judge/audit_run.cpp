@@ -24,19 +24,6 @@ Judgement judged(const Reply& reply, const Examination& examination, const Decla
   }
 }
 
-void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index, const Json& answer) {
-  const auto v = static_cast<std::size_t>(judgement.verdict);
-  ++cell.counts[v];
-  ++cell.outcomes[outcome];
-  if (judgement.touch_reading > 0) ++cell.touches_closed;
-  if (judgement.touch_reading < 0) ++cell.touches_open;
-  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact) {
-    cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
-  }
-  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::unsupported) return;
-  if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question)) cell.smallest[v] = Finding{question, judgement, answer, index};
-}
-
 /// One job: a share of the batches of one operation.
 class Worker {
  public:
@@ -147,6 +134,19 @@ std::vector<std::size_t> chosen_families(const Operation& operation, const std::
 }
 
 }  // namespace
+
+void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index, const Json& answer) {
+  const auto v = static_cast<std::size_t>(judgement.verdict);
+  ++cell.counts[v];
+  ++cell.outcomes[outcome];
+  if (judgement.touch_reading > 0) ++cell.touches_closed;
+  if (judgement.touch_reading < 0) ++cell.touches_open;
+  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact) {
+    cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
+  }
+  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::unsupported) return;
+  if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question)) cell.smallest[v] = Finding{question, judgement, answer, index};
+}
 
 Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index, bool record) {
   const std::string stream = operation.name() + "/" + operation.families()[family];

@@ -25,6 +25,10 @@ struct AuditOptions {
 Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&, std::uint64_t)>& progress);
 
+/// Counts one judged case into a cell and keeps the question if it is the smallest of its verdict.
+void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index,
+           const Json& answer);
+
 /// The choices that give case `index` of a family.
 Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index, bool record = false);
 

@@ -24,6 +24,9 @@ class ExaminationOf final : public Examination {
       : question_(question), truth_(ask_oracle<Row>(question)) {}
 
   Json truth() const override { return answer_json(truth_.answer); }
+  Json rounded_truth() const override {
+    return answer_json(converted<double>(truth_.answer, [](const mpq_class& number) { return nearest(number); }));
+  }
   std::string outcome() const override { return word_of(truth_.answer); }
   bool touch() const override { return open_reading().has_value(); }
   mpq_class margin() const override { return truth_.margin; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/figures.h"
 #include "audit/catalogue/row.h"
 #include "oracle/lines/explicit_line.h"
 #include "reference/lines/explicit_line.h"

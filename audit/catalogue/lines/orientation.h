@@ -2,6 +2,8 @@
 #pragma once
 
 #include "audit/catalogue/row.h"
+#include "audit/codec/walk.h"
+#include "oracle/exact/elimination.h"
 #include "oracle/lines/orientation.h"
 #include "reference/lines/orientation.h"
 #include "robust/lines/orientation.h"
@@ -73,6 +75,15 @@ struct orientation {
          }},
     };
   }
+
+  struct decision {
+    static Side robust(const Question& q) {
+      return ::touchstone::robust::orientation(std::get<0>(q), std::get<1>(q), std::get<2>(q));
+    }
+    static Side oracle(const rebound_t<Question, std::int64_t>& q) {
+      return ::touchstone::oracle::orientation_side<std::int64_t>(std::get<0>(q), std::get<1>(q), std::get<2>(q));
+    }
+  };
 
   /// The classroom example: p near (0.5, 0.5) on the line through (12, 12) and (24, 24).
   static Question map_centre() { return {{12, 12}, {24, 24}, {0.5, 0.5}}; }

@@ -101,7 +101,7 @@ struct ray_segment {
       return truth.point->x == exact_value(end.x) && truth.point->y == exact_value(end.y);
     };
     if (*truth.t != 0 && !is(segment.a) && !is(segment.b)) return std::nullopt;
-    return RaySegment<mpq_class>{.relation = RayRelation::none};
+    return RaySegment<mpq_class>{RayRelation::none, {}, {}, {}};
   }
 
   /// The ray along the diagonal through the segment's end (0.5, 0.5); moves that end.

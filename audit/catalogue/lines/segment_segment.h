@@ -2,6 +2,8 @@
 #pragma once
 
 #include "audit/catalogue/row.h"
+#include "audit/codec/walk.h"
+#include "oracle/exact/elimination.h"
 #include "oracle/lines/segment_segment.h"
 #include "reference/lines/segment_segment.h"
 #include "robust/lines/segment_segment.h"
@@ -102,8 +104,17 @@ struct segment_segment {
   static std::optional<SegmentSegment<mpq_class>> as_open_sets(const SegmentSegment<mpq_class>& truth, const Question&) {
     if (truth.relation != SegmentRelation::point) return std::nullopt;
     if (*truth.ta != 0 && *truth.ta != 1 && *truth.tb != 0 && *truth.tb != 1) return std::nullopt;
-    return SegmentSegment<mpq_class>{.relation = SegmentRelation::disjoint};
+    return SegmentSegment<mpq_class>{SegmentRelation::disjoint, {}, {}, {}, {}};
   }
+
+  struct decision {
+    static SegmentRelation robust(const Question& q) {
+      return ::touchstone::robust::segment_segment_relation(std::get<0>(q), std::get<1>(q));
+    }
+    static SegmentRelation oracle(const rebound_t<Question, std::int64_t>& q) {
+      return ::touchstone::oracle::segment_segment_relation<std::int64_t>(std::get<0>(q), std::get<1>(q));
+    }
+  };
 
   /// The end (0.5, 0.5) of b lies on a; moves that end.
   static Question map_centre() { return {{{0, 0}, {12, 12}}, {{0.5, 0.5}, {24, 3}}}; }

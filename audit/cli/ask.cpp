@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/cli/commands.h"
+#include "audit/cli/program.h"
+
+namespace touchstone::audit {
+namespace {
+
+Json verdict_json(const Judgement& judgement, Json answer) {
+  Json result = Json::object();
+  result["answer"] = std::move(answer);
+  switch (judgement.verdict) {
+    case Verdict::rounding:
+    case Verdict::algorithm:
+      result["verdict"] = "wrong";
+      result["cause"] = name_of(judgement.verdict);
+      break;
+    default: result["verdict"] = name_of(judgement.verdict);
+  }
+  if (judgement.ulps > 0 && judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::algorithm) {
+    result["ulps"] = written(judgement.ulps);
+  }
+  if (!judgement.remark.empty()) result["remark"] = judgement.remark;
+  return result;
+}
+
+Json certificate_json(const oracle::Certificate& certificate) {
+  Json result = Json::object();
+  result["kind"] = certificate.kind;
+  for (const auto& [name, values] : certificate.facts) {
+    Json list = Json::array();
+    for (const oracle::Rational& value : values) list.push_back(written(value));
+    result[name] = std::move(list);
+  }
+  return result;
+}
+
+}  // namespace
+
+Json truth_of_decimals(const Operation& operation, const Json& printed) {
+  try {
+    return operation.truth_as_typed(parse_line(one_line(printed)));
+  } catch (const InvalidInput&) {
+    return nullptr;
+  }
+}
+
+Json explained(const Operation& operation, const Question& question) {
+  const auto examination = operation.examine(question);
+  Json line = Json::object();
+  line["op"] = operation.name();
+  line["input"] = operation.print(question);
+  line["truth"] = examination->truth();
+  line["margin"] = written(examination->margin());
+  line["certificate"] = certificate_json(examination->certificate());
+  line["robust"] = verdict_json(examination->judge_robust(), examination->robust());
+  line["reference"] = verdict_json(examination->judge_reference(), examination->reference());
+  return line;
+}
+
+int ask_command(const std::string& name, const std::string& file, bool as_typed, std::ostream& out, std::ostream& err) {
+  const Operation& operation = operation_named(name);
+  bool refused_any = false;
+  const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
+    Json error = Json::object();
+    error["error"]["field"] = refused.field();
+    error["error"]["rule"] = refused.rule();
+    out << one_line(error) << '\n';
+    err << place(file, number) << refused.what() << '\n';
+    refused_any = true;
+  };
+  const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
+    try {
+      const Json input = parse_line(text);
+      Json line = explained(operation, operation.parse(input));
+      if (as_typed) {
+        line["as_typed"] = Json::object();
+        line["as_typed"]["truth"] = operation.truth_as_typed(input);
+      }
+      out << one_line(line) << '\n';
+    } catch (const InvalidInput& refused) {
+      refuse(number, refused);
+    }
+  });
+  if (lines == 0) {
+    err << place(file, 1) << "line: one JSON object, found an empty file\n";
+    return bad_usage;
+  }
+  return refused_any ? bad_usage : nothing_found;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/cli/commands.h"
+#include "audit/cli/program.h"
+#include "oracle/certificates/check.h"
+
+namespace touchstone::audit {
+
+int certify_command(const std::string& file, std::ostream& out, std::ostream& err) {
+  std::uint64_t refused = 0;
+  const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
+    if (const auto reason = certify::refuse_text(text)) {
+      ++refused;
+      err << place(file, number) << *reason << '\n';
+    }
+  });
+  out << lines << " certificates, " << refused << " refused\n";
+  if (lines == 0) {
+    err << place(file, 1) << "line: one JSON object, found an empty file\n";
+    return bad_usage;
+  }
+  return refused > 0 ? findings : nothing_found;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "audit/catalogue/operation.h"
+
+/// The commands, each a function of its parsed options: what goes to standard output is written to `out`, complaints to
+/// `err`, and the exit code is returned.
+namespace touchstone::audit {
+
+/// Wrong usage: one line, exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct AuditCommand {
+  std::string engine;                ///< command; empty: our reference in double
+  std::string operations = "all";    ///< "all" or names with commas
+  std::string families;              ///< names with commas; empty: all
+  std::uint64_t cases = 20000, seed = 1;
+  double seconds = 0, timeout = 5;
+  int jobs = 0;                      ///< 0: as many as the machine has
+  std::string json_file, report_directory;
+};
+
+int ops_command(bool json, std::ostream& out);
+int ask_command(const std::string& operation, const std::string& file, bool as_typed, std::ostream& out, std::ostream& err);
+int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
+int exhaust_command(const std::string& operation, int grid, const std::string& shard, const std::string& json_file,
+                    bool decisions, std::ostream& out, std::ostream& err);
+int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);
+int vectors_write_command(const std::string& directory, std::uint64_t seed, std::ostream& out, std::ostream& err);
+int vectors_check_command(const std::string& directory, std::ostream& out, std::ostream& err);
+int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
+
+/// Throws UsageError naming what is not known and what is.
+const Operation& operation_named(const std::string& name);
+std::vector<const Operation*> operations_named(const std::string& names);
+std::vector<std::string> split(const std::string& names);
+
+/// Calls visit(line number, text) for each line of a file, or of standard input for "-" or "". Throws UsageError if it
+/// cannot be opened. Returns the number of lines that are not blank.
+template <class Visit>
+std::uint64_t each_line(const std::string& file, const Visit& visit);
+
+/// What stands before every complaint about a line.
+std::string place(const std::string& file, std::uint64_t line);
+
+/// The truth for the decimals of an input that was printed, read as exact rationals; null where the operation has none.
+Json truth_of_decimals(const Operation& operation, const Json& printed);
+
+/// Everything `ask` says of one question.
+Json explained(const Operation& operation, const Question& question);
+
+}  // namespace touchstone::audit
+
+#include "audit/cli/each_line.h"

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/vectors/vectors.h"
+
+#include <map>
+
+#include "audit/cli/commands.h"
+#include "audit/judge/audit_run.h"
+#include "audit/vectors/flags.h"
+#include "oracle/certificates/check.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr int version = 1;
+constexpr std::size_t most_of_a_family = 12, most_alike = 3;
+constexpr std::uint64_t drawn_of_a_family = 400;
+
+Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
+
+Json vector_line(const Operation& operation, const std::string& family, const Question& question) {
+  Json line = Json::object();
+  line["touchstone"] = version;
+  line["op"] = operation.name();
+  line["family"] = family;
+  line["input"] = operation.print(question);
+  try {
+    const auto examination = operation.examine(question);
+    Json all = explained(operation, question);
+    line["truth"] = all["truth"];
+    line["rounded"] = examination->rounded_truth();
+    line["margin"] = all["margin"];
+    line["certificate"] = all["certificate"];
+    line["flags"] = flags_of(question, *examination);
+    const Json as_typed = truth_of_decimals(operation, line["input"]);
+    if (!as_typed.is_null() && as_typed != line["truth"] && family.starts_with("typed")) line["as_typed"] = as_typed;
+  } catch (const InvalidInput& refused) {
+    line["refused"]["field"] = refused.field();
+    line["refused"]["rule"] = refused.rule();
+    line["flags"] = {"refused"};
+  }
+  return line;
+}
+
+/// What makes two vectors alike: the outcome and what the slide's formula makes of it.
+std::string likeness(const Operation& operation, const Question& question) {
+  try {
+    const auto examination = operation.examine(question);
+    return examination->outcome() + (examination->touch() ? " touch " : " ") + name_of(examination->judge_reference().verdict);
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+}
+
+std::string robust_complaint(const Operation& operation, const Json& line, const Question& question) {
+  if (line.contains("refused")) {
+    const std::string mismatch = operation.refusal_mismatch(question);
+    if (!mismatch.empty()) return mismatch;
+    try {
+      operation.examine(question);
+    } catch (const InvalidInput& refused) {
+      return refused.field() == line["refused"]["field"] && refused.rule() == line["refused"]["rule"] ? "" : "refused otherwise";
+    }
+    return "not refused";
+  }
+  const auto examination = operation.examine(question);
+  if (without_marks(examination->truth()) != line["truth"]) return "the oracle's truth is " + one_line(examination->truth());
+  if (examination->judge_robust().verdict != Verdict::agree) return "robust answers " + one_line(examination->robust());
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t seed) {
+  std::vector<std::string> lines;
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    std::map<std::string, std::size_t> seen;
+    std::size_t kept = 0;
+    for (std::uint64_t i = 0; i < drawn_of_a_family && kept < most_of_a_family; ++i) {
+      Choices choices = case_choices(operation, family, seed, i);
+      const Question question = operation.draw(choices, family);
+      if (seen[likeness(operation, question)]++ >= most_alike) continue;
+      ++kept;
+      lines.push_back(one_line(vector_line(operation, operation.families()[family], question)));
+    }
+  }
+  return lines;
+}
+
+Json vector_schema() {
+  Json flags = Json::object();
+  for (const Flag& flag : vector_flags) flags[flag.name] = {{"meaning", flag.meaning}, {"effect", flag.effect}};
+  Json schema = Json::object();
+  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  schema["title"] = "touchstone test vector";
+  schema["description"] =
+      "One JSON object a line. Exact numbers are \"p/q\" or \"p\"; input numbers are the doubles that the decimals round to. "
+      "`rounded` is the truth with every number the nearest double, ties to even.";
+  schema["type"] = "object";
+  schema["required"] = {"touchstone", "op", "family", "input", "flags"};
+  schema["oneOf"] = Json::array({Json{{"required", {"truth", "rounded", "margin", "certificate"}}}, Json{{"required", {"refused"}}}});
+  schema["properties"]["touchstone"]["const"] = version;
+  for (const char* name : {"op", "family", "margin"}) schema["properties"][name]["type"] = "string";
+  for (const char* name : {"input", "truth", "rounded", "certificate", "refused", "as_typed"}) schema["properties"][name]["type"] = "object";
+  schema["properties"]["flags"]["type"] = "array";
+  schema["flags"] = flags;
+  return schema;
+}
+
+std::string vector_complaint(const std::string& text) {
+  const Json line = Json::parse(text, nullptr, false);
+  if (line.is_discarded() || !line.is_object()) return "line: one JSON object";
+  if (line.value("touchstone", 0) != version) return "touchstone: version " + std::to_string(version);
+  const Operation* operation = line.contains("op") && line["op"].is_string() ? find_operation(line["op"]) : nullptr;
+  if (operation == nullptr) return "op: an operation of the catalogue";
+  if (!line.contains("refused")) {
+    if (const auto reason = certify::refuse_text(text)) return *reason;
+  }
+  try {
+    return robust_complaint(*operation, line, operation->parse(parse_line(text)["input"]));
+  } catch (const std::exception& thrown) {
+    return thrown.what();
+  }
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "audit/catalogue/operation.h"
+
+namespace touchstone::audit {
+
+/// The test vectors of one operation, a line each: at most a dozen a family, of every outcome and of every way in which
+/// the slide's formula fails. The same seed gives the same bytes on every machine.
+std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t seed);
+
+/// The JSON Schema of a line, with every flag explained.
+Json vector_schema();
+
+/// Why a line of vectors is refused: its certificate does not prove its truth, the oracle's truth is another, or robust
+/// disagrees. Empty if all is well.
+std::string vector_complaint(const std::string& line);
+
+}  // namespace touchstone::audit
