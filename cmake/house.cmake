@@ -30,10 +30,12 @@ endif()
 function(touchstone_own target)
   target_compile_options(
     ${target} PRIVATE -ffp-contract=off -frounding-math -Wall -Wextra -Wconversion -Wno-sign-conversion
-                      ${coverage_flags} $<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer-no-link>)
+                      -Wno-missing-field-initializers ${coverage_flags}
+                      $<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer-no-link>)
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # g++ 12 warns wrongly about literal + std::string (its bug 105329).
-    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow)
+    target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
+                                             -Wno-array-bounds)
   elseif(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     # ccache: a precompiled header must not carry the time at which it was made.
     target_compile_options(${target} PRIVATE -Xclang -fno-pch-timestamp)

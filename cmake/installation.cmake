@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(touchstone): touchstone::{geometry,reference,robust,oracle,certify}, and touchstone::audit where the
-# libraries that it needs are found. <touchstone/robust/lines/orientation.h> and "geometry/points.h" both resolve.
+# find_package(touchstone): touchstone::{geometry,reference,robust,oracle}, and touchstone::{certify,audit} where
+# the libraries that these need are found. <touchstone/robust/lines/orientation.h> and "geometry/points.h" both resolve.
 
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/touchstone)
 
-install(TARGETS touchstone_geometry touchstone_reference touchstone_robust touchstone_oracle touchstone_certify
+install(TARGETS touchstone_geometry touchstone_reference touchstone_robust touchstone_oracle
         EXPORT touchstone-rooms)
-install(TARGETS touchstone_audit EXPORT touchstone-audit)
+install(TARGETS touchstone_certify touchstone_audit EXPORT touchstone-audit)
 install(EXPORT touchstone-rooms NAMESPACE touchstone:: DESTINATION ${package_dir})
 install(EXPORT touchstone-audit NAMESPACE touchstone:: DESTINATION ${package_dir})
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # proptests/FOLDER/*.cpp -> the program test_FOLDER; every file is a test of its own in ctest, named FOLDER/FILE.
-# A folder with a CMakeLists.txt builds itself.
+# A folder with a CMakeLists.txt builds itself; proptests/install is a project of its own that uses the installed package.
 
 find_package(Catch2 2 QUIET)
 find_package(rapidcheck QUIET)
@@ -46,9 +46,43 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
   foreach(folder ${folders})
     cmake_path(GET folder FILENAME name)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-    if(EXISTS ${folder}/CMakeLists.txt OR NOT sources)
+    if(name STREQUAL install OR NOT sources)
+      continue()
+    elseif(EXISTS ${folder}/CMakeLists.txt)
+      add_subdirectory(${folder})
+    else()
+      touchstone_test_program(${name} ${sources})
+    endif()
+  endforeach()
+endif()
+
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(rooms_line_up ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/rooms_line_up.py)
+add_test(NAME rooms_line_up/self_check COMMAND ${rooms_line_up} --self-check)
+if(TARGET touchstone)
+  add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)
+endif()
+
+# What a user does with the installed package. Not while counting coverage: the flags for that stay in this build.
+if(NOT TOUCHSTONE_COVERAGE)
+  set(installed ${PROJECT_BINARY_DIR}/installed)
+  add_test(NAME install/prefix
+           COMMAND sh -c "rm -rf '${installed}' && '${CMAKE_COMMAND}' --install '${PROJECT_BINARY_DIR}' --prefix '${installed}'")
+  set_tests_properties(install/prefix PROPERTIES FIXTURES_SETUP installed)
+  foreach(consumer proptests/install examples/my_engine)
+    if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${consumer}/CMakeLists.txt)
       continue()
     endif()
-    touchstone_test_program(${name} ${sources})
+    cmake_path(GET consumer FILENAME name)
+    if(name STREQUAL install)
+      set(name consumer)
+    endif()
+    add_test(NAME install/${name}
+             COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR}/${consumer}
+                     ${PROJECT_BINARY_DIR}/consumers/${name} --build-generator ${CMAKE_GENERATOR} --build-options
+                     -DCMAKE_PREFIX_PATH=${installed} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
+                     "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}" -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} --test-command ctest
+                     --output-on-failure)
+    set_tests_properties(install/${name} PROPERTIES FIXTURES_REQUIRED installed)
   endforeach()
 endif()

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <touchstone/audit/catalogue/operation.h>
+
+#include <cstdio>
+
+int main() {
+  const auto* operation = touchstone::audit::find_operation("orientation");
+  if (operation == nullptr) return 1;
+  std::printf("%s, deck p. %s\n", operation->card().name, operation->card().pages);
+  return 0;
+}

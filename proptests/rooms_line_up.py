@@ -1,0 +1,231 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether every operation is in every room under its own name, and no room looks into one that it must not see.
+
+  rooms_line_up.py --program PATH   the source tree around this file, with the operations that the program knows
+  rooms_line_up.py --self-check     small trees with one fault each: every fault must be found
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOMS = {
+    "geometry": {"geometry"},
+    "reference": {"geometry", "reference"},
+    "robust": {"geometry", "robust"},
+    "oracle": {"geometry", "oracle"},
+    "audit": {"geometry", "reference", "robust", "oracle", "audit"},
+    "proptests": None,
+    "fuzz": None,
+    "bench": None,
+    "coverage": None,
+    "examples": None,
+}
+# Where an operation's files stand: folder (before the chapter) and suffixes.
+PLACES = {
+    "reference": (".h",),
+    "robust": (".h", ".cpp"),
+    "oracle": (".h", ".cpp"),
+    "audit/catalogue": (".h",),
+    "proptests": (".cpp",),
+    "fuzz": (".cpp",),
+}
+# Folders beside the chapters.
+NO_CHAPTER = {"robust": {"kernel"}, "oracle": {"exact", "certificates"}, "fuzz": {"driver", "corpus", "findings"}}
+CODE = {".h", ".cpp", ".py", ".mjs"}
+LONGEST = 400
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision/")
+FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
+CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
+CGAL_MAY_BE_PEER = ("proptests/", "bench/", "audit/engines/programs/")
+
+
+class Tree:
+    def __init__(self, root):
+        self.root = root
+        self.text = {}
+        for room in ROOMS:
+            for path in sorted((root / room).rglob("*")):
+                if path.is_file() and path.suffix in CODE:
+                    self.text[path.relative_to(root).as_posix()] = path.read_text(encoding="utf-8")
+
+    def includes(self, name):
+        return [(quote, target) for quote, target in INCLUDE.findall(self.text[name])]
+
+
+def operation_files(tree, operations):
+    chapters = {operation["chapter"] for operation in operations}
+    for place, suffixes in PLACES.items():
+        wanted = {f"{place}/{o['chapter']}/{o['name']}{suffix}" for o in operations for suffix in suffixes}
+        for name in sorted(wanted - tree.text.keys()):
+            yield f"{name}: missing"
+        if place in ("proptests", "audit/catalogue"):  # other folders stand here too
+            folders = chapters
+        else:
+            folders = {p.name for p in (tree.root / place).iterdir() if p.is_dir()} - NO_CHAPTER.get(place, set())
+        for name in sorted(tree.text):
+            for folder in folders:
+                if name.startswith(f"{place}/{folder}/") and name not in wanted:
+                    yield f"{name}: stray, no operation of that chapter has this name"
+
+
+def directions(tree):
+    for name in tree.text:
+        room = name.split("/")[0]
+        allowed = ROOMS[room]
+        for quote, target in tree.includes(name):
+            other = target.removeprefix("touchstone/").split("/")[0]
+            if quote == '"' and target not in tree.text and room != "examples":
+                yield f"{name}: \"{target}\" is not spelled from the root"
+            if allowed is not None and other in ROOMS and other not in allowed and "/" in target:
+                yield f"{name}: {room} must not include {other} ({target})"
+            if re.match(r"oracle/certificates/check[^/]*$", name) and other in ROOMS and not target.startswith(
+                    "oracle/certificates/"):
+                yield f"{name}: the checker of certificates must not include {target}"
+
+
+def cgal(tree):
+    for name, text in tree.text.items():
+        if name.startswith("robust/kernel/") or not any(t.startswith("CGAL/") for _, t in tree.includes(name)):
+            continue
+        if not name.startswith(CGAL_MAY_BE_PEER):
+            yield f"{name}: CGAL belongs in robust/kernel/"
+        elif not CGAL_AS_PEER.search(text):
+            yield f"{name}: includes CGAL without saying why (// CGAL as peer: ..., // CGAL as second opinion: ...)"
+
+
+def public_headers(tree):
+    """No exact number type reaches a user of geometry, reference or robust, not even through another header."""
+    for name in tree.text:
+        if not name.endswith(".h") or name.startswith("robust/kernel/"):
+            continue
+        if name.split("/")[0] not in ("geometry", "reference", "robust"):
+            continue
+        found = FOREIGN_TYPE.search(COMMENT.sub("", tree.text[name]))
+        if found:
+            yield f"{name}: {found.group(1)} in a public header"
+        seen, waiting = set(), [name]
+        while waiting:
+            header = waiting.pop()
+            if header in seen or header not in tree.text:
+                continue
+            seen.add(header)
+            for _, target in tree.includes(header):
+                if FOREIGN_HEADER.match(target):
+                    yield f"{name}: reaches <{target}> through {header}"
+                waiting.append(target)
+
+
+def lengths(tree):
+    for name, text in tree.text.items():
+        lines = text.count("\n")
+        if lines > LONGEST:
+            yield f"{name}: {lines} lines, more than {LONGEST}"
+
+
+def faults(root, operations):
+    if not operations:
+        yield "the program knows no operations"
+        return
+    tree = Tree(root)
+    yield from operation_files(tree, operations)
+    yield from directions(tree)
+    yield from cgal(tree)
+    yield from public_headers(tree)
+    yield from lengths(tree)
+
+
+def right_tree():
+    files = {f"{place}/lines/touch{suffix}": "#pragma once\n" for place, suffixes in PLACES.items() for suffix in suffixes}
+    files["geometry/points.h"] = "#pragma once\n"
+    files["robust/kernel/filter.h"] = "#include <CGAL/version.h>\n#include <gmpxx.h>\nmpq_class exact();\n"
+    files["robust/lines/touch.cpp"] = '#include "robust/lines/touch.h"\n#include "robust/kernel/filter.h"\n'
+    files["reference/lines/touch.h"] = '#include "geometry/points.h"\n// not even mpq_class in a comment\n'
+    files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
+    files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
+    files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
+    files["audit/cli/main.cpp"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+    files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
+    files["fuzz/driver/replay_main.cpp"] = '#include "audit/cli/main.cpp"\n'
+    return files
+
+
+# One fault each: what is written where (None removes it), and the file that must be blamed.
+PLANTED = [
+    ("fuzz/lines/touch.cpp", None, "fuzz/lines/touch.cpp: missing"),
+    ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
+    ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
+    ("audit/catalogue/lines/touch.h", None, "audit/catalogue/lines/touch.h: missing"),
+    ("proptests/lines/cross.cpp", "", "proptests/lines/cross.cpp: stray"),
+    ("reference/lines/cross.h", "", "reference/lines/cross.h: stray"),
+    ("oracle/planes/touch.cpp", "", "oracle/planes/touch.cpp: stray"),
+    ("geometry/points.h", '#include "reference/lines/touch.h"\n', "geometry/points.h: geometry must not include reference"),
+    ("reference/lines/touch.h", '#include "robust/lines/touch.h"\n', "reference must not include robust"),
+    ("robust/lines/touch.cpp", '#include "oracle/lines/touch.h"\n', "robust must not include oracle"),
+    ("oracle/lines/touch.cpp", '#include <touchstone/robust/lines/touch.h>\n', "oracle must not include robust"),
+    ("robust/kernel/filter.h", '#include "audit/cli/main.cpp"\n', "robust must not include audit"),
+    ("audit/cli/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "audit must not include fuzz"),
+    ("robust/lines/touch.cpp", '#include "touch.h"\n', "not spelled from the root"),
+    ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
+    ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
+    ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
+    ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
+    ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
+    ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
+    ("audit/cli/main.cpp", "\n" * 401, "audit/cli/main.cpp: 401 lines"),
+]
+
+
+def write(root, files):
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def self_check():
+    operations = [{"name": "touch", "chapter": "lines"}]
+    wrong = []
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        write(root / "right", right_tree())
+        wrong += [f"a right tree was blamed: {fault}" for fault in faults(root / "right", operations)]
+        if not list(faults(root / "right", [])):
+            wrong.append("a program without operations was not noticed")
+        for number, (name, text, blame) in enumerate(PLANTED):
+            files = right_tree()
+            files.pop(name, None)
+            if text is not None:
+                files[name] = text
+            write(root / str(number), files)
+            found = list(faults(root / str(number), operations))
+            if not any(blame in fault for fault in found):
+                wrong.append(f"planted in {name}, expected '{blame}', found {found}")
+    print(f"self-check: {len(PLANTED) + 2 - len(wrong)} of {len(PLANTED) + 2} as expected")
+    return wrong
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    choice = arguments.add_mutually_exclusive_group(required=True)
+    choice.add_argument("--program", help="the built program; its `ops --json` is the list of operations")
+    choice.add_argument("--self-check", action="store_true")
+    options = arguments.parse_args()
+    if options.self_check:
+        found = self_check()
+    else:
+        listing = subprocess.run([options.program, "ops", "--json"], check=True, capture_output=True, text=True).stdout
+        found = list(faults(pathlib.Path(__file__).resolve().parent.parent, json.loads(listing)))
+    for fault in found:
+        print(fault)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
