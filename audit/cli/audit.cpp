@@ -82,7 +82,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   }
   std::signal(SIGINT, previous);
   out << text_table(tally) << std::flush;
-  if (!command.json_file.empty()) write_file(command.json_file, one_line(tally_json(tally)) + "\n");
+  if (!command.json_file.empty()) write_file(command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
     write_report(tally, command.report_directory);
     out << "report: " << command.report_directory << "/index.html\n";

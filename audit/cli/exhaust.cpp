@@ -42,7 +42,7 @@ std::uint64_t bound(std::uint64_t total, std::uint64_t i, std::uint64_t n) {
 Tally examined(const Operation& operation, int grid, const Shard& shard) {
   const std::uint64_t total = configurations(operation, grid);
   Tally tally;
-  tally.declaration = {"reference (binary64)", Declaration::Boundary::closed, false, 0};
+  tally.declaration = {"reference", Declaration::Boundary::closed, false, 0};
   tally.cases = total;
   tally.grid = {static_cast<std::uint64_t>(grid), shard.of, {shard.index}};
   Cell of_reference, of_robust;
@@ -122,7 +122,7 @@ int exhaust_command(const std::string& name, int grid, const std::string& shard_
   if (decisions) return decisions_only(operation, grid, shard, json_file, out);
   const Tally tally = examined(operation, grid, shard);
   out << text_table(tally);
-  if (!json_file.empty()) std::ofstream(json_file) << one_line(tally_json(tally)) << '\n';
+  if (!json_file.empty()) std::ofstream(json_file) << tally_json(tally);
   return tally.has_findings() ? findings : nothing_found;
 }
 
@@ -137,7 +137,7 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
         decisions.push_back(line);
         return;
       }
-      Tally part = tally_from_json(line);
+      const Tally part = read_tally(text);
       sum ? sum->merge(part) : static_cast<void>(sum = std::move(part));
     });
   }

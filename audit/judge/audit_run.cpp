@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t batch_size = 1024;
 
 /// Our reference in double, as if it were somebody's engine.
-const Declaration reference_declaration{"reference (binary64)", Declaration::Boundary::closed, false, 0};
+const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
 
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
   switch (reply.kind) {
@@ -104,8 +104,10 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
         const auto examination = operation.examine(question);
         if (robust) {
           found.judgement = examination->judge_robust();
+          found.answer = examination->robust();
         } else if (engine == nullptr) {
           found.judgement = examination->judge_reference();
+          found.answer = examination->reference();
         } else {
           const Reply reply = engine->ask(operation, {question})[0];
           found.judgement = judged(reply, *examination, declaration);
@@ -120,7 +122,10 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
         choices.recorded(), [&](const auto& candidate) { return static_cast<std::size_t>(look(candidate).judgement.verdict) == v; },
         slow ? 20 : engine != nullptr ? 300 : 2000);
     Finding least = look(bytes);
-    if (static_cast<std::size_t>(least.judgement.verdict) == v && smaller(least.question, finding.question)) finding = std::move(least);
+    if (static_cast<std::size_t>(least.judgement.verdict) != v || smaller(finding.question, least.question)) {
+      least = look(choices.recorded());  // only to have the answer beside the question as it was drawn
+    }
+    if (static_cast<std::size_t>(least.judgement.verdict) == v) finding = std::move(least);
   }
 }
 

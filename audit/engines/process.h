@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+namespace touchstone::audit {
+
+/// A command run by the shell in a process group of its own. Its three streams are ours and nothing here blocks but
+/// `wait_for`; the whole group dies with this object.
+class Process {
+ public:
+  /// Throws std::system_error where the shell itself cannot be started.
+  explicit Process(const std::string& command);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Sleeps until there is something to read, until its input takes more (only if `to_write`), or until `deadline`.
+  void wait_for(bool to_write, std::chrono::steady_clock::time_point deadline);
+
+  /// Writes what fits and removes it from `outbox`.
+  void write(std::string_view& outbox);
+  /// Appends what is there. False once the output has ended.
+  bool read(std::string& inbox);
+
+  /// Waits a moment for a process whose output has ended to be gone; kills the group; says how the process ended and the last
+  /// line of its standard error: "signal 11 (Segmentation fault)", "exit code 1: ImportError: no module".
+  std::string end();
+
+ private:
+  void read_errors();
+  void kill_and_reap();
+
+  pid_t pid_ = -1;
+  int input_ = -1, output_ = -1, errors_ = -1;
+  std::string last_errors_;
+};
+
+/// For messages: without control characters, cut after `most` bytes.
+std::string excerpt(std::string_view text, std::size_t most);
+
+}  // namespace touchstone::audit
