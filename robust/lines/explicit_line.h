@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/answers.h"
+#include "robust/kernel/filters.h"
 #include "robust/kernel/stage.h"
 
 namespace touchstone::robust {
@@ -15,17 +16,27 @@ inline Height explicit_line(double slope, double intercept, const Point2d& point
 inline Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
+inline std::optional<Height> explicit_line_filter(double slope, double intercept, const Point2d& point);
 std::optional<Height> explicit_line_lattice(double slope, double intercept, const Point2d& point);
 Height explicit_line_exact(double slope, double intercept, const Point2d& point);
 
 /// The door, then the stages after the filter.
 Height explicit_line_past_filter(double slope, double intercept, const Point2d& point, Stage& decided);
 
+inline std::optional<Height> explicit_line_filter(double slope, double intercept, const Point2d& point) {
+  const filters::Sign sign = filters::elevation(slope, intercept, point);
+  if (sign == filters::Sign::unknown) return std::nullopt;
+  return sign == filters::Sign::positive ? Height::above : Height::below;
+}
+
 inline Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = explicit_line_filter(slope, intercept, point)) return *answer;
   return explicit_line_past_filter(slope, intercept, point, decided);
 }
 
 inline Height explicit_line(double slope, double intercept, const Point2d& point) {
+  if (const auto answer = explicit_line_filter(slope, intercept, point)) return *answer;
   Stage ignored;
   return explicit_line_past_filter(slope, intercept, point, ignored);
 }

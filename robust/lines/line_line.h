@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/answers.h"
+#include "robust/kernel/filters.h"
 #include "robust/kernel/stage.h"
 
 namespace touchstone::robust {
@@ -17,6 +18,7 @@ inline LineRelation line_line_relation(const Line2d& a, const Line2d& b);
 inline LineRelation line_line_relation(const Line2d& a, const Line2d& b, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
+inline std::optional<LineRelation> line_line_relation_filter(const Line2d& a, const Line2d& b);
 std::optional<LineRelation> line_line_relation_lattice(const Line2d& a, const Line2d& b);
 LineRelation line_line_relation_exact(const Line2d& a, const Line2d& b);
 std::optional<LineLine<double>> line_line_lattice(const Line2d& a, const Line2d& b);
@@ -25,11 +27,20 @@ LineLine<double> line_line_exact(const Line2d& a, const Line2d& b);
 /// The door, then the stages after the filter.
 LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, Stage& decided);
 
+/// Knows only of lines that certainly cross.
+inline std::optional<LineRelation> line_line_relation_filter(const Line2d& a, const Line2d& b) {
+  if (filters::cross(a.q - a.p, b.q - b.p) == filters::Sign::unknown) return std::nullopt;
+  return LineRelation::crossing;
+}
+
 inline LineRelation line_line_relation(const Line2d& a, const Line2d& b, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = line_line_relation_filter(a, b)) return *answer;
   return line_line_relation_past_filter(a, b, decided);
 }
 
 inline LineRelation line_line_relation(const Line2d& a, const Line2d& b) {
+  if (const auto answer = line_line_relation_filter(a, b)) return *answer;
   Stage ignored;
   return line_line_relation_past_filter(a, b, ignored);
 }

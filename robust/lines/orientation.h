@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/answers.h"
+#include "robust/kernel/filters.h"
 #include "robust/kernel/stage.h"
 
 namespace touchstone::robust {
@@ -15,17 +16,27 @@ inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
+inline std::optional<Side> orientation_filter(const Point2d& p0, const Point2d& p1, const Point2d& p);
 std::optional<Side> orientation_lattice(const Point2d& p0, const Point2d& p1, const Point2d& p);
 Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
 /// The door, then the stages after the filter.
 Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
 
+inline std::optional<Side> orientation_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  const filters::Sign sign = filters::orientation(p0, p1, p);
+  if (sign == filters::Sign::unknown) return std::nullopt;
+  return sign == filters::Sign::positive ? Side::left : Side::right;
+}
+
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = orientation_filter(p0, p1, p)) return *answer;
   return orientation_past_filter(p0, p1, p, decided);
 }
 
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  if (const auto answer = orientation_filter(p0, p1, p)) return *answer;
   Stage ignored;
   return orientation_past_filter(p0, p1, p, ignored);
 }

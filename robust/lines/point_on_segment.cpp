@@ -76,6 +76,7 @@ Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segm
 }
 
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
+  if (point_on_segment_relation_filter(point, segment) == Incidence::off) return {Incidence::off, std::nullopt};
   admit(point, segment);
   if (const auto answer = point_on_segment_lattice(point, segment)) return *answer;
   return point_on_segment_exact(point, segment);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/answers.h"
+#include "robust/kernel/filters.h"
 #include "robust/kernel/stage.h"
 
 namespace touchstone::robust {
@@ -17,6 +18,7 @@ inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
+inline std::optional<Incidence> point_on_segment_relation_filter(const Point2d& point, const Segment2d& segment);
 std::optional<Incidence> point_on_segment_relation_lattice(const Point2d& point, const Segment2d& segment);
 Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d& segment);
 std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment);
@@ -25,11 +27,20 @@ PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segmen
 /// The door, then the stages after the filter.
 Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided);
 
+/// Knows only of points that are certainly off the line of the segment.
+inline std::optional<Incidence> point_on_segment_relation_filter(const Point2d& point, const Segment2d& segment) {
+  if (filters::orientation(segment.a, segment.b, point) == filters::Sign::unknown) return std::nullopt;
+  return Incidence::off;
+}
+
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = point_on_segment_relation_filter(point, segment)) return *answer;
   return point_on_segment_relation_past_filter(point, segment, decided);
 }
 
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment) {
+  if (const auto answer = point_on_segment_relation_filter(point, segment)) return *answer;
   Stage ignored;
   return point_on_segment_relation_past_filter(point, segment, ignored);
 }

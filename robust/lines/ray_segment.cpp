@@ -137,6 +137,7 @@ RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& 
 }
 
 RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment) {
+  if (ray_segment_relation_filter(ray, segment) == RayRelation::none) return {RayRelation::none, {}, {}, {}};
   admit(ray, segment);
   if (const auto answer = ray_segment_lattice(ray, segment)) return *answer;
   return ray_segment_exact(ray, segment);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/answers.h"
+#include "robust/kernel/filters.h"
 #include "robust/kernel/stage.h"
 
 namespace touchstone::robust {
@@ -17,6 +18,7 @@ inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segme
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
+inline std::optional<RayRelation> ray_segment_relation_filter(const Ray2d& ray, const Segment2d& segment);
 std::optional<RayRelation> ray_segment_relation_lattice(const Ray2d& ray, const Segment2d& segment);
 RayRelation ray_segment_relation_exact(const Ray2d& ray, const Segment2d& segment);
 std::optional<RaySegment<double>> ray_segment_lattice(const Ray2d& ray, const Segment2d& segment);
@@ -25,11 +27,20 @@ RaySegment<double> ray_segment_exact(const Ray2d& ray, const Segment2d& segment)
 /// The door, then the stages after the filter.
 RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& segment, Stage& decided);
 
+inline std::optional<RayRelation> ray_segment_relation_filter(const Ray2d& ray, const Segment2d& segment) {
+  const filters::Sign sign = filters::ray(ray.origin, ray.direction, segment);
+  if (sign == filters::Sign::unknown) return std::nullopt;
+  return sign == filters::Sign::positive ? RayRelation::none : RayRelation::point;
+}
+
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = ray_segment_relation_filter(ray, segment)) return *answer;
   return ray_segment_relation_past_filter(ray, segment, decided);
 }
 
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment) {
+  if (const auto answer = ray_segment_relation_filter(ray, segment)) return *answer;
   Stage ignored;
   return ray_segment_relation_past_filter(ray, segment, ignored);
 }

@@ -121,6 +121,7 @@ SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const S
 }
 
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
+  if (segment_segment_relation_filter(a, b) == SegmentRelation::disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
   admit(a, b);
   if (const auto answer = segment_segment_lattice(a, b)) return *answer;
   return segment_segment_exact(a, b);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/answers.h"
+#include "robust/kernel/filters.h"
 #include "robust/kernel/stage.h"
 
 namespace touchstone::robust {
@@ -17,6 +18,7 @@ inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segmen
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided);
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer.
+inline std::optional<SegmentRelation> segment_segment_relation_filter(const Segment2d& a, const Segment2d& b);
 std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b);
 SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment2d& b);
 std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b);
@@ -25,11 +27,20 @@ SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d
 /// The door, then the stages after the filter.
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided);
 
+inline std::optional<SegmentRelation> segment_segment_relation_filter(const Segment2d& a, const Segment2d& b) {
+  const filters::Sign sign = filters::segments(a, b);
+  if (sign == filters::Sign::unknown) return std::nullopt;
+  return sign == filters::Sign::positive ? SegmentRelation::disjoint : SegmentRelation::point;
+}
+
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = segment_segment_relation_filter(a, b)) return *answer;
   return segment_segment_relation_past_filter(a, b, decided);
 }
 
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
+  if (const auto answer = segment_segment_relation_filter(a, b)) return *answer;
   Stage ignored;
   return segment_segment_relation_past_filter(a, b, ignored);
 }
