@@ -115,10 +115,10 @@ std::vector<Pixel> clipped(const Viewport& view, const ExactPoint& a, const Exac
   return {at(*first), at(*last)};
 }
 
-std::string about(const mpq_class& value) {
+std::string about(const mpq_class& value, std::size_t most) {
   if (sgn(value) == 0) return "0";
   mp_exp_t exponent = 0;
-  std::string digits = mpf_class(value, 192).get_str(exponent, 10, 3);
+  std::string digits = mpf_class(value, 192).get_str(exponent, 10, most);
   const std::string sign = digits[0] == '-' ? "-" : "";
   digits.erase(0, sign.size());
   const long power = static_cast<long>(exponent) - 1;

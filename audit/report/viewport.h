@@ -62,7 +62,7 @@ struct Stretch {
 std::vector<Pixel> clipped(const Viewport& view, const ExactPoint& a, const ExactPoint& b, const Stretch& stretch,
                            double margin);
 
-/// "3e-16", "0.25": three significant digits of any rational, however large or small.
-std::string about(const mpq_class& value);
+/// "3e-16", "0.25": a few significant digits of any rational, however large or small.
+std::string about(const mpq_class& value, std::size_t digits = 3);
 
 }  // namespace touchstone::audit
