@@ -11,6 +11,14 @@
 namespace touchstone::audit {
 namespace {
 
+/// CLI11's own check prints the whole range of double.
+const CLI::Validator positive(
+    [](std::string& text) {
+      double value = 0;
+      return CLI::detail::lexical_cast(text, value) && value > 0 ? std::string() : text + ": a number greater than 0";
+    },
+    "POSITIVE");
+
 /// A command and what runs it once the line is parsed.
 using Action = std::function<int()>;
 
@@ -36,12 +44,12 @@ void add_audit(CLI::App& program, Action& action) {
   auto options = std::make_shared<AuditCommand>();
   command->add_option("--engine", options->engine, "Command that answers questions over pipes (default: the slides' formulas in double)");
   command->add_option("--ops", options->operations, "Operations with commas, or all");
-  command->add_option("--cases", options->cases, "Questions per operation")->check(CLI::PositiveNumber);
-  command->add_option("--seconds", options->seconds, "Limit per operation")->check(CLI::PositiveNumber);
+  command->add_option("--cases", options->cases, "Questions per operation")->check(positive);
+  command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive);
   command->add_option("--seed", options->seed, "Same seed, same questions");
   command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
-  command->add_option("--jobs", options->jobs, "Threads, each with an engine of its own")->check(CLI::PositiveNumber);
-  command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(CLI::PositiveNumber);
+  command->add_option("--jobs", options->jobs, "Threads, each with an engine of its own")->check(positive);
+  command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_option("--json", options->json_file, "Write the result to this file");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
   command->callback([=, &action] { action = [=] { return audit_command(*options, std::cout, std::cerr); }; });

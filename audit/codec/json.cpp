@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/codec/json.h"
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <set>
 #include <system_error>
 
 namespace touchstone::audit {
@@ -27,9 +29,10 @@ std::string with_marked_numbers(const std::string& text) {
     } else if (c == '"') {
       in_string = !in_string;
       result += c;
-    } else if (!in_string && starts_number(c)) {
+    } else if (!in_string && (starts_number(c) || c == 'N' || c == 'I')) {
+      // NaN and Infinity are no JSON, but the complaint about them should name their field.
       result += "\"\\u0001";
-      while (i < text.size() && continues_number(text[i])) result += text[i++];
+      while (i < text.size() && (continues_number(text[i]) || std::isalpha(static_cast<unsigned char>(text[i])) != 0)) result += text[i++];
       --i;
       result += '"';
     } else {
@@ -70,6 +73,7 @@ Token number_token(const Json& value, const std::string& field) {
   std::string text = value.get<std::string>();
   if (!text.empty() && text[0] == typed_number_mark) {
     text.erase(0, 1);
+    if (text == "NaN" || text == "Infinity" || text == "-Infinity") throw InvalidInput(field, "finite number");
     if (!is_decimal(text)) throw InvalidInput(field, "number");
     return {text, false};
   }
@@ -104,8 +108,17 @@ mpq_class power(unsigned base, long exponent) {
 }  // namespace
 
 Json parse_line(const std::string& text) {
+  std::vector<std::set<std::string>> keys;
+  const auto refuse_repeated = [&keys](int, Json::parse_event_t event, Json& parsed) {
+    if (event == Json::parse_event_t::object_start) keys.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
+      throw InvalidInput(parsed.get<std::string>(), "given once");
+    }
+    return true;
+  };
   try {
-    return Json::parse(with_marked_numbers(text));
+    return Json::parse(with_marked_numbers(text), refuse_repeated);
   } catch (const nlohmann::json::exception&) {
     throw InvalidInput("line", "one JSON object");
   }

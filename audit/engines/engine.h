@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <atomic>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Reply {
   Kind kind = Kind::answered;
   Json answer;
   std::string remark;
+  bool asked = true;  ///< false: `failed` because the engine was given up, or the run stopped, before it was this question's turn
 };
 
 /// Somebody's implementation, asked many questions of one operation at a time. It loses a question when it crashes or hangs,
@@ -38,7 +40,8 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Starts `command` (by the shell) and shakes hands as in docs/engines.md. timeout: seconds per question.
-std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout);
+/// Starts `command` (by the shell) and shakes hands as in docs/engines.md. timeout: seconds without an answer. Once *stop is
+/// true, what has not been asked yet is not asked any more.
+std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace touchstone::audit

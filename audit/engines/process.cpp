@@ -12,6 +12,7 @@
 #include <cstring>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 extern char** environ;
 
@@ -162,7 +163,8 @@ bool Process::read(std::string& inbox) {
 
 void Process::read_errors() {
   char piece[kept_errors];
-  while (errors_ >= 0) {
+  // A flood of complaints must not keep us from the answers.
+  for (int pieces = 0; errors_ >= 0 && pieces < 64; ++pieces) {
     const ssize_t count = ::read(errors_, piece, sizeof piece);
     if (count > 0) {
       last_errors_.append(piece, static_cast<std::size_t>(count));
