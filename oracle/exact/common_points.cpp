@@ -67,7 +67,6 @@ Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const
                             int exponent) {
   SquaredLength least = squared_distance(first.a, second, Extent::segment);
   const auto consider = [&](const Point2<Integer>& end, const Segment2<Integer>& shape, Extent reach) {
-    if (sgn(least.numerator) == 0) return;
     const SquaredLength other = squared_distance(end, shape, reach);
     if (Integer(other.numerator * least.denominator) < Integer(least.numerator * other.denominator)) least = other;
   };

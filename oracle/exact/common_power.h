@@ -16,7 +16,10 @@ template <std::size_t N>
 class CommonPower {
  public:
   explicit CommonPower(const std::array<double, N>& numbers) {
-    for (std::size_t i = 0; i < N; ++i) parts_[i] = decode(numbers[i]);
+    for (std::size_t i = 0; i < N; ++i) {
+      parts_[i] = decode(numbers[i]);
+      finite_ = finite_ && parts_[i].exponent != decode_infinite;
+    }
     measure();
     if (bits_ > 61) {  // a common factor of two may bring the numbers back within one machine word
       for (Dyadic& part : parts_) {
@@ -28,6 +31,9 @@ class CommonPower {
       measure();
     }
   }
+
+  /// No infinity or NaN among the doubles; without that nothing else here means anything.
+  bool finite() const { return finite_; }
 
   int exponent() const { return exponent_; }
 
@@ -61,6 +67,7 @@ class CommonPower {
 
   std::array<Dyadic, N> parts_;
   int exponent_ = 0, bits_ = 0;
+  bool finite_ = true;
 };
 
 }  // namespace touchstone::oracle

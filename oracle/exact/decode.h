@@ -26,6 +26,9 @@ constexpr Dyadic decode(double value) {
   return {bits >> 63 ? -magnitude : magnitude, (field == 0 ? 1 : field) - 1075};
 }
 
+/// The exponent that `decode` gives an infinity or a NaN, and no finite double.
+constexpr int decode_infinite = 0x7ff - 1075;
+
 /// whole * 2^exponent, canonical.
 Rational scaled(const Integer& whole, int exponent);
 

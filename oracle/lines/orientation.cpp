@@ -8,8 +8,9 @@ namespace touchstone::oracle {
 namespace {
 
 CommonPower<6> admitted(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  door::admit("p0", p0), door::admit("p1", p1), door::admit("p", p);
-  return CommonPower<6>({p0.x, p0.y, p1.x, p1.y, p.x, p.y});
+  const CommonPower<6> numbers({p0.x, p0.y, p1.x, p1.y, p.x, p.y});
+  if (!numbers.finite()) door::admit("p0", p0), door::admit("p1", p1), door::admit("p", p);  // names the field: slower
+  return numbers;
 }
 
 /// | x0 y0 1 | x1 y1 1 | x y 1 | by cofactors of the last column.
