@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/engines/pipe.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace touchstone::audit {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t outbox_filled = 1 << 16;
+constexpr std::chrono::milliseconds slice{100};       // how soon an interrupt is noticed
+constexpr std::chrono::milliseconds repetition{20};  // how long a second answer is waited for, once there was one
+
+Clock::time_point from_now(double seconds) {
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+}  // namespace
+
+PipeEngine::PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop)
+    : command_(std::move(command)), limits_(limits), stop_(stop) {
+  start();
+}
+
+std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector<Question>& questions) {
+  if (operation.name() != operation_) {
+    operation_ = operation.name();
+    restarts_ = restarts_in_a_row_ = timeouts_ = 0;
+  }
+  Round round{operation, questions, next_id_};
+  round.replies.resize(questions.size());
+  round.settled.resize(questions.size());
+  Indices to_ask(questions.size()), unanswered;
+  std::iota(to_ask.begin(), to_ask.end(), 0);
+  while (!to_ask.empty() && why_stop().empty()) {
+    if (!process_ && !start_again()) continue;
+    const auto fault = converse(round, to_ask, limits_.in_flight, unanswered);
+    if (fault) ask_alone(round, unanswered, *fault);
+    to_ask.insert(to_ask.begin(), unanswered.begin(), unanswered.end());
+    unanswered.clear();
+  }
+  hear_repetitions(round);
+  for (const std::size_t index : to_ask) round.replies[index] = {Reply::Kind::failed, nullptr, why_stop(), false};
+  return std::move(round.replies);
+}
+
+/// Settles the suspects, each alone with the engine, until it is given up.
+void PipeEngine::ask_alone(Round& round, Indices& suspects, const std::string& fault) {
+  if (suspects.size() == 1) {
+    settle(round, suspects.front(), {Reply::Kind::failed, nullptr, fault});
+    suspects.clear();
+  }
+  Indices alone, unanswered;
+  while (!suspects.empty() && why_stop().empty()) {
+    if (!process_ && !start_again()) continue;
+    alone.assign(1, suspects.front());
+    const auto lost = converse(round, alone, 1, unanswered);
+    if (lost && interrupted()) return;
+    if (lost) settle(round, suspects.front(), {Reply::Kind::failed, nullptr, *lost});
+    suspects.pop_front();
+    unanswered.clear();
+  }
+}
+
+std::optional<std::string> PipeEngine::converse(Round& round, Indices& to_ask, std::size_t in_flight, Indices& unanswered) {
+  const std::size_t first = round.asked.size();
+  round.owed = 0;
+  const auto fault = exchange(round, to_ask, in_flight);
+  if (!fault) return fault;
+  lose_engine();
+  for (std::size_t i = first; i < round.asked.size(); ++i) {
+    if (!round.settled[round.asked[i]]) unanswered.push_back(round.asked[i]);
+  }
+  return fault;
+}
+
+std::optional<std::string> PipeEngine::exchange(Round& round, Indices& to_ask, std::size_t in_flight) {
+  auto deadline = from_now(limits_.timeout);
+  while (true) {
+    write_questions(round, to_ask, in_flight);
+    const std::size_t owed = round.owed;
+    if (owed == 0) return std::nullopt;
+    process_->wait_for(!outbox_.empty(), std::min(deadline, Clock::now() + slice));
+    const bool open = process_->read(inbox_);
+    if (auto fault = take_lines(round)) return fault;
+    if (!open) return process_->end();
+    if (round.owed < owed) {
+      deadline = from_now(limits_.timeout);
+    } else if (Clock::now() >= deadline) {
+      ++timeouts_;
+      return "no answer in " + decimal(limits_.timeout) + " s";
+    }
+    if (interrupted()) return why_stop();
+  }
+}
+
+void PipeEngine::write_questions(Round& round, Indices& to_ask, std::size_t in_flight) {
+  while (!to_ask.empty() && round.owed < in_flight && outbox_.size() < outbox_filled) {
+    outbox_ += question_line(next_id_++, round.operation, round.questions[to_ask.front()]);
+    round.asked.push_back(to_ask.front());
+    to_ask.pop_front();
+    ++round.owed;
+  }
+  std::string_view rest = outbox_;
+  process_->write(rest);
+  outbox_.erase(0, outbox_.size() - rest.size());
+}
+
+std::optional<std::string> PipeEngine::take_lines(Round& round) {
+  std::size_t begin = 0;
+  for (std::size_t end; (end = inbox_.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    if (auto fault = take_line(inbox_.substr(begin, end - begin), round)) return fault;
+  }
+  inbox_.erase(0, begin);
+  if (inbox_.size() > limits_.line) return "more than " + std::to_string(limits_.line) + " bytes without the end of a line";
+  return std::nullopt;
+}
+
+std::optional<std::string> PipeEngine::take_line(const std::string& line, Round& round) {
+  AnswerLine answer;
+  try {
+    answer = read_answer_line(line);
+  } catch (const InvalidInput& wrong) {
+    return "a line that is no answer (" + std::string(wrong.what()) + "): " + excerpt(line, 60);
+  }
+  if (answer.id < first_id_of_process_ || answer.id >= next_id_) {
+    return "an answer to a question that was not asked: id " + std::to_string(answer.id);
+  }
+  if (answer.id < round.first_id) {
+    repeats_itself_ = true;  // the call that asked it has returned; from now on repetitions are waited for
+    return std::nullopt;
+  }
+  const std::size_t index = round.asked[answer.id - round.first_id];
+  if (round.settled[index]) {
+    repeats_itself_ = true;
+    round.replies[index] = {Reply::Kind::failed, nullptr, "answered twice"};
+    return std::nullopt;
+  }
+  --round.owed;
+  restarts_in_a_row_ = 0;
+  settle(round, index, std::move(answer.reply));
+  return std::nullopt;
+}
+
+/// So that what an engine says twice is found twice whatever the load of the machine. Engines that do not repeat themselves never
+/// wait here.
+void PipeEngine::hear_repetitions(Round& round) {
+  const auto deadline = Clock::now() + repetition;
+  while (repeats_itself_ && process_ && Clock::now() < deadline) {
+    process_->wait_for(false, deadline);
+    const bool open = process_->read(inbox_);
+    if (take_lines(round) || !open) lose_engine();
+  }
+}
+
+void PipeEngine::settle(Round& round, std::size_t index, Reply reply) {
+  round.replies[index] = std::move(reply);
+  round.settled[index] = true;
+}
+
+void PipeEngine::start() {
+  inbox_.clear();
+  outbox_ = greeting();
+  first_id_of_process_ = next_id_;
+  try {
+    process_ = std::make_unique<Process>(command_);
+    hello_ = read_hello(first_line());
+  } catch (const InvalidInput& wrong) {
+    process_.reset();
+    throw EngineError("engine " + command_ + ": first line: " + wrong.what());
+  } catch (const std::exception& failed) {
+    process_.reset();
+    throw EngineError("engine " + command_ + ": " + failed.what());
+  }
+}
+
+std::string PipeEngine::first_line() {
+  const auto deadline = from_now(limits_.start_timeout);
+  while (true) {
+    std::string_view rest = outbox_;
+    process_->write(rest);
+    outbox_.erase(0, outbox_.size() - rest.size());
+    process_->wait_for(!outbox_.empty(), std::min(deadline, Clock::now() + slice));
+    const bool open = process_->read(inbox_);
+    if (const std::size_t end = inbox_.find('\n'); end != std::string::npos) {
+      std::string line = inbox_.substr(0, end);
+      inbox_.erase(0, end + 1);
+      return line;
+    }
+    if (!open) throw EngineError("it said nothing and ended: " + process_->end());
+    if (inbox_.size() > limits_.line) throw EngineError("its first line does not end");
+    if (Clock::now() >= deadline) {
+      ++timeouts_;
+      throw EngineError("no first line in " + decimal(limits_.start_timeout) + " s (is its output flushed after every line?)");
+    }
+    if (interrupted()) throw EngineError("interrupted");
+  }
+}
+
+bool PipeEngine::start_again() {
+  try {
+    start();
+    return true;
+  } catch (const EngineError&) {
+    lose_engine();
+    return false;
+  }
+}
+
+void PipeEngine::lose_engine() {
+  process_.reset();
+  ++restarts_;
+  ++restarts_in_a_row_;
+}
+
+std::string PipeEngine::why_stop() const {
+  const auto after = [](int count, const char* what) { return "given up after " + std::to_string(count) + what; };
+  if (interrupted()) return "interrupted";
+  if (restarts_ >= limits_.restarts) return after(restarts_, " restarts in this operation");
+  if (restarts_in_a_row_ >= limits_.restarts_in_a_row) return after(restarts_in_a_row_, " restarts in a row");
+  if (timeouts_ >= limits_.timeouts) return after(timeouts_, " questions without an answer in time");
+  return "";
+}
+
+std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout, const std::atomic<bool>* stop) {
+  PipeLimits limits;
+  limits.timeout = timeout;
+  limits.start_timeout = 2 * timeout;
+  return std::make_unique<PipeEngine>(command, limits, stop);
+}
+
+}  // namespace touchstone::audit

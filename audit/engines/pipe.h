@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "audit/engines/engine.h"
+#include "audit/engines/protocol.h"
+#include "audit/engines/process.h"
+
+namespace touchstone::audit {
+
+/// What a foreign process is allowed. The counts are per operation: beyond any of them the engine is given up for the rest of
+/// it, so that an engine that dies or hangs on every question cannot make a run endless.
+struct PipeLimits {
+  double timeout = 5;           ///< seconds without any answer while one is owed
+  double start_timeout = 10;    ///< seconds for the first line
+  std::size_t in_flight = 256;  ///< questions asked and not answered yet
+  std::size_t line = 1 << 20;   ///< bytes of an answer
+  int restarts = 100;
+  int restarts_in_a_row = 20;  ///< without an answer in between
+  int timeouts = 12;
+};
+
+/// An engine behind pipes (docs/engines.md). When it dies, hangs or talks nonsense, it is started anew and the questions that
+/// were in flight are asked again one at a time, so that exactly those are lost that it cannot answer alone.
+class PipeEngine final : public Engine {
+ public:
+  /// Throws EngineError where it does not start or its first line is not as it should be. Once *stop is true nothing more is asked.
+  PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop = nullptr);
+
+  const Declaration& declaration() const override { return hello_.declaration; }
+  bool supports(const std::string& operation) const override { return hello_.operations.count(operation) > 0; }
+  std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override;
+
+  int restarts() const { return restarts_; }  ///< in the operation asked last
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  /// One call of ask. A question is known by its index in it.
+  struct Round {
+    const Operation& operation;
+    const std::vector<Question>& questions;
+    std::uint64_t first_id;
+    std::vector<std::size_t> asked{};  ///< by id - first_id; a question that is asked again has a second id
+    std::vector<Reply> replies{};
+    std::vector<bool> settled{};
+    std::size_t owed = 0;
+  };
+  using Indices = std::deque<std::size_t>;
+
+  void start();
+  bool start_again();
+  std::string first_line();
+  /// Asks and settles everything in `to_ask`; or says what went wrong, and `unanswered` are those that were in flight.
+  std::optional<std::string> converse(Round& round, Indices& to_ask, std::size_t in_flight, Indices& unanswered);
+  std::optional<std::string> exchange(Round& round, Indices& to_ask, std::size_t in_flight);
+  void ask_alone(Round& round, Indices& suspects, const std::string& fault);
+  void write_questions(Round& round, Indices& to_ask, std::size_t in_flight);
+  std::optional<std::string> take_lines(Round& round);
+  std::optional<std::string> take_line(const std::string& line, Round& round);
+  void hear_repetitions(Round& round);
+  void settle(Round& round, std::size_t index, Reply reply);
+  void lose_engine();
+  std::string why_stop() const;
+  bool interrupted() const { return stop_ != nullptr && *stop_; }
+
+  std::string command_;
+  PipeLimits limits_;
+  const std::atomic<bool>* stop_;
+  Hello hello_;
+  std::unique_ptr<Process> process_;
+  std::string inbox_, outbox_;
+  std::uint64_t next_id_ = 1, first_id_of_process_ = 1;
+  bool repeats_itself_ = false;
+  std::string operation_;
+  int restarts_ = 0, restarts_in_a_row_ = 0, timeouts_ = 0;
+};
+
+}  // namespace touchstone::audit

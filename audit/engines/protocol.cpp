@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/engines/protocol.h"
+
+#include <array>
+#include <charconv>
+
+#include "audit/engines/process.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr std::array<const char*, 3> boundary_words{"closed", "open", "unspecified"};
+constexpr std::array<const char*, 2> number_words{"binary64", "binary32"};
+
+template <std::size_t n>
+std::size_t word_index(const Json& value, const char* field, const std::array<const char*, n>& words) {
+  std::string rule;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (value == words[i]) return i;
+    rule += (i == 0 ? "one of " : ", ") + std::string(words[i]);
+  }
+  throw InvalidInput(field, rule);
+}
+
+std::uint64_t read_id(const Json& id) {
+  std::uint64_t value = 0;
+  if (is_typed_number(id)) {
+    const std::string& text = id.get_ref<const std::string&>();
+    const char *first = text.data() + 1, *end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(first, end, value);
+    if (error == std::errc() && stop == end) return value;
+  }
+  throw InvalidInput("id", "the number of a question");
+}
+
+}  // namespace
+
+std::string greeting() {
+  Json line = Json::object();
+  line["touchstone"] = 1;
+  for (const Operation* operation : catalogue()) line["ops"].push_back(operation->name());
+  return one_line(line) + "\n";
+}
+
+Hello read_hello(const std::string& line) {
+  const Json json = parse_line(line);
+  if (!json.is_object()) throw InvalidInput("line", "one JSON object");
+  const auto text_of = [](const Json& value, const char* field) {
+    if (!value.is_string() || is_typed_number(value)) throw InvalidInput(field, "text");
+    return value.get<std::string>();
+  };
+  Hello hello;
+  if (!json.contains("engine")) throw InvalidInput("engine", "missing");
+  hello.declaration.engine = text_of(json["engine"], "engine");
+  if (!json.contains("ops")) throw InvalidInput("ops", "missing");
+  if (!json["ops"].is_array()) throw InvalidInput("ops", "array");
+  for (const Json& name : json["ops"]) hello.operations.insert(text_of(name, "ops"));
+  if (json.contains("boundary")) {
+    hello.declaration.boundary =
+        static_cast<Declaration::Boundary>(word_index(json["boundary"], "boundary", boundary_words));
+  }
+  if (json.contains("number")) hello.declaration.binary32 = word_index(json["number"], "number", number_words) == 1;
+  if (json.contains("tolerance")) {
+    hello.declaration.tolerance = read_double(json["tolerance"], "tolerance");
+    if (hello.declaration.tolerance < 0) throw InvalidInput("tolerance", "number >= 0");
+  }
+  return hello;
+}
+
+std::string written_hello(const Hello& hello) {
+  Json line = Json::object();
+  line["engine"] = hello.declaration.engine;
+  line["ops"] = hello.operations;
+  line["number"] = number_words[hello.declaration.binary32 ? 1 : 0];
+  line["boundary"] = boundary_words[static_cast<std::size_t>(hello.declaration.boundary)];
+  line["tolerance"] = written(hello.declaration.tolerance);
+  return one_line(line) + "\n";
+}
+
+std::string question_line(std::uint64_t id, const Operation& operation, const Question& question) {
+  return R"({"id":)" + std::to_string(id) + R"(,"op":")" + operation.card().name + R"(","input":)" +
+         one_line(operation.print(question)) + "}\n";
+}
+
+AnswerLine read_answer_line(const std::string& line) {
+  Json json = parse_line(line);
+  if (!json.is_object()) throw InvalidInput("line", "one JSON object");
+  if (!json.contains("id")) throw InvalidInput("id", "missing");
+  AnswerLine answer{read_id(json["id"]), {}};
+  Reply& reply = answer.reply;
+  if (json.contains("answer")) {
+    reply.answer = std::move(json["answer"]);
+  } else if (json.contains("error")) {
+    const Json& error = json["error"];
+    reply.kind = Reply::Kind::failed;
+    reply.remark = "error: " + excerpt(error.is_string() ? error.get_ref<const std::string&>() : one_line(error), 200);
+  } else if (json.contains("unsupported") && json["unsupported"] == true) {
+    reply.kind = Reply::Kind::unsupported;
+  } else {
+    reply.kind = Reply::Kind::failed;
+    reply.remark = R"(neither "answer" nor "error" nor "unsupported")";
+  }
+  return answer;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "audit/engines/engine.h"
+
+/// The lines between the program and an engine, as docs/engines.md promises them.
+namespace touchstone::audit {
+
+struct Hello {
+  Declaration declaration;
+  std::set<std::string> operations;  ///< as the engine names them; those that the catalogue does not know are never asked
+};
+
+/// What the program says: {"touchstone":1,"ops":[...]}, with the line's end.
+std::string greeting();
+
+/// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0. Throws
+/// InvalidInput naming the field and the rule.
+Hello read_hello(const std::string& line);
+std::string written_hello(const Hello& hello);
+
+std::string question_line(std::uint64_t id, const Operation& operation, const Question& question);
+
+/// One answer. Throws InvalidInput where the line is none: not JSON, or without an id. Where only the rest of it is wrong,
+/// the reply is `failed`.
+struct AnswerLine {
+  std::uint64_t id = 0;
+  Reply reply;
+};
+AnswerLine read_answer_line(const std::string& line);
+
+}  // namespace touchstone::audit
