@@ -120,15 +120,15 @@ std::string ticks(const Viewport& view) {
 DoubleGrid double_grid(const Viewport& view, double x, double y) {
   const Frame& frame = view.frame();
   const ExactPoint low = view.corner(), high = view.far_corner();
+  const std::vector<double> across = doubles_between(x, low.x, high.x, view.pixels_per_unit_x());
+  const std::vector<double> up = doubles_between(y, low.y, high.y, view.pixels_per_unit_y());
   DoubleGrid grid;
-  for (const double at : doubles_between(x, low.x, high.x, view.pixels_per_unit_x())) {
+  grid.seen = across.size() > 1 || up.size() > 1;
+  if (!grid.seen) return grid;
+  for (const double at : across)
     grid.svg += fmt::format("<path class=\"double\" d=\"M{} 0v{}\"/>", pixels(at), pixels(frame.height));
-    grid.seen = true;
-  }
-  for (const double at : doubles_between(y, low.y, high.y, view.pixels_per_unit_y())) {
+  for (const double at : up)
     grid.svg += fmt::format("<path class=\"double\" d=\"M0 {}h{}\"/>", pixels(frame.height - at), pixels(frame.width));
-    grid.seen = true;
-  }
   return grid;
 }
 

@@ -11,7 +11,7 @@
 namespace touchstone::audit {
 namespace {
 
-constexpr double margin = 8, arrow_length = 11, greatest_drawn_radius = 4000, text_spacing = 9;
+constexpr double margin = 8, arrow_length = 11, greatest_drawn_radius = 4000, text_spacing = 5;
 
 void mark_drawn(Drawing& drawing, const Pixel& a, const Pixel& b) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
@@ -22,38 +22,46 @@ void mark_drawn(Drawing& drawing, const Pixel& a, const Pixel& b) {
   }
 }
 
-void dot(Drawing& drawing, const Pixel& p, const std::string& style, bool answer, double radius) {
-  drawing.points +=
-      fmt::format("<circle class=\"{} {}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", style, answer ? "ring" : "dot", pixels(p.x),
-                  pixels(p.y), pixels(answer ? radius + 4 : radius));
-  for (const double dy : {-5.0, 0.0, 5.0}) {
-    for (const double dx : {-5.0, 0.0, 5.0}) drawing.drawn.push_back({p.x + dx, p.y + dy});
+void dot(Drawing& drawing, const Pixel& p, const Style& style, bool ring, double scale = 1) {
+  const double radius = ring ? 9 : scale * (2.6 + 0.8 * style.thickness);
+  drawing.points += fmt::format("<circle class=\"{} {}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", style.name,
+                                ring ? "ring" : "dot", pixels(p.x), pixels(p.y), pixels(radius));
+  for (const double dy : {-1.0, 0.0, 1.0}) {
+    for (const double dx : {-1.0, 0.0, 1.0}) drawing.drawn.push_back({p.x + radius * dx, p.y + radius * dy});
   }
 }
 
-void wish(Drawing& drawing, const Figure& figure, const std::string& style, std::vector<Pixel> places) {
-  if (figure.label.empty() || places.empty()) return;
-  drawing.wishes.push_back({std::move(places), figure.answer ? "truth: " + figure.label : figure.label, style});
+std::string path(const Style& style, const std::string& course) {
+  return fmt::format("<path class=\"{} stroke\" stroke-width=\"{}\" d=\"{}\"/>", style.name, pixels(style.thickness),
+                     course);
 }
 
-void arrowhead(Drawing& drawing, const Pixel& from, const Pixel& tip, const std::string& style) {
+std::string course(const Pixel& a, const Pixel& b) {
+  return "M" + pixels(a.x) + " " + pixels(a.y) + "L" + pixels(b.x) + " " + pixels(b.y);
+}
+
+void wish(Drawing& drawing, const Figure& figure, const Style& style, std::vector<Pixel> places) {
+  if (figure.label.empty() || places.empty()) return;
+  drawing.wishes.push_back({std::move(places), figure.answer ? "truth: " + figure.label : figure.label, style.name});
+}
+
+void arrowhead(Drawing& drawing, const Pixel& from, const Pixel& tip, const Style& style) {
   const double length = std::hypot(tip.x - from.x, tip.y - from.y);
   if (length < 4) return;
   const double ux = (tip.x - from.x) / length, uy = (tip.y - from.y) / length, back = std::min(arrow_length, length);
   const Pixel base{tip.x - back * ux, tip.y - back * uy};
-  drawing.points += fmt::format("<path class=\"{} head\" d=\"M{} {}L{} {}L{} {}Z\"/>", style, pixels(tip.x),
+  drawing.points += fmt::format("<path class=\"{} head\" d=\"M{} {}L{} {}L{} {}Z\"/>", style.name, pixels(tip.x),
                                 pixels(tip.y), pixels(base.x - back * 0.4 * uy), pixels(base.y + back * 0.4 * ux),
                                 pixels(base.x + back * 0.4 * uy), pixels(base.y - back * 0.4 * ux));
 }
 
-void straight(Drawing& drawing, const Figure& figure, const Viewport& view, const std::string& style) {
+void straight(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style) {
   const std::vector<ExactPoint> ends = vertices_of(figure);
   const bool ray = figure.kind == Figure::Kind::ray, line = figure.kind == Figure::Kind::line;
   const std::vector<Pixel> seen = clipped(view, ends[0], ends[1], {line, line || ray}, margin);
   std::vector<Pixel> places;
   if (!seen.empty()) {
-    drawing.lines += fmt::format("<path class=\"{} stroke\" d=\"M{} {}L{} {}\"/>", style, pixels(seen[0].x),
-                                 pixels(seen[0].y), pixels(seen[1].x), pixels(seen[1].y));
+    drawing.lines += path(style, course(seen[0], seen[1]));
     mark_drawn(drawing, seen[0], seen[1]);
     for (const double t : {0.5, 0.3, 0.7, 0.85, 0.15}) {
       places.push_back({seen[0].x + t * (seen[1].x - seen[0].x), seen[0].y + t * (seen[1].y - seen[0].y)});
@@ -68,7 +76,7 @@ void straight(Drawing& drawing, const Figure& figure, const Viewport& view, cons
   }
   const bool tip_is_dot = figure.kind == Figure::Kind::segment || line;
   for (std::size_t i = 0; i < (tip_is_dot ? 2u : 1u); ++i) {
-    if (view.shows(ends[i])) dot(drawing, view.at(ends[i]), style, false, figure.answer ? 2 : 3);
+    if (view.shows(ends[i])) dot(drawing, view.at(ends[i]), style, false);
     if (seen.empty() && view.shows(ends[i])) places.push_back(view.at(ends[i]));
   }
   wish(drawing, figure, style, places);
@@ -76,7 +84,7 @@ void straight(Drawing& drawing, const Figure& figure, const Viewport& view, cons
 
 /// A circle too large for a browser is, within the frame, a parabola beside its tangent.
 void large_circle(Drawing& drawing, const ExactPoint& centre, const mpq_class& radius, const Viewport& view,
-                  const std::string& style) {
+                  const Style& style) {
   const ExactPoint c = view.exactly(centre);
   const mpq_class dx = mpq_class(view.frame().width / 2) - c.x, dy = mpq_class(view.frame().height / 2) - c.y;
   const mpq_class gap = (dx * dx + dy * dy - radius * radius) / (2 * radius);
@@ -86,32 +94,32 @@ void large_circle(Drawing& drawing, const ExactPoint& centre, const mpq_class& r
   const double x = mpq_class(dx / size).get_d(), y = mpq_class(dy / size).get_d(), length = std::hypot(x, y);
   const double ux = x / length, uy = y / length, off = gap.get_d(), r = radius > 1e300 ? 1e300 : radius.get_d();
   constexpr int steps = 48;
-  std::string path;
+  std::string arc;
   Pixel before{};
   for (int i = 0; i <= steps; ++i) {
     const double s = reach * (2.0 * i / steps - 1), sag = s * s / (2 * r);
     const Pixel p{view.frame().width / 2 - (off + sag) * ux - s * uy,
                   view.frame().height / 2 - (off + sag) * uy + s * ux};
-    path += (i == 0 ? "M" : "L") + pixels(p.x) + " " + pixels(p.y);
+    arc += (i == 0 ? "M" : "L") + pixels(p.x) + " " + pixels(p.y);
     if (i > 0) mark_drawn(drawing, before, p);
     before = p;
   }
-  drawing.lines += "<path class=\"" + style + " stroke\" d=\"" + path + "\"/>";
+  drawing.lines += path(style, arc);
 }
 
-void circle(Drawing& drawing, const Figure& figure, const Viewport& view, const std::string& style) {
+void circle(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style) {
   const ExactPoint centre = vertices_of(figure)[0];
   const mpq_class radius = exact_point(figure.numbers[2], 0).x * view.pixels_per_unit_x();
   const bool seen = view.shows(centre);
   const Pixel c = view.at(centre);
-  if (seen) dot(drawing, c, style, false, sgn(radius) == 0 ? 4 : 2);
+  if (seen) dot(drawing, c, style, false, sgn(radius) == 0 ? 1 : 0.4);
   std::vector<Pixel> places;
   if (radius > greatest_drawn_radius) {
     large_circle(drawing, centre, radius, view, style);
   } else if (sgn(radius) > 0) {
     const double r = radius.get_d();
-    drawing.lines += fmt::format("<circle class=\"{} stroke\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", style, pixels(c.x),
-                                 pixels(c.y), pixels(r));
+    drawing.lines += fmt::format("<circle class=\"{} stroke\" stroke-width=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+                                 style.name, pixels(style.thickness), pixels(c.x), pixels(c.y), pixels(r));
     constexpr double diagonal = 0.70710678118654752;
     for (const Pixel way :
          {Pixel{diagonal, -diagonal}, {-diagonal, -diagonal}, {diagonal, diagonal}, {-diagonal, diagonal}}) {
@@ -127,31 +135,30 @@ void circle(Drawing& drawing, const Figure& figure, const Viewport& view, const 
   wish(drawing, figure, style, places);
 }
 
-void polygon(Drawing& drawing, const Figure& figure, const Viewport& view, const std::string& style) {
+void polygon(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style) {
   const std::vector<ExactPoint> vertices = vertices_of(figure);
   std::vector<Pixel> places;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const ExactPoint& next = vertices[(i + 1) % vertices.size()];
     const std::vector<Pixel> seen = clipped(view, vertices[i], next, {}, margin);
     if (!seen.empty()) {
-      drawing.lines += fmt::format("<path class=\"{} stroke\" d=\"M{} {}L{} {}\"/>", style, pixels(seen[0].x),
-                                   pixels(seen[0].y), pixels(seen[1].x), pixels(seen[1].y));
+      drawing.lines += path(style, course(seen[0], seen[1]));
       mark_drawn(drawing, seen[0], seen[1]);
       places.push_back({(seen[0].x + seen[1].x) / 2, (seen[0].y + seen[1].y) / 2});
     }
-    if (view.shows(vertices[i])) dot(drawing, view.at(vertices[i]), style, false, 3);
+    if (view.shows(vertices[i])) dot(drawing, view.at(vertices[i]), style, false);
   }
   wish(drawing, figure, style, places);
 }
 
 }  // namespace
 
-void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const std::string& style) {
+void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style) {
   switch (figure.kind) {
     case Figure::Kind::point: {
       const ExactPoint p = vertices_of(figure)[0];
       if (!view.shows(p)) return;
-      dot(drawing, view.at(p), style, figure.answer, 4);
+      dot(drawing, view.at(p), style, figure.answer);
       wish(drawing, figure, style, {view.at(p)});
       return;
     }

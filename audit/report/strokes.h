@@ -17,7 +17,14 @@ struct Drawing {
   std::vector<LabelWish> wishes;
 };
 
-/// Adds a figure as it is seen in the view, in the style class `style`.
-void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const std::string& style);
+/// A style class, and how thick its strokes are: what is drawn first is thicker, so that it is still seen beneath what
+/// coincides with it.
+struct Style {
+  std::string name;
+  double thickness = 2;
+};
+
+/// Adds a figure as it is seen in the view.
+void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style);
 
 }  // namespace touchstone::audit

@@ -15,17 +15,19 @@ namespace {
 constexpr double left_room = 64, bottom_room = 44, top_room = 8, between_frames = 40, right_room = 10;
 constexpr Frame main_frame{400, 300}, inset_frame{300, 300};
 constexpr int inset_in_gaps = 4;
-constexpr int styles = 4;
+constexpr double thicknesses[] = {4, 2, 1.4, 1};  // of the parts of the question, in order
 
 /// One frame with its figures; a nested svg element cuts off what leaves it.
 std::string framed(const Scene& scene, const Viewport& view, const std::string& below) {
   Drawing drawing;
-  int part = 0;
-  for (const bool answers : {false, true}) {
-    for (const Figure& figure : scene.figures) {
-      if (figure.answer == answers)
-        stroke(drawing, figure, view, answers ? "truth" : "q" + std::to_string(part++ % styles));
-    }
+  std::size_t part = 0;
+  for (const Figure& figure : scene.figures) {
+    if (figure.answer) continue;
+    const std::size_t style = part++ % std::size(thicknesses);
+    stroke(drawing, figure, view, {"q" + std::to_string(style), thicknesses[style]});
+  }
+  for (const Figure& figure : scene.figures) {
+    if (figure.answer) stroke(drawing, figure, view, {"truth", 1});
   }
   const Frame& frame = view.frame();
   return fmt::format(
@@ -91,7 +93,10 @@ std::string magnified(const Scene& scene, const Viewport& whole, const NearMiss&
                      pixels(inset_frame.width / 2), pixels(inset_frame.height + 17),
                      escaped("around " + (miss.label.empty() ? "the vertex" : miss.label) + ", " + about(width) +
                              " wide; gap " + about(miss.gap)));
-  return svg + caption(inset_frame, grid.seen ? "thin lines: neighbouring doubles" : "") + "</g>";
+  return svg +
+         caption(inset_frame,
+                 grid.seen ? "thin lines: neighbouring doubles" : "the next doubles are outside of this frame") +
+         "</g>";
 }
 
 }  // namespace
@@ -103,7 +108,7 @@ std::string figure_style() {
          ".fig .scale,.fig .caption{fill:var(--quiet,#59636e);font-size:11px}"
          ".fig .double{stroke:var(--faint,#b9c0c8);stroke-width:.8;fill:none}"
          ".fig .lens{stroke:var(--quiet,#59636e);stroke-width:.8;stroke-dasharray:2 3;fill:none}"
-         ".fig .stroke{fill:none;stroke-width:2}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
+         ".fig .stroke{fill:none}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
          ".fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig .q2{--c:var(--q2,#2c7347)}.fig "
          ".q3{--c:var(--q3,#7a3f98)}"
          ".fig .truth{--c:var(--truth,#c2186b)}.fig .stroke{stroke:var(--c)}.fig .dot,.fig .head,.fig text.q0,.fig "
@@ -112,7 +117,7 @@ std::string figure_style() {
          ".fig text.q0,.fig text.q1,.fig text.q2,.fig text.q3,.fig text.truth{font-weight:600;paint-order:stroke;"
          "stroke:var(--paper,#fff);stroke-width:3px;stroke-linejoin:round}"
          ".fig .ring{fill:none;stroke:var(--c);stroke-width:2;stroke-dasharray:3 2}"
-         ".fig .truth.stroke{stroke-width:5;stroke-dasharray:7 5;stroke-opacity:.75}";
+         ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";
 }
 
 std::string scene_svg(const Scene& scene, const std::string& title, bool standalone) {

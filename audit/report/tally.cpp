@@ -176,7 +176,7 @@ void Tally::merge(const Tally& other) {
                  std::back_inserter(done));
   grid.done = std::move(done);
   seed = std::min(seed, other.seed);
-  cases += other.cases;
+  if (grid.size == 0) cases += other.cases;  // every shard names the whole
   interrupted = interrupted || other.interrupted;
 }
 

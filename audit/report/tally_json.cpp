@@ -169,7 +169,7 @@ std::string tally_json(const Tally& tally) {
                      {"interrupted", tally.interrupted},
                      {"operations", operations_json(tally.operations)},
                      {"robust", operations_json(tally.robust)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return one_line(json) + "\n";
 }
 
 Tally read_tally(const std::string& text) {

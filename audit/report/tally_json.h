@@ -5,7 +5,7 @@
 
 #include "audit/report/tally.h"
 
-/// A tally as a file (`--json FILE`), version 1:
+/// A tally as a file (`--json FILE`), version 1; all on one line:
 ///
 ///   {"touchstone":1, "kind":"tally",
 ///    "engine":{"name":"...", "number":"binary64|binary32", "boundary":"closed|open|unspecified", "tolerance":0},
