@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,33 +22,31 @@ struct Lattice {
   int exponent;
 };
 
-inline constexpr int lattice_bits = 61;
-
-/// Empty if the numbers span more than 61 binary digits, from the highest set bit of any to the lowest set bit of any.
+/// Empty if a number is NaN or infinite, or has a set bit more than 61 places below the leading place of the largest exponent.
 template <class... Doubles>
 inline std::optional<Lattice<sizeof...(Doubles)>> lattice_of(Doubles... numbers) {
   constexpr std::size_t n = sizeof...(Doubles);
-  const std::array<Decoded, n> parts{decode(numbers)...};
-  std::array<std::uint64_t, n> odd;
-  std::array<int, n> lowest;
-  int low = INT_MAX, high = INT_MIN;
+  constexpr int spare = 61 - 53;
+  const std::array<std::uint64_t, n> bits{std::bit_cast<std::uint64_t>(numbers)...};
+  std::array<int, n> fields;
+  int top = 1;  // a subnormal has the exponent of the first normal binade
   for (std::size_t i = 0; i < n; ++i) {
-    const std::uint64_t magnitude = parts[i].magnitude;
-    const int zeros = std::countr_zero(magnitude | std::uint64_t{1} << 63);
-    odd[i] = magnitude >> zeros;
-    lowest[i] = parts[i].exponent + zeros;
-    low = std::min(low, magnitude != 0 ? lowest[i] : INT_MAX);
-    high = std::max(high, magnitude != 0 ? lowest[i] + 64 - std::countl_zero(odd[i]) : INT_MIN);
+    fields[i] = static_cast<int>(bits[i] >> 52 & 0x7ff);
+    top = std::max(top, fields[i]);
   }
-  if (low == INT_MAX) return Lattice<n>{{}, 0};
-  if (high - low > lattice_bits) return std::nullopt;
   Lattice<n> result;
-  result.exponent = low;
+  result.exponent = top - 1075 - spare;
+  std::uint64_t lost = top == 0x7ff;
   for (std::size_t i = 0; i < n; ++i) {
-    // The shift is below 61 for every number but zero, whose odd part is 0 whatever the shift.
-    const auto size = static_cast<std::int64_t>(odd[i] << ((lowest[i] - low) & 63));
-    result.at[i] = parts[i].negative ? -size : size;
+    const std::uint64_t hidden = static_cast<std::uint64_t>(fields[i] != 0) << 52;
+    const std::uint64_t magnitude = ((bits[i] & 0xfffffffffffffu) | hidden) << spare;
+    const int down = std::min(top - std::max(fields[i], 1), 63);
+    const std::uint64_t placed = magnitude >> down;
+    lost |= placed << down ^ magnitude;
+    const auto sign = static_cast<std::int64_t>(bits[i]) >> 63;
+    result.at[i] = (static_cast<std::int64_t>(placed) ^ sign) - sign;
   }
+  if (lost != 0) return std::nullopt;
   return result;
 }
 

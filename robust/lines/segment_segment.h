@@ -29,7 +29,8 @@ SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const S
 
 inline std::optional<SegmentRelation> segment_segment_relation_filter(const Segment2d& a, const Segment2d& b) {
   const filters::Sign sign = filters::segments(a, b);
-  if (sign == filters::Sign::unknown) return std::nullopt;
+  if (sign == filters::Sign::unknown) [[unlikely]]
+    return filters::apart(a, b) ? std::optional(SegmentRelation::disjoint) : std::nullopt;
   return sign == filters::Sign::positive ? SegmentRelation::disjoint : SegmentRelation::point;
 }
 
