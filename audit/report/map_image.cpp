@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/report/map_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "audit/report/palette.h"
+#include "audit/report/wording.h"
+#include "geometry/invalid_input.h"
+
+namespace touchstone::audit {
+namespace {
+
+double step_above(double number, bool binary32) {
+  const double size = std::fabs(number);
+  if (!binary32) return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+  const auto narrow = static_cast<float>(size);
+  return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
+}
+
+/// The names of the numbers of an input in canonical order: the paths of the leaves of its JSON.
+void list_paths(const Json& json, const std::string& path, std::vector<std::string>& paths) {
+  if (!json.is_structured()) {
+    paths.push_back(path);
+    return;
+  }
+  std::size_t i = 0;
+  for (const auto& [key, value] : json.items()) {
+    list_paths(value,
+               json.is_array() ? path + "[" + std::to_string(i++) + "]"
+               : path.empty()  ? key
+                               : path + "." + key,
+               paths);
+  }
+}
+
+/// What one implementation did at one pixel.
+struct Shade {
+  Verdict verdict = Verdict::unsupported;
+  std::string said;
+  bool refused = false;
+  bool operator<(const Shade& other) const {
+    return std::tie(verdict, said, refused) < std::tie(other.verdict, other.said, other.refused);
+  }
+};
+
+/// Operations whose answer is numbers alone are shown by how far those are off.
+std::string distance_word(double ulps) {
+  if (ulps == 0) return "correctly rounded";
+  if (!(ulps < 1e6)) return "more than 1,000,000 ulps off";
+  std::uint64_t limit = 1;
+  while (static_cast<double>(limit) < ulps) limit *= 10;
+  return "up to " + counted(limit, "ulp") + " off";
+}
+
+template <class Answer>
+Shade shade_of(const Judgement& judgement, const std::string& outcome, const Answer& answer) {
+  if (outcome == "value") return {judgement.verdict, distance_word(judgement.ulps)};
+  return {judgement.verdict,
+          judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact ? outcome : word_in(answer())};
+}
+
+struct Plate {
+  std::string subject;
+  std::vector<Shade> shades;
+};
+
+void ask_engine(const Operation& operation, const MapGrid& grid,
+                const std::vector<std::unique_ptr<Examination>>& row_of, int row, Engine& engine,
+                std::vector<Shade>& shades) {
+  std::vector<Question> questions;
+  for (int column = 0; column < MapGrid::side; ++column) {
+    if (row_of[static_cast<std::size_t>(column)]) questions.push_back(grid.at(column, row));
+  }
+  const std::vector<Reply> replies = engine.ask(operation, questions);
+  std::size_t next = 0;
+  for (const auto& examination : row_of) {
+    if (!examination) {
+      shades.push_back({Verdict::unsupported, "", true});
+      continue;
+    }
+    const Reply& reply = replies[next++];
+    if (reply.kind == Reply::Kind::answered) {
+      const Judgement judgement = examination->judge_engine(reply.answer, engine.declaration());
+      shades.push_back(shade_of(judgement, examination->outcome(), [&] { return plain(reply.answer); }));
+    } else {
+      shades.push_back({reply.kind == Reply::Kind::failed ? Verdict::invalid : Verdict::unsupported, "no answer"});
+    }
+  }
+}
+
+/// Words by how common they are among the truths, so that all maps of an operation give a word the same tint.
+std::map<std::string, std::size_t> ranks_of(const std::map<std::string, std::uint64_t>& outcomes) {
+  std::vector<std::pair<std::string, std::uint64_t>> sorted(outcomes.begin(), outcomes.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::map<std::string, std::size_t> ranks;
+  for (const auto& [word, n] : sorted) ranks.emplace(word, ranks.size());
+  return ranks;
+}
+
+FailureMap developed(const Plate& plate, std::map<std::string, std::size_t> ranks) {
+  FailureMap map;
+  map.subject = plate.subject;
+  map.image.width = map.image.height = MapGrid::side;
+  std::map<Shade, std::uint64_t> counts;
+  for (const Shade& shade : plate.shades) ++counts[shade];
+  std::map<Shade, std::uint8_t> index;
+  for (const auto& [shade, n] : counts) {
+    const std::size_t rank = ranks.emplace(shade.said, ranks.size()).first->second;
+    const Colour colour = shade.refused ? Colour{255, 255, 255} : map_colour(shade.verdict, rank);
+    index[shade] = static_cast<std::uint8_t>(map.image.palette.size());
+    map.image.palette.push_back(colour);
+    if (shade.refused) {
+      map.refused += n;
+      continue;
+    }
+    map.counts[static_cast<std::size_t>(shade.verdict)] += n;
+    map.classes.push_back({shade.verdict, shade.said, n, colour});
+  }
+  for (const Shade& shade : plate.shades) map.image.pixels.push_back(index[shade]);
+  std::stable_sort(map.classes.begin(), map.classes.end(), [](const MapClass& a, const MapClass& b) {
+    return a.verdict != b.verdict ? a.verdict < b.verdict : a.count > b.count;
+  });
+  return map;
+}
+
+}  // namespace
+
+Question MapGrid::at(int column, int row) const {
+  Question question = centre;
+  question.numbers[axes.first] += (column - side / 2) * step.first;
+  question.numbers[axes.second] += (side / 2 - 1 - row) * step.second;
+  return question;
+}
+
+MapGrid map_grid(const Operation& operation, bool binary32) {
+  MapGrid grid;
+  grid.centre = binary32 ? operation.in_binary32(operation.map_centre()) : operation.map_centre();
+  grid.axes = operation.map_axes();
+  grid.step = {step_above(grid.centre.numbers[grid.axes.first], binary32),
+               step_above(grid.centre.numbers[grid.axes.second], binary32)};
+  std::vector<std::string> paths;
+  list_paths(operation.print(grid.centre), "", paths);
+  paths.resize(grid.centre.numbers.size());
+  grid.fields = {paths[grid.axes.first], paths[grid.axes.second]};
+  return grid;
+}
+
+std::vector<FailureMap> failure_maps(const Operation& operation, bool binary32, Engine* engine) {
+  const MapGrid grid = map_grid(operation, binary32);
+  Declaration ours;
+  ours.engine = "reference";
+  ours.binary32 = binary32;
+  std::vector<Plate> plates{{subject(ours), {}}, {"robust", {}}};
+  if (engine && engine->supports(operation.name())) plates.push_back({subject(engine->declaration()), {}});
+  std::map<std::string, std::uint64_t> outcomes;
+  for (int row = 0; row < MapGrid::side; ++row) {
+    std::vector<std::unique_ptr<Examination>> examinations;
+    for (int column = 0; column < MapGrid::side; ++column) {
+      try {
+        examinations.push_back(operation.examine(grid.at(column, row)));
+        const Examination& question = *examinations.back();
+        const std::string outcome = question.outcome();
+        if (outcome != "value") ++outcomes[outcome];
+        plates[0].shades.push_back(
+            shade_of(question.judge_reference(binary32), outcome, [&] { return question.reference(binary32); }));
+        plates[1].shades.push_back(shade_of(question.judge_robust(), outcome, [&] { return question.robust(); }));
+      } catch (const InvalidInput&) {
+        examinations.push_back(nullptr);
+        for (Plate& plate : {std::ref(plates[0]), std::ref(plates[1])})
+          plate.shades.push_back({Verdict::unsupported, "", true});
+      }
+    }
+    if (plates.size() > 2) ask_engine(operation, grid, examinations, row, *engine, plates[2].shades);
+  }
+  std::vector<FailureMap> maps;
+  for (const Plate& plate : plates) maps.push_back(developed(plate, ranks_of(outcomes)));
+  return maps;
+}
+
+Image side_by_side(const std::vector<FailureMap>& maps, std::uint32_t gap) {
+  Image all;
+  all.height = MapGrid::side;
+  all.palette.push_back({255, 255, 255});
+  std::vector<std::vector<std::uint8_t>> translations;
+  for (const FailureMap& map : maps) {
+    std::vector<std::uint8_t>& translation = translations.emplace_back();
+    for (const Colour& colour : map.image.palette) {
+      const auto found = std::find(all.palette.begin(), all.palette.end(), colour);
+      translation.push_back(static_cast<std::uint8_t>(found - all.palette.begin()));
+      if (found == all.palette.end()) all.palette.push_back(colour);
+    }
+    all.width += (all.width > 0 ? gap : 0) + map.image.width;
+  }
+  for (std::size_t row = 0; row < MapGrid::side; ++row) {
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+      if (m > 0) all.pixels.insert(all.pixels.end(), gap, 0);
+      const auto from = maps[m].image.pixels.begin() + static_cast<std::ptrdiff_t>(row * MapGrid::side);
+      std::transform(from, from + MapGrid::side, std::back_inserter(all.pixels),
+                     [&](std::uint8_t i) { return translations[m][i]; });
+    }
+  }
+  return all;
+}
+
+std::string in_words(const std::vector<FailureMap>& maps) {
+  std::string text;
+  for (const FailureMap& map : maps) {
+    Cell cell;
+    cell.counts = map.counts;
+    text += (text.empty() ? "" : "; ") + map.subject + ": " + summary_of(cell);
+  }
+  return text;
+}
+
+}  // namespace touchstone::audit
