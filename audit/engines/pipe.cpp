@@ -36,8 +36,7 @@ std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector
   std::iota(to_ask.begin(), to_ask.end(), 0);
   while (!to_ask.empty() && why_stop().empty()) {
     if (!process_ && !start_again()) continue;
-    const auto fault = converse(round, to_ask, limits_.in_flight, unanswered);
-    if (fault) ask_alone(round, unanswered, *fault);
+    if (converse(round, to_ask, limits_.in_flight, unanswered)) ask_alone(round, unanswered);
     to_ask.insert(to_ask.begin(), unanswered.begin(), unanswered.end());
     unanswered.clear();
   }
@@ -46,21 +45,23 @@ std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector
   return std::move(round.replies);
 }
 
-/// Settles the suspects, each alone with the engine, until it is given up.
-void PipeEngine::ask_alone(Round& round, Indices& suspects, const std::string& fault) {
-  if (suspects.size() == 1) {
-    settle(round, suspects.front(), {Reply::Kind::failed, nullptr, fault});
-    suspects.clear();
-  }
+/// Settles the suspects, each alone with the engine, until it is given up. An engine that has answered before may have died of
+/// that: only what a fresh one cannot answer is lost. A time-out is not tried a second time.
+void PipeEngine::ask_alone(Round& round, Indices& suspects) {
   Indices alone, unanswered;
   while (!suspects.empty() && why_stop().empty()) {
     if (!process_ && !start_again()) continue;
+    const bool fresh = next_id_ == first_id_of_process_;
+    const int timeouts = timeouts_;
     alone.assign(1, suspects.front());
-    const auto lost = converse(round, alone, 1, unanswered);
-    if (lost && interrupted()) return;
-    if (lost) settle(round, suspects.front(), {Reply::Kind::failed, nullptr, *lost});
-    suspects.pop_front();
     unanswered.clear();
+    const auto fault = converse(round, alone, 1, unanswered);
+    if (interrupted()) return;
+    if (fault && !unanswered.empty()) {
+      if (!fresh && timeouts_ == timeouts) continue;
+      settle(round, suspects.front(), {Reply::Kind::failed, nullptr, *fault});
+    }
+    suspects.pop_front();
   }
 }
 

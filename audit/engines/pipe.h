@@ -58,7 +58,7 @@ class PipeEngine final : public Engine {
   /// Asks and settles everything in `to_ask`; or says what went wrong, and `unanswered` are those that were in flight.
   std::optional<std::string> converse(Round& round, Indices& to_ask, std::size_t in_flight, Indices& unanswered);
   std::optional<std::string> exchange(Round& round, Indices& to_ask, std::size_t in_flight);
-  void ask_alone(Round& round, Indices& suspects, const std::string& fault);
+  void ask_alone(Round& round, Indices& suspects);
   void write_questions(Round& round, Indices& to_ask, std::size_t in_flight);
   std::optional<std::string> take_lines(Round& round);
   std::optional<std::string> take_line(const std::string& line, Round& round);
