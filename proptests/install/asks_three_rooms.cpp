@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <touchstone/geometry/invalid_input.h>
 #include <touchstone/oracle/lines/segment_segment.h>
 #include <touchstone/reference/lines/segment_segment.h>
 #include <touchstone/robust/lines/segment_segment.h>
