@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/catalogue/catalogue.h"
+#include "audit/engines/engine_answer.h"
+#include "audit/engines/serve.h"
+
+/// Audits a C++ implementation. An engine is a struct:
+///
+///   struct MyEngine {
+///     static constexpr const char* name = "my library 1.0";
+///     static constexpr auto boundary = touchstone::Boundary::closed;   // or open; left out: unspecified
+///     using number = double;                                           // or float; left out: double
+///     static constexpr double tolerance = 0;                           // left out: 0
+///     bool segment_segment(const touchstone::Segment2d& a, const touchstone::Segment2d& b) { ... }
+///   };
+///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
+///
+/// with one member function per operation that it has, of the operation's name and arguments (geometry/*.h). docs/engines.md
+/// says what may be returned.
+namespace touchstone {
+
+using Boundary = audit::Declaration::Boundary;
+
+namespace audit {
+
+template <class Engine, class Row, class... Arguments>
+concept AnswersTo = requires(Engine& engine, const Arguments&... arguments) { Row::ask(engine, arguments...); };
+
+/// Whether the engine has a row's operation on shapes over Real.
+template <class Engine, class Row, class Tuple>
+inline constexpr bool answers_row = false;
+template <class Engine, class Row, class... Ts>
+inline constexpr bool answers_row<Engine, Row, std::tuple<Ts...>> = AnswersTo<Engine, Row, Ts...>;
+template <class Engine, class Row, class Real>
+inline constexpr bool has_operation = answers_row<Engine, Row, rebound_t<typename Row::Question, Real>>;
+
+template <class Engine>
+struct NumberOf {
+  using type = double;
+};
+template <class Engine>
+  requires requires { typename Engine::number; }
+struct NumberOf<Engine> {
+  using type = typename Engine::number;
+};
+template <class Engine>
+using number_of = typename NumberOf<Engine>::type;
+
+/// The number type over which the shapes of an operation are handed to the engine: its own where it takes that.
+template <class Engine, class Row>
+using handed_number =
+    std::conditional_t<has_operation<Engine, Row, number_of<Engine>>, number_of<Engine>,
+                       std::conditional_t<std::is_same_v<number_of<Engine>, double>, float, double>>;
+
+template <class Engine>
+Declaration declaration_of() {
+  static_assert(std::is_same_v<number_of<Engine>, double> || std::is_same_v<number_of<Engine>, float>,
+                "an engine's number is float or double");
+  Declaration declaration;
+  declaration.engine = Engine::name;
+  declaration.binary32 = std::is_same_v<number_of<Engine>, float>;
+  if constexpr (requires { Engine::boundary; }) declaration.boundary = Engine::boundary;
+  if constexpr (requires { Engine::tolerance; }) declaration.tolerance = Engine::tolerance;
+  return declaration;
+}
+
+/// What the engine says to one question of a row; empty: unsupported.
+template <class Row, class Engine>
+std::optional<Json> ask_engine(Engine& engine, const Question& question) {
+  using Real = handed_number<Engine, Row>;
+  rebound_t<typename Row::Question, Real> asked{};
+  std::size_t i = 0;
+  for_each_number(asked, [&](Real& number) { number = static_cast<Real>(question.numbers.at(i++)); });
+  return std::apply([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
+}
+
+template <class Engine>
+Served served(Engine& engine) {
+  Served all;
+  all.hello.declaration = declaration_of<Engine>();
+  for_each_row([&]<class Row>() {
+    if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
+      all.hello.operations.insert(Row::card().name);
+      all.answerers[Row::card().name] = [&engine](const Question& question) { return ask_engine<Row>(engine, question); };
+    }
+  });
+  return all;
+}
+
+}  // namespace audit
+}  // namespace touchstone
+
+/// The audit program of an engine: the options of `touchstone audit`; with --serve it answers over pipes.
+#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                               \
+  int main(int argc, char** argv) {                                                                      \
+    EngineType engine{};                                                                                 \
+    return ::touchstone::audit::engine_program(::touchstone::audit::served(engine), argc, argv);         \
+  }

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "audit/catalogue/row.h"
+#include "audit/codec/json.h"
+
+/// What a member function of an engine may return, and how it reads in JSON.
+namespace touchstone::audit {
+
+/// Whether an operation's answer has a word that says "they do not meet", so that true and false are answers to it.
+template <class Answer>
+constexpr bool has_plain_reading() {
+  if constexpr (Enumeration<Answer>) {
+    return requires { Words<Answer>::no; };
+  } else if constexpr (Composite<Answer>) {
+    return std::apply(
+        [](const auto&... member) {
+          return (has_plain_reading<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>>() || ...);
+        },
+        Described<Answer>::members);
+  } else {
+    return false;
+  }
+}
+
+/// The name of the member of an answer that has this enumeration as its type; nullptr if there is none.
+template <class Answer, class Word>
+const char* member_of_type() {
+  const char* name = nullptr;
+  if constexpr (Composite<Answer>) {
+    for_each_member<Answer>([&](const auto& member) {
+      if (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word>) name = member.name;
+    });
+  }
+  return name;
+}
+
+template <class Answer, class Word>
+constexpr bool has_member_of_type() {
+  if constexpr (Composite<Answer>) {
+    return std::apply(
+        [](const auto&... member) {
+          return (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word> || ...);
+        },
+        Described<Answer>::members);
+  }
+  return false;
+}
+
+/// Empty: the engine does not support this question. Result: the operation's answer over double or float, its word alone, true
+/// or false where that is an answer, or a std::optional of one of these.
+template <class Row, class Result>
+std::optional<Json> engine_answer(const Result& result) {
+  using Answer = answer_t<Row>;
+  const auto named = [](const char* name, Json value) {
+    if (name == nullptr || name[0] == 0) return value;
+    Json object = Json::object();
+    object[name] = std::move(value);
+    return object;
+  };
+  if constexpr (is_optional<Result>) {
+    if (!result) return std::nullopt;
+    return engine_answer<Row>(*result);
+  } else if constexpr (std::is_same_v<Result, bool>) {
+    static_assert(has_plain_reading<Answer>(), "true and false are no answer to this operation: return its enumeration");
+    return Json(result);
+  } else if constexpr (std::is_same_v<Result, rebound_t<Answer, double>>) {
+    return named(Row::card().answer, to_json(result));
+  } else if constexpr (std::is_same_v<Result, rebound_t<Answer, float>>) {
+    return named(Row::card().answer, to_json(converted<double>(result, [](float number) { return double{number}; })));
+  } else {
+    static_assert(has_member_of_type<Answer, Result>(), "this type is no answer to the operation (see geometry/answers.h)");
+    return named(member_of_type<Answer, Result>(), to_json(result));
+  }
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/engines/serve.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include "audit/cli/program.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// Whole lines of standard input; `before_waiting` is called when the next line is not there yet.
+class InputLines {
+ public:
+  template <class BeforeWaiting>
+  bool next(std::string& line, const BeforeWaiting& before_waiting) {
+    std::size_t end;
+    while ((end = inbox_.find('\n', begin_)) == std::string::npos) {
+      inbox_.erase(0, begin_);
+      begin_ = 0;
+      before_waiting();
+      char piece[1 << 16];
+      const ssize_t count = ::read(STDIN_FILENO, piece, sizeof piece);
+      if (count > 0) inbox_.append(piece, static_cast<std::size_t>(count));
+      if (count == 0 || (count < 0 && errno != EINTR)) return false;
+    }
+    line.assign(inbox_, begin_, end - begin_);
+    begin_ = end + 1;
+    return true;
+  }
+
+ private:
+  std::string inbox_;
+  std::size_t begin_ = 0;
+};
+
+void write_all(int descriptor, std::string& outbox) {
+  std::size_t written = 0;
+  while (written < outbox.size()) {
+    const ssize_t count = ::write(descriptor, outbox.data() + written, outbox.size() - written);
+    if (count > 0) written += static_cast<std::size_t>(count);
+    if (count < 0 && errno != EINTR) break;
+  }
+  outbox.clear();
+}
+
+std::string answer_line(const Served& engine, const std::string& line) {
+  std::string id = "0";
+  Json rest = Json::object();
+  try {
+    const Json question = parse_line(line);
+    if (!question.is_object()) throw InvalidInput("line", "one JSON object");
+    for (const char* field : {"id", "op", "input"}) {
+      if (!question.contains(field)) throw InvalidInput(field, "missing");
+    }
+    if (!is_typed_number(question["id"])) throw InvalidInput("id", "number");
+    id = question["id"].get_ref<const std::string&>().substr(1);
+    const auto found = question["op"].is_string() ? engine.answerers.find(question["op"]) : engine.answerers.end();
+    if (found != engine.answerers.end()) {
+      if (auto answer = found->second(find_operation(found->first)->parse(question["input"]))) {
+        return R"({"id":)" + id + R"(,"answer":)" + one_line(*answer) + "}\n";
+      }
+    }
+    rest["unsupported"] = true;
+  } catch (const std::exception& thrown) {
+    rest = {{"error", thrown.what()}};
+  } catch (...) {
+    rest = {{"error", "an exception that is no std::exception"}};
+  }
+  return R"({"id":)" + id + "," + one_line(rest).substr(1) + "\n";
+}
+
+std::string quoted_for_shell(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+int serve(const Served& engine) {
+  const int output = dup(STDOUT_FILENO);
+  if (output < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    std::perror("standard output");
+    return 1;
+  }
+  InputLines input;
+  std::string line, outbox;
+  const auto flush = [&] { write_all(output, outbox); };
+  if (!input.next(line, [] {})) return 0;
+  outbox = written_hello(engine.hello);
+  while (input.next(line, flush)) outbox += answer_line(engine, line);
+  close(output);
+  return 0;
+}
+
+int engine_program(const Served& engine, int argc, const char* const* argv) {
+  if (argc == 2 && std::strcmp(argv[1], "--serve") == 0) return serve(engine);
+  std::error_code error;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) {
+    std::cerr << argv[0] << ": its own path cannot be read: " << error.message() << '\n';
+    return engine_failed;
+  }
+  const std::string command = quoted_for_shell(self.string()) + " --serve";
+  std::vector<const char*> arguments{argv[0], "audit", "--engine", command.c_str()};
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  return run_program(static_cast<int>(arguments.size()), arguments.data());
+}
+
+}  // namespace touchstone::audit

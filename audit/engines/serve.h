@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "audit/engines/protocol.h"
+
+namespace touchstone::audit {
+
+/// The engine's side of the pipe: an answer in JSON, nothing where it does not support the question, an exception where it
+/// fails.
+using Answerer = std::function<std::optional<Json>(const Question&)>;
+
+struct Served {
+  Hello hello;
+  std::map<std::string, Answerer> answerers;  ///< by operation
+};
+
+/// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to standard
+/// output meanwhile is sent to standard error.
+int serve(const Served& engine);
+
+/// The main program of an engine: with the argument --serve it serves; else it is `touchstone audit` of itself, in a process of
+/// its own, with the same options and exit codes.
+int engine_program(const Served& engine, int argc, const char* const* argv);
+
+}  // namespace touchstone::audit
