@@ -8,7 +8,7 @@
 namespace touchstone::oracle {
 namespace {
 
-__int128 narrow(const Integer& value, __int128*) { return value.get_si(); }
+Int128 narrow(const Integer& value, Int128*) { return value.get_si(); }
 const Integer& narrow(const Integer& value, Integer*) { return value; }
 
 template <class Value>
@@ -48,7 +48,7 @@ CommonPoints solve(const Segment2<Integer>& first, Extent extent, const Segment2
 
 CommonPoints common_points(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second, int bits) {
   // Minors of (A b I) are sums of at most four products of two differences: below 2^(2 bits + 4) <= 2^60.
-  return bits <= 28 ? solve<__int128>(first, extent, second) : solve<Integer>(first, extent, second);
+  return bits <= 28 ? solve<Int128>(first, extent, second) : solve<Integer>(first, extent, second);
 }
 
 SquaredLength squared_distance(const Point2<Integer>& point, const Segment2<Integer>& shape, Extent extent) {

@@ -26,9 +26,10 @@ Rational exact(double value) {
   return scaled(Integer(static_cast<long>(parts.mantissa)), parts.exponent);
 }
 
-Integer widen(__int128 value) {
+Integer widen(Int128 value) {
   const bool negative = value < 0;
-  const auto magnitude = negative ? -static_cast<unsigned __int128>(value) : static_cast<unsigned __int128>(value);
+  __extension__ typedef unsigned __int128 UnsignedInt128;
+  const auto magnitude = negative ? -static_cast<UnsignedInt128>(value) : static_cast<UnsignedInt128>(value);
   Integer result(static_cast<unsigned long>(magnitude >> 64));
   result <<= 64;
   result += static_cast<unsigned long>(magnitude);

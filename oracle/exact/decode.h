@@ -9,6 +9,7 @@
 namespace touchstone::oracle {
 
 using Integer = mpz_class;
+__extension__ typedef __int128 Int128;
 
 /// mantissa * 2^exponent, |mantissa| < 2^53.
 struct Dyadic {
@@ -42,7 +43,7 @@ Rational quotient(const Integer& numerator, const Integer& denominator);
 Rational exact(double value);
 
 /// An integer of the machine as one of GMP.
-Integer widen(__int128 value);
+Integer widen(Int128 value);
 inline const Integer& widen(const Integer& value) { return value; }
 
 }  // namespace touchstone::oracle

@@ -7,11 +7,11 @@
 namespace touchstone::oracle {
 namespace {
 
-int sign(__int128 value) { return (value > 0) - (value < 0); }
+int sign(Int128 value) { return (value > 0) - (value < 0); }
 int sign(const Integer& value) { return sgn(value); }
 
 /// target = (target * pivot - column * row) / divisor, which leaves no remainder.
-void eliminate(__int128& target, __int128 pivot, __int128 column, __int128 row, __int128 divisor) {
+void eliminate(Int128& target, Int128 pivot, Int128 column, Int128 row, Int128 divisor) {
   target = target * pivot - column * row;
   if (divisor != 1) target /= divisor;
 }
@@ -24,7 +24,7 @@ void eliminate(Integer& target, const Integer& pivot, const Integer& column, con
   if (mpz_cmp_ui(divisor.get_mpz_t(), 1) != 0) mpz_divexact(to, to, divisor.get_mpz_t());
 }
 
-void negate(__int128& value) { value = -value; }
+void negate(Int128& value) { value = -value; }
 void negate(Integer& value) { mpz_neg(value.get_mpz_t(), value.get_mpz_t()); }
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
@@ -175,7 +175,7 @@ Value LinearProgram<Value>::numerator(int variable) const {
   return Value(0);
 }
 
-template class LinearProgram<__int128>;
+template class LinearProgram<Int128>;
 template class LinearProgram<Integer>;
 
 }  // namespace touchstone::oracle

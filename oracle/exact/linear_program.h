@@ -14,7 +14,7 @@ namespace touchstone::oracle {
 /// leads to a feasible vertex or to a row that proves there is none; then the primal simplex method to an optimum.
 /// Bland's least-index rule in both, so no cycle.
 ///
-/// Value: Integer (any input), or __int128 where the product of two minors of (A b I) stays below 2^126.
+/// Value: Integer (any input), or Int128 where the product of two minors of (A b I) stays below 2^126.
 template <class Value>
 class LinearProgram {
  public:
@@ -57,7 +57,7 @@ class LinearProgram {
   Value denominator_;
 };
 
-extern template class LinearProgram<__int128>;
+extern template class LinearProgram<Int128>;
 extern template class LinearProgram<Integer>;
 
 }  // namespace touchstone::oracle

@@ -32,8 +32,7 @@ Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   const CommonPower<6> n = admitted(p0, p1, p);
   if (n.bits() <= 61) {
     using Word = Point2<std::int64_t>;
-    return orientation_side<__int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)},
-                                      Word{n.word(4), n.word(5)});
+    return orientation_side<Int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)}, Word{n.word(4), n.word(5)});
   }
   using Whole = Point2<Integer>;
   return orientation_side<Integer>(Whole{n.whole(0), n.whole(1)}, Whole{n.whole(2), n.whole(3)},

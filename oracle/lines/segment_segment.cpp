@@ -79,8 +79,8 @@ SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b)
   const CommonPower<8> n = admitted(a, b);
   if (n.bits() <= 61) {
     using Words = Segment2<std::int64_t>;
-    return segment_segment_relation<__int128>(Words{{n.word(0), n.word(1)}, {n.word(2), n.word(3)}},
-                                              Words{{n.word(4), n.word(5)}, {n.word(6), n.word(7)}});
+    return segment_segment_relation<Int128>(Words{{n.word(0), n.word(1)}, {n.word(2), n.word(3)}},
+                                            Words{{n.word(4), n.word(5)}, {n.word(6), n.word(7)}});
   }
   using Wholes = Segment2<Integer>;
   return segment_segment_relation<Integer>(Wholes{{n.whole(0), n.whole(1)}, {n.whole(2), n.whole(3)}},
