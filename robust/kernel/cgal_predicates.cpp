@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/kernel/cgal_predicates.h"
 
-#include <CGAL/Gmpq.h>
+#include <CGAL/Gmpz.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include "robust/kernel/control_word.h"
@@ -9,9 +9,10 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
+// A ring is enough for these predicates, and spares the common divisors of rationals.
+using Kernel = CGAL::Simple_cartesian<CGAL::Gmpz>;
 
-CGAL::Gmpq number(const mpz_class& n) { return CGAL::Gmpq(CGAL::Gmpz(n.get_mpz_t())); }
+CGAL::Gmpz number(const mpz_class& n) { return CGAL::Gmpz(n.get_mpz_t()); }
 Kernel::Point_2 cgal(const Point2<mpz_class>& p) { return {number(p.x), number(p.y)}; }
 Kernel::Vector_2 cgal(const Vector2<mpz_class>& v) { return {number(v.x), number(v.y)}; }
 
@@ -29,9 +30,9 @@ int turn(const Vector2<mpz_class>& v, const Vector2<mpz_class>& w) {
 
 int side_of_circle(const Circle2<mpz_class>& circle, const Point2<mpz_class>& p) {
   const ControlWord guard;
-  const CGAL::Gmpq radius = number(circle.radius);
-  return static_cast<int>(
-      CGAL::compare(CGAL::Gmpq(radius * radius), CGAL::squared_distance(cgal(circle.center), cgal(p))));
+  const CGAL::Gmpz radius = number(circle.radius);
+  const CGAL::Gmpz squared_radius = radius * radius;
+  return static_cast<int>(CGAL::compare(squared_radius, CGAL::squared_distance(cgal(circle.center), cgal(p))));
 }
 
 int sign_by_cgal(const mpz_class& x) {

@@ -6,7 +6,7 @@
 #include "geometry/thin_shapes.h"
 #include "robust/kernel/strict_math.h"
 
-/// The last stage: CGAL's predicates over GMP integers and rationals, behind a guard of the control word. CGAL is compiled in the one
+/// The last stage: CGAL's predicates over GMP integers, behind a guard of the control word. CGAL is compiled in the one
 /// file behind this header. Its arguments have been looked at for degeneracies first.
 namespace touchstone::robust::kernel {
 

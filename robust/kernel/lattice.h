@@ -22,30 +22,29 @@ struct Lattice {
   int exponent;
 };
 
+inline constexpr int lattice_spare = 61 - 53;
+
+/// One double in units of 2^(top - 1075 - spare), top the largest exponent field of all; `lost` collects the bits below the unit.
+inline std::int64_t placed_on_lattice(std::uint64_t bits, int top, std::uint64_t& lost) {
+  const int field = static_cast<int>(bits >> 52 & 0x7ff);
+  const std::uint64_t hidden = static_cast<std::uint64_t>(field != 0) << 52;
+  const std::uint64_t magnitude = ((bits & 0xfffffffffffffu) | hidden) << lattice_spare;
+  const int down = std::min(top - std::max(field, 1), 63);
+  const std::uint64_t placed = magnitude >> down;
+  lost |= placed << down ^ magnitude;
+  const auto sign = static_cast<std::int64_t>(bits) >> 63;
+  return (static_cast<std::int64_t>(placed) ^ sign) - sign;
+}
+
 /// Empty if a number is NaN or infinite, or has a set bit more than 61 places below the leading place of the largest exponent.
+/// (Folds over the arguments, because g++ at -O2 leaves loops over so few numbers as loops.)
 template <class... Doubles>
 inline std::optional<Lattice<sizeof...(Doubles)>> lattice_of(Doubles... numbers) {
-  constexpr std::size_t n = sizeof...(Doubles);
-  constexpr int spare = 61 - 53;
-  const std::array<std::uint64_t, n> bits{std::bit_cast<std::uint64_t>(numbers)...};
-  std::array<int, n> fields;
   int top = 1;  // a subnormal has the exponent of the first normal binade
-  for (std::size_t i = 0; i < n; ++i) {
-    fields[i] = static_cast<int>(bits[i] >> 52 & 0x7ff);
-    top = std::max(top, fields[i]);
-  }
-  Lattice<n> result;
-  result.exponent = top - 1075 - spare;
+  ((top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(numbers) >> 52 & 0x7ff))), ...);
   std::uint64_t lost = top == 0x7ff;
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::uint64_t hidden = static_cast<std::uint64_t>(fields[i] != 0) << 52;
-    const std::uint64_t magnitude = ((bits[i] & 0xfffffffffffffu) | hidden) << spare;
-    const int down = std::min(top - std::max(fields[i], 1), 63);
-    const std::uint64_t placed = magnitude >> down;
-    lost |= placed << down ^ magnitude;
-    const auto sign = static_cast<std::int64_t>(bits[i]) >> 63;
-    result.at[i] = (static_cast<std::int64_t>(placed) ^ sign) - sign;
-  }
+  const Lattice<sizeof...(Doubles)> result{{placed_on_lattice(std::bit_cast<std::uint64_t>(numbers), top, lost)...},
+                                           top - 1075 - lattice_spare};
   if (lost != 0) return std::nullopt;
   return result;
 }

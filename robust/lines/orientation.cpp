@@ -7,7 +7,11 @@
 namespace touchstone::robust {
 namespace {
 
-Side side(int turn) { return turn > 0 ? Side::left : turn < 0 ? Side::right : Side::on; }
+// Without branches: near a line nobody can predict the side.
+Side side(int turn) {
+  static_assert(static_cast<int>(Side::left) == 0 && static_cast<int>(Side::on) == 1 && static_cast<int>(Side::right) == 2);
+  return static_cast<Side>(1 - turn);
+}
 
 void admit(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (kernel::legal(p0) && kernel::legal(p1) && kernel::legal(p)) return;
@@ -29,9 +33,9 @@ Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p) {
 }
 
 Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
-  admit(p0, p1, p);
   decided = Stage::lattice;
-  if (const auto answer = orientation_lattice(p0, p1, p)) return *answer;
+  if (const auto answer = orientation_lattice(p0, p1, p)) return *answer;  // all finite
+  admit(p0, p1, p);
   decided = Stage::exact;
   return orientation_exact(p0, p1, p);
 }

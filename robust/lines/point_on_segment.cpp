@@ -68,17 +68,17 @@ PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segmen
 }
 
 Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided) {
-  admit(point, segment);
   decided = Stage::lattice;
-  if (const auto answer = point_on_segment_relation_lattice(point, segment)) return *answer;
+  if (const auto answer = point_on_segment_relation_lattice(point, segment)) return *answer;  // all finite
+  admit(point, segment);
   decided = Stage::exact;
   return point_on_segment_relation_exact(point, segment);
 }
 
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
   if (point_on_segment_relation_filter(point, segment) == Incidence::off) return {Incidence::off, std::nullopt};
+  if (const auto answer = point_on_segment_lattice(point, segment)) return *answer;  // all finite
   admit(point, segment);
-  if (const auto answer = point_on_segment_lattice(point, segment)) return *answer;
   return point_on_segment_exact(point, segment);
 }
 

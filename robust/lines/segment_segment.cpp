@@ -113,17 +113,17 @@ SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d
 }
 
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided) {
-  admit(a, b);
   decided = Stage::lattice;
-  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;
+  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;  // all finite
+  admit(a, b);
   decided = Stage::exact;
   return segment_segment_relation_exact(a, b);
 }
 
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   if (segment_segment_relation_filter(a, b) == SegmentRelation::disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  if (const auto answer = segment_segment_lattice(a, b)) return *answer;  // all finite
   admit(a, b);
-  if (const auto answer = segment_segment_lattice(a, b)) return *answer;
   return segment_segment_exact(a, b);
 }
 
