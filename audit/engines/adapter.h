@@ -81,8 +81,12 @@ Served served(Engine& engine) {
   all.hello.declaration = declaration_of<Engine>();
   for_each_row([&]<class Row>() {
     if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
-      all.hello.operations.insert(Row::card().name);
-      all.answerers[Row::card().name] = [&engine](const Question& question) { return ask_engine<Row>(engine, question); };
+      const Operation& operation = *find_operation(Row::card().name);
+      all.hello.operations.insert(operation.name());
+      all.operations.emplace(operation.name(),
+                             ServedOperation{operation, QuestionText(operation), [&engine](const Question& question) {
+                                               return ask_engine<Row>(engine, question);
+                                             }});
     }
   });
   return all;

@@ -29,7 +29,7 @@ std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector
     operation_ = operation.name();
     restarts_ = restarts_in_a_row_ = timeouts_ = 0;
   }
-  Round round{operation, questions, next_id_};
+  Round round{operation.card(), QuestionText(operation), questions, next_id_};
   round.replies.resize(questions.size());
   round.settled.resize(questions.size());
   Indices to_ask(questions.size()), unanswered;
@@ -99,7 +99,7 @@ std::optional<std::string> PipeEngine::exchange(Round& round, Indices& to_ask, s
 
 void PipeEngine::write_questions(Round& round, Indices& to_ask, std::size_t in_flight) {
   while (!to_ask.empty() && round.owed < in_flight && outbox_.size() < outbox_filled) {
-    outbox_ += question_line(next_id_++, round.operation, round.questions[to_ask.front()]);
+    append_question_line(next_id_++, round.card, round.text, round.questions[to_ask.front()], outbox_);
     round.asked.push_back(to_ask.front());
     to_ask.pop_front();
     ++round.owed;

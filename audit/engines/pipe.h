@@ -42,7 +42,8 @@ class PipeEngine final : public Engine {
   using Clock = std::chrono::steady_clock;
   /// One call of ask. A question is known by its index in it.
   struct Round {
-    const Operation& operation;
+    const Card& card;
+    const QuestionText text;
     const std::vector<Question>& questions;
     std::uint64_t first_id;
     std::vector<std::size_t> asked{};  ///< by id - first_id; a question that is asked again has a second id

@@ -77,9 +77,39 @@ std::string written_hello(const Hello& hello) {
   return one_line(line) + "\n";
 }
 
-std::string question_line(std::uint64_t id, const Operation& operation, const Question& question) {
-  return R"({"id":)" + std::to_string(id) + R"(,"op":")" + operation.card().name + R"(","input":)" +
-         one_line(operation.print(question)) + "}\n";
+void append_question_line(std::uint64_t id, const Card& card, const QuestionText& text, const Question& question,
+                          std::string& lines) {
+  lines += R"({"id":)";
+  lines += std::to_string(id);
+  lines += R"(,"op":")";
+  lines += card.name;
+  lines += R"(","input":)";
+  text.write(question, lines);
+  lines += "}\n";
+}
+
+std::optional<QuestionLine> split_question_line(std::string_view line) {
+  const auto take = [&](std::string_view literal) {
+    const bool there = line.substr(0, literal.size()) == literal;
+    if (there) line.remove_prefix(literal.size());
+    return there;
+  };
+  const auto take_while = [&](auto belongs) {
+    std::size_t size = 0;
+    while (size < line.size() && belongs(line[size])) ++size;
+    const std::string_view taken = line.substr(0, size);
+    line.remove_prefix(size);
+    return taken;
+  };
+  QuestionLine parts;
+  if (!take(R"({"id":)")) return std::nullopt;
+  parts.id = take_while([](char c) { return c >= '0' && c <= '9'; });
+  if (parts.id.empty() || !take(R"(,"op":")")) return std::nullopt;
+  parts.operation = take_while([](char c) { return c != '"' && c != '\\'; });
+  if (!take(R"(","input":)") || line.empty() || line.back() != '}') return std::nullopt;
+  line.remove_suffix(1);
+  parts.input = line;
+  return parts;
 }
 
 AnswerLine read_answer_line(const std::string& line) {

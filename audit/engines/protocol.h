@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "audit/engines/engine.h"
+#include "audit/engines/question_text.h"
 
 /// The lines between the program and an engine, as docs/engines.md promises them.
 namespace touchstone::audit {
@@ -23,7 +26,14 @@ std::string greeting();
 Hello read_hello(const std::string& line);
 std::string written_hello(const Hello& hello);
 
-std::string question_line(std::uint64_t id, const Operation& operation, const Question& question);
+void append_question_line(std::uint64_t id, const Card& card, const QuestionText& text, const Question& question,
+                          std::string& lines);
+
+/// The parts of a question's line where it is as append_question_line writes it; nothing otherwise.
+struct QuestionLine {
+  std::string_view id, operation, input;
+};
+std::optional<QuestionLine> split_question_line(std::string_view line);
 
 /// One answer. Throws InvalidInput where the line is none: not JSON, or without an id. Where only the rest of it is wrong,
 /// the reply is `failed`.

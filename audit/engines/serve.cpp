@@ -50,30 +50,50 @@ void write_all(int descriptor, std::string& outbox) {
   outbox.clear();
 }
 
-std::string answer_line(const Served& engine, const std::string& line) {
+/// The question of a line that is not as the program writes them, by the codec.
+Question read_slowly(const Served& engine, const std::string& line, std::string& id, const ServedOperation*& asked) {
+  const Json question = parse_line(line);
+  if (!question.is_object()) throw InvalidInput("line", "one JSON object");
+  for (const char* field : {"id", "op", "input"}) {
+    if (!question.contains(field)) throw InvalidInput(field, "missing");
+  }
+  if (!is_typed_number(question["id"])) throw InvalidInput("id", "number");
+  if (!question["op"].is_string()) throw InvalidInput("op", "text");
+  id = question["id"].get_ref<const std::string&>().substr(1);
+  const auto found = engine.operations.find(question["op"].get_ref<const std::string&>());
+  asked = found == engine.operations.end() ? nullptr : &found->second;
+  return asked != nullptr ? asked->operation.parse(question["input"]) : Question{};
+}
+
+void append_answer_line(const Served& engine, const std::string& line, std::string& outbox) {
   std::string id = "0";
   Json rest = Json::object();
   try {
-    const Json question = parse_line(line);
-    if (!question.is_object()) throw InvalidInput("line", "one JSON object");
-    for (const char* field : {"id", "op", "input"}) {
-      if (!question.contains(field)) throw InvalidInput(field, "missing");
+    Question question;
+    const ServedOperation* asked = nullptr;
+    const auto parts = split_question_line(line);
+    if (const auto found = parts ? engine.operations.find(parts->operation) : engine.operations.end();
+        found != engine.operations.end() && found->second.text.read(parts->input, question)) {
+      id = parts->id;
+      asked = &found->second;
+    } else {
+      question = read_slowly(engine, line, id, asked);
     }
-    if (!is_typed_number(question["id"])) throw InvalidInput("id", "number");
-    id = question["id"].get_ref<const std::string&>().substr(1);
-    const auto found = question["op"].is_string() ? engine.answerers.find(question["op"]) : engine.answerers.end();
-    if (found != engine.answerers.end()) {
-      if (auto answer = found->second(find_operation(found->first)->parse(question["input"]))) {
-        return R"({"id":)" + id + R"(,"answer":)" + one_line(*answer) + "}\n";
-      }
+    if (auto answer = asked != nullptr ? asked->answer(question) : std::nullopt) {
+      rest["answer"] = std::move(*answer);
+    } else {
+      rest["unsupported"] = true;
     }
-    rest["unsupported"] = true;
   } catch (const std::exception& thrown) {
     rest = {{"error", thrown.what()}};
   } catch (...) {
     rest = {{"error", "an exception that is no std::exception"}};
   }
-  return R"({"id":)" + id + "," + one_line(rest).substr(1) + "\n";
+  outbox += R"({"id":)";
+  outbox += id;
+  outbox += ',';
+  outbox += one_line(rest).substr(1);
+  outbox += '\n';
 }
 
 std::string quoted_for_shell(const std::string& text) {
@@ -95,7 +115,7 @@ int serve(const Served& engine) {
   const auto flush = [&] { write_all(output, outbox); };
   if (!input.next(line, [] {})) return 0;
   outbox = written_hello(engine.hello);
-  while (input.next(line, flush)) outbox += answer_line(engine, line);
+  while (input.next(line, flush)) append_answer_line(engine, line, outbox);
   close(output);
   return 0;
 }

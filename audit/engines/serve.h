@@ -14,9 +14,15 @@ namespace touchstone::audit {
 /// fails.
 using Answerer = std::function<std::optional<Json>(const Question&)>;
 
+struct ServedOperation {
+  const Operation& operation;
+  QuestionText text;
+  Answerer answer;
+};
+
 struct Served {
   Hello hello;
-  std::map<std::string, Answerer> answerers;  ///< by operation
+  std::map<std::string, ServedOperation, std::less<>> operations;
 };
 
 /// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to standard

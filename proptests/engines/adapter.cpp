@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/engines/adapter.h"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+#include "audit/engines/fuzz.h"
+
+using namespace touchstone;
+using namespace touchstone::audit;
+
+namespace {
+
+/// One operation for each thing that may be returned.
+struct Various {
+  static constexpr const char* name = "various 1";
+  bool segment_segment(Segment2d, Segment2d) { return true; }
+  Side orientation(Point2d, Point2d, Point2d) { return Side::right; }
+  std::optional<Incidence> point_on_segment(Point2d p, Segment2d) {
+    if (p.x == 13) return std::nullopt;
+    return Incidence::off;
+  }
+  RaySegment<double> ray_segment(Ray2d, Segment2d) { return {RayRelation::point, 0.5, Point2d{1, 2}, std::nullopt}; }
+  Point2d line_point_at(ParametricLine2d line, double t) { return line.origin + t * line.direction; }
+  Height explicit_line(double, double, Point2d) { throw std::runtime_error("vertical"); }
+};
+
+struct InFloat {
+  static constexpr const char* name = "in float 1";
+  static constexpr auto boundary = Boundary::open;
+  static constexpr double tolerance = 1e-6;
+  using number = float;
+  SegmentSegment<float> segment_segment(Segment2<float> a, Segment2<float>) {
+    return {SegmentRelation::point, 0.1f, 0.0f, a.a, std::nullopt};
+  }
+  Side orientation(Point2d, Point2d, Point2d) { return Side::left; }
+};
+
+struct Right {
+  static constexpr const char* name = "right";
+  static constexpr auto boundary = Boundary::closed;
+  Side orientation(const Point2d& a, const Point2d& b, const Point2d& c) { return robust::orientation(a, b, c); }
+  std::optional<bool> segment_segment(const Segment2d&, const Segment2d&) { return std::nullopt; }
+};
+
+template <class Engine>
+std::string said(const std::string& operation, const std::string& input) {
+  Engine engine{};
+  const Served all = served(engine);
+  const ServedOperation& asked = all.operations.at(operation);
+  const auto answer = asked.answer(asked.operation.parse(parse_line(input)));
+  return answer ? one_line(*answer) : "unsupported";
+}
+
+const char* const segments = R"({"a":[[0.1,0],[2,0]],"b":[[1,0],[3,0]]})";
+
+}  // namespace
+
+TEST_CASE("adapter: an engine has the operations that it has functions for") {
+  Various engine;
+  const std::set<std::string> expected{"segment_segment", "orientation",   "point_on_segment",
+                                       "ray_segment",     "line_point_at", "explicit_line"};
+  REQUIRE(served(engine).hello.operations == expected);
+}
+
+TEST_CASE("adapter: a truth value, a word, a whole answer and nothing are answers") {
+  REQUIRE(said<Various>("segment_segment", segments) == "true");
+  REQUIRE(said<Various>("orientation", R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})") == R"({"side":"right"})");
+  REQUIRE(said<Various>("point_on_segment", R"({"point":[0,0],"segment":[[0,0],[1,0]]})") == R"({"relation":"off"})");
+  REQUIRE(said<Various>("point_on_segment", R"({"point":[13,0],"segment":[[0,0],[1,0]]})") == "unsupported");
+  REQUIRE(said<Various>("ray_segment", R"({"ray":{"origin":[0,0],"direction":[1,0]},"segment":[[0,0],[1,0]]})") ==
+          R"({"relation":"point","t":0.5,"point":[1,2]})");
+  REQUIRE(said<Various>("line_point_at", R"({"line":{"origin":[0,0],"direction":[1,2]},"t":2})") == R"({"point":[2,4]})");
+  REQUIRE_THROWS_WITH(said<Various>("explicit_line", R"({"slope":1,"intercept":0,"point":[0,0]})"), "vertical");
+}
+
+TEST_CASE("adapter: an engine in float gets float shapes where it takes them, doubles elsewhere") {
+  REQUIRE(said<InFloat>("segment_segment", segments) ==
+          R"({"relation":"point","ta":0.10000000149011612,"tb":0,"point":[0.10000000149011612,0]})");
+  REQUIRE(said<InFloat>("orientation", R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})") == R"({"side":"left"})");
+}
+
+TEST_CASE("adapter: what an engine declares is what its first line says, and reads back") {
+  InFloat engine;
+  const std::string line = written_hello(served(engine).hello);
+  REQUIRE(line == "{\"engine\":\"in float 1\",\"ops\":[\"orientation\",\"segment_segment\"],\"number\":\"binary32\","
+                  "\"boundary\":\"open\",\"tolerance\":1e-06}\n");
+  const Hello read = read_hello(line);
+  REQUIRE(read.declaration.boundary == Boundary::open);
+  REQUIRE(read.declaration.binary32);
+  REQUIRE(read.declaration.tolerance == 1e-6);
+}
+
+TEST_CASE("adapter: a fuzz target lets right answers and unsupported questions pass") {
+  for (unsigned i = 0; i < 2000; ++i) {
+    const unsigned char bytes[] = {static_cast<unsigned char>(i), static_cast<unsigned char>(i * 7), static_cast<unsigned char>(i >> 3), 5, 6};
+    REQUIRE((fuzz_engine<Right, rows::orientation>(bytes, sizeof bytes)) == 0);
+    REQUIRE((fuzz_engine<Right, rows::segment_segment>(bytes, sizeof bytes)) == -1);
+  }
+}
