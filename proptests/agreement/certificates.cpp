@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/cli/commands.h"
+#include "oracle/certificates/check.h"
+#include "proptests/drawn.h"
+#include "proptests/each_operation.h"
+
+namespace touchstone::proptests {
+namespace {
+
+std::string complaint(const Operation& operation, const Question& question) {
+  try {
+    operation.examine(question);
+  } catch (const InvalidInput&) {
+    return "";
+  }
+  const auto refused = certify::refuse(nlohmann::json::parse(audit::explained(operation, question).dump()));
+  return refused ? "the checker refuses the oracle's certificate: " + *refused : "";
+}
+
+}  // namespace
+
+EACH_OPERATION("the checker accepts every certificate of the oracle") {
+  never(operation, "the certificate is accepted", [&](const Question& question) { return complaint(operation, question); }, 12, 8);
+}
+
+}  // namespace touchstone::proptests

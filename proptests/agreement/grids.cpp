@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/cli/commands.h"
+#include "audit/judge/compare.h"
+#include "oracle/certificates/check.h"
+#include "oracle/lines/orientation.h"
+#include "oracle/lines/segment_segment.h"
+#include "proptests/each_operation.h"
+#include "proptests/environment.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using audit::Operation;
+using audit::Question;
+using audit::Verdict;
+
+std::uint64_t configurations(const Operation& operation, int size) {
+  std::uint64_t count = 1;
+  for (std::size_t i = 0; i < operation.arity(); ++i) count *= static_cast<std::uint64_t>(size);
+  return count;
+}
+
+/// The decision by the oracle's second method, where it has one.
+std::string second_truth(const Operation& operation, const Question& question) {
+  std::string word;
+  audit::for_each_row([&]<class Row>() {
+    if constexpr (requires { typename Row::decision; }) {
+      if (&Row::card() != &operation.card()) return;
+      const auto whole = audit::converted<std::int64_t>(typed<Row>(question), [](double number) { return static_cast<std::int64_t>(number); });
+      word = audit::word_of(Row::decision::oracle(whole));
+    }
+  });
+  return word;
+}
+
+/// Every configuration of numbers first, first + 1, ... on a grid of that size: robust, the oracle and the oracle's second method agree;
+/// each `every`-th certificate is checked too.
+void exhaust(const Operation& operation, int size, double first, std::uint64_t every) {
+  std::uint64_t legal = 0;
+  for (std::uint64_t index = 0; index < configurations(operation, size); ++index) {
+    Question question = operation.on_grid(size, index);
+    for (double& number : question.numbers) number += first;
+    const auto shown = [&] { return audit::one_line(operation.print(question)); };
+    try {
+      const auto examination = operation.examine(question);
+      ++legal;
+      if (examination->judge_robust().verdict != Verdict::agree) FAIL_CHECK("robust: " << shown());
+      const std::string second = second_truth(operation, question);
+      if (!second.empty() && second != examination->outcome()) FAIL_CHECK("the oracle's two methods differ: " << shown());
+      const std::string broken = examination->broken_promise();
+      if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
+      if (index % every != 0) continue;
+      const auto refused = certify::refuse(nlohmann::json::parse(audit::explained(operation, question).dump()));
+      if (refused) FAIL_CHECK(*refused << ": " << shown());
+    } catch (const InvalidInput&) {
+      const std::string mismatch = operation.refusal_mismatch(question);
+      if (!mismatch.empty()) FAIL_CHECK(mismatch << ": " << shown());
+    }
+  }
+  CHECK(legal > 0);
+}
+
+}  // namespace
+
+// No operation so far has more than 8 numbers: 4^8 = 65536 configurations.
+EACH_OPERATION("every configuration of the numbers -1, 0, 1") { exhaust(operation, 3, -1, 3); }
+EACH_OPERATION("every configuration of the numbers 0, 1, 2, 3") { exhaust(operation, 4, 0, 64); }
+
+EACH_OPERATION("decisions counted at full speed are those of the full examination") {
+  const auto whole = operation.count_decisions(3, 0, configurations(operation, 3));
+  if (!whole) return;
+  CHECK(whole->wrong == 0);
+  std::map<std::string, std::uint64_t> outcomes;
+  for (std::uint64_t index = 0; index < whole->cases; ++index) ++outcomes[operation.examine(operation.on_grid(3, index))->outcome()];
+  for (const auto& [outcome, count] : whole->outcomes) CHECK(outcomes[outcome] == count);
+  const std::uint64_t third = whole->cases / 3;
+  std::uint64_t hash = 0;
+  for (const auto& [first, last] : {std::pair{std::uint64_t{0}, third}, {third, 2 * third}, {2 * third, whole->cases}}) {
+    hash += operation.count_decisions(3, first, last)->hash;
+  }
+  CHECK(hash == whole->hash);
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
+#include "proptests/drawn.h"
+#include "proptests/each_operation.h"
+#include "proptests/environment.h"
+
+namespace touchstone::proptests {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// The path of the number at a place of the question, found by printing a question that has only that number: "a[0][1]".
+std::string path_of_mark(const audit::Json& value, const std::string& path, double mark) {
+  if (value.is_number()) return value.get<double>() == mark ? path : "";
+  std::string found;
+  if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size() && found.empty(); ++i) {
+      found = path_of_mark(value[i], path + "[" + std::to_string(i) + "]", mark);
+    }
+  } else {
+    for (const auto& [key, part] : value.items()) {
+      if (found.empty()) found = path_of_mark(part, path.empty() ? key : path + "." + key, mark);
+    }
+  }
+  return found;
+}
+
+std::string refusal_by_oracle(const Operation& operation, const Question& question) {
+  try {
+    operation.examine(question);
+    return "";
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+}
+
+}  // namespace
+
+EACH_OPERATION("a number that is not finite is refused by its field, wherever it stands, in every environment") {
+  for (std::size_t i = 0; i < operation.arity(); ++i) {
+    Question marked{std::vector<double>(operation.arity(), 0.0)};
+    marked.numbers[i] = 12345;
+    const std::string path = path_of_mark(operation.print(marked), "", 12345);
+    REQUIRE(!path.empty());
+    for (const double bad : {infinity, -infinity, not_a_number, -not_a_number}) {
+      // Ones and twos: no other rule is broken, except perhaps by equal points, which come after the numbers.
+      Question question{std::vector<double>(operation.arity())};
+      for (std::size_t j = 0; j < operation.arity(); ++j) question.numbers[j] = static_cast<double>(1 + j % 3);
+      question.numbers[i] = bad;
+      const std::string expected = path + ": finite number";
+      CHECK(refusal_by_oracle(operation, question) == expected);
+      for (std::size_t environment = 0; environment < environment_count; ++environment) {
+        INFO(environment_name(environment));
+        CHECK(robust_bits(operation, question, environment).refused == expected);
+      }
+    }
+  }
+}
+
+EACH_OPERATION("of several numbers that are not finite the first is named, and before it any rule broken earlier") {
+  property(operation.name() + ": refusals are equal", [&] {
+    Choices choices = Choices::seeded(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+    Question question = operation.draw(choices, choices.below(operation.families().size()));
+    for (double& number : question.numbers) {
+      switch (choices.below(8)) {
+        case 4: number = 0; break;
+        case 5: number = -number; break;
+        case 6: number = infinity; break;
+        case 7: number = not_a_number; break;
+        default: break;
+      }
+    }
+    const std::string mismatch = operation.refusal_mismatch(question);
+    if (!mismatch.empty()) RC_FAIL(mismatch + " " + audit::one_line(operation.print(question)));
+    for (std::size_t environment = 1; environment < environment_count; ++environment) {
+      RC_ASSERT(robust_bits(operation, question, environment) == robust_bits(operation, question, 0));
+    }
+  }, 2000);
+}
+
+}  // namespace touchstone::proptests

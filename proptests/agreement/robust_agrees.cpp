@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proptests/drawn.h"
+#include "proptests/each_operation.h"
+#include "proptests/environment.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using audit::Verdict;
+
+/// Which environment a question is asked in beside the first: any, but always the same one for the same question.
+std::size_t environment_of(const Question& question) {
+  std::uint64_t mixed = 0;
+  for (const double number : question.numbers) mixed = audit::seed_of(mixed, "", std::bit_cast<std::uint64_t>(number));
+  return 1 + mixed % (environment_count - 1);
+}
+
+std::string complaint(const Operation& operation, const Question& question) {
+  try {
+    const auto examination = operation.examine(question);
+    const audit::Judgement judged = examination->judge_robust();
+    if (judged.verdict != Verdict::agree) {
+      return std::string("robust: ") + name_of(judged.verdict) + " " + judged.remark + ", it answers " +
+             audit::one_line(examination->robust()) + ", the truth is " + audit::one_line(examination->truth());
+    }
+  } catch (const InvalidInput&) {
+    const std::string mismatch = operation.refusal_mismatch(question);
+    if (!mismatch.empty()) return mismatch;
+  }
+  const std::size_t environment = environment_of(question);
+  if (robust_bits(operation, question, environment) == robust_bits(operation, question, 0)) return "";
+  return "robust answers differently in another environment (" + environment_name(environment) + ")";
+}
+
+}  // namespace
+
+EACH_OPERATION("robust agrees with the oracle on every family, in every environment") {
+  never(operation, "robust agrees with the oracle", [&](const Question& question) { return complaint(operation, question); }, 32);
+}
+
+}  // namespace touchstone::proptests

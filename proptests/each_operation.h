@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "audit/catalogue/operation.h"
+
+namespace touchstone::proptests {
+
+/// Registers one test case for every operation of the catalogue, named "<operation>: <sentence>".
+class EachOperation {
+ public:
+  using Body = void (*)(const audit::Operation&);
+
+  EachOperation(const char* file, std::size_t line, const std::string& sentence, Body body) {
+    for (const audit::Operation* operation : audit::catalogue()) {
+      const std::string name = operation->name() + ": " + sentence;
+      Catch::AutoReg(new Case(*operation, body), Catch::SourceLineInfo(file, line), Catch::StringRef(),
+                     Catch::NameAndTags(name, "[agreement]"));
+    }
+  }
+
+ private:
+  class Case : public Catch::ITestInvoker {
+   public:
+    Case(const audit::Operation& operation, Body body) : operation_(operation), body_(body) {}
+    void invoke() const override { body_(operation_); }
+
+   private:
+    const audit::Operation& operation_;
+    Body body_;
+  };
+};
+
+}  // namespace touchstone::proptests
+
+/// EACH_OPERATION("answers as the oracle does") { ... operation ... }
+#define EACH_OPERATION(sentence) TOUCHSTONE_EACH_OPERATION(__COUNTER__, sentence)
+#define TOUCHSTONE_EACH_OPERATION(number, sentence) TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)
+#define TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)                                   \
+  static void body_##number(const ::touchstone::audit::Operation& operation);                  \
+  static const ::touchstone::proptests::EachOperation registered_##number(__FILE__, __LINE__, sentence, &body_##number); \
+  static void body_##number([[maybe_unused]] const ::touchstone::audit::Operation& operation)
