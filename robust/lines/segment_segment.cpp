@@ -113,17 +113,21 @@ SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d
 }
 
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided) {
-  decided = Stage::lattice;
-  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;  // all finite
   admit(a, b);
+  decided = Stage::filter;
+  if (filters::apart(a, b)) return SegmentRelation::disjoint;
+  decided = Stage::lattice;
+  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;
   decided = Stage::exact;
   return segment_segment_relation_exact(a, b);
 }
 
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
-  if (segment_segment_relation_filter(a, b) == SegmentRelation::disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
-  if (const auto answer = segment_segment_lattice(a, b)) return *answer;  // all finite
+  const filters::Sign sign = filters::segments(a, b);
+  if (sign == filters::Sign::positive) return {SegmentRelation::disjoint, {}, {}, {}, {}};
   admit(a, b);
+  if (sign == filters::Sign::unknown && filters::apart(a, b)) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  if (const auto answer = segment_segment_lattice(a, b)) return *answer;
   return segment_segment_exact(a, b);
 }
 

@@ -24,24 +24,30 @@ SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment
 std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b);
 SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d& b);
 
-/// The door, then the stages after the filter.
+/// What the arithmetic of the filter leaves open: the door, the filter's boxes, the other stages.
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided);
+
+inline SegmentRelation segment_segment_relation_for(filters::Sign certain) {
+  return certain == filters::Sign::positive ? SegmentRelation::disjoint : SegmentRelation::point;
+}
 
 inline std::optional<SegmentRelation> segment_segment_relation_filter(const Segment2d& a, const Segment2d& b) {
   const filters::Sign sign = filters::segments(a, b);
-  if (sign == filters::Sign::unknown) [[unlikely]]
-    return filters::apart(a, b) ? std::optional(SegmentRelation::disjoint) : std::nullopt;
-  return sign == filters::Sign::positive ? SegmentRelation::disjoint : SegmentRelation::point;
+  if (sign != filters::Sign::unknown) return segment_segment_relation_for(sign);
+  if (filters::apart(a, b)) return SegmentRelation::disjoint;
+  return std::nullopt;
 }
 
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided) {
   decided = Stage::filter;
-  if (const auto answer = segment_segment_relation_filter(a, b)) return *answer;
+  const filters::Sign sign = filters::segments(a, b);
+  if (sign != filters::Sign::unknown) return segment_segment_relation_for(sign);
   return segment_segment_relation_past_filter(a, b, decided);
 }
 
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
-  if (const auto answer = segment_segment_relation_filter(a, b)) return *answer;
+  const filters::Sign sign = filters::segments(a, b);
+  if (sign != filters::Sign::unknown) return segment_segment_relation_for(sign);
   Stage ignored;
   return segment_segment_relation_past_filter(a, b, ignored);
 }
