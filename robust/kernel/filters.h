@@ -75,7 +75,7 @@ Sign certain(const Float& value, const Float& error) {
 /// subtraction rounds a number of at most 2 (1 + u). T = 2 (u + 2 k + k^2) + 2 u (1 + u) = 8 u + ..., and C = 8 u (1 + 5 u): at
 /// u = 1/16, T / (8 u (1 - u)^3) = 1.295 < 1.3125.
 template <class Float, class Format = FloatFormat<Float>>
-Sign cross(const Vector2<Float>& v, const Vector2<Float>& w) {
+Sign cross_sign(const Vector2<Float>& v, const Vector2<Float>& w) {
   using B = Bounds<Float, Format>;
   const Float value = v.x * w.y - v.y * w.x;
   const Float ev = extent<Float, Format>(v), ew = extent<Float, Format>(w);
@@ -86,7 +86,7 @@ Sign cross(const Vector2<Float>& v, const Vector2<Float>& w) {
 /// Positive: p lies left of p0 -> p1; negative: right.
 template <class Float, class Format = FloatFormat<Float>>
 Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<Float>& p) {
-  return cross<Float, Format>(p1 - p0, p - p0);
+  return cross_sign<Float, Format>(p1 - p0, p - p0);
 }
 
 /// The sign of radius^2 - v.x^2 - v.y^2, v a computed difference of two points: positive inside the circle.
@@ -122,10 +122,10 @@ Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& 
   return certain<Float, Format>(value, Format::above(6 * B::u * (1 + 4 * B::u)) * scale + B::absolute());
 }
 
-/// The sign of the larger of two products, if both factors of that product have a certain sign. The factors are computed as in `cross`,
+/// The sign of the larger of two products, if both factors of that product have a certain sign. The factors are computed as in `cross_sign`,
 /// with extents at most e1 and e2.
 ///
-/// With M = e1 e2, a factor without a certain sign is at most T M + 40 n H, T as in `cross`; the other is at most 2 (1 + u)^2 M, and M <= H^2.
+/// With M = e1 e2, a factor without a certain sign is at most T M + 40 n H, T as in `cross_sign`; the other is at most 2 (1 + u)^2 M, and M <= H^2.
 /// So the product is at most 2 T (1 + u)^3 M^2 + 128 n H^3, and the absolute term is twice that. The computed bound loses a factor
 /// (1 - u)^5 at most. B = 16 u (1 + 16 u): at u = 1/16, 2 T (1 + u)^3 / (16 u (1 - u)^5) = 1.767 < 2.
 template <class Float, class Format = FloatFormat<Float>>

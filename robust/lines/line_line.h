@@ -29,7 +29,7 @@ LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, St
 
 /// Knows only of lines that certainly cross.
 inline std::optional<LineRelation> line_line_relation_filter(const Line2d& a, const Line2d& b) {
-  if (filters::cross(a.q - a.p, b.q - b.p) == filters::Sign::unknown) return std::nullopt;
+  if (filters::cross_sign(a.q - a.p, b.q - b.p) == filters::Sign::unknown) return std::nullopt;
   return LineRelation::crossing;
 }
 
