@@ -37,30 +37,35 @@ void list_paths(const Json& json, const std::string& path, std::vector<std::stri
   }
 }
 
-/// What one implementation did at one pixel.
+/// What one implementation did at one pixel. Answers that are numbers alone are shown by how far they are off.
 struct Shade {
   Verdict verdict = Verdict::unsupported;
   std::string said;
   bool refused = false;
+  std::size_t decade = words_only;  ///< of the distance in ulps: 0, then up to 1, 10, 100 ...
+  static constexpr std::size_t words_only = 99, last_decade = 7;
+
   bool operator<(const Shade& other) const {
-    return std::tie(verdict, said, refused) < std::tie(other.verdict, other.said, other.refused);
+    return std::tie(verdict, said, refused, decade) < std::tie(other.verdict, other.said, other.refused, other.decade);
   }
 };
 
-/// Operations whose answer is numbers alone are shown by how far those are off.
-std::string distance_word(double ulps) {
-  if (ulps == 0) return "correctly rounded";
-  if (!(ulps < 1e6)) return "more than 1,000,000 ulps off";
+Shade shade_of_distance(const Judgement& judgement) {
   std::uint64_t limit = 1;
-  while (static_cast<double>(limit) < ulps) limit *= 10;
-  return "up to " + counted(limit, "ulp") + " off";
+  std::size_t decade = judgement.ulps > 0 ? 1 : 0;
+  while (decade > 0 && decade < Shade::last_decade + 1 && static_cast<double>(limit) < judgement.ulps)
+    limit *= 10, ++decade;
+  if (!(judgement.ulps <= 1e6))
+    return {judgement.verdict, "more than 1,000,000 ulps off", false, Shade::last_decade + 1};
+  return {judgement.verdict, decade == 0 ? "correctly rounded" : "up to " + counted(limit, "ulp") + " off", false,
+          decade};
 }
 
 template <class Answer>
 Shade shade_of(const Judgement& judgement, const std::string& outcome, const Answer& answer) {
-  if (outcome == "value") return {judgement.verdict, distance_word(judgement.ulps)};
-  return {judgement.verdict,
-          judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact ? outcome : word_in(answer())};
+  if (outcome == "value") return shade_of_distance(judgement);
+  const bool decided = judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact;
+  return {judgement.verdict, decided ? outcome : word_in(answer())};
 }
 
 struct Plate {
@@ -92,13 +97,23 @@ void ask_engine(const Operation& operation, const MapGrid& grid,
   }
 }
 
-/// Words by how common they are among the truths, so that all maps of an operation give a word the same tint.
+/// Words by how common they are among the truths, so that all maps of an operation give a word the same tint; a word so
+/// rare that it may be a line one pixel wide gets the dark one.
 std::map<std::string, std::size_t> ranks_of(const std::map<std::string, std::uint64_t>& outcomes) {
   std::vector<std::pair<std::string, std::uint64_t>> sorted(outcomes.begin(), outcomes.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  constexpr std::uint64_t rare = MapGrid::side * MapGrid::side / 25;
+  constexpr std::size_t light[] = {0, 1, 3}, dark = 2;
   std::map<std::string, std::size_t> ranks;
-  for (const auto& [word, n] : sorted) ranks.emplace(word, ranks.size());
+  std::size_t common = 0;
+  for (const auto& [word, n] : sorted) ranks[word] = n < rare ? dark : light[common++ % std::size(light)];
   return ranks;
+}
+
+Colour colour_in_map(const Shade& shade, std::map<std::string, std::size_t>& ranks) {
+  if (shade.refused) return {255, 255, 255};
+  if (shade.decade != Shade::words_only) return distance_colour(shade.verdict, shade.decade);
+  return map_colour(shade.verdict, ranks.emplace(shade.said, ranks.size()).first->second);
 }
 
 FailureMap developed(const Plate& plate, std::map<std::string, std::size_t> ranks) {
@@ -109,8 +124,7 @@ FailureMap developed(const Plate& plate, std::map<std::string, std::size_t> rank
   for (const Shade& shade : plate.shades) ++counts[shade];
   std::map<Shade, std::uint8_t> index;
   for (const auto& [shade, n] : counts) {
-    const std::size_t rank = ranks.emplace(shade.said, ranks.size()).first->second;
-    const Colour colour = shade.refused ? Colour{255, 255, 255} : map_colour(shade.verdict, rank);
+    const Colour colour = colour_in_map(shade, ranks);
     index[shade] = static_cast<std::uint8_t>(map.image.palette.size());
     map.image.palette.push_back(colour);
     if (shade.refused) {

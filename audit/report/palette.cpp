@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace touchstone::audit {
 namespace {
 
@@ -31,16 +33,25 @@ Colour colour_of(Verdict verdict) { return verdict_colours[static_cast<std::size
 
 Colour map_colour(Verdict verdict, std::size_t rank) {
   if (verdict == Verdict::agree) return tints[rank % tints.size()];
+  // A number a little off is no wrong decision, and covers whole maps: it is to be seen, not to shout.
+  if (verdict == Verdict::inexact) return mixed(colour_of(verdict), 255, rank % 4 == 0 ? 70 : rank % 4 == 1 ? 55 : 40);
   switch (rank % 4) {
+    case 0:
+      return mixed(colour_of(verdict), 255, 35);
     case 1:
-      return mixed(colour_of(verdict), 255, 40);
-    case 2:
-      return mixed(colour_of(verdict), 0, 35);
+      return mixed(colour_of(verdict), 0, 30);
     case 3:
       return mixed(colour_of(verdict), 255, 65);
     default:
       return colour_of(verdict);
   }
+}
+
+Colour distance_colour(Verdict verdict, std::size_t decade) {
+  const int percent = static_cast<int>(decade) * 10;
+  if (verdict == Verdict::agree) return mixed(tints[0], 90, std::min(2 * percent, 80));
+  return decade < 4 ? mixed(colour_of(verdict), 255, 70 - 2 * percent)
+                    : mixed(colour_of(verdict), 0, 11 * (static_cast<int>(decade) - 3));
 }
 
 std::string hex_of(const Colour& colour) {

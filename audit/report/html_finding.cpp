@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/report/html_finding.h"
+
+#include <fmt/format.h>
+
+#include "audit/codec/json.h"
+#include "audit/report/html_parts.h"
+#include "audit/report/svg.h"
+#include "geometry/invalid_input.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr std::size_t longest_note = 90;
+
+std::string figure(const Operation& operation, const Question& question) {
+  const Scene scene = operation.scene(question);
+  std::string notes;
+  for (const std::string& note : scene.notes) {
+    notes +=
+        (notes.empty() ? "" : "; ") + (note.size() > longest_note ? note.substr(0, longest_note) + " \u2026" : note);
+  }
+  const std::string svg = scene_svg(scene, operation.name() + ": the input " + one_line(operation.print(question)));
+  return "<figure>" + svg + (notes.empty() ? "" : "<figcaption>" + escaped(notes) + "</figcaption>") + "</figure>";
+}
+
+std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement,
+                     const char* style = "") {
+  std::string text = "<tr class=\"" + std::string(style) + "\"><th scope=\"row\">" + escaped(who) + "</th><td>" +
+                     code(answer) + "</td><td>";
+  if (judgement) {
+    text += badge(judgement->verdict);
+    if (judgement->ulps > 0) text += " <span class=\"small quiet\">" + ulps_in_words(judgement->ulps) + " off</span>";
+  }
+  return text + "</td></tr>";
+}
+
+std::string what_was_said(const Examination& question, const Finding& finding, const Declaration& declaration,
+                          Speaker speaker) {
+  std::string text = "<table class=\"said\"><tbody>";
+  text += said_row("truth, exact", one_line(readable(question.truth())), nullptr, "truth");
+  if (speaker == Speaker::foreign) {
+    text += said_row(declaration.engine, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)),
+                     &finding.judgement);
+  }
+  const Judgement in_double = question.judge_reference(false), in_float = question.judge_reference(true),
+                  exact = question.judge_robust();
+  text += said_row("the slide's formula in double", one_line(question.reference(false)), &in_double);
+  text += said_row("the slide's formula in float", one_line(question.reference(true)), &in_float);
+  text += said_row("robust", one_line(question.robust()), &exact);
+  return text + "</tbody></table>";
+}
+
+std::string certificate(const Examination& question) {
+  const oracle::Certificate proof = question.certificate();
+  Json facts = Json::object();
+  for (const auto& [name, numbers] : proof.facts) {
+    Json& list = facts[name] = Json::array();
+    for (const mpq_class& number : numbers) list.push_back(written(number));
+  }
+  const Json json = {{"kind", proof.kind}, {"facts", facts}};
+  return "<details><summary>Certificate of the truth</summary><pre>" + escaped(json.dump(1)) +
+         "</pre><p class=\"small quiet\">Checked by <code>touchstone certify</code>, which knows no geometry: it "
+         "multiplies, adds and "
+         "compares.</p></details>";
+}
+
+}  // namespace
+
+std::string finding_card(const Operation& operation, const Smallest& smallest, std::uint64_t count,
+                         const Declaration& declaration, Speaker speaker) {
+  const Finding& finding = *smallest.finding;
+  const std::string verdict = name_of(finding.judgement.verdict);
+  std::string text = fmt::format("<section class=\"card\" id=\"{0}{1}\"><h3>{2} {3}</h3><p>{4}</p>",
+                                 speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict),
+                                 escaped(counted(count, "case")), escaped(why(finding, &operation, speaker)));
+  text += figure(operation, finding.question);
+  std::string margin, proof;
+  try {
+    const auto question = operation.examine(finding.question);
+    text += what_was_said(*question, finding, declaration, speaker);
+    margin = readable(question->margin());
+    proof = certificate(*question);
+  } catch (const InvalidInput& refused) {
+    text += "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
+  }
+  const auto fact = [&](const char* key, const std::string& html) {
+    text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
+  };
+  text += "<dl class=\"facts\">";
+  if (!margin.empty()) fact("margin", code(margin));
+  fact("input", code(one_line(operation.print(finding.question))));
+  fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
+  fact("found in", escaped(fmt::format("family {}, case {}", smallest.family, finding.index)));
+  text += "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again:</p><pre class=\"repeat\">" +
+          escaped(repeat_command(operation, finding.question)) + "</pre>";
+  return text + proof + "</section>";
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "audit/report/html.h"
+#include "audit/report/html_parts.h"
+#include "audit/report/palette.h"
+
+namespace touchstone::audit {
+namespace {
+
+std::string conditions(const Tally& tally) {
+  const Declaration& declared = tally.declaration;
+  std::string text = counted(tally.operations.size(), "operation");
+  text += tally.grid.size > 0
+              ? fmt::format(", every configuration on the {0} \u00d7 {0} grid ({1} of {2})", tally.grid.size,
+                            tally.grid.done.size(), counted(tally.grid.shards, "shard"))
+              : ", " + counted(tally.cases, "case") + " each, seed " + std::to_string(tally.seed);
+  text += ". Boundary convention: " + boundary_word(declared.boundary) + ".";
+  if (declared.tolerance > 0) text += fmt::format(" Declared tolerance: {}.", declared.tolerance);
+  if (tally.interrupted) text += " The run was interrupted; this is what had been counted.";
+  return text;
+}
+
+std::string tile(const std::string& style, std::uint64_t n, const std::string& words) {
+  return "<div class=\"tile " + style + "\"><b>" + grouped(n) + "</b><span>" + escaped(words) + "</span></div>";
+}
+
+std::string tiles(const Tally& tally, const Cell& sum) {
+  std::string text = "<div class=\"tiles\">" + tile("", sum.cases(), "answers judged");
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    const auto verdict = static_cast<Verdict>(v);
+    const bool always = verdict == Verdict::agree || verdict == Verdict::rounding || verdict == Verdict::algorithm;
+    if (always || sum.counts[v] > 0) text += tile(verdict_names[v], sum.counts[v], verdict_names[v]);
+  }
+  if (!tally.robust.empty()) {
+    const Cell robust = sum_of(tally.robust);
+    text += tile("", robust.cases() - robust.count(Verdict::agree), "not right by robust, asked the same");
+  }
+  return text + "</div>";
+}
+
+std::string operations_table(const Tally& tally) {
+  std::string text =
+      "<div class=\"card scroll\"><table><thead><tr><th scope=\"col\">operation</th><th scope=\"col\" "
+      "class=\"text\">all answers</th>"
+      "<th scope=\"col\">findings</th><th scope=\"col\">share</th><th scope=\"col\" class=\"text\">their "
+      "causes</th></tr></thead><tbody>";
+  for (const OperationTally& operation : tally.operations) {
+    const Cell total = operation.total();
+    const Operation* known = find_operation(operation.operation);
+    text += fmt::format(
+        "<tr><th scope=\"row\"><a href=\"{0}.html\">{0}</a><div class=\"small quiet\" "
+        "style=\"font-weight:400;white-space:normal\">{1}</div></th>"
+        "<td class=\"wide\">{2}</td><td>{3}</td><td>{4}</td><td style=\"min-width:130px\">{5}</td></tr>",
+        escaped(operation.operation), escaped(known ? known->card().question : ""), verdict_bar(total, false),
+        grouped(total.findings()), share(total.findings(), total.cases()), cause_bar(total));
+  }
+  return text + "</tbody></table></div>";
+}
+
+std::string legend() {
+  std::string text = "<div class=\"card\"><dl class=\"legend\">";
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    text += fmt::format(
+        "<dt><span class=\"swatch {0} hatch\" style=\"background-color:var(--c)\"></span>{0}</dt><dd>{1}</dd>",
+        verdict_names[v], escaped(meaning(static_cast<Verdict>(v))));
+  }
+  return text + "</dl></div>";
+}
+
+std::string gallery(const OperationMaps& maps) {
+  std::string text =
+      "<p class=\"quiet\">Every pixel is one question, a few units in the last place away from a degenerate one. Left: "
+      "the "
+      "implementation under audit; right: robust. Pale areas are right answers, one tint for each; strong colours are "
+      "the verdicts.</p>"
+      "<div class=\"gallery\">";
+  for (const auto& [operation, shown] : maps) {
+    std::vector<FailureMap> pair{shown.size() > 2 ? shown[2] : shown[0], shown[1]};
+    text += fmt::format("<a href=\"{0}.html#map\"><img alt=\"{1}\" src=\"{2}\"><strong>{0}</strong></a>",
+                        escaped(operation), escaped(in_words(pair)), data_uri(png(side_by_side(pair, 12))));
+  }
+  return text + "</div>";
+}
+
+std::string whole_table(const Tally& tally) {
+  std::string text = "<div class=\"card scroll\"><table><thead><tr><th scope=\"col\">operation, family</th>" +
+                     verdict_columns() + "</tr></thead>";
+  for (const OperationTally& operation : tally.operations) {
+    text += "<tbody><tr class=\"total\"><th scope=\"row\"><a href=\"" + escaped(operation.operation) + ".html\">" +
+            escaped(operation.operation) + "</a></th>" + verdict_numbers(operation.total()) + "</tr>";
+    for (const auto& [family, cell] : operation.families) {
+      text += "<tr><td>" + escaped(family) + "</td>" + verdict_numbers(cell) + "</tr>";
+    }
+    text += "</tbody>";
+  }
+  text += "<tbody><tr class=\"total\"><th scope=\"row\">all</th>" + verdict_numbers(sum_of(tally.operations)) + "</tr>";
+  if (!tally.robust.empty()) {
+    text += "<tr><th scope=\"row\">robust, the same questions</th>" + verdict_numbers(sum_of(tally.robust)) + "</tr>";
+  }
+  return text + "</tbody></table></div>";
+}
+
+std::string conventions(const Tally& tally) {
+  std::string items;
+  for (const OperationTally& operation : tally.operations) {
+    if (!operation.inconsistent_convention()) continue;
+    const Cell total = operation.total();
+    items += fmt::format("<li><a href=\"{0}.html\">{0}</a>: as closed sets in {1}, as open sets in {2}</li>",
+                         escaped(operation.operation), counted(total.touches_closed, "case"),
+                         counted(total.touches_open, "case"));
+  }
+  if (items.empty()) return "";
+  return "<h2>Inconsistent convention</h2><div class=\"card\"><p>Where shapes only touch, these operations answer now "
+         "as closed "
+         "sets do, now as open sets do:</p><ul>" +
+         items + "</ul></div>";
+}
+
+std::string command(const Tally& tally) {
+  if (tally.grid.size > 0) return "";
+  std::string names;
+  for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
+  if (tally.operations.size() == catalogue().size()) names = "all";
+  const std::string engine = speaker_of(tally.declaration) == Speaker::foreign ? " --engine CMD" : "";
+  return "<h2>Repeat</h2><pre class=\"repeat\">" +
+         escaped(fmt::format("touchstone audit{} --ops {} --cases {} --seed {} --report DIR", engine, names,
+                             tally.cases, tally.seed)) +
+         "</pre>";
+}
+
+}  // namespace
+
+std::string index_page(const Tally& tally, const OperationMaps& maps) {
+  const Cell sum = sum_of(tally.operations);
+  const std::string name = subject(tally.declaration);
+  std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(name) +
+                     "</h1><p class=\"lead\">" + escaped(closing_sentence(tally)) + "</p><p class=\"quiet\">" +
+                     escaped(conditions(tally)) + "</p></header><main>";
+  body += tiles(tally, sum) + "<h2>By operation</h2>" + operations_table(tally);
+  body += "<h2>What the verdicts mean</h2>" + legend();
+  if (!maps.empty()) body += "<h2>Where it goes wrong</h2>" + gallery(maps);
+  body += conventions(tally) + "<h2>By family of inputs</h2>" + whole_table(tally) + command(tally);
+  return page(
+      "touchstone: " + name,
+      body +
+          "</main><footer>The truth is computed in exact rationals and comes with a certificate for "
+          "every answer. Numbers are binary64 inputs, taken as exactly the real numbers that they are.</footer>");
+}
+
+}  // namespace touchstone::audit

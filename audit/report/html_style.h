@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace touchstone::audit {
+
+/// The style sheet of every page, light and dark, screen and print. Nothing is fetched.
+const std::string& page_style();
+
+}  // namespace touchstone::audit
