@@ -8,8 +8,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// A finite double as (negative ? -1 : 1) * magnitude * 2^exponent, read from its bits: no floating-point operation, so that
-/// rounding mode and denormals-are-zero cannot touch it.
+/// A finite double as (negative ? -1 : 1) * magnitude * 2^exponent, read from its bits: no floating-point operation, so
+/// that rounding mode and denormals-are-zero cannot touch it.
 struct Decoded {
   std::uint64_t magnitude;
   int exponent;
@@ -22,11 +22,6 @@ inline Decoded decode(double value) {
   const std::uint64_t fraction = bits & 0xfffffffffffffu;
   const std::uint64_t hidden = static_cast<std::uint64_t>(field != 0) << 52;
   return {fraction | hidden, field + (field == 0) - 1075, bits >> 63 != 0};
-}
-
-/// The same number, but +0.0 for -0.0: what the contract calls an exact result of zero.
-inline double without_negative_zero(double value) {
-  return std::bit_cast<std::uint64_t>(value) << 1 == 0 ? std::bit_cast<double>(std::uint64_t{0}) : value;
 }
 
 }  // namespace touchstone::robust::kernel

@@ -13,8 +13,9 @@ constexpr double power_of_two(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-/// What a filter has to know of a binary floating-point format. A toy format specialises this for its own Float, which needs the
-/// operators - + * < > >= <= and no conversion; at least 5 bits of precision, and an exponent range as filters.h asserts.
+/// What a filter has to know of a binary floating-point format. A toy format specialises this for its own Float, which
+/// needs the operators - + * < > >= <= and no conversion; at least 5 bits of precision, and an exponent range as
+/// filters.h asserts.
 ///
 ///   precision     significant bits, the hidden one included
 ///   min_exponent  2^min_exponent is the smallest normal number

@@ -5,7 +5,8 @@
 
 namespace touchstone::robust::kernel {
 
-/// A signed 192-bit integer (two's complement, least limb first): the third-degree numbers of the lattice, all below 2^190.
+/// A signed 192-bit integer (two's complement, least limb first): the third-degree numbers of the lattice, all below
+/// 2^190.
 struct Int192 {
   std::array<std::uint64_t, 3> limb;
 };
@@ -26,13 +27,9 @@ inline Int192 operator+(const Int192& a, const Int192& b) {
   return sum;
 }
 
-inline Int192 operator-(const Int192& a) {
-  return Int192{{~a.limb[0], ~a.limb[1], ~a.limb[2]}} + Int192{{1, 0, 0}};
-}
+inline Int192 operator-(const Int192& a) { return Int192{{~a.limb[0], ~a.limb[1], ~a.limb[2]}} + Int192{{1, 0, 0}}; }
 
-inline int sign_of(const Int192& a) {
-  return a.limb[2] >> 63 ? -1 : (a.limb[0] | a.limb[1] | a.limb[2]) != 0;
-}
+inline int sign_of(const Int192& a) { return a.limb[2] >> 63 ? -1 : (a.limb[0] | a.limb[1] | a.limb[2]) != 0; }
 
 /// |a| < 2^126, |b| < 2^63.
 inline Int192 multiply(Int128 a, std::int64_t b) {

@@ -15,7 +15,8 @@ __extension__ using Int128 = __int128;
 __extension__ using UInt128 = unsigned __int128;
 
 /// Several doubles as integers on one power of two: number i is at[i] * 2^exponent exactly, |at[i]| < 2^61.
-/// So a difference is below 2^62, a product of differences below 2^124, and four such products fit a signed 128-bit integer.
+/// So a difference is below 2^62, a product of differences below 2^124, and four such products fit a signed 128-bit
+/// integer.
 template <std::size_t N>
 struct Lattice {
   std::array<std::int64_t, N> at;
@@ -24,7 +25,8 @@ struct Lattice {
 
 inline constexpr int lattice_spare = 61 - 53;
 
-/// One double in units of 2^(top - 1075 - spare), top the largest exponent field of all; `lost` collects the bits below the unit.
+/// One double in units of 2^(top - 1075 - spare), top the largest exponent field of all; `lost` collects the bits below
+/// the unit.
 inline std::int64_t placed_on_lattice(std::uint64_t bits, int top, std::uint64_t& lost) {
   const int field = static_cast<int>(bits >> 52 & 0x7ff);
   const std::uint64_t hidden = static_cast<std::uint64_t>(field != 0) << 52;
@@ -36,8 +38,8 @@ inline std::int64_t placed_on_lattice(std::uint64_t bits, int top, std::uint64_t
   return (static_cast<std::int64_t>(placed) ^ sign) - sign;
 }
 
-/// Empty if a number is NaN or infinite, or has a set bit more than 61 places below the leading place of the largest exponent.
-/// (Folds over the arguments, because g++ at -O2 leaves loops over so few numbers as loops.)
+/// Empty if a number is NaN or infinite, or has a set bit more than 61 places below the leading place of the largest
+/// exponent. (Folds over the arguments, because g++ at -O2 leaves loops over so few numbers as loops.)
 template <class... Doubles>
 inline std::optional<Lattice<sizeof...(Doubles)>> lattice_of(Doubles... numbers) {
   int top = 1;  // a subnormal has the exponent of the first normal binade

@@ -6,8 +6,9 @@
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
 
-/// Plane geometry on integers, written once for both exact stages: Integer is std::int64_t (a lattice, every product fits
-/// 128 bits) or mpz_class. Positions and vectors are multiples of one power of two, which only rounding needs to know.
+/// Plane geometry on integers, written once for both exact stages: Integer is std::int64_t (a lattice, every product
+/// fits 128 bits) or mpz_class. Positions and vectors are multiples of one power of two, which only rounding needs to
+/// know.
 namespace touchstone::robust::kernel {
 
 template <class Integer>
@@ -64,10 +65,6 @@ Point2d point_along(const Point2<Integer>& a, const Vector2<Integer>& v, const S
                     const Second<Integer>& d, int exponent) {
   const Third<Integer> x = multiply(d, a.x) + multiply(n, v.x), y = multiply(d, a.y) + multiply(n, v.y);
   return {round_quotient(x, d, exponent), round_quotient(y, d, exponent)};
-}
-
-inline Point2d without_negative_zero(const Point2d& p) {
-  return {without_negative_zero(p.x), without_negative_zero(p.y)};
 }
 
 }  // namespace touchstone::robust::kernel

@@ -60,8 +60,8 @@ double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d
   const bool tail = q.remainder || lost;
   const long scale = exponent - n_shift + d_shift;
   if (zeros == 0) return round_leading(negative, q.digits, tail, scale);
-  // At most one leading zero: the digit shifted in is 0 with the tail in (0, 1), which may be anywhere; 63 digits and a tail
-  // are still more than the 54 that rounding looks at.
+  // At most one leading zero: the digit shifted in is 0 with the tail in (0, 1), which may be anywhere; 63 digits and a
+  // tail are still more than the 54 that rounding looks at.
   return round_leading(negative, q.digits << 1, tail, scale - 1);
 }
 
@@ -126,8 +126,8 @@ double round_quotient(Int128 n, Int128 d, long exponent) {
   if (n == 0) return assemble(false, 0);
   const UInt128 size = magnitude_of(n);
   return round_magnitudes((n < 0) != (d < 0),
-                          {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64), 0}, magnitude_of(d),
-                          exponent);
+                          {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64), 0},
+                          magnitude_of(d), exponent);
 }
 
 double round_quotient(const Int192& n, Int128 d, long exponent) {
@@ -139,8 +139,8 @@ double round_quotient(const Int192& n, Int128 d, long exponent) {
 double round_quotient(const mpz_class& n, const mpz_class& d, long exponent) {
   if (sgn(n) == 0) return assemble(false, 0);
   mpz_class above = abs(n), below = abs(d), remainder;
-  const auto shift = 65 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) +
-                     static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
+  const auto shift =
+      65 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) + static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
   if (shift >= 0)
     above <<= static_cast<unsigned long>(shift);
   else
@@ -155,8 +155,8 @@ double round_square_root(const mpz_class& n, const mpz_class& d, long exponent) 
   if (sgn(n) == 0) return assemble(false, 0);
   mpz_class above = abs(n), below = abs(d), division_rest, root_rest;
   // The root of a number of at least 131 digits has at least 66.
-  long shift = 131 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) +
-               static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
+  long shift =
+      131 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) + static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
   shift += (exponent - shift) & 1;
   if (shift >= 0)
     above <<= static_cast<unsigned long>(shift);

@@ -7,11 +7,12 @@
 
 /// Rounding to the nearest double, ties to even, by integers alone: the same in every floating-point environment.
 ///
-/// Subnormals are rounded once, to the digits that they have. From 2^1024 - 2^970 on the result is infinite. Zero is +0.0; a number
-/// that is not zero keeps its sign even where it rounds to zero.
+/// Subnormals are rounded once, to the digits that they have. From 2^1024 - 2^970 on the result is infinite. Zero is
+/// +0.0; a number that is not zero keeps its sign even where it rounds to zero.
 namespace touchstone::robust::kernel {
 
-/// (negative ? -1 : 1) * (leading + tail) * 2^exponent, where leading >= 2^63 and the tail is 0, or somewhere inside (0, 1).
+/// (negative ? -1 : 1) * (leading + tail) * 2^exponent, where leading >= 2^63 and the tail is 0, or somewhere inside
+/// (0, 1).
 double round_leading(bool negative, std::uint64_t leading, bool tail, long exponent);
 
 /// n * 2^exponent

@@ -10,8 +10,8 @@ namespace {
 
 using Bits = unsigned long;
 
-/// atan(1 / q) * 2^bits by its alternating series. Every power and every term is cut off once, so the sum is off by less than two
-/// units a term, and by the first term left out, which is 0.
+/// atan(1 / q) * 2^bits by its alternating series. Every power and every term is cut off once, so the sum is off by
+/// less than two units a term, and by the first term left out, which is 0.
 mpz_class inverse_tangent(unsigned long q, Bits bits) {
   mpz_class power = (mpz_class(1) << bits) / q, sum = 0, term;
   for (unsigned long k = 0; sgn(power) != 0; ++k) {
@@ -28,7 +28,8 @@ mpz_class inverse_tangent(unsigned long q, Bits bits) {
 /// pi * 2^bits by Machin's formula, pi / 4 = 4 atan(1/5) - atan(1/239), off by less than 2.
 mpz_class machin(Bits bits) {
   // With b = bits + guard the series have at most b / 4.6 + 1 and b / 15.8 + 1 terms, so they are off by less than
-  // 16 * 2 * (b / 4.6 + 1) + 4 * 2 * (b / 15.8 + 1) < 8 b + 40 units, far below 2^guard; the last cut costs less than 1 more.
+  // 16 * 2 * (b / 4.6 + 1) + 4 * 2 * (b / 15.8 + 1) < 8 b + 40 units, far below 2^guard; the last cut costs less than 1
+  // more.
   const Bits guard = 48;
   mpz_class sum = 16 * inverse_tangent(5, bits + guard) - 4 * inverse_tangent(239, bits + guard);
   return sum >> guard;
@@ -77,12 +78,13 @@ SineCosine sine_cosine(double u, Bits bits) {
   mpz_fdiv_q(turns.get_mpz_t(), mpz_class(angle + quarter).get_mpz_t(), half_pi.get_mpz_t());
   angle -= turns * half_pi;
   angle >>= whole;
-  // Here -0.8 < angle < 0.8 and its error is below 4 units of 2^-bits: 2 (half_pi off by less than 2, times the turns) + 1 + 1.
+  // Here -0.8 < angle < 0.8 and its error is below 4 units of 2^-bits: 2 (half_pi off by less than 2, times the turns)
+  // + 1 + 1.
 
-  // Term k + 1 of either series is term k times square / ((n + 1)(n + 2)). With |square| < 0.64 * 2^bits, off by less than
-  // 0.8 * 2 * 4 + 1 < 8 units, and |term| < 2^bits, a term off by e gives a next term off by less than (0.64 e + 8 + 1) / 2 + 1, which
-  // stays below 16 from e <= 16 on. So n terms are off by less than 16 n units. What is left out after a zero term (below one unit)
-  // shrinks by a third each: 16 units cover it.
+  // Term k + 1 of either series is term k times square / ((n + 1)(n + 2)). With |square| < 0.64 * 2^bits, off by less
+  // than 0.8 * 2 * 4 + 1 < 8 units, and |term| < 2^bits, a term off by e gives a next term off by less than (0.64 e + 8
+  // + 1) / 2 + 1, which stays below 16 from e <= 16 on. So n terms are off by less than 16 n units. What is left out
+  // after a zero term (below one unit) shrinks by a third each: 16 units cover it.
   const mpz_class square = product(angle, angle, bits);
   mpz_class cosine = mpz_class(1) << bits, sine = angle, term = cosine;
   unsigned long terms = 2;

@@ -9,7 +9,8 @@ namespace {
 
 // Without branches: near a line nobody can predict the side.
 Side side(int turn) {
-  static_assert(static_cast<int>(Side::left) == 0 && static_cast<int>(Side::on) == 1 && static_cast<int>(Side::right) == 2);
+  static_assert(static_cast<int>(Side::left) == 0 && static_cast<int>(Side::on) == 1 &&
+                static_cast<int>(Side::right) == 2);
   return static_cast<Side>(1 - turn);
 }
 

@@ -16,10 +16,12 @@ Scaled<mpz_class> integer(double value) { return kernel::exact_sum<1>({kernel::t
 /// a + b
 Scaled<mpz_class> sum(const Scaled<mpz_class>& a, const Scaled<mpz_class>& b) {
   const int low = std::min(a.exponent, b.exponent);
-  return {(a.n << static_cast<unsigned long>(a.exponent - low)) + (b.n << static_cast<unsigned long>(b.exponent - low)), low};
+  return {(a.n << static_cast<unsigned long>(a.exponent - low)) + (b.n << static_cast<unsigned long>(b.exponent - low)),
+          low};
 }
 
-/// center + radius * factor rounded, for a factor within error of n, both in units of 2^-bits; empty if that could be two doubles.
+/// center + radius * factor rounded, for a factor within error of n, both in units of 2^-bits; empty if that could be
+/// two doubles.
 std::optional<double> coordinate(const Scaled<mpz_class>& center, const Scaled<mpz_class>& radius, const mpz_class& n,
                                  const mpz_class& error, unsigned long bits) {
   const int exponent = radius.exponent - static_cast<int>(bits);
@@ -47,8 +49,9 @@ Point2d parametric_circle(const Circle2d& circle, double u) {
   const Point2d& c = circle.center;
   if (door::zero(circle.radius)) return {sum_rounded(c.x, 0), sum_rounded(c.y, 0)};
   if (door::zero(u)) return {sum_rounded(c.x, circle.radius), sum_rounded(c.y, 0)};
-  // The sine and cosine of a rational number other than 0 are transcendental (Lindemann), so both coordinates are: never zero, never
-  // a double, never half-way between two. Some precision therefore tells on which side of every such number they lie.
+  // The sine and cosine of a rational number other than 0 are transcendental (Lindemann), so both coordinates are:
+  // never zero, never a double, never half-way between two. Some precision therefore tells on which side of every such
+  // number they lie.
   const Scaled<mpz_class> x = integer(c.x), y = integer(c.y), radius = integer(circle.radius);
   std::optional<double> across, up;
   // A small angle has a small sine: its leading zeros are no precision.

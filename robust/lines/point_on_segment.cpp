@@ -33,7 +33,9 @@ Segment2<Integer> segment_in(const Numbers& n) {
   return {{n[2], n[3]}, {n[4], n[5]}};
 }
 
-auto on_lattice(const Point2d& p, const Segment2d& s) { return kernel::lattice_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y); }
+auto on_lattice(const Point2d& p, const Segment2d& s) {
+  return kernel::lattice_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y);
+}
 auto as_integers(const Point2d& p, const Segment2d& s) {
   return kernel::integers_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y).at;
 }

@@ -9,8 +9,8 @@
 
 namespace touchstone::robust {
 
-/// Contract: reference/lines/point_on_segment.h. Right, and t correctly rounded, for all finite doubles in every floating-point
-/// environment.
+/// Contract: reference/lines/point_on_segment.h. Right, and t correctly rounded, for all finite doubles in every
+/// floating-point environment.
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment);
 
 /// The decision alone; and which stage decided.

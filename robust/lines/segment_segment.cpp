@@ -21,7 +21,8 @@ Segment2<Integer> in_order(const Segment2<Integer>& s) {
   return before(s.b, s.a) ? Segment2<Integer>{s.b, s.a} : s;
 }
 
-/// What two segments on one line have in common, empty if its ends come out in the wrong order. A segment of length zero is its point.
+/// What two segments on one line have in common, empty if its ends come out in the wrong order. A segment of length
+/// zero is its point.
 template <class Integer>
 Segment2<Integer> common_part(const Segment2<Integer>& a, const Segment2<Integer>& b) {
   const Segment2<Integer> first = in_order(a), second = in_order(b);
@@ -34,7 +35,8 @@ Meeting meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
   if (ba * bb > 0) return {SegmentRelation::disjoint, false};
   const int aa = kernel::turn(b.a, b.b, a.a), ab = kernel::turn(b.a, b.b, a.b);
   if (aa * ab > 0) return {SegmentRelation::disjoint, false};
-  // A point sees both its own turns as zero and turns equally twice for the other, so it has left above unless it is on the line.
+  // A point sees both its own turns as zero and turns equally twice for the other, so it has left above unless it is on
+  // the line.
   if (ba != 0 || bb != 0 || aa != 0 || ab != 0) return {SegmentRelation::point, false};
   const Segment2<Integer> common = common_part(a, b);
   if (before(common.b, common.a)) return {SegmentRelation::disjoint, true};
@@ -61,8 +63,9 @@ SegmentSegment<double> answer_of(const Segment2<Integer>& a, const Segment2<Inte
     answer.tb = kernel::parameter_on(common.a, b);
     answer.point = Point2d{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)};
   } else {
-    answer.overlap = Segment2d{{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)},
-                               {kernel::round_scaled(common.b.x, exponent), kernel::round_scaled(common.b.y, exponent)}};
+    answer.overlap =
+        Segment2d{{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)},
+                  {kernel::round_scaled(common.b.x, exponent), kernel::round_scaled(common.b.y, exponent)}};
   }
   return answer;
 }

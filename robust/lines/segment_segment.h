@@ -9,8 +9,8 @@
 
 namespace touchstone::robust {
 
-/// Contract: reference/lines/segment_segment.h. Right, and every number correctly rounded, for all finite doubles in every
-/// floating-point environment.
+/// Contract: reference/lines/segment_segment.h. Right, and every number correctly rounded, for all finite doubles in
+/// every floating-point environment.
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
 
 /// The decision alone; and which stage decided.
