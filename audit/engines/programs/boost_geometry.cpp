@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/point_xy.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+#include <boost/version.hpp>
+#include <deque>
+#include <stdexcept>
+
+#include "audit/engines/adapter.h"
+
+namespace bg = boost::geometry;
+using namespace touchstone;
+
+#define AS_TEXT(number) #number
+#define VERSION_TEXT(number) AS_TEXT(number)
+
+/// Boost.Geometry's segments are closed: `intersects` and `covered_by` count ends and touches. No tolerance is documented. A segment whose
+/// ends are equal is invalid by its own is_valid, and what follows for invalid geometries is documented as undefined.
+struct BoostGeometry {
+  static constexpr const char* name = "Boost.Geometry " VERSION_TEXT(BOOST_VERSION);
+  static constexpr auto boundary = Boundary::closed;
+
+  using Point = bg::model::d2::point_xy<double>;
+  using Segment = bg::model::segment<Point>;
+
+  std::optional<SegmentSegment<double>> segment_segment(const Segment2d& first, const Segment2d& second) {
+    const Segment a = segment(first), b = segment(second);
+    if (!bg::is_valid(a) || !bg::is_valid(b)) return std::nullopt;
+    std::deque<Point> common;
+    bg::intersection(a, b, common);
+    if (bg::intersects(a, b) == common.empty()) {
+      throw std::runtime_error(common.empty() ? "intersects() is true, intersection() is empty"
+                                              : "intersects() is false, intersection() is not empty");
+    }
+    SegmentSegment<double> answer{SegmentRelation::disjoint, {}, {}, {}, {}};
+    if (common.empty()) return answer;
+    const Point2d p = point(common.front()), q = point(common.back());
+    answer.relation = p == q ? SegmentRelation::point : SegmentRelation::overlap;
+    if (p == q) answer.point = p;
+    else answer.overlap = p.x < q.x || (p.x == q.x && p.y < q.y) ? Segment2d{p, q} : Segment2d{q, p};
+    return answer;
+  }
+
+  std::optional<bool> point_on_segment(const Point2d& p, const Segment2d& s) {
+    const Segment closed = segment(s);
+    if (!bg::is_valid(closed)) return std::nullopt;
+    return bg::covered_by(Point(p.x, p.y), closed);
+  }
+
+  Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+    const int side = bg::strategy::side::side_by_triangle<>::apply(Point(p0.x, p0.y), Point(p1.x, p1.y), Point(p.x, p.y));
+    return side > 0 ? Side::left : side < 0 ? Side::right : Side::on;
+  }
+
+ private:
+  static Segment segment(const Segment2d& s) { return {Point(s.a.x, s.a.y), Point(s.b.x, s.b.y)}; }
+  static Point2d point(const Point& p) { return {p.x(), p.y()}; }
+};
+
+TOUCHSTONE_ENGINE_MAIN(BoostGeometry)
