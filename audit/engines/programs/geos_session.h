@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <geos_c.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "geometry/thin_shapes.h"
+
+namespace touchstone {
+
+/// GEOS through its C interface: what both of its engines need. Errors of the library are thrown with its own words.
+class GeosSession {
+ public:
+  struct Destroy {
+    GEOSContextHandle_t context;
+    void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(context, geometry); }
+  };
+  using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
+
+  GeosSession() : context_(GEOS_init_r(), GEOS_finish_r) {
+    GEOSContext_setErrorMessageHandler_r(
+        context(), [](const char* message, void* said) { *static_cast<std::string*>(said) = message; }, &said_);
+  }
+
+  GEOSContextHandle_t context() const { return context_.get(); }
+
+  template <class T>
+  T* made(T* result) const {
+    if (result == nullptr) fail();
+    return result;
+  }
+  Geometry owned(GEOSGeometry* geometry) const { return Geometry(made(geometry), {context()}); }
+  bool checked(char result) const {
+    if (result == 2) fail();
+    return result == 1;
+  }
+  [[noreturn]] void fail() const { throw std::runtime_error(said_); }
+
+  Geometry point(const Point2d& p) const { return owned(GEOSGeom_createPointFromXY_r(context(), p.x, p.y)); }
+  Geometry line(const Segment2d& s) const {
+    const double ends[] = {s.a.x, s.a.y, s.b.x, s.b.y};
+    return owned(GEOSGeom_createLineString_r(context(), made(GEOSCoordSeq_copyFromBuffer_r(context(), ends, 2, 0, 0))));
+  }
+  /// A line string of length zero is invalid, and what follows for invalid geometries is not promised.
+  bool valid(const Geometry& geometry) const { return checked(GEOSisValid_r(context(), geometry.get())); }
+
+  Point2d vertex(const Geometry& geometry, int i) const {
+    Point2d p{};
+    GEOSCoordSeq_getXY_r(context(), made(GEOSGeom_getCoordSeq_r(context(), geometry.get())), static_cast<unsigned>(i), &p.x, &p.y);
+    return p;
+  }
+
+ private:
+  std::unique_ptr<GEOSContextHandle_HS, decltype(&GEOS_finish_r)> context_;
+  std::string said_;
+};
+
+}  // namespace touchstone
