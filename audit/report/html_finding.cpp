@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "audit/codec/json.h"
 #include "audit/report/html_parts.h"
 #include "audit/report/svg.h"
@@ -13,8 +16,54 @@ namespace {
 
 constexpr std::size_t longest_note = 90;
 
-std::string figure(const Operation& operation, const Question& question) {
-  const Scene scene = operation.scene(question);
+/// The numbers of the points in a field of an answer; empty where it has none or they are not finite.
+std::vector<double> points_in(const Json& field) {
+  std::vector<double> numbers;
+  const Json flat = field.flatten();
+  for (const auto& number : flat) {
+    if (!number.is_number()) return {};
+    numbers.push_back(number.get<double>());
+  }
+  return numbers;
+}
+
+/// Whether the numbers lie where the input does, so that drawing them does not shrink everything else to a dot.
+bool near_the_input(const Scene& scene, const std::vector<double>& numbers) {
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  for (const Figure& figure : scene.figures) {
+    for (std::size_t i = 0; i < figure.numbers.size() && (figure.kind != Figure::Kind::circle || i < 2); ++i) {
+      const double room = figure.kind == Figure::Kind::circle ? figure.numbers[2] : 0;
+      low[i % 2] = std::min(low[i % 2], figure.numbers[i] - room);
+      high[i % 2] = std::max(high[i % 2], figure.numbers[i] + room);
+    }
+  }
+  const double size = std::max(high[0] - low[0], high[1] - low[1]);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!(numbers[i] >= low[i % 2] - size && numbers[i] <= high[i % 2] + size)) return false;
+  }
+  return true;
+}
+
+/// What was answered, where it can be drawn and differs from the truth.
+void add_answer(Scene& scene, const Json& answer) {
+  if (!answer.is_object()) return;
+  for (const char* name : {"point", "overlap"}) {
+    if (!answer.contains(name)) continue;
+    const std::vector<double> numbers = points_in(answer[name]);
+    const bool drawable = numbers.size() == (name == std::string("point") ? 2u : 4u) && near_the_input(scene, numbers);
+    for (const Figure& figure : scene.figures) {
+      if (figure.answer && figure.numbers == numbers) return;
+    }
+    if (drawable)
+      scene.figures.push_back(
+          {numbers.size() == 2 ? Figure::Kind::point : Figure::Kind::segment, "answered", numbers, false, true});
+  }
+}
+
+std::string figure(const Operation& operation, const Finding& finding) {
+  const Question& question = finding.question;
+  Scene scene = operation.scene(question);
+  add_answer(scene, plain(finding.answer));
   std::string notes;
   for (const std::string& note : scene.notes) {
     notes +=
@@ -36,7 +85,7 @@ std::string said_row(const std::string& who, const std::string& answer, const Ju
 }
 
 std::string what_was_said(const Examination& question, const Finding& finding, const Declaration& declaration,
-                          Speaker speaker) {
+                          Speaker speaker, bool exact_in_float) {
   std::string text = "<table class=\"said\"><tbody>";
   text += said_row("truth, exact", one_line(readable(question.truth())), nullptr, "truth");
   if (speaker == Speaker::foreign) {
@@ -45,8 +94,9 @@ std::string what_was_said(const Examination& question, const Finding& finding, c
   }
   const Judgement in_double = question.judge_reference(false), in_float = question.judge_reference(true),
                   exact = question.judge_robust();
-  text += said_row("the slide's formula in double", one_line(question.reference(false)), &in_double);
-  text += said_row("the slide's formula in float", one_line(question.reference(true)), &in_float);
+  text += said_row("the formula in double", one_line(question.reference(false)), &in_double);
+  text += said_row(exact_in_float ? "the formula in float" : "the formula in float, the input rounded to float first",
+                   one_line(question.reference(true)), &in_float);
   text += said_row("robust", one_line(question.robust()), &exact);
   return text + "</tbody></table>";
 }
@@ -74,15 +124,16 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   std::string text = fmt::format("<section class=\"card\" id=\"{0}{1}\"><h3>{2} {3}</h3><p>{4}</p>",
                                  speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict),
                                  escaped(counted(count, "case")), escaped(why(finding, &operation, speaker)));
-  text += figure(operation, finding.question);
+  text += "<div class=\"seen\">" + figure(operation, finding);
   std::string margin, proof;
   try {
     const auto question = operation.examine(finding.question);
-    text += what_was_said(*question, finding, declaration, speaker);
+    const bool narrow = operation.in_binary32(finding.question) == finding.question;
+    text += what_was_said(*question, finding, declaration, speaker, narrow) + "</div>";
     margin = readable(question->margin());
     proof = certificate(*question);
   } catch (const InvalidInput& refused) {
-    text += "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
+    text += "<p>The oracle refuses this input: " + code(refused.what()) + "</p></div>";
   }
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";

@@ -17,7 +17,24 @@ std::string conditions(const Tally& tally) {
               : ", " + counted(tally.cases, "case") + " each, seed " + std::to_string(tally.seed);
   text += ". Boundary convention: " + boundary_word(declared.boundary) + ".";
   if (declared.tolerance > 0) text += fmt::format(" Declared tolerance: {}.", declared.tolerance);
+  if (tally.grid.size == 0) {
+    text +=
+        " Most families are degenerate on purpose or a few units in the last place away from it, so the shares say "
+        "where an "
+        "implementation fails, not how often everyday input would meet it.";
+  }
   if (tally.interrupted) text += " The run was interrupted; this is what had been counted.";
+  return text;
+}
+
+/// The closing sentence of the table, where the heading already says whose answers these are.
+std::string lead(const Tally& tally) {
+  const Cell robust = sum_of(tally.robust);
+  std::string text = summary_of(sum_of(tally.operations)) + ".";
+  if (!tally.robust.empty()) {
+    const std::uint64_t wrong = robust.cases() - robust.count(Verdict::agree);
+    text += " robust, asked the same questions: " + (wrong == 0 ? "none wrong." : grouped(wrong) + " not right.");
+  }
   return text;
 }
 
@@ -34,7 +51,7 @@ std::string tiles(const Tally& tally, const Cell& sum) {
   }
   if (!tally.robust.empty()) {
     const Cell robust = sum_of(tally.robust);
-    text += tile("", robust.cases() - robust.count(Verdict::agree), "not right by robust, asked the same");
+    text += tile("", robust.cases() - robust.count(Verdict::agree), "wrong by robust");
   }
   return text + "</div>";
 }
@@ -69,11 +86,13 @@ std::string legend() {
 }
 
 std::string gallery(const OperationMaps& maps) {
+  const std::vector<FailureMap>& first = maps[0].second;
   std::string text =
-      "<p class=\"quiet\">Every pixel is one question, a few units in the last place away from a degenerate one. Left: "
-      "the "
-      "implementation under audit; right: robust. Pale areas are right answers, one tint for each; strong colours are "
-      "the verdicts.</p>"
+      "<p class=\"quiet\">Every pixel is one question, at most 128 of the smallest steps away from a degenerate one. "
+      "Left: " +
+      escaped(first[first.size() > 2 ? 2 : 0].subject) +
+      "; right: robust. Pale areas are right answers, one tint for each answer; strong colours are verdicts, as "
+      "above.</p>"
       "<div class=\"gallery\">";
   for (const auto& [operation, shown] : maps) {
     std::vector<FailureMap> pair{shown.size() > 2 ? shown[2] : shown[0], shown[1]};
@@ -135,7 +154,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps) {
   const Cell sum = sum_of(tally.operations);
   const std::string name = subject(tally.declaration);
   std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(name) +
-                     "</h1><p class=\"lead\">" + escaped(closing_sentence(tally)) + "</p><p class=\"quiet\">" +
+                     "</h1><p class=\"lead\">" + escaped(lead(tally)) + "</p><p class=\"quiet\">" +
                      escaped(conditions(tally)) + "</p></header><main>";
   body += tiles(tally, sum) + "<h2>By operation</h2>" + operations_table(tally);
   body += "<h2>What the verdicts mean</h2>" + legend();

@@ -31,7 +31,7 @@ std::string bar_of(const Cell& cell, Verdict first, bool thin) {
 std::string said_in_words(const MapClass& entry, bool words_only) {
   if (!words_only)
     return entry.verdict == Verdict::agree ? entry.said : std::string(name_of(entry.verdict)) + ": " + entry.said;
-  if (entry.verdict == Verdict::agree) return "right: " + entry.said;
+  if (entry.verdict == Verdict::agree) return "correct: " + entry.said;
   if (entry.verdict == Verdict::inexact) return "inexact: " + entry.said + ", a number too far off";
   return std::string(name_of(entry.verdict)) + ": says " + entry.said;
 }

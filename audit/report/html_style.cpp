@@ -9,11 +9,11 @@ namespace {
 
 constexpr const char* light_variables =
     "--paper:#fff;--ground:#f5f6f8;--ink:#1b2229;--quiet:#55606b;--faint:#b9c0c8;--line:#dfe4e9;--link:#17528f;"
-    "--code:#f1f3f5;--q0:#1d5fa6;--q1:#a4510c;--q2:#2c7347;--q3:#7a3f98;--truth:#c2186b;";
+    "--code:#f1f3f5;--q0:#1d5fa6;--q1:#a4510c;--q2:#2c7347;--q3:#7a3f98;--truth:#c2186b;--said:#0b7a75;";
 
 constexpr const char* dark_variables =
     "--paper:#1d2329;--ground:#14181c;--ink:#e6eaee;--quiet:#a3aeb9;--faint:#4c5761;--line:#323a42;--link:#8ec1f5;"
-    "--code:#252c33;--q0:#7db4f0;--q1:#f0a45c;--q2:#7fcf9c;--q3:#cf9cec;--truth:#ff7ab6;"
+    "--code:#252c33;--q0:#7db4f0;--q1:#f0a45c;--q2:#7fcf9c;--q3:#cf9cec;--truth:#ff7ab6;--said:#4fd1c7;"
     "--agree:#5d7384;--algorithm:#b07ad8;--inexact:#35b3b5;--invalid:#f2f2f2;--unsupported:#59626b;";
 
 constexpr const char* rules = R"css(
@@ -31,13 +31,13 @@ h1{font-size:30px;line-height:1.2;margin:2px 0 8px;letter-spacing:-.01em}
 h2{font-size:20px;margin:36px 0 10px}h3{font-size:16px;margin:0 0 6px}h4{font-size:14px;margin:0 0 6px;font-weight:600}
 p{margin:0 0 12px;max-width:78ch}.lead{font-size:17px}.quiet{color:var(--quiet)}.small{font-size:13.5px}
 .card{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:18px 20px;margin:0 0 18px}
-.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:12px;margin:20px 0 8px}
-.tile{background:var(--paper);border:1px solid var(--line);border-left:5px solid var(--c,var(--faint));border-radius:8px;padding:10px 14px}
+.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(128px,1fr));gap:10px;margin:20px 0 8px}
+.tile{background:var(--paper);border:1px solid var(--line);border-left:5px solid var(--c,var(--faint));border-radius:8px;padding:9px 12px}
 .tile b{display:block;font-size:24px;line-height:1.25;font-variant-numeric:tabular-nums;font-weight:650}
 .tile span{color:var(--quiet);font-size:13px}
 .bar{display:flex;height:16px;border-radius:4px;overflow:hidden;background:var(--line);gap:1px}
 .bar i{display:block;background-color:var(--c);min-width:2px}
-.bar.thin{height:9px;min-width:90px}
+.bar.thin{height:9px;min-width:80px}
 .algorithm.hatch{background-image:repeating-linear-gradient(45deg,#fff5 0 2px,#fff0 2px 6px)}
 .rounding.hatch{background-image:repeating-linear-gradient(-45deg,#fff4 0 1.5px,#fff0 1.5px 7px)}
 .swatch{display:inline-block;width:13px;height:13px;border-radius:3px;background:var(--c);vertical-align:-1px;margin-right:7px;border:1px solid #0003}
@@ -46,7 +46,7 @@ dl.legend{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin
 dl.legend dt{font-weight:600}dl.legend dd{margin:0;color:var(--quiet)}
 .scroll{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:14px}
-th,td{text-align:right;padding:4px 9px;font-variant-numeric:tabular-nums;white-space:nowrap;border-bottom:1px solid var(--line)}
+th,td{text-align:right;padding:4px 7px;font-variant-numeric:tabular-nums;white-space:nowrap;border-bottom:1px solid var(--line)}
 th{color:var(--quiet);font-weight:600;font-size:13px;vertical-align:bottom}
 th:first-child,td:first-child{text-align:left;padding-left:2px}
 tbody th{color:var(--ink);font-size:14px}
@@ -60,12 +60,12 @@ pre.repeat{user-select:all}
 .facts{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
 .facts dt{color:var(--quiet)}.facts dd{margin:0;min-width:0}
 .facts dd code{display:inline-block}
-figure{margin:12px 0}figcaption{color:var(--quiet);font-size:13.5px}
+figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{color:var(--quiet);font-size:13.5px}
 .said{margin:8px 0 4px}.said td,.said th{white-space:normal;vertical-align:top}.said td:nth-child(2){text-align:left}
 .said td:nth-child(2) code{overflow-wrap:anywhere}.said tr.truth th{color:var(--truth)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .maps{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:24px}
-.maps img,.gallery img{image-rendering:pixelated;width:100%;height:auto;display:block;border:1px solid var(--line);background:#fff}
+.maps img{image-rendering:pixelated}.maps img,.gallery img{width:100%;height:auto;display:block;border:1px solid var(--line);background:#fff}
 .maps ul{list-style:none;margin:10px 0 0;padding:0;font-size:14px}
 .maps li{display:flex;gap:4px;align-items:baseline}.maps li b{margin-left:auto;font-weight:500;font-variant-numeric:tabular-nums}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}

@@ -84,7 +84,8 @@ std::optional<NearMiss> narrowest_gap(const Scene& scene, const Viewport& view) 
     const std::vector<ExactPoint> vertices = vertices_of(figure);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       for (const Figure& other : scene.figures) {
-        if (other.answer) continue;
+        // What was answered is held against the truth as well.
+        if (other.answer && !figure.said) continue;
         if (&other != &figure) {
           if (const auto gap = gap_to(other, vertices[i], view)) offer(figure, i, *gap);
         }

@@ -14,6 +14,7 @@ struct Figure {
   std::vector<double>
       numbers;  ///< point x y; segment, line, ray, arrow x y x y (ray and line: two points on it); circle x y r; polygon x y ...
   bool answer = false;  ///< belongs to the truth, not to the question
+  bool said = false;    ///< is what an implementation answered, right or wrong
 };
 
 struct Scene {

@@ -22,12 +22,12 @@ std::string framed(const Scene& scene, const Viewport& view, const std::string& 
   Drawing drawing;
   std::size_t part = 0;
   for (const Figure& figure : scene.figures) {
-    if (figure.answer) continue;
+    if (figure.answer || figure.said) continue;
     const std::size_t style = part++ % std::size(thicknesses);
     stroke(drawing, figure, view, {"q" + std::to_string(style), thicknesses[style]});
   }
   for (const Figure& figure : scene.figures) {
-    if (figure.answer) stroke(drawing, figure, view, {"truth", 1});
+    if (figure.answer || figure.said) stroke(drawing, figure, view, {figure.said ? "said" : "truth", 1.4});
   }
   const Frame& frame = view.frame();
   return fmt::format(
@@ -111,10 +111,12 @@ std::string figure_style() {
          ".fig .stroke{fill:none}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
          ".fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig .q2{--c:var(--q2,#2c7347)}.fig "
          ".q3{--c:var(--q3,#7a3f98)}"
-         ".fig .truth{--c:var(--truth,#c2186b)}.fig .stroke{stroke:var(--c)}.fig .dot,.fig .head,.fig text.q0,.fig "
+         ".fig .truth{--c:var(--truth,#c2186b)}.fig .said{--c:var(--said,#0b7a75)}.fig .stroke{stroke:var(--c)}.fig "
+         ".dot,.fig .head,.fig text.q0,.fig "
          "text.q1,"
-         ".fig text.q2,.fig text.q3,.fig text.truth{fill:var(--c)}"
-         ".fig text.q0,.fig text.q1,.fig text.q2,.fig text.q3,.fig text.truth{font-weight:600;paint-order:stroke;"
+         ".fig text.q2,.fig text.q3,.fig text.said,.fig text.truth{fill:var(--c)}"
+         ".fig text.q0,.fig text.q1,.fig text.q2,.fig text.q3,.fig text.said,.fig "
+         "text.truth{font-weight:600;paint-order:stroke;"
          "stroke:var(--paper,#fff);stroke-width:3px;stroke-linejoin:round}"
          ".fig .ring{fill:none;stroke:var(--c);stroke-width:2;stroke-dasharray:3 2}"
          ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";

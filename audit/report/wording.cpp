@@ -144,6 +144,9 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
       const std::string off = ulps_in_words(finding.judgement.ulps);
       if (speaker == Speaker::robust)
         return "The decision is right, but a number is " + off + " from the correctly rounded one.";
+      if (finding.judgement.ulps >= 0x1p52) {
+        return "The decision is right, but a number has no correct digit: it is " + off + " from the exact value.";
+      }
       const std::string bound = operation ? " Stated bound: " + ulps_in_words(operation->card().ulps) + "." : "";
       return "The decision is right, but a number is " + off + " from the exact value." + bound;
     }
