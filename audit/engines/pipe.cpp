@@ -70,7 +70,7 @@ std::optional<std::string> PipeEngine::converse(Round& round, Indices& to_ask, s
   round.owed = 0;
   const auto fault = exchange(round, to_ask, in_flight);
   if (!fault) return fault;
-  lose_engine();
+  lose_engine(*fault);
   for (std::size_t i = first; i < round.asked.size(); ++i) {
     if (!round.settled[round.asked[i]]) unanswered.push_back(round.asked[i]);
   }
@@ -152,7 +152,7 @@ void PipeEngine::hear_repetitions(Round& round) {
   while (repeats_itself_ && process_ && Clock::now() < deadline) {
     process_->wait_for(false, deadline);
     const bool open = process_->read(inbox_);
-    if (take_lines(round) || !open) lose_engine();
+    if (const auto fault = take_lines(round); fault || !open) lose_engine(fault.value_or("its output ended"));
   }
 }
 
@@ -204,20 +204,23 @@ bool PipeEngine::start_again() {
   try {
     start();
     return true;
-  } catch (const EngineError&) {
-    lose_engine();
+  } catch (const EngineError& error) {
+    lose_engine(error.what());
     return false;
   }
 }
 
-void PipeEngine::lose_engine() {
+void PipeEngine::lose_engine(const std::string& fault) {
   process_.reset();
+  last_fault_ = fault;
   ++restarts_;
   ++restarts_in_a_row_;
 }
 
 std::string PipeEngine::why_stop() const {
-  const auto after = [](int count, const char* what) { return "given up after " + std::to_string(count) + what; };
+  const auto after = [this](int count, const char* what) {
+    return "given up after " + std::to_string(count) + what + ", the last for: " + last_fault_;
+  };
   if (interrupted()) return "interrupted";
   if (restarts_ >= limits_.restarts) return after(restarts_, " restarts in this operation");
   if (restarts_in_a_row_ >= limits_.restarts_in_a_row) return after(restarts_in_a_row_, " restarts in a row");

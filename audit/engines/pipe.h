@@ -65,7 +65,7 @@ class PipeEngine final : public Engine {
   std::optional<std::string> take_line(const std::string& line, Round& round);
   void hear_repetitions(Round& round);
   void settle(Round& round, std::size_t index, Reply reply);
-  void lose_engine();
+  void lose_engine(const std::string& fault);
   std::string why_stop() const;
   bool interrupted() const { return stop_ != nullptr && *stop_; }
 
@@ -77,7 +77,7 @@ class PipeEngine final : public Engine {
   std::string inbox_, outbox_;
   std::uint64_t next_id_ = 1, first_id_of_process_ = 1;
   bool repeats_itself_ = false;
-  std::string operation_;
+  std::string operation_, last_fault_;
   int restarts_ = 0, restarts_in_a_row_ = 0, timeouts_ = 0;
 };
 
