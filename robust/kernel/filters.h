@@ -40,7 +40,7 @@ struct Bounds {
   static_assert(Format::max_exponent >= 7, "the guards below need room");
   static constexpr double u = power_of_two(1 - Format::precision);
 
-  /// H for polynomials of second degree (3 H^2 is finite) and for products of two of them (6 H^4 is finite). As thirds
+  /// H for polynomials of second degree (3 H^2 is finite) and for products of two of them (11 H^4 is finite). As thirds
   /// and sevenths of the range they leave about as much room below, where the absolute term hides everything, as above.
   static constexpr int high_exponent = Format::max_exponent / 3;
   static constexpr int high_exponent_of_products = Format::max_exponent / 7;
@@ -48,9 +48,9 @@ struct Bounds {
   static Float high() { return Format::above(power_of_two(high_exponent)); }
   static Float absolute() { return Format::above(power_of_two(6 + Format::min_exponent + high_exponent)); }
   static Float high_of_products() { return Format::above(power_of_two(high_exponent_of_products)); }
-  /// 256 n H^3
+  /// 1024 n H^3
   static Float absolute_of_products() {
-    return Format::above(power_of_two(8 + Format::min_exponent + 3 * high_exponent_of_products));
+    return Format::above(power_of_two(10 + Format::min_exponent + 3 * high_exponent_of_products));
   }
 };
 
@@ -126,35 +126,42 @@ Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& 
   return certain<Float, Format>(value, Format::above(6 * B::u * (1 + 4 * B::u)) * scale + B::absolute());
 }
 
-/// The sign of the larger of two products, if both factors of that product have a certain sign. The factors are
-/// computed as in `cross_sign`, with extents at most e1 and e2.
+/// The sign of the larger of two products, if both factors of that product have a certain sign. One factor is a
+/// determinant d, computed as in `cross_sign` from coordinates of at most ex (every x) and ey (every y); the other is a
+/// sum or difference e of two such determinants.
 ///
-/// With M = e1 e2, a factor without a certain sign is at most T M + 40 n H, T as in `cross_sign`; the other is at most
-/// 2 (1 + u)^2 M, and M <= H^2. So the product is at most 2 T (1 + u)^3 M^2 + 128 n H^3, and the absolute term is twice
-/// that. The computed bound loses a factor (1 - u)^5 at most. B = 16 u (1 + 16 u): at u = 1/16, 2 T (1 + u)^3 / (16 u
-/// (1 - u)^5) = 1.767 < 2.
+/// In units of M = ex ey: with T as in `cross_sign`, d is off by T and at most 2 (1 + u)^2; e is off by T2 =
+/// 2 T + 4 u (1 + u)^2 and at most 4 (1 + u)^3. So a product one of whose factors has no certain sign is at most
+/// 4 T (1 + u)^4 = 32 u + ... or 2 T2 (1 + u)^3 = 40 u + ..., in units of M^2. The computed bound loses a factor
+/// (1 - u)^5 at most. B = 40 u (1 + 16 u): at u = 1/16 the two, divided by that factor, are 3.754 and 4.469 and B is 5.
+/// The absolute terms, 40 n H in d and 90 n H in e, meet factors of at most 4.8 H^2: 1024 n H^3 pays for them.
 template <class Float, class Format = FloatFormat<Float>>
-Sign larger_product(const Float& p, const Float& q, const Float& e1, const Float& e2) {
+Sign larger_product(const Float& p, const Float& q, const Float& ex, const Float& ey) {
   using B = Bounds<Float, Format>;
-  if (!(e1 + e2 <= B::high_of_products())) return Sign::unknown;
-  const Float scale = e1 * e2;
-  const Float bound = Format::above(16 * B::u * (1 + 16 * B::u)) * scale * scale + B::absolute_of_products();
+  if (!(ex + ey <= B::high_of_products())) return Sign::unknown;
+  const Float scale = ex * ey;
+  const Float bound = Format::above(40 * B::u * (1 + 16 * B::u)) * scale * scale + B::absolute_of_products();
   return certain<Float, Format>(larger(p, q), bound);
+}
+
+/// The largest magnitude of three.
+template <class Float, class Format = FloatFormat<Float>>
+Float extent(const Float& a, const Float& b, const Float& c) {
+  return larger(larger(Format::magnitude(a), Format::magnitude(b)), Format::magnitude(c));
 }
 
 /// Whether two segments meet: negative: they cross; positive: a line of one has the other on one side.
 ///
 /// They cross where the ends of each lie on different sides of the other's line: both products of sides are negative.
-/// So the larger product decides, whatever its sign. A NaN or an infinity in any coordinate gets into both products.
+/// So the larger product decides, whatever its sign. Seen from b.a, the ends of a are f and f + r, and those of b are 0
+/// and s; the sides are r x f and r x (f - s) = r x f - r x s, and s x f and s x (f + r) = s x f - r x s. A NaN or an
+/// infinity in any coordinate gets into both products.
 template <class Float, class Format = FloatFormat<Float>>
 Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
-  const Vector2<Float> r = a.b - a.a, s = b.b - b.a;
-  const Vector2<Float> aa = a.a - b.a, ab = a.b - b.a, bb = a.a - b.b;
-  const Float p = (r.x * aa.y - r.y * aa.x) * (r.x * bb.y - r.y * bb.x);
-  const Float q = (s.x * aa.y - s.y * aa.x) * (s.x * ab.y - s.y * ab.x);
-  const Float directions = larger(extent<Float, Format>(r), extent<Float, Format>(s));
-  const Float between = larger(extent<Float, Format>(aa), larger(extent<Float, Format>(ab), extent<Float, Format>(bb)));
-  return larger_product<Float, Format>(p, q, directions, between);
+  const Vector2<Float> r = a.b - a.a, s = b.b - b.a, f = a.a - b.a;
+  const Float rs = r.x * s.y - r.y * s.x, rf = r.x * f.y - r.y * f.x, sf = s.x * f.y - s.y * f.x;
+  const Float ex = extent<Float, Format>(r.x, s.x, f.x), ey = extent<Float, Format>(r.y, s.y, f.y);
+  return larger_product<Float, Format>(rf * (rf - rs), sf * (sf - rs), ex, ey);
 }
 
 /// Whether a line parallel to an axis lies strictly between two segments. Comparisons do not round; denormals-are-zero
@@ -162,27 +169,26 @@ Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
 template <class Float>
 bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
   const auto below = [](const Float& p, const Float& q, const Float& r, const Float& s) {
-    return larger(p, q) < (r < s ? r : s);
+    return static_cast<int>(larger(p, q) < (r < s ? r : s));
   };
-  return below(a.a.x, a.b.x, b.a.x, b.b.x) || below(b.a.x, b.b.x, a.a.x, a.b.x) || below(a.a.y, a.b.y, b.a.y, b.b.y) ||
-         below(b.a.y, b.b.y, a.a.y, a.b.y);
+  // One branch in all: nobody can predict on which side.
+  return (below(a.a.x, a.b.x, b.a.x, b.b.x) | below(b.a.x, b.b.x, a.a.x, a.b.x) | below(a.a.y, a.b.y, b.a.y, b.b.y) |
+          below(b.a.y, b.b.y, a.a.y, a.b.y)) != 0;
 }
 
 /// Whether a ray and a segment meet: negative: they cross; positive: they do not.
 ///
-/// With v the ray's direction, A and B the segment's ends seen from the origin and s = B - A: the ends lie on different
-/// sides of the ray's line where (v x A) (v x B) < 0, and then t = (A x s) / (v x s) has the sign of (A x s) (v x B).
-/// If that product is negative there is no common point even where the ends lie on one side. So the larger of the first
-/// product and minus the second decides.
+/// Seen from the origin, with v the ray's direction, the segment's ends are f and f + s: on different sides of the
+/// ray's line where (v x f) (v x (f + s)) < 0, v x (f + s) = v x f + v x s, and then t = (f x s) / (v x s) has the sign of
+/// (f x s) (v x (f + s)). If that product is negative there is no common point even where the ends lie on one side. So
+/// the larger of the first product and minus the second decides.
 template <class Float, class Format = FloatFormat<Float>>
 Sign ray(const Point2<Float>& origin, const Vector2<Float>& v, const Segment2<Float>& segment) {
-  const Vector2<Float> a = segment.a - origin, b = segment.b - origin, s = segment.b - segment.a;
-  const Float vb = v.x * b.y - v.y * b.x;
-  const Float p = (v.x * a.y - v.y * a.x) * vb;
-  const Float q = (a.y * s.x - a.x * s.y) * vb;
-  const Float directions = larger(extent<Float, Format>(v), extent<Float, Format>(s));
-  const Float between = larger(extent<Float, Format>(a), extent<Float, Format>(b));
-  return larger_product<Float, Format>(p, q, directions, between);
+  const Vector2<Float> f = segment.a - origin, s = segment.b - segment.a;
+  const Float vf = v.x * f.y - v.y * f.x, vs = v.x * s.y - v.y * s.x, sf = s.x * f.y - s.y * f.x;
+  const Float end = vf + vs;
+  const Float ex = extent<Float, Format>(v.x, s.x, f.x), ey = extent<Float, Format>(v.y, s.y, f.y);
+  return larger_product<Float, Format>(vf * end, sf * end, ex, ey);
 }
 
 }  // namespace touchstone::robust::filters

@@ -41,7 +41,7 @@ inline std::int64_t placed_on_lattice(std::uint64_t bits, int top, std::uint64_t
 /// Empty if a number is NaN or infinite, or has a set bit more than 61 places below the leading place of the largest
 /// exponent. (Folds over the arguments, because g++ at -O2 leaves loops over so few numbers as loops.)
 template <class... Doubles>
-inline std::optional<Lattice<sizeof...(Doubles)>> lattice_of(Doubles... numbers) {
+[[gnu::always_inline]] inline std::optional<Lattice<sizeof...(Doubles)>> lattice_of(Doubles... numbers) {
   int top = 1;  // a subnormal has the exponent of the first normal binade
   ((top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(numbers) >> 52 & 0x7ff))), ...);
   std::uint64_t lost = top == 0x7ff;

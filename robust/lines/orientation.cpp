@@ -14,6 +14,11 @@ Side side(int turn) {
   return static_cast<Side>(1 - turn);
 }
 
+template <class Integer>
+Side side_of(const std::array<Integer, 6>& n) {
+  return side(kernel::turn(Point2<Integer>{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
+}
+
 void admit(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (kernel::legal(p0) && kernel::legal(p1) && kernel::legal(p)) return;
   door::admit("p0", p0), door::admit("p1", p1), door::admit("p", p);
@@ -24,18 +29,18 @@ void admit(const Point2d& p0, const Point2d& p1, const Point2d& p) {
 std::optional<Side> orientation_lattice(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y);
   if (!lattice) return std::nullopt;
-  const auto& n = lattice->at;
-  return side(kernel::turn(Point2<std::int64_t>{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
+  return side_of(lattice->at);
 }
 
 Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const auto n = kernel::integers_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y).at;
-  return side(kernel::turn(Point2<mpz_class>{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
+  return side_of(kernel::integers_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y).at);
 }
 
 Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
   decided = Stage::lattice;
-  if (const auto answer = orientation_lattice(p0, p1, p)) return *answer;  // all finite
+  // Not orientation_lattice: an optional answer is put together in memory, which costs as much as the determinant.
+  // Numbers on a lattice are finite, so they need no door.
+  if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y)) return side_of(lattice->at);
   admit(p0, p1, p);
   decided = Stage::exact;
   return orientation_exact(p0, p1, p);

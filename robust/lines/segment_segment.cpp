@@ -91,6 +91,13 @@ void admit(const Segment2d& a, const Segment2d& b) {
   door::admit("a", a), door::admit("b", b);
 }
 
+/// The filter's boxes; refuses what is not finite.
+bool apart(const Segment2d& a, const Segment2d& b) {
+  if (!filters::apart(a, b)) return false;
+  admit(a, b);
+  return true;
+}
+
 }  // namespace
 
 std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b) {
@@ -116,21 +123,21 @@ SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d
 }
 
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided) {
-  admit(a, b);
   decided = Stage::filter;
-  if (filters::apart(a, b)) return SegmentRelation::disjoint;
+  if (apart(a, b)) return SegmentRelation::disjoint;
   decided = Stage::lattice;
-  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;
+  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;  // all finite
+  admit(a, b);
   decided = Stage::exact;
   return segment_segment_relation_exact(a, b);
 }
 
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   const filters::Sign sign = filters::segments(a, b);
-  if (sign == filters::Sign::positive) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  const bool disjoint = sign == filters::Sign::positive || (sign == filters::Sign::unknown && apart(a, b));
+  if (disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  if (const auto answer = segment_segment_lattice(a, b)) return *answer;  // all finite
   admit(a, b);
-  if (sign == filters::Sign::unknown && filters::apart(a, b)) return {SegmentRelation::disjoint, {}, {}, {}, {}};
-  if (const auto answer = segment_segment_lattice(a, b)) return *answer;
   return segment_segment_exact(a, b);
 }
 

@@ -27,8 +27,10 @@ SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d
 /// What the arithmetic of the filter leaves open: the door, the filter's boxes, the other stages.
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided);
 
+/// Without a branch: nobody can predict whether segments cross.
 inline SegmentRelation segment_segment_relation_for(filters::Sign certain) {
-  return certain == filters::Sign::positive ? SegmentRelation::disjoint : SegmentRelation::point;
+  static_assert(static_cast<int>(SegmentRelation::disjoint) == 0 && static_cast<int>(SegmentRelation::point) == 1);
+  return static_cast<SegmentRelation>(certain == filters::Sign::negative);
 }
 
 inline std::optional<SegmentRelation> segment_segment_relation_filter(const Segment2d& a, const Segment2d& b) {
