@@ -3,7 +3,7 @@
 
 #include <mpfr.h>
 
-#include "oracle/exact/decode.h"
+#include <algorithm>
 
 namespace touchstone::oracle {
 namespace {
@@ -26,30 +26,40 @@ void set(Real& real, double value) {
   mpfr_set_si_2exp(*real, static_cast<long>(parts.mantissa), parts.exponent, MPFR_RNDN);
 }
 
-Rational rational(Real& real) {
-  Integer whole;
-  const mpfr_exp_t exponent = mpfr_get_z_2exp(whole.get_mpz_t(), *real);
-  return scaled(whole, static_cast<int>(exponent));
+/// `away` (a power of two as its exponent) is how far the function's value at the angle may be from the one at u.
+/// MPFR rounds to nearest, by less than one unit of the last of its bits.
+Enclosure enclose(Real& nearest, const mpfr_exp_t* away) {
+  Enclosure result{{}, Integer(1), {}};
+  result.exponent = static_cast<int>(mpfr_get_z_2exp(result.nearest.get_mpz_t(), *nearest));
+  if (away != nullptr) {
+    const mpfr_exp_t units = std::max<mpfr_exp_t>(*away - result.exponent, 0);
+    result.width += Integer(1) << static_cast<mp_bitcnt_t>(units);
+  }
+  return result;
 }
 
-/// MPFR rounds to nearest, so the true value lies strictly between the two neighbours of what it gives.
-Enclosure enclose(Real& nearest) {
-  Enclosure result;
-  result.value = rational(nearest);
-  mpfr_nextbelow(*nearest);
-  result.low = rational(nearest);
-  mpfr_nextabove(*nearest), mpfr_nextabove(*nearest);
-  result.high = rational(nearest);
-  return result;
+CosineAndSine enclosures(Real& angle, int bits, const mpfr_exp_t* away) {
+  Real cosine(bits), sine(bits);
+  mpfr_sin_cos(*sine, *cosine, *angle, MPFR_RNDN);
+  return {enclose(cosine, away), enclose(sine, away)};
 }
 
 }  // namespace
 
 CosineAndSine cosine_and_sine(double u, int bits) {
-  Real angle(53), cosine(bits), sine(bits);
+  Real angle(53);
   set(angle, u);
-  mpfr_sin_cos(*sine, *cosine, *angle, MPFR_RNDN);
-  return {enclose(cosine), enclose(sine)};
+  return enclosures(angle, bits, nullptr);
+}
+
+CosineAndSine cosine_and_sine(const Rational& u, int bits) {
+  const auto size = [](mpz_srcptr part) { return static_cast<int>(mpz_sizeinbase(part, 2)); };
+  const int above = size(u.get_num_mpz_t()) - size(u.get_den_mpz_t()) + 1;  // |u| < 2^above
+  Real angle(bits + std::max(above, 0));
+  mpfr_set_q(*angle, u.get_mpq_t(), MPFR_RNDN);
+  // Neither function is steeper than 1, so both move by no more than the angle: half a unit of its last bit.
+  const mpfr_exp_t away = mpfr_get_exp(*angle) - mpfr_get_prec(*angle);
+  return enclosures(angle, bits, &away);
 }
 
 mpz_class quarter_turns(double u) {

@@ -63,8 +63,7 @@ SquaredLength squared_distance(const Point2<Integer>& point, const Segment2<Inte
   return {Integer(area * area), length};
 }
 
-Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second,
-                            int exponent) {
+Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second) {
   SquaredLength least = squared_distance(first.a, second, Extent::segment);
   const auto consider = [&](const Point2<Integer>& end, const Segment2<Integer>& shape, Extent reach) {
     const SquaredLength other = squared_distance(end, shape, reach);
@@ -72,22 +71,26 @@ Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const
   };
   if (extent == Extent::segment) consider(first.b, second, Extent::segment);
   consider(second.a, first, extent), consider(second.b, first, extent);
-  return scaled(quotient(least.numerator, least.denominator), 2 * exponent);
+  return quotient(least.numerator, least.denominator);
 }
 
-Point2<Rational> point_at(const Segment2<Integer>& shape, const Rational& t, int exponent) {
-  const Vector2<Integer> v = shape.b - shape.a;
-  const Integer x(shape.a.x * t.get_den() + t.get_num() * v.x), y(shape.a.y * t.get_den() + t.get_num() * v.y);
-  return {scaled(quotient(x, t.get_den()), exponent), scaled(quotient(y, t.get_den()), exponent)};
+Point2<Rational> point_at(const Segment2<Integer>& shape, const Rational& t) {
+  const auto coordinate = [&t](const Integer& from, const Integer& to) {
+    const Integer extent(to - from);
+    Rational result(t * extent);
+    result.get_num() += from * result.get_den();  // no common factor comes in
+    return result;
+  };
+  return {coordinate(shape.a.x, shape.b.x), coordinate(shape.a.y, shape.b.y)};
 }
 
 Rational halfway(const Vector2<Integer>& normal, const Segment2<Integer>& first, Extent extent,
-                 const Segment2<Integer>& second, int exponent) {
+                 const Segment2<Integer>& second) {
   const auto level = [&](const Point2<Integer>& p) { return Integer(normal.x * p.x + normal.y * p.y); };
   Integer below = level(first.a);
   if (extent == Extent::segment) below = std::max(below, level(first.b));
   const Integer above = std::min(level(second.a), level(second.b));
-  return scaled(Integer(below + above), exponent - 1);
+  return quotient(Integer(below + above), Integer(2));
 }
 
 }  // namespace touchstone::oracle

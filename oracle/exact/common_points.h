@@ -30,16 +30,15 @@ struct SquaredLength {
 /// The squared distance of a point from a segment, or from the ray from its a through its b.
 SquaredLength squared_distance(const Point2<Integer>& point, const Segment2<Integer>& shape, Extent extent);
 
-/// The least squared distance of an end of either shape from the other one, for points times 2^exponent.
-Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second,
-                            int exponent);
+/// The least squared distance of an end of either shape from the other one.
+Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second);
 
-/// shape.a + t (shape.b - shape.a), times 2^exponent.
-Point2<Rational> point_at(const Segment2<Integer>& shape, const Rational& t, int exponent);
+/// shape.a + t (shape.b - shape.a)
+Point2<Rational> point_at(const Segment2<Integer>& shape, const Rational& t);
 
-/// The number halfway between the greatest of normal . p over the first shape and the least over the second, for points
-/// times 2^exponent; the first shape's direction as in common_points.
+/// The number halfway between the greatest of normal . p over the first shape and the least over the second; the first
+/// shape's direction as in common_points.
 Rational halfway(const Vector2<Integer>& normal, const Segment2<Integer>& first, Extent extent,
-                 const Segment2<Integer>& second, int exponent);
+                 const Segment2<Integer>& second);
 
 }  // namespace touchstone::oracle

@@ -41,6 +41,7 @@ Rational quotient(const Integer& numerator, const Integer& denominator);
 
 /// The real number that a finite double is.
 Rational exact(double value);
+inline const Rational& exact(const Rational& value) { return value; }
 
 /// An integer of the machine as one of GMP.
 Integer widen(Int128 value);

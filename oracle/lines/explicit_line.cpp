@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/explicit_line.h"
 
-#include "geometry/door.h"
 #include "oracle/exact/decode.h"
+#include "oracle/exact/rational_door.h"
 
 namespace touchstone::oracle {
 namespace {
 
-Rational height(double slope, double intercept, const Point2d& point) {
+template <class Number>
+Rational height(const Number& slope, const Number& intercept, const Point2<Number>& point) {
   door::admit("slope", slope), door::admit("intercept", intercept), door::admit("point", point);
   return Rational(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
+}
+
+Truth<Height> truth(const Rational& e) {
+  return {sgn(e) > 0 ? Height::above : sgn(e) < 0 ? Height::below : Height::on, Rational(abs(e))};
 }
 
 }  // namespace
 
 Truth<Height> explicit_line(double slope, double intercept, const Point2d& point) {
-  const Rational e = height(slope, intercept, point);
-  return {sgn(e) > 0 ? Height::above : sgn(e) < 0 ? Height::below : Height::on, Rational(abs(e))};
+  return truth(height(slope, intercept, point));
+}
+
+Truth<Height> explicit_line(const Rational& slope, const Rational& intercept, const Point2<Rational>& point) {
+  return truth(height(slope, intercept, point));
 }
 
 Certificate explicit_line_certificate(double slope, double intercept, const Point2d& point) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/implicit_circle.h"
 
-#include "geometry/door.h"
-#include "oracle/exact/common_power.h"
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/rational_door.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -11,21 +11,26 @@ struct Squares {
   Rational distance, radius;
 };
 
-Squares squares(const Circle2d& circle, const Point2d& point) {
+template <class Number>
+Squares squares(const Circle2<Number>& circle, const Point2<Number>& point) {
   door::admit("circle", circle), door::admit("point", point);
-  const CommonPower<5> numbers({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
-  const Integer x(numbers.whole(3) - numbers.whole(0)), y(numbers.whole(4) - numbers.whole(1));
-  const Integer radius = numbers.whole(2);
-  const int square = 2 * numbers.exponent();
-  return {scaled(Integer(x * x + y * y), square), scaled(Integer(radius * radius), square)};
+  const CommonScale<Number, 5> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
+  const Vector2<Integer> from_center = whole_point(n, 3) - whole_point(n, 0);
+  const Integer radius = n.whole(2);
+  return {n.actual(dot(from_center, from_center), 2), n.actual(Integer(radius * radius), 2)};
+}
+
+Truth<Location> truth(const Squares& s) {
+  const Rational e(s.distance - s.radius);
+  return {sgn(e) < 0 ? Location::inside : sgn(e) > 0 ? Location::outside : Location::boundary, Rational(abs(e))};
 }
 
 }  // namespace
 
-Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) {
-  const Squares s = squares(circle, point);
-  const Rational e(s.distance - s.radius);
-  return {sgn(e) < 0 ? Location::inside : sgn(e) > 0 ? Location::outside : Location::boundary, Rational(abs(e))};
+Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) { return truth(squares(circle, point)); }
+
+Truth<Location> implicit_circle(const Circle2<Rational>& circle, const Point2<Rational>& point) {
+  return truth(squares(circle, point));
 }
 
 Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point) {

@@ -5,27 +5,38 @@
 #include <bit>
 #include <cstdint>
 
-#include "geometry/door.h"
 #include "oracle/exact/circular.h"
-#include "oracle/exact/decode.h"
+#include "oracle/exact/common_scale.h"
 #include "oracle/exact/nearest_double.h"
+#include "oracle/exact/rational_door.h"
 
 namespace touchstone::oracle {
 namespace {
 
 const int closeness = 60;  // the answer is within 2^-60 units in the last place
 
-Enclosure on_axis(double center, double radius, const Enclosure& unit) {
-  const Rational from = exact(center), factor = exact(radius);
-  return {Rational(from + factor * unit.low), Rational(from + factor * unit.value),
-          Rational(from + factor * unit.high)};
+/// A coordinate and what it may be off, both ways.
+struct Coordinate {
+  Rational value, width;
+};
+
+/// center + radius * unit
+template <class Number>
+Coordinate on_axis(const CommonScale<Number, 3>& circle, std::size_t center, const Enclosure& unit) {
+  Integer whole = circle.whole(center);
+  whole <<= static_cast<mp_bitcnt_t>(-unit.exponent);  // |unit| <= 1 has all its bits behind the point
+  const Integer radius = circle.whole(2);
+  whole += radius * unit.nearest;
+  const auto actual = [&](const Integer& size) { return circle.actual(scaled(size, unit.exponent), 1); };
+  return {actual(whole), actual(Integer(radius * unit.width))};
 }
 
 /// One double (and one sign) is nearest to everything in the enclosure, and the enclosure is narrow enough.
-bool certain(const Enclosure& x) {
+bool certain(const Coordinate& x) {
   const auto bits = [](const Rational& value) { return std::bit_cast<std::uint64_t>(nearest_double(value)); };
-  if (sgn(x.low) != sgn(x.high) || bits(x.low) != bits(x.high)) return false;
-  return Rational(x.high - x.low) < scaled(Rational(1), ulp_exponent(x.value) - closeness);
+  if (x.width + x.width >= scaled(Rational(1), ulp_exponent(x.value) - closeness)) return false;
+  const Rational low(x.value - x.width), high(x.value + x.width);
+  return sgn(low) == sgn(high) && bits(low) == bits(high);
 }
 
 struct Found {
@@ -35,46 +46,56 @@ struct Found {
 
 /// u and the radius are not 0: cos u and sin u are transcendental, so both coordinates are irrational, no tie is
 /// possible, and some precision decides.
-Found find(const Circle2d& circle, double u) {
+template <class Number>
+Found find(const CommonScale<Number, 3>& circle, const Number& u) {
   for (int bits = 128;; bits += bits / 2) {
     const CosineAndSine turn = cosine_and_sine(u, bits);
-    const Enclosure x = on_axis(circle.center.x, circle.radius, turn.cosine);
-    const Enclosure y = on_axis(circle.center.y, circle.radius, turn.sine);
+    const Coordinate x = on_axis(circle, 0, turn.cosine), y = on_axis(circle, 1, turn.sine);
     if (certain(x) && certain(y)) return {{x.value, y.value}, turn};
   }
 }
 
-bool admitted_exact(const Circle2d& circle, double u) {
+template <class Number>
+CommonScale<Number, 3> admitted(const Circle2<Number>& circle, const Number& u) {
   door::admit("circle", circle), door::admit("u", u);
+  return CommonScale<Number, 3>({circle.center.x, circle.center.y, circle.radius});
+}
+
+template <class Number>
+bool rational(const Circle2<Number>& circle, const Number& u) {
   return door::zero(u) || door::zero(circle.radius);
 }
 
-/// The position of the leading bit of a positive rational, give or take one.
-int order(const Rational& value) {
-  return static_cast<int>(mpz_sizeinbase(value.get_num_mpz_t(), 2)) -
-         static_cast<int>(mpz_sizeinbase(value.get_den_mpz_t(), 2));
+template <class Number>
+Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
+  const CommonScale<Number, 3> n = admitted(circle, u);
+  const Point2<Rational> point =
+      rational(circle, u)
+          ? actual_point(n, {Rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
+          : find(n, u).point;
+  return {point, std::min(rounding_margin(point.x), rounding_margin(point.y))};
 }
 
 }  // namespace
 
-Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u) {
-  Point2<Rational> point;
-  if (admitted_exact(circle, u)) {
-    point = {Rational(exact(circle.center.x) + exact(circle.radius)), exact(circle.center.y)};
-  } else {
-    point = find(circle, u).point;
-  }
-  return {point, std::min(rounding_margin(point.x), rounding_margin(point.y))};
+Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u) { return truth(circle, u); }
+
+Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>& circle, const Rational& u) {
+  return truth(circle, u);
 }
 
 Certificate parametric_circle_certificate(const Circle2d& circle, double u) {
-  if (admitted_exact(circle, u)) return {"exact", {}};
-  const auto [cosine, sine] = find(circle, u).enclosures;
-  const Rational narrowest = std::min(Rational(cosine.high - cosine.low), Rational(sine.high - sine.low));
-  const int bits = std::max(0, -order(narrowest)) + 32;  // fixed point for the checker, finer than the enclosures
+  const CommonScale<double, 3> n = admitted(circle, u);
+  if (rational(circle, u)) return {"exact", {}};
+  const auto [cosine, sine] = find(n, u).enclosures;
+  const auto ends = [](const Enclosure& x) {
+    const Integer low(x.nearest - x.width), high(x.nearest + x.width);
+    return std::vector<Rational>{scaled(low, x.exponent), scaled(high, x.exponent)};
+  };
+  const int bits = 32 - std::min(cosine.exponent, sine.exponent);  // fixed point for the checker, finer than these
   return {"enclosure",
-          {{"cosine", {cosine.low, cosine.high}},
-           {"sine", {sine.low, sine.high}},
+          {{"cosine", ends(cosine)},
+           {"sine", ends(sine)},
            {"quarter_turns", {Rational(quarter_turns(u))}},
            {"bits", {Rational(bits)}}}};
 }

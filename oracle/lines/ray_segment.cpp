@@ -1,52 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/ray_segment.h"
 
-#include "geometry/door.h"
 #include "oracle/exact/common_points.h"
-#include "oracle/exact/common_power.h"
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/rational_door.h"
 
 namespace touchstone::oracle {
 namespace {
 
+template <class Number>
 struct Solved {
+  CommonScale<Number, 8> scale;
   Segment2<Integer> ray;  // a: origin, b: origin + direction
   Segment2<Integer> segment;
-  int exponent;
   CommonPoints common;
 };
 
-Solved solve(const Ray2d& ray, const Segment2d& segment) {
-  door::admit("ray", ray), door::admit("segment", segment);
-  const CommonPower<8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x, segment.a.y,
-                          segment.b.x, segment.b.y});
-  const Point2<Integer> origin{n.whole(0), n.whole(1)};
-  const Segment2<Integer> whole_ray{origin, {Integer(origin.x + n.whole(2)), Integer(origin.y + n.whole(3))}};
-  const Segment2<Integer> whole_segment{{n.whole(4), n.whole(5)}, {n.whole(6), n.whole(7)}};
-  return {whole_ray, whole_segment, n.exponent(), common_points(whole_ray, Extent::ray, whole_segment, n.bits() + 1)};
+template <class Number>
+Solved<Number> solve(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+  const CommonScale<Number, 8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x,
+                                  segment.a.y, segment.b.x, segment.b.y});
+  const Point2<Integer> origin = whole_point(n, 0);
+  const Vector2<Integer> direction{n.whole(2), n.whole(3)};
+  const bool still = sgn(direction.x) == 0 && sgn(direction.y) == 0;
+  if (!n.finite() || still) door::admit("ray", ray), door::admit("segment", segment);  // names the field: slower
+  const Segment2<Integer> whole_ray{origin, origin + direction}, whole = whole_segment(n, 4);
+  return {n, whole_ray, whole, common_points(whole_ray, Extent::ray, whole, n.bits() + 1)};
+}
+
+template <class Number>
+Truth<RaySegment<Rational>> truth(const Solved<Number>& s) {
+  const auto end_distance = [&s] { return s.scale.actual(least_end_distance(s.ray, Extent::ray, s.segment), 2); };
+  if (!s.common.any) return {{RayRelation::none, {}, {}, {}}, end_distance()};
+  const Rational &t = s.common.first, &on_segment = s.common.second_at_first;
+  const Point2<Rational> first = actual_point(s.scale, point_at(s.ray, t));
+  if (t < s.common.last) {
+    const Point2<Rational> last = actual_point(s.scale, point_at(s.ray, s.common.last));
+    return {{RayRelation::overlap, t, {}, Segment2<Rational>{first, last}}, Rational(0)};
+  }
+  const bool touching = t == 0 || on_segment == 0 || on_segment == 1;
+  return {{RayRelation::point, t, first, {}}, touching ? Rational(0) : end_distance()};
 }
 
 }  // namespace
 
 Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) {
-  const Solved s = solve(ray, segment);
-  if (!s.common.any)
-    return {{RayRelation::none, {}, {}, {}}, least_end_distance(s.ray, Extent::ray, s.segment, s.exponent)};
-  const Rational &t = s.common.first, &on_segment = s.common.second_at_first;
-  const Point2<Rational> first = point_at(s.ray, t, s.exponent);
-  if (t < s.common.last) {
-    const Point2<Rational> last = point_at(s.ray, s.common.last, s.exponent);
-    return {{RayRelation::overlap, t, {}, Segment2<Rational>{first, last}}, Rational(0)};
-  }
-  const bool touching = t == 0 || on_segment == 0 || on_segment == 1;
-  return {{RayRelation::point, t, first, {}},
-          touching ? Rational(0) : least_end_distance(s.ray, Extent::ray, s.segment, s.exponent)};
+  return truth(solve(ray, segment));
+}
+
+Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>& ray, const Segment2<Rational>& segment) {
+  return truth(solve(ray, segment));
 }
 
 Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) {
-  const Solved s = solve(ray, segment);
+  const Solved<double> s = solve(ray, segment);
   const CommonPoints& common = s.common;
   if (!common.any) {
-    const Rational offset = halfway(common.normal, s.ray, Extent::ray, s.segment, s.exponent);
+    const Rational offset = s.scale.actual(halfway(common.normal, s.ray, Extent::ray, s.segment), 1);
     return {"separating_line",
             {{"normal", {Rational(common.normal.x), Rational(common.normal.y)}}, {"offset", {offset}}}};
   }
@@ -58,10 +68,10 @@ Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) 
   if (s.segment.a == s.segment.b) return {"single_point", {}};
   const Vector2<Integer> direction = s.ray.b - s.ray.a, v = s.segment.b - s.segment.a;
   const Integer area = cross(direction, v);
-  if (sgn(area) != 0) return {"transversal", {witness, {"determinant", {scaled(area, 2 * s.exponent)}}}};
+  if (sgn(area) != 0) return {"transversal", {witness, {"determinant", {s.scale.actual(area, 2)}}}};
   // Collinear and end to end: the ray starts where the segment does, and leaves it.
   const Vector2<Integer> back{Integer(-direction.x), Integer(-direction.y)};
-  const Rational offset = halfway(back, s.ray, Extent::ray, s.segment, s.exponent);
+  const Rational offset = s.scale.actual(halfway(back, s.ray, Extent::ray, s.segment), 1);
   return {"supporting_line", {witness, {"normal", {Rational(back.x), Rational(back.y)}}, {"offset", {offset}}}};
 }
 

@@ -3,62 +3,70 @@
 
 #include <utility>
 
-#include "geometry/door.h"
 #include "oracle/exact/common_points.h"
-#include "oracle/exact/common_power.h"
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/rational_door.h"
 
 namespace touchstone::oracle {
 namespace {
 
-CommonPower<8> admitted(const Segment2d& a, const Segment2d& b) {
-  const CommonPower<8> numbers({a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y});
+template <class Number>
+CommonScale<Number, 8> admitted(const Segment2<Number>& a, const Segment2<Number>& b) {
+  const CommonScale<Number, 8> numbers({a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y});
   if (!numbers.finite()) door::admit("a", a), door::admit("b", b);  // names the field: far slower than the question
   return numbers;
 }
 
+template <class Number>
 struct Solved {
+  CommonScale<Number, 8> scale;
   Segment2<Integer> a, b;
-  int exponent;
   CommonPoints common;
 };
 
-Solved solve(const Segment2d& a, const Segment2d& b) {
-  const CommonPower<8> n = admitted(a, b);
-  const Segment2<Integer> whole_a{{n.whole(0), n.whole(1)}, {n.whole(2), n.whole(3)}};
-  const Segment2<Integer> whole_b{{n.whole(4), n.whole(5)}, {n.whole(6), n.whole(7)}};
-  return {whole_a, whole_b, n.exponent(), common_points(whole_a, Extent::segment, whole_b, n.bits())};
+template <class Number>
+Solved<Number> solve(const Segment2<Number>& a, const Segment2<Number>& b) {
+  const CommonScale<Number, 8> n = admitted(a, b);
+  const Segment2<Integer> whole_a = whole_segment(n, 0), whole_b = whole_segment(n, 4);
+  return {n, whole_a, whole_b, common_points(whole_a, Extent::segment, whole_b, n.bits())};
 }
 
 bool at_end(const Rational& t) { return t == 0 || t == 1; }
 bool zero_length(const Segment2<Integer>& s) { return s.a == s.b; }
 
-}  // namespace
-
-Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) {
-  const Solved s = solve(a, b);
-  if (!s.common.any)
-    return {{SegmentRelation::disjoint, {}, {}, {}, {}}, least_end_distance(s.a, Extent::segment, s.b, s.exponent)};
+template <class Number>
+Truth<SegmentSegment<Rational>> truth(const Solved<Number>& s) {
+  const auto end_distance = [&s] { return s.scale.actual(least_end_distance(s.a, Extent::segment, s.b), 2); };
+  if (!s.common.any) return {{SegmentRelation::disjoint, {}, {}, {}, {}}, end_distance()};
   const Rational &ta = s.common.first, &tb = s.common.second_at_first;
-  const Point2<Rational> first = point_at(s.a, ta, s.exponent);
+  const Point2<Rational> first = actual_point(s.scale, point_at(s.a, ta));
   if (s.common.first < s.common.last) {
-    const Point2<Rational> last = point_at(s.a, s.common.last, s.exponent);
+    const Point2<Rational> last = actual_point(s.scale, point_at(s.a, s.common.last));
     const bool in_order = first.x < last.x || (first.x == last.x && first.y < last.y);
     const Segment2<Rational> overlap = in_order ? Segment2<Rational>{first, last} : Segment2<Rational>{last, first};
     return {{SegmentRelation::overlap, {}, {}, {}, overlap}, Rational(0)};
   }
   const bool touching = at_end(ta) || at_end(tb);
-  return {{SegmentRelation::point, ta, tb, first, {}},
-          touching ? Rational(0) : least_end_distance(s.a, Extent::segment, s.b, s.exponent)};
+  return {{SegmentRelation::point, ta, tb, first, {}}, touching ? Rational(0) : end_distance()};
+}
+
+}  // namespace
+
+Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) { return truth(solve(a, b)); }
+
+Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>& a, const Segment2<Rational>& b) {
+  return truth(solve(a, b));
 }
 
 Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b) {
-  const Solved s = solve(a, b);
+  const Solved<double> s = solve(a, b);
   const CommonPoints& common = s.common;
-  const auto line = [&](const char* kind, const Vector2<Integer>& normal, const Rational& offset) {
+  const auto line = [&](const char* kind, const Vector2<Integer>& normal) {
+    const Rational offset = s.scale.actual(halfway(normal, s.a, Extent::segment, s.b), 1);
     return Certificate{kind, {{"normal", {Rational(normal.x), Rational(normal.y)}}, {"offset", {offset}}}};
   };
   if (!common.any) {
-    return line("separating_line", common.normal, halfway(common.normal, s.a, Extent::segment, s.b, s.exponent));
+    return line("separating_line", common.normal);
   }
   if (common.first < common.last) {
     Rational on_a[2] = {common.first, common.last}, on_b[2] = {common.second_at_first, common.second_at_last};
@@ -69,22 +77,20 @@ Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b) 
   if (zero_length(s.a) || zero_length(s.b)) return {"single_point", {}};
   const Vector2<Integer> u = s.a.b - s.a.a, v = s.b.b - s.b.a;
   const Integer area = cross(u, v);
-  if (sgn(area) != 0) return {"transversal", {{"determinant", {scaled(area, 2 * s.exponent)}}}};
+  if (sgn(area) != 0) return {"transversal", {{"determinant", {s.scale.actual(area, 2)}}}};
   // Collinear, end to end: a normal along the line, from a to b, has the common point as its only one on both sides.
   const Vector2<Integer> along = common.first == 0 ? Vector2<Integer>{Integer(-u.x), Integer(-u.y)} : u;
-  return line("supporting_line", along, halfway(along, s.a, Extent::segment, s.b, s.exponent));
+  return line("supporting_line", along);
 }
 
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
-  const CommonPower<8> n = admitted(a, b);
+  const CommonScale<double, 8> n = admitted(a, b);
   if (n.bits() <= 61) {
     using Words = Segment2<std::int64_t>;
     return segment_segment_relation<Int128>(Words{{n.word(0), n.word(1)}, {n.word(2), n.word(3)}},
                                             Words{{n.word(4), n.word(5)}, {n.word(6), n.word(7)}});
   }
-  using Wholes = Segment2<Integer>;
-  return segment_segment_relation<Integer>(Wholes{{n.whole(0), n.whole(1)}, {n.whole(2), n.whole(3)}},
-                                           Wholes{{n.whole(4), n.whole(5)}, {n.whole(6), n.whole(7)}});
+  return segment_segment_relation<Integer>(whole_segment(n, 0), whole_segment(n, 4));
 }
 
 }  // namespace touchstone::oracle

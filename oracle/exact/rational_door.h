@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "geometry/door.h"
+#include "oracle/truth.h"
+
+/// The door for rationals: the rules of geometry/door.h, but for the finite number that every rational is.
+namespace touchstone::door {
+
+inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
+
+inline void admit(const std::string&, const oracle::Rational&) {}
+inline void admit(const std::string&, const Point2<oracle::Rational>&) {}
+inline void admit(const std::string&, const Segment2<oracle::Rational>&) {}
+
+inline void admit(const std::string& field, const Line2<oracle::Rational>& l) {
+  if (l.p == l.q) throw InvalidInput(field, "two distinct points");
+}
+inline void admit_direction(const std::string& field, const Vector2<oracle::Rational>& v) {
+  if (zero(v.x) && zero(v.y)) throw InvalidInput(field, "nonzero direction");
+}
+inline void admit(const std::string& field, const ParametricLine2<oracle::Rational>& l) {
+  admit_direction(field + ".direction", l.direction);
+}
+inline void admit(const std::string& field, const Ray2<oracle::Rational>& r) {
+  admit_direction(field + ".direction", r.direction);
+}
+inline void admit(const std::string& field, const Circle2<oracle::Rational>& c) {
+  if (sgn(c.radius) < 0) throw InvalidInput(field + ".radius", "radius >= 0");
+}
+
+}  // namespace touchstone::door
