@@ -189,7 +189,7 @@ std::string Process::end() {
   kill_and_reap();
   read_errors();
   const std::string complaint = last_line(last_errors_);
-  return complaint.empty() ? how : how + ": " + complaint;
+  return how.find(complaint) != std::string::npos ? how : how + ": " + complaint;
 }
 
 void Process::kill_and_reap() {
