@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "audit/report/axes.h"
@@ -34,6 +35,17 @@ std::string framed(const Scene& scene, const Viewport& view, const std::string& 
       "<rect class=\"frame\" width=\"{0}\" height=\"{1}\"/><svg width=\"{0}\" height=\"{1}\">{2}{3}{4}{5}</svg>",
       pixels(frame.width), pixels(frame.height), below, drawing.lines, drawing.points,
       placed_labels(drawing.wishes, drawing.drawn, frame));
+}
+
+/// Without figures that have a point beyond the range of doubles: a ray's second point may overflow, a formula's answer too.
+Scene drawable(const Scene& scene) {
+  Scene kept;
+  for (const Figure& figure : scene.figures) {
+    const bool finite =
+        std::all_of(figure.numbers.begin(), figure.numbers.end(), [](double x) { return std::isfinite(x); });
+    if (finite && !figure.numbers.empty()) kept.figures.push_back(figure);
+  }
+  return kept;
 }
 
 Viewport whole_view(const Scene& scene) {
@@ -122,7 +134,8 @@ std::string figure_style() {
          ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";
 }
 
-std::string scene_svg(const Scene& scene, const std::string& title, bool standalone) {
+std::string scene_svg(const Scene& given, const std::string& title, bool standalone) {
+  const Scene scene = drawable(given);
   if (scene.figures.empty()) return "";
   const Viewport whole = whole_view(scene);
   const auto miss = narrowest_gap(scene, whole);
