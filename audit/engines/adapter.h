@@ -25,7 +25,9 @@ using Boundary = audit::Declaration::Boundary;
 namespace audit {
 
 template <class Engine, class Row, class... Arguments>
-concept AnswersTo = requires(Engine& engine, const Arguments&... arguments) { Row::ask(engine, arguments...); };
+concept AnswersTo = requires(Engine& engine, const Arguments&... arguments) {
+  Row::ask(engine, arguments...);
+};
 
 /// Whether the engine has a row's operation on shapes over Real.
 template <class Engine, class Row, class Tuple>
@@ -40,7 +42,7 @@ struct NumberOf {
   using type = double;
 };
 template <class Engine>
-  requires requires { typename Engine::number; }
+requires requires { typename Engine::number; }
 struct NumberOf<Engine> {
   using type = typename Engine::number;
 };
@@ -49,9 +51,8 @@ using number_of = typename NumberOf<Engine>::type;
 
 /// The number type over which the shapes of an operation are handed to the engine: its own where it takes that.
 template <class Engine, class Row>
-using handed_number =
-    std::conditional_t<has_operation<Engine, Row, number_of<Engine>>, number_of<Engine>,
-                       std::conditional_t<std::is_same_v<number_of<Engine>, double>, float, double>>;
+using handed_number = std::conditional_t<has_operation<Engine, Row, number_of<Engine>>, number_of<Engine>,
+                                         std::conditional_t<std::is_same_v<number_of<Engine>, double>, float, double>>;
 
 template <class Engine>
 Declaration declaration_of() {
@@ -96,8 +97,8 @@ Served served(Engine& engine) {
 }  // namespace touchstone
 
 /// The audit program of an engine: the options of `touchstone audit`; with --serve it answers over pipes.
-#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                               \
-  int main(int argc, char** argv) {                                                                      \
-    EngineType engine{};                                                                                 \
-    return ::touchstone::audit::engine_program(::touchstone::audit::served(engine), argc, argv);         \
+#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                       \
+  int main(int argc, char** argv) {                                                              \
+    EngineType engine{};                                                                         \
+    return ::touchstone::audit::engine_program(::touchstone::audit::served(engine), argc, argv); \
   }

@@ -32,7 +32,8 @@ const char* member_of_type() {
   const char* name = nullptr;
   if constexpr (Composite<Answer>) {
     for_each_member<Answer>([&](const auto& member) {
-      if (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word>) name = member.name;
+      if (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word>)
+        name = member.name;
     });
   }
   return name;
@@ -65,14 +66,16 @@ std::optional<Json> engine_answer(const Result& result) {
     if (!result) return std::nullopt;
     return engine_answer<Row>(*result);
   } else if constexpr (std::is_same_v<Result, bool>) {
-    static_assert(has_plain_reading<Answer>(), "true and false are no answer to this operation: return its enumeration");
+    static_assert(has_plain_reading<Answer>(),
+                  "true and false are no answer to this operation: return its enumeration");
     return Json(result);
   } else if constexpr (std::is_same_v<Result, rebound_t<Answer, double>>) {
     return named(Row::card().answer, to_json(result));
   } else if constexpr (std::is_same_v<Result, rebound_t<Answer, float>>) {
     return named(Row::card().answer, to_json(converted<double>(result, [](float number) { return double{number}; })));
   } else {
-    static_assert(has_member_of_type<Answer, Result>(), "this type is no answer to the operation (see geometry/answers.h)");
+    static_assert(has_member_of_type<Answer, Result>(),
+                  "this type is no answer to the operation (see geometry/answers.h)");
     return named(member_of_type<Answer, Result>(), to_json(result));
   }
 }

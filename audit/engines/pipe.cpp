@@ -10,7 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t outbox_filled = 1 << 16;
-constexpr std::chrono::milliseconds slice{100};       // how soon an interrupt is noticed
+constexpr std::chrono::milliseconds slice{100};      // how soon an interrupt is noticed
 constexpr std::chrono::milliseconds repetition{20};  // how long a second answer is waited for, once there was one
 
 Clock::time_point from_now(double seconds) {
@@ -65,7 +65,8 @@ void PipeEngine::ask_alone(Round& round, Indices& suspects) {
   }
 }
 
-std::optional<std::string> PipeEngine::converse(Round& round, Indices& to_ask, std::size_t in_flight, Indices& unanswered) {
+std::optional<std::string> PipeEngine::converse(Round& round, Indices& to_ask, std::size_t in_flight,
+                                                Indices& unanswered) {
   const std::size_t first = round.asked.size();
   round.owed = 0;
   const auto fault = exchange(round, to_ask, in_flight);
@@ -115,7 +116,8 @@ std::optional<std::string> PipeEngine::take_lines(Round& round) {
     if (auto fault = take_line(inbox_.substr(begin, end - begin), round)) return fault;
   }
   inbox_.erase(0, begin);
-  if (inbox_.size() > limits_.line) return "more than " + std::to_string(limits_.line) + " bytes without the end of a line";
+  if (inbox_.size() > limits_.line)
+    return "more than " + std::to_string(limits_.line) + " bytes without the end of a line";
   return std::nullopt;
 }
 
@@ -194,7 +196,8 @@ std::string PipeEngine::first_line() {
     if (inbox_.size() > limits_.line) throw EngineError("its first line does not end");
     if (Clock::now() >= deadline) {
       ++timeouts_;
-      throw EngineError("no first line in " + decimal(limits_.start_timeout) + " s (is its output flushed after every line?)");
+      throw EngineError("no first line in " + decimal(limits_.start_timeout) +
+                        " s (is its output flushed after every line?)");
     }
     if (interrupted()) throw EngineError("interrupted");
   }

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "audit/engines/engine.h"
-#include "audit/engines/protocol.h"
 #include "audit/engines/process.h"
+#include "audit/engines/protocol.h"
 
 namespace touchstone::audit {
 

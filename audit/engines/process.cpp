@@ -22,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kept_errors = 4096;
-constexpr std::chrono::milliseconds time_to_exit{500};
+constexpr std::chrono::milliseconds time_to_exit{2000};
 
 struct Pipe {
   int to_read = -1, to_write = -1;
@@ -113,8 +113,7 @@ Process::Process(const std::string& command) {
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
   const char* const arguments[] = {"sh", "-c", command.c_str(), nullptr};
-  const int error =
-      posix_spawn(&pid_, "/bin/sh", &actions, &attributes, const_cast<char* const*>(arguments), environ);
+  const int error = posix_spawn(&pid_, "/bin/sh", &actions, &attributes, const_cast<char* const*>(arguments), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (error != 0) throw std::system_error(error, std::generic_category(), "/bin/sh");

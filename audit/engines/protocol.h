@@ -15,7 +15,8 @@ namespace touchstone::audit {
 
 struct Hello {
   Declaration declaration;
-  std::set<std::string> operations;  ///< as the engine names them; those that the catalogue does not know are never asked
+  std::set<std::string>
+      operations;  ///< as the engine names them; those that the catalogue does not know are never asked
 };
 
 /// What the program says: {"touchstone":1,"ops":[...]}, with the line's end.

@@ -21,7 +21,8 @@ class QuestionText {
 
  private:
   const Operation& operation_;
-  std::vector<std::string> around_;  ///< before, between and after the numbers; empty where questions differ in their length
+  std::vector<std::string>
+      around_;  ///< before, between and after the numbers; empty where questions differ in their length
 };
 
 }  // namespace touchstone::audit

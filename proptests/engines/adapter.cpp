@@ -70,7 +70,8 @@ TEST_CASE("adapter: a truth value, a word, a whole answer and nothing are answer
   REQUIRE(said<Various>("point_on_segment", R"({"point":[13,0],"segment":[[0,0],[1,0]]})") == "unsupported");
   REQUIRE(said<Various>("ray_segment", R"({"ray":{"origin":[0,0],"direction":[1,0]},"segment":[[0,0],[1,0]]})") ==
           R"({"relation":"point","t":0.5,"point":[1,2]})");
-  REQUIRE(said<Various>("line_point_at", R"({"line":{"origin":[0,0],"direction":[1,2]},"t":2})") == R"({"point":[2,4]})");
+  REQUIRE(said<Various>("line_point_at", R"({"line":{"origin":[0,0],"direction":[1,2]},"t":2})") ==
+          R"({"point":[2,4]})");
   REQUIRE_THROWS_WITH(said<Various>("explicit_line", R"({"slope":1,"intercept":0,"point":[0,0]})"), "vertical");
 }
 
@@ -83,8 +84,9 @@ TEST_CASE("adapter: an engine in float gets float shapes where it takes them, do
 TEST_CASE("adapter: what an engine declares is what its first line says, and reads back") {
   InFloat engine;
   const std::string line = written_hello(served(engine).hello);
-  REQUIRE(line == "{\"engine\":\"in float 1\",\"ops\":[\"orientation\",\"segment_segment\"],\"number\":\"binary32\","
-                  "\"boundary\":\"open\",\"tolerance\":1e-06}\n");
+  REQUIRE(line ==
+          "{\"engine\":\"in float 1\",\"ops\":[\"orientation\",\"segment_segment\"],\"number\":\"binary32\","
+          "\"boundary\":\"open\",\"tolerance\":1e-06}\n");
   const Hello read = read_hello(line);
   REQUIRE(read.declaration.boundary == Boundary::open);
   REQUIRE(read.declaration.binary32);
@@ -93,7 +95,8 @@ TEST_CASE("adapter: what an engine declares is what its first line says, and rea
 
 TEST_CASE("adapter: a fuzz target lets right answers and unsupported questions pass") {
   for (unsigned i = 0; i < 2000; ++i) {
-    const unsigned char bytes[] = {static_cast<unsigned char>(i), static_cast<unsigned char>(i * 7), static_cast<unsigned char>(i >> 3), 5, 6};
+    const unsigned char bytes[] = {static_cast<unsigned char>(i), static_cast<unsigned char>(i * 7),
+                                   static_cast<unsigned char>(i >> 3), 5, 6};
     REQUIRE((fuzz_engine<Right, rows::orientation>(bytes, sizeof bytes)) == 0);
     REQUIRE((fuzz_engine<Right, rows::segment_segment>(bytes, sizeof bytes)) == -1);
   }

@@ -53,8 +53,8 @@ void require_lost(const std::vector<Reply>& replies, const std::vector<std::size
   }
 }
 
-void require_lost_by(const std::string& arguments, const std::vector<std::size_t>& lost, const std::string& remark, int restarts,
-                     double timeout = patient) {
+void require_lost_by(const std::string& arguments, const std::vector<std::size_t>& lost, const std::string& remark,
+                     int restarts, double timeout = patient) {
   Engineered with(arguments, with_timeout(timeout));
   require_lost(with.engine.ask(orientation(), numbered(600)), lost, remark);
   REQUIRE(with.engine.restarts() == restarts);
@@ -90,12 +90,15 @@ TEST_CASE("pipe: answers that arrive letter by letter are put together") {
   require_lost(with.engine.ask(orientation(), numbered(40)), {}, "");
 }
 
-TEST_CASE("pipe: long answers and many questions do not wait for each other") { require_lost_by("answers_at_length", {}, "", 0); }
+TEST_CASE("pipe: long answers and many questions do not wait for each other") {
+  require_lost_by("answers_at_length", {}, "", 0);
+}
 
 TEST_CASE("pipe: numbers arrive as the doubles that they are") {
   Engineered with("prints_hexadecimal");
   std::vector<Question> questions;
-  const std::vector<double> numbers{0.1, 1.0 / 3, 5e-324, -0.0, 1.7976931348623157e308, 9007199254740993.0, -1e22, 2.2250738585072009e-308};
+  const std::vector<double> numbers{
+      0.1, 1.0 / 3, 5e-324, -0.0, 1.7976931348623157e308, 9007199254740993.0, -1e22, 2.2250738585072009e-308};
   for (const double number : numbers) questions.push_back({{0, 0, 1, 0, number, 1}});
   const auto replies = with.engine.ask(orientation(), questions);
   for (std::size_t i = 0; i < numbers.size(); ++i) REQUIRE(echoed(replies[i], numbers[i]));
@@ -124,9 +127,13 @@ TEST_CASE("pipe: a question that is passed over in silence is lost and no other"
   require_lost_by("is_silent 0 599", {0, 599}, "no answer in 0.4 s", 3, 0.4);
 }
 
-TEST_CASE("pipe: a line that is no JSON loses its question") { require_lost_by("babbles 5", {5}, "have a nice day", 2); }
+TEST_CASE("pipe: a line that is no JSON loses its question") {
+  require_lost_by("babbles 5", {5}, "have a nice day", 2);
+}
 
-TEST_CASE("pipe: an answer without an id loses its question") { require_lost_by("forgets_the_id 5", {5}, "id: missing", 2); }
+TEST_CASE("pipe: an answer without an id loses its question") {
+  require_lost_by("forgets_the_id 5", {5}, "id: missing", 2);
+}
 
 TEST_CASE("pipe: an answer with the id of no question loses its question") {
   require_lost_by("invents_an_id 5", {5}, "was not asked", 2);
@@ -136,7 +143,9 @@ TEST_CASE("pipe: a second answer to a question takes the first one back") {
   require_lost_by("answers_twice 3 250 599", {3, 250, 599}, "answered twice", 0);
 }
 
-TEST_CASE("pipe: an endless line loses its question") { require_lost_by("floods 20", {20}, "without the end of a line", 2); }
+TEST_CASE("pipe: an endless line loses its question") {
+  require_lost_by("floods 20", {20}, "without the end of a line", 2);
+}
 
 TEST_CASE("pipe: an error that is reported loses its question without a restart") {
   require_lost_by("has_an_error 4", {4}, "error: division by zero", 0);
@@ -183,7 +192,8 @@ TEST_CASE("pipe: an engine that dies too often in an operation is given up") {
   Engineered with("crashes 1 3 5 7 9 11", limits);
   const auto replies = with.engine.ask(orientation(), numbered(600));
   REQUIRE(echoed(replies[2], 2));
-  REQUIRE_THAT(replies[599].remark, Catch::StartsWith("given up after 4 restarts in this operation, the last for: signal 11"));
+  REQUIRE_THAT(replies[599].remark,
+               Catch::StartsWith("given up after 4 restarts in this operation, the last for: signal 11"));
 }
 
 TEST_CASE("pipe: an engine that hangs on every question is given up") {
@@ -192,7 +202,8 @@ TEST_CASE("pipe: an engine that hangs on every question is given up") {
   Engineered with("hangs", limits);
   const auto replies = with.engine.ask(orientation(), numbered(2000));
   REQUIRE(replies[0].remark == "no answer in 0.2 s");
-  REQUIRE(replies[1999].remark == "given up after 3 questions without an answer in time, the last for: no answer in 0.2 s");
+  REQUIRE(replies[1999].remark ==
+          "given up after 3 questions without an answer in time, the last for: no answer in 0.2 s");
 }
 
 TEST_CASE("pipe: an interrupt ends the asking at once, and what was not asked says so") {
@@ -221,7 +232,8 @@ TEST_CASE("pipe: what the engine started dies with it") {
 }
 
 TEST_CASE("pipe: an engine that does not start is one line of explanation") {
-  REQUIRE_THAT(refusal_to_start("no_such_engine_here"), Catch::Contains("exit code 127") && Catch::Contains("not found"));
+  REQUIRE_THAT(refusal_to_start("no_such_engine_here"),
+               Catch::Contains("exit code 127") && Catch::Contains("not found"));
   REQUIRE_THAT(refusal_to_start("exit 3"), Catch::Contains("said nothing") && Catch::Contains("exit code 3"));
   REQUIRE_THAT(refusal_to_start("sleep 5"), Catch::Contains("no first line in 0.5 s"));
   REQUIRE_THAT(refusal_to_start("head -c 3000000 /dev/zero; sleep 5"), Catch::Contains("first line does not end"));
@@ -235,9 +247,12 @@ TEST_CASE("pipe: a first line that is not as it should be is refused by its fiel
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e"})"), Catch::Contains("ops: missing"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":1,"ops":[]})"), Catch::Contains("engine: text"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[1]})"), Catch::Contains("ops: text"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"boundary":"half"})"), Catch::Contains("boundary: one of closed"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"number":"f32"})"), Catch::Contains("number: one of binary64"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"tolerance":-1})"), Catch::Contains("tolerance: number >= 0"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"boundary":"half"})"),
+               Catch::Contains("boundary: one of closed"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"number":"f32"})"),
+               Catch::Contains("number: one of binary64"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"tolerance":-1})"),
+               Catch::Contains("tolerance: number >= 0"));
 }
 
 TEST_CASE("pipe: what an engine declares is known") {

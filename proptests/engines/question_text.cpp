@@ -18,7 +18,8 @@ bool same_bits(const Question& a, const Question& b) {
 
 }  // namespace
 
-TEST_CASE("question text: what is written reads back to the bit, here and by the codec, in every family of every operation") {
+TEST_CASE(
+    "question text: what is written reads back to the bit, here and by the codec, in every family of every operation") {
   for (const Operation* operation : catalogue()) {
     const QuestionText text(*operation);
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
@@ -41,9 +42,11 @@ TEST_CASE("question text: whatever looks otherwise is left to the codec") {
   const QuestionText text(*find_operation("orientation"));
   Question question;
   REQUIRE(text.read(R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})", question));
-  for (const char* other : {R"({"p0":[0,0],"p1":[1,0],"p":[0,1]} )", R"({"p0": [0,0],"p1":[1,0],"p":[0,1]})", R"({"p1":[0,0],"p0":[1,0],"p":[0,1]})",
-                            R"({"p0":[0,0],"p1":[1,0],"p":[0,inf]})", R"({"p0":[0,0],"p1":[1,0],"p":[0,-nan]})", R"({"p0":[0,0],"p1":[1,0],"p":[0,1e999]})",
-                            R"({"p0":[0,0],"p1":[1,0],"p":[0,"0x1p+0"]})", R"({"p0":[0,0],"p1":[1,0],"p":[0,])", R"({"p0":[0,0],"p1":[1,0]})", "", "{"}) {
+  for (const char* other : {R"({"p0":[0,0],"p1":[1,0],"p":[0,1]} )", R"({"p0": [0,0],"p1":[1,0],"p":[0,1]})",
+                            R"({"p1":[0,0],"p0":[1,0],"p":[0,1]})", R"({"p0":[0,0],"p1":[1,0],"p":[0,inf]})",
+                            R"({"p0":[0,0],"p1":[1,0],"p":[0,-nan]})", R"({"p0":[0,0],"p1":[1,0],"p":[0,1e999]})",
+                            R"({"p0":[0,0],"p1":[1,0],"p":[0,"0x1p+0"]})", R"({"p0":[0,0],"p1":[1,0],"p":[0,])",
+                            R"({"p0":[0,0],"p1":[1,0]})", "", "{"}) {
     INFO(other);
     REQUIRE_FALSE(text.read(other, question));
   }

@@ -36,8 +36,10 @@ struct BoostGeometry {
     if (common.empty()) return answer;
     const Point2d p = point(common.front()), q = point(common.back());
     answer.relation = p == q ? SegmentRelation::point : SegmentRelation::overlap;
-    if (p == q) answer.point = p;
-    else answer.overlap = p.x < q.x || (p.x == q.x && p.y < q.y) ? Segment2d{p, q} : Segment2d{q, p};
+    if (p == q)
+      answer.point = p;
+    else
+      answer.overlap = p.x < q.x || (p.x == q.x && p.y < q.y) ? Segment2d{p, q} : Segment2d{q, p};
     return answer;
   }
 
@@ -48,7 +50,8 @@ struct BoostGeometry {
   }
 
   Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-    const int side = bg::strategy::side::side_by_triangle<>::apply(Point(p0.x, p0.y), Point(p1.x, p1.y), Point(p.x, p.y));
+    const int side =
+        bg::strategy::side::side_by_triangle<>::apply(Point(p0.x, p0.y), Point(p1.x, p1.y), Point(p.x, p.y));
     return side > 0 ? Side::left : side < 0 ? Side::right : Side::on;
   }
 

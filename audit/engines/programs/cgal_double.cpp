@@ -39,7 +39,8 @@ struct CgalDouble {
   /// CGAL keeps a ray as its origin and a second point: only where origin + direction is exact is it the same ray.
   std::optional<RaySegment<double>> ray_segment(const Ray2d& r, const Segment2d& s) {
     const Point2d second = r.origin + r.direction;
-    if (!exact_sum(r.origin.x, r.direction.x, second.x) || !exact_sum(r.origin.y, r.direction.y, second.y)) return std::nullopt;
+    if (!exact_sum(r.origin.x, r.direction.x, second.x) || !exact_sum(r.origin.y, r.direction.y, second.y))
+      return std::nullopt;
     const Kernel::Ray_2 ray(point(r.origin), point(second));
     const Kernel::Segment_2 other = segment(s);
     if (ray.is_degenerate() || other.is_degenerate()) return std::nullopt;

@@ -19,7 +19,8 @@ struct Geos {
     const auto a = geos_.line(first), b = geos_.line(second);
     if (!geos_.valid(a) || !geos_.valid(b)) return std::nullopt;
     const std::unique_ptr<char, std::function<void(char*)>> matrix(
-        geos_.made(GEOSRelate_r(geos_.context(), a.get(), b.get())), [this](char* text) { GEOSFree_r(geos_.context(), text); });
+        geos_.made(GEOSRelate_r(geos_.context(), a.get(), b.get())),
+        [this](char* text) { GEOSFree_r(geos_.context(), text); });
     const char* shared = matrix.get();
     if (shared[0] == '1') return SegmentRelation::overlap;
     const bool apart = shared[0] == 'F' && shared[1] == 'F' && shared[3] == 'F' && shared[4] == 'F';

@@ -24,7 +24,8 @@ struct GeosOverlay {
       answer.point = geos_.vertex(common, 0);
     } else if (type == GEOS_LINESTRING) {
       answer.relation = SegmentRelation::overlap;
-      const Point2d p = geos_.vertex(common, 0), q = geos_.vertex(common, GEOSGeomGetNumPoints_r(geos_.context(), common.get()) - 1);
+      const Point2d p = geos_.vertex(common, 0),
+                    q = geos_.vertex(common, GEOSGeomGetNumPoints_r(geos_.context(), common.get()) - 1);
       answer.overlap = p.x < q.x || (p.x == q.x && p.y < q.y) ? Segment2d{p, q} : Segment2d{q, p};
     } else {
       throw std::runtime_error("GEOSIntersection of two segments is neither a point nor a line string");

@@ -49,7 +49,8 @@ class GeosSession {
 
   Point2d vertex(const Geometry& geometry, int i) const {
     Point2d p{};
-    GEOSCoordSeq_getXY_r(context(), made(GEOSGeom_getCoordSeq_r(context(), geometry.get())), static_cast<unsigned>(i), &p.x, &p.y);
+    GEOSCoordSeq_getXY_r(context(), made(GEOSGeom_getCoordSeq_r(context(), geometry.get())), static_cast<unsigned>(i),
+                         &p.x, &p.y);
     return p;
   }
 
