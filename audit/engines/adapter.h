@@ -16,8 +16,8 @@
 ///   };
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
 ///
-/// with one member function per operation that it has, of the operation's name and arguments (geometry/*.h). docs/engines.md
-/// says what may be returned.
+/// with one member function per operation that it has, of the operation's name and arguments (geometry/*.h).
+/// docs/engines.md says what may be returned.
 namespace touchstone {
 
 using Boundary = audit::Declaration::Boundary;

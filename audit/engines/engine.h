@@ -21,12 +21,12 @@ struct Reply {
   Kind kind = Kind::answered;
   Json answer;
   std::string remark;
-  bool asked =
-      true;  ///< false: `failed` because the engine was given up, or the run stopped, before it was this question's turn
+  /// False: `failed` because the engine was given up, or the run stopped, before it was this question's turn.
+  bool asked = true;
 };
 
-/// Somebody's implementation, asked many questions of one operation at a time. It loses a question when it crashes or hangs,
-/// never the run.
+/// Somebody's implementation, asked many questions of one operation at a time. It loses a question when it crashes or
+/// hangs, never the run.
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -41,8 +41,8 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Starts `command` (by the shell) and shakes hands as in docs/engines.md. timeout: seconds without an answer. Once *stop is
-/// true, what has not been asked yet is not asked any more.
+/// Starts `command` (by the shell) and shakes hands as in docs/engines.md. timeout: seconds without an answer. Once
+/// *stop is true, what has not been asked yet is not asked any more.
 std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout,
                                     const std::atomic<bool>* stop = nullptr);
 

@@ -51,8 +51,8 @@ constexpr bool has_member_of_type() {
   return false;
 }
 
-/// Empty: the engine does not support this question. Result: the operation's answer over double or float, its word alone, true
-/// or false where that is an answer, or a std::optional of one of these.
+/// Empty: the engine does not support this question. Result: the operation's answer over double or float, its word
+/// alone, true or false where that is an answer, or a std::optional of one of these.
 template <class Row, class Result>
 std::optional<Json> engine_answer(const Result& result) {
   using Answer = answer_t<Row>;

@@ -8,8 +8,8 @@
 
 namespace touchstone::audit {
 
-/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it. Aborts with one
-/// line where the engine's answer is a finding. A crash of the engine is libFuzzer's to report.
+/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it.
+/// Aborts with one line where the engine's answer is a finding. A crash of the engine is libFuzzer's to report.
 template <class Engine, class Row>
 int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   static Engine engine{};

@@ -45,8 +45,8 @@ std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector
   return std::move(round.replies);
 }
 
-/// Settles the suspects, each alone with the engine, until it is given up. An engine that has answered before may have died of
-/// that: only what a fresh one cannot answer is lost. A time-out is not tried a second time.
+/// Settles the suspects, each alone with the engine, until it is given up. An engine that has answered before may have
+/// died of that: only what a fresh one cannot answer is lost. A time-out is not tried a second time.
 void PipeEngine::ask_alone(Round& round, Indices& suspects) {
   Indices alone, unanswered;
   while (!suspects.empty() && why_stop().empty()) {
@@ -147,8 +147,8 @@ std::optional<std::string> PipeEngine::take_line(const std::string& line, Round&
   return std::nullopt;
 }
 
-/// So that what an engine says twice is found twice whatever the load of the machine. Engines that do not repeat themselves never
-/// wait here.
+/// So that what an engine says twice is found twice whatever the load of the machine. Engines that do not repeat
+/// themselves never wait here.
 void PipeEngine::hear_repetitions(Round& round) {
   const auto deadline = Clock::now() + repetition;
   while (repeats_itself_ && process_ && Clock::now() < deadline) {

@@ -13,8 +13,8 @@
 
 namespace touchstone::audit {
 
-/// What a foreign process is allowed. The counts are per operation: beyond any of them the engine is given up for the rest of
-/// it, so that an engine that dies or hangs on every question cannot make a run endless.
+/// What a foreign process is allowed. The counts are per operation: beyond any of them the engine is given up for the
+/// rest of it, so that an engine that dies or hangs on every question cannot make a run endless.
 struct PipeLimits {
   double timeout = 5;           ///< seconds without any answer while one is owed
   double start_timeout = 10;    ///< seconds for the first line
@@ -25,11 +25,13 @@ struct PipeLimits {
   int timeouts = 12;
 };
 
-/// An engine behind pipes (docs/engines.md). When it dies, hangs or talks nonsense, it is started anew and the questions that
-/// were in flight are asked again one at a time, so that exactly those are lost that it cannot answer alone.
+/// An engine behind pipes (docs/engines.md). When it dies, hangs or talks nonsense, it is started anew and the
+/// questions that were in flight are asked again one at a time, so that exactly those are lost that it cannot answer
+/// alone.
 class PipeEngine final : public Engine {
  public:
-  /// Throws EngineError where it does not start or its first line is not as it should be. Once *stop is true nothing more is asked.
+  /// Throws EngineError where it does not start or its first line is not as it should be. Once *stop is true nothing
+  /// more is asked.
   PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop = nullptr);
 
   const Declaration& declaration() const override { return hello_.declaration; }

@@ -27,8 +27,8 @@ class Process {
   /// Appends what is there. False once the output has ended.
   bool read(std::string& inbox);
 
-  /// Waits a moment for a process whose output has ended to be gone; kills the group; says how the process ended and the last
-  /// line of its standard error: "signal 11 (Segmentation fault)", "exit code 1: ImportError: no module".
+  /// Waits a moment for a process whose output has ended to be gone; kills the group; says how the process ended and
+  /// the last line of its standard error: "signal 11 (Segmentation fault)", "exit code 1: ImportError: no module".
   std::string end();
 
  private:

@@ -22,8 +22,8 @@ struct Hello {
 /// What the program says: {"touchstone":1,"ops":[...]}, with the line's end.
 std::string greeting();
 
-/// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0. Throws
-/// InvalidInput naming the field and the rule.
+/// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0.
+/// Throws InvalidInput naming the field and the rule.
 Hello read_hello(const std::string& line);
 std::string written_hello(const Hello& hello);
 
@@ -36,8 +36,8 @@ struct QuestionLine {
 };
 std::optional<QuestionLine> split_question_line(std::string_view line);
 
-/// One answer. Throws InvalidInput where the line is none: not JSON, or without an id. Where only the rest of it is wrong,
-/// the reply is `failed`.
+/// One answer. Throws InvalidInput where the line is none: not JSON, or without an id. Where only the rest of it is
+/// wrong, the reply is `failed`.
 struct AnswerLine {
   std::uint64_t id = 0;
   Reply reply;

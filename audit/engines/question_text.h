@@ -9,8 +9,8 @@
 
 namespace touchstone::audit {
 
-/// The JSON text of an operation's questions, without a document in between: what stands around the numbers is the same in all of
-/// them. Ten times faster than the codec, which remains the judge of every text that looks otherwise.
+/// The JSON text of an operation's questions, without a document in between: what stands around the numbers is the same
+/// in all of them. Ten times faster than the codec, which remains the judge of every text that looks otherwise.
 class QuestionText {
  public:
   explicit QuestionText(const Operation& operation);

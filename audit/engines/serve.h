@@ -10,8 +10,8 @@
 
 namespace touchstone::audit {
 
-/// The engine's side of the pipe: an answer in JSON, nothing where it does not support the question, an exception where it
-/// fails.
+/// The engine's side of the pipe: an answer in JSON, nothing where it does not support the question, an exception where
+/// it fails.
 using Answerer = std::function<std::optional<Json>(const Question&)>;
 
 struct ServedOperation {
@@ -25,12 +25,12 @@ struct Served {
   std::map<std::string, ServedOperation, std::less<>> operations;
 };
 
-/// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to standard
-/// output meanwhile is sent to standard error.
+/// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to
+/// standard output meanwhile is sent to standard error.
 int serve(const Served& engine);
 
-/// The main program of an engine: with the argument --serve it serves; else it is `touchstone audit` of itself, in a process of
-/// its own, with the same options and exit codes.
+/// The main program of an engine: with the argument --serve it serves; else it is `touchstone audit` of itself, in a
+/// process of its own, with the same options and exit codes.
 int engine_program(const Served& engine, int argc, const char* const* argv);
 
 }  // namespace touchstone::audit

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""An engine for `orientation` and `explicit_line` that echoes a number of the question and misbehaves as its argument says.
+"""An engine for two operations that echoes a number of the question and misbehaves as its argument says.
 
 misbehaving.py BEHAVIOUR [NUMBER...]: on questions whose p is (NUMBER, ...), or on all without numbers.
 """

@@ -9,8 +9,8 @@
 
 using namespace touchstone;
 
-/// Segments and rays are closed; no tolerance. Degenerate segments and rays are left out where two objects are intersected: its
-/// functions assume that the two have a direction (without NDEBUG some fail an assertion on them).
+/// Segments and rays are closed; no tolerance. Degenerate segments and rays are left out where two objects are
+/// intersected: its functions assume that the two have a direction (without NDEBUG some fail an assertion on them).
 struct CgalDouble {
   static constexpr const char* name = "CGAL Simple_cartesian<double> " CGAL_VERSION_STR;
   static constexpr auto boundary = Boundary::closed;

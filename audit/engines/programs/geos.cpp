@@ -8,8 +8,9 @@
 
 using namespace touchstone;
 
-/// The predicates of GEOS. Geometries are closed sets in the DE-9IM model, without a tolerance. Its constructions are audited
-/// apart (geos_overlay): the two contradict each other now and then, and neither is always the one that is right.
+/// The predicates of GEOS. Geometries are closed sets in the DE-9IM model, without a tolerance. Its constructions are
+/// audited apart (geos_overlay): the two contradict each other now and then, and neither is always the one that is
+/// right.
 struct Geos {
   static constexpr const char* name = "GEOS " GEOS_VERSION " (predicates)";
   static constexpr auto boundary = Boundary::closed;
@@ -33,7 +34,8 @@ struct Geos {
     return geos_.checked(GEOSIntersects_r(geos_.context(), point.get(), closed.get()));
   }
 
-  /// 1 is a left turn: so says geos/algorithm/Orientation.h, and so it answers. The comment in geos_c.h of 3.11 has it reversed.
+  /// 1 is a left turn: so says geos/algorithm/Orientation.h, and so it answers. The comment in geos_c.h of 3.11 has it
+  /// reversed.
   Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
     const int index = GEOSOrientationIndex_r(geos_.context(), p0.x, p0.y, p1.x, p1.y, p.x, p.y);
     if (index == 2) geos_.fail();

@@ -6,8 +6,8 @@
 
 using namespace touchstone;
 
-/// The constructions of GEOS: GEOSIntersection of two closed segments. Its vertices are rounded, and where a first attempt in full
-/// precision fails it snaps; how far is not part of its interface, so no tolerance is declared.
+/// The constructions of GEOS: GEOSIntersection of two closed segments. Its vertices are rounded, and where a first
+/// attempt in full precision fails it snaps; how far is not part of its interface, so no tolerance is declared.
 struct GeosOverlay {
   static constexpr const char* name = "GEOS " GEOS_VERSION " (overlay)";
   static constexpr auto boundary = Boundary::closed;
