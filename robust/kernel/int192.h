@@ -17,7 +17,7 @@ inline std::uint64_t magnitude_of(std::int64_t n) {
 }
 
 inline Int192 operator+(const Int192& a, const Int192& b) {
-  Int192 sum;
+  Int192 sum{};
   UInt128 carry = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     carry += static_cast<UInt128>(a.limb[i]) + b.limb[i];

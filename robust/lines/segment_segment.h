@@ -17,7 +17,8 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b, Stage& decided);
 
-/// The stages; robust/kernel/stage.h says what each may expect and answer.
+/// The stages; robust/kernel/stage.h says what each may expect and answer. The filter first multiplies sides, then
+/// compares the boxes of the segments.
 inline std::optional<SegmentRelation> segment_segment_relation_filter(const Segment2d& a, const Segment2d& b);
 std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b);
 SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment2d& b);
