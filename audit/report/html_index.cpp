@@ -33,7 +33,7 @@ std::string lead(const Tally& tally) {
   std::string text = summary_of(sum_of(tally.operations)) + ".";
   if (!tally.robust.empty()) {
     const std::uint64_t wrong = robust.cases() - robust.count(Verdict::agree);
-    text += " robust, asked the same questions: " + (wrong == 0 ? "none wrong." : grouped(wrong) + " not right.");
+    text += " Robust, asked the same questions: " + (wrong == 0 ? "none wrong." : grouped(wrong) + " not right.");
   }
   return text;
 }

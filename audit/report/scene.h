@@ -10,7 +10,7 @@ namespace touchstone::audit {
 struct Figure {
   enum class Kind { point, segment, line, ray, circle, arrow, polygon };
   Kind kind = Kind::point;
-  std::string label;  ///< field name of the input ("a", "segment") or of the answer
+  std::string label;  ///< field name of the input ("a", "segment") or of the answer; a line drawn to help has none
   /// point x y; segment, line, ray, arrow x y x y (ray and line: two points on it); circle x y r; polygon x y x y ...
   std::vector<double> numbers;
   bool answer = false;  ///< belongs to the truth, not to the question

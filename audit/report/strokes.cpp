@@ -76,7 +76,7 @@ void straight(Drawing& drawing, const Figure& figure, const Viewport& view, cons
   }
   const bool tip_is_dot = figure.kind == Figure::Kind::segment || line;
   for (std::size_t i = 0; i < (tip_is_dot ? 2u : 1u); ++i) {
-    if (view.shows(ends[i])) dot(drawing, view.at(ends[i]), style, false);
+    if (view.shows(ends[i]) && !figure.label.empty()) dot(drawing, view.at(ends[i]), style, false);
     if (seen.empty() && view.shows(ends[i])) places.push_back(view.at(ends[i]));
   }
   wish(drawing, figure, style, places);

@@ -24,6 +24,10 @@ std::string framed(const Scene& scene, const Viewport& view, const std::string& 
   std::size_t part = 0;
   for (const Figure& figure : scene.figures) {
     if (figure.answer || figure.said) continue;
+    if (figure.label.empty()) {
+      stroke(drawing, figure, view, {"aid", 1.2});
+      continue;
+    }
     const std::size_t style = part++ % std::size(thicknesses);
     stroke(drawing, figure, view, {"q" + std::to_string(style), thicknesses[style]});
   }
@@ -121,7 +125,8 @@ std::string figure_style() {
          ".fig .double{stroke:var(--faint,#b9c0c8);stroke-width:.8;fill:none}"
          ".fig .lens{stroke:var(--quiet,#59636e);stroke-width:.8;stroke-dasharray:2 3;fill:none}"
          ".fig .stroke{fill:none}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
-         ".fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig .q2{--c:var(--q2,#2c7347)}.fig "
+         ".fig .aid{--c:var(--quiet,#59636e)}.fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig "
+         ".q2{--c:var(--q2,#2c7347)}.fig "
          ".q3{--c:var(--q3,#7a3f98)}"
          ".fig .truth{--c:var(--truth,#c2186b)}.fig .said{--c:var(--said,#0b7a75)}.fig .stroke{stroke:var(--c)}.fig "
          ".dot,.fig .head,.fig text.q0,.fig "
