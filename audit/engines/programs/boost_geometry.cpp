@@ -11,14 +11,12 @@
 namespace bg = boost::geometry;
 using namespace touchstone;
 
-#define AS_TEXT(number) #number
-#define VERSION_TEXT(number) AS_TEXT(number)
 
 /// Boost.Geometry's segments are closed: `intersects` and `covered_by` count ends and touches. No tolerance is
 /// documented. A segment whose ends are equal is invalid by its own is_valid, and what follows for invalid geometries
 /// is documented as undefined.
 struct BoostGeometry {
-  static constexpr const char* name = "Boost.Geometry " VERSION_TEXT(BOOST_VERSION);
+  static constexpr const char* name = "Boost.Geometry " BOOST_LIB_VERSION;
   static constexpr auto boundary = Boundary::closed;
 
   using Point = bg::model::d2::point_xy<double>;
