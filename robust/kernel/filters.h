@@ -179,9 +179,9 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 /// Whether a ray and a segment meet: negative: they cross; positive: they do not.
 ///
 /// Seen from the origin, with v the ray's direction, the segment's ends are f and f + s: on different sides of the
-/// ray's line where (v x f) (v x (f + s)) < 0, v x (f + s) = v x f + v x s, and then t = (f x s) / (v x s) has the sign of
-/// (f x s) (v x (f + s)). If that product is negative there is no common point even where the ends lie on one side. So
-/// the larger of the first product and minus the second decides.
+/// ray's line where (v x f) (v x (f + s)) < 0, v x (f + s) = v x f + v x s, and then t = (f x s) / (v x s) has the sign
+/// of (f x s) (v x (f + s)). If that product is negative there is no common point even where the ends lie on one side.
+/// So the larger of the first product and minus the second decides.
 template <class Float, class Format = FloatFormat<Float>>
 Sign ray(const Point2<Float>& origin, const Vector2<Float>& v, const Segment2<Float>& segment) {
   const Vector2<Float> f = segment.a - origin, s = segment.b - segment.a;

@@ -28,10 +28,11 @@ inline constexpr int lattice_spare = 61 - 53;
 /// One double in units of 2^(top - 1075 - spare), top the largest exponent field of all; `lost` collects the bits below
 /// the unit.
 inline std::int64_t placed_on_lattice(std::uint64_t bits, int top, std::uint64_t& lost) {
-  const int field = static_cast<int>(bits >> 52 & 0x7ff);
-  const std::uint64_t hidden = static_cast<std::uint64_t>(field != 0) << 52;
+  // Sums instead of conditions: zeros come as they please, and a branch would be mispredicted.
+  const int field = static_cast<int>(bits >> 52 & 0x7ff), normal = (field + 0x7ff) >> 11;
+  const std::uint64_t hidden = static_cast<std::uint64_t>(normal) << 52;
   const std::uint64_t magnitude = ((bits & 0xfffffffffffffu) | hidden) << lattice_spare;
-  const int down = std::min(top - std::max(field, 1), 63);
+  const int down = std::min(top - field - 1 + normal, 63);
   const std::uint64_t placed = magnitude >> down;
   lost |= placed << down ^ magnitude;
   const auto sign = static_cast<std::int64_t>(bits) >> 63;
