@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -13,7 +14,7 @@ namespace touchstone::audit {
 namespace {
 
 constexpr std::size_t readable_digits = 6;
-constexpr int most_grid_lines = 40;
+constexpr std::size_t most_grid_lines = 40;
 
 mpq_class power_of_ten(long exponent) {
   mpz_class power;
@@ -78,7 +79,7 @@ std::vector<double> doubles_between(double value, const mpq_class& low, const mp
       const mpq_class exact = exact_value(at);
       if (exact < low || exact > high) break;
       found.push_back(mpq_class((exact - low) * per_unit).get_d());
-      if (found.size() > most_grid_lines) return {};
+      if (found.size() > most_grid_lines) return found;
       at = std::nextafter(at, end);
     }
   }
@@ -123,12 +124,19 @@ DoubleGrid double_grid(const Viewport& view, double x, double y) {
   const std::vector<double> across = doubles_between(x, low.x, high.x, view.pixels_per_unit_x());
   const std::vector<double> up = doubles_between(y, low.y, high.y, view.pixels_per_unit_y());
   DoubleGrid grid;
-  grid.seen = across.size() > 1 || up.size() > 1;
-  if (!grid.seen) return grid;
-  for (const double at : across)
-    grid.svg += fmt::format("<path class=\"double\" d=\"M{} 0v{}\"/>", pixels(at), pixels(frame.height));
-  for (const double at : up)
-    grid.svg += fmt::format("<path class=\"double\" d=\"M0 {}h{}\"/>", pixels(frame.height - at), pixels(frame.width));
+  const std::size_t least = std::min(across.size(), up.size()), most = std::max(across.size(), up.size());
+  if (most <= 1) grid.caption = "the next doubles are outside of this frame";
+  if (most <= 1 || least > most_grid_lines) return grid;
+  grid.caption = "thin lines: neighbouring doubles";
+  if (across.size() <= most_grid_lines) {
+    for (const double at : across)
+      grid.svg += fmt::format("<path class=\"double\" d=\"M{} 0v{}\"/>", pixels(at), pixels(frame.height));
+  }
+  if (up.size() <= most_grid_lines) {
+    for (const double at : up)
+      grid.svg +=
+          fmt::format("<path class=\"double\" d=\"M0 {}h{}\"/>", pixels(frame.height - at), pixels(frame.width));
+  }
   return grid;
 }
 

@@ -50,7 +50,12 @@ std::string page(const std::string& title, const std::string& body) {
          "\n</body>\n</html>\n";
 }
 
-std::string code(const std::string& text) { return "<code>" + escaped(text) + "</code>"; }
+std::string code(const std::string& text) {
+  // A line may break after a comma: JSON on one line has no spaces.
+  std::string breakable;
+  for (const char c : escaped(text)) (breakable += c) += c == ',' ? "<wbr>" : "";
+  return "<code>" + breakable + "</code>";
+}
 
 std::string badge(Verdict verdict) {
   return fmt::format("<span class=\"badge {0}\" title=\"{1}\">{0}</span>", name_of(verdict), escaped(meaning(verdict)));

@@ -72,7 +72,7 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .gallery a{text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
 .chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
-@media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}}
+@media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}.seen figure{overflow-x:auto}.fig{max-width:none}}
 @media print{body{background:#fff;font-size:11pt}nav,.screen{display:none}.card,figure,.tile,tr{break-inside:avoid}.card{border-color:#bbb}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h2{break-after:avoid}}
 )css";
 

@@ -87,7 +87,7 @@ std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixe
       }
     }
     if (least >= 1000) continue;
-    texts.push_back(best);
+    texts.push_back({best.left - 4, best.top - 1, best.right + 4, best.bottom + 1});
     svg += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>", wish.style, pixels(best.left),
                        pixels(best.bottom - 3.5), escaped(wish.text));
   }

@@ -109,10 +109,7 @@ std::string magnified(const Scene& scene, const Viewport& whole, const NearMiss&
                      pixels(inset_frame.width / 2), pixels(inset_frame.height + 17),
                      escaped("around " + (miss.label.empty() ? "the vertex" : miss.label) + ", " + about(width) +
                              " wide; gap " + about(miss.gap)));
-  return svg +
-         caption(inset_frame,
-                 grid.seen ? "thin lines: neighbouring doubles" : "the next doubles are outside of this frame") +
-         "</g>";
+  return svg + caption(inset_frame, grid.caption) + "</g>";
 }
 
 }  // namespace

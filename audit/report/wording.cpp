@@ -21,7 +21,7 @@ Json rewritten(const Json& answer, bool abbreviate) {
   if (is_typed_number(answer)) return written(read_answer_number(answer, "answer"));
   if (answer.is_string() && abbreviate) {
     const std::string& text = answer.get_ref<const std::string&>();
-    if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text));
+    if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text), 48, 20);
     return answer;
   }
   if (!answer.is_structured()) return answer;
@@ -164,12 +164,12 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
   return "The answer is right.";
 }
 
-std::string readable(const mpq_class& exact, std::size_t most) {
+std::string readable(const mpq_class& exact, std::size_t most, std::size_t digits_kept) {
   std::string whole = exact.get_str();
   if (whole.size() <= most) return whole;
   mp_exp_t exponent = 0;
   const mpf_class rounded(exact, 192);
-  std::string digits = rounded.get_str(exponent, 10, 6);
+  std::string digits = rounded.get_str(exponent, 10, digits_kept);
   const std::string sign = digits[0] == '-' ? "-" : "";
   digits.erase(0, sign.size());
   const long power = static_cast<long>(exponent) - 1;

@@ -35,8 +35,8 @@ Speaker speaker_of(const Declaration& declaration);
 /// Why an answer was given this verdict, in one or two plain sentences.
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker);
 
-/// An exact value for the eye: "3/7", or "about 1.234e-310" where it is longer than `most` characters.
-std::string readable(const mpq_class& exact, std::size_t most = 48);
+/// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most` characters.
+std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);
 /// Any answer for the eye: numbers as they were typed become numbers, long exact values are abbreviated.
 Json readable(const Json& answer);
 /// Without abbreviation: what a file keeps of an answer.
