@@ -11,7 +11,6 @@
 namespace bg = boost::geometry;
 using namespace touchstone;
 
-
 /// Boost.Geometry's segments are closed: `intersects` and `covered_by` count ends and touches. No tolerance is
 /// documented. A segment whose ends are equal is invalid by its own is_valid, and what follows for invalid geometries
 /// is documented as undefined.
