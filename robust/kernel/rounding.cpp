@@ -60,7 +60,7 @@ double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d
   const bool tail = q.remainder || lost;
   const long scale = exponent - n_shift + d_shift;
   if (zeros == 0) return round_leading(negative, q.digits, tail, scale);
-  // At most one leading zero. The digit shifted in is written as 0 and the tail may reach it, which rounding cannot see:
+  // At most one leading zero. The digit shifted in is written as 0, and the tail may reach it, unseen by rounding:
   // it looks at 54 digits, and whether anything follows.
   return round_leading(negative, q.digits << 1, tail, scale - 1);
 }
