@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // some of its own includes are
 #include <boost/geometry.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/segment.hpp>
