@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "audit/catalogue/row.h"
+#include "audit/codec/walk.h"
+#include "audit/inputs/choices.h"
+#include "audit/inputs/numbers.h"
+
+/// What is asked while the clock runs. The same cases on every machine and with every compiler.
+namespace touchstone::bench {
+
+/// Fewer, and the branch predictor learns the answers by heart: CGAL's orientation, measured over 512 cases that come round
+/// again and again, seems five times faster than over this many.
+inline constexpr std::size_t case_count = std::size_t{1} << 17;
+
+enum class DataSet {
+  random,              ///< every number uniform in [-1, 1)
+  near_degenerate,     ///< random numbers rounded onto a degenerate place: the hard cases named "nearly" or "rounded"
+  small_integer_grid,  ///< every number one of 0 .. 7: many cases are degenerate
+  huge,                ///< random, lengths times 2^1012: every product of lengths overflows
+  tiny,                ///< random, lengths so that all are multiples of 2^-1074: every product of lengths underflows
+};
+
+inline constexpr DataSet data_sets[] = {DataSet::random, DataSet::near_degenerate, DataSet::small_integer_grid,
+                                        DataSet::huge, DataSet::tiny};
+
+inline const char* name_of(DataSet set) {
+  constexpr const char* names[] = {"random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"};
+  return names[static_cast<std::size_t>(set)];
+}
+
+/// Lengths times 2^k; what is no length (a slope, an angle) stays.
+template <class Row>
+void scale(typename Row::Question& question, int k) {
+  if constexpr (requires { Row::scale(question, k); }) {
+    Row::scale(question, k);
+  } else {
+    audit::for_each_number(question, [&](double& number) { number = std::ldexp(number, k); });
+  }
+}
+
+/// The hard cases of full precision; all hard cases where none says so by its name.
+template <class Row>
+std::vector<audit::HardCase<typename Row::Question>> near_misses() {
+  const auto all = Row::hard_cases();
+  auto chosen = all;
+  std::erase_if(chosen, [](const auto& hard) {
+    const std::string_view name = hard.name;
+    return !name.starts_with("nearly") && !name.starts_with("rounded");
+  });
+  return chosen.empty() ? all : chosen;
+}
+
+template <class Row>
+typename Row::Question drawn(DataSet set, audit::Choices& choices) {
+  typename Row::Question question{};
+  const auto fill = [&](double (*number)(audit::Choices&)) {
+    audit::for_each_number(question, [&](double& value) { value = number(choices); });
+  };
+  switch (set) {
+    case DataSet::near_degenerate: {
+      static const auto hard = near_misses<Row>();
+      return hard[choices.below(hard.size())].draw(choices);
+    }
+    case DataSet::small_integer_grid:
+      fill([](audit::Choices& c) { return static_cast<double>(c.below(8)); });
+      return question;
+    case DataSet::random: fill(audit::ordinary); return question;
+    case DataSet::huge: fill(audit::ordinary), scale<Row>(question, 1012); return question;
+    case DataSet::tiny: fill(audit::ordinary), scale<Row>(question, 52), scale<Row>(question, -1074); return question;
+  }
+  return question;
+}
+
+/// case_count questions that the contract admits.
+template <class Row>
+std::vector<typename Row::Question> draw_cases(DataSet set) {
+  const std::string stream = std::string(Row::card().name) + "/" + name_of(set);
+  std::vector<typename Row::Question> cases;
+  cases.reserve(case_count);
+  for (std::uint64_t index = 0; cases.size() < case_count; ++index) {
+    audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, stream.c_str(), index));
+    const auto question = drawn<Row>(set, choices);
+    try {
+      audit::ask_robust<Row>(question);
+      cases.push_back(question);
+    } catch (const InvalidInput&) {
+    }
+  }
+  return cases;
+}
+
+/// The cases of one set, made when they are first asked for. Only the set asked for last is kept.
+template <class Row>
+const std::vector<typename Row::Question>& cases_of(DataSet set) {
+  static DataSet made = set;
+  static std::vector<typename Row::Question> cases;
+  if (cases.empty() || made != set) cases = draw_cases<Row>(made = set);
+  return cases;
+}
+
+}  // namespace touchstone::bench
