@@ -13,9 +13,11 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # Precompiled headers are cached only when ccache may overlook their time stamps and macros.
+  # Precompiled headers are cached only when ccache may overlook their time stamps and macros; paths are taken relative to
+  # the build directory, so that build directories beside each other share what they compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
+      ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=/ CCACHE_NOHASHDIR=1
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()
 
 set(coverage_flags "")
@@ -31,7 +33,7 @@ function(touchstone_own target)
   target_compile_options(
     ${target} PRIVATE -ffp-contract=off -frounding-math -Wall -Wextra -Wconversion -Wno-sign-conversion
                       -Wno-missing-field-initializers ${coverage_flags}
-                      $<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer-no-link>)
+                      "$<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer-no-link;-fsanitize-coverage-allowlist=${PROJECT_SOURCE_DIR}/fuzz/driver/instrumented.txt>")
   if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
     # g++ 12 warns wrongly about literal + std::string (its bug 105329).
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
