@@ -14,7 +14,16 @@
 namespace touchstone::audit {
 namespace {
 
-constexpr std::size_t longest_note = 90;
+/// A note "ta = p/q", the number shortened where it is long.
+std::string in_short(const std::string& note) {
+  constexpr std::size_t longest = 90;
+  const std::size_t equals = note.find(" = ");
+  const std::string shorter =
+      equals == std::string::npos
+          ? note
+          : note.substr(0, equals + 3) + readable(Json(note.substr(equals + 3))).get<std::string>();
+  return shorter.size() > longest ? shorter.substr(0, longest) + " \u2026" : shorter;
+}
 
 /// The numbers of the points in a field of an answer; empty where it has none or they are not finite.
 std::vector<double> points_in(const Json& field) {
@@ -66,8 +75,7 @@ std::string figure(const Operation& operation, const Finding& finding) {
   add_answer(scene, plain(finding.answer));
   std::string notes;
   for (const std::string& note : scene.notes) {
-    notes +=
-        (notes.empty() ? "" : "; ") + (note.size() > longest_note ? note.substr(0, longest_note) + " \u2026" : note);
+    notes += (notes.empty() ? "" : "; ") + in_short(note);
   }
   const std::string svg = scene_svg(scene, operation.name() + ": the input " + one_line(operation.print(question)));
   return "<figure>" + svg + (notes.empty() ? "" : "<figcaption>" + escaped(notes) + "</figcaption>") + "</figure>";

@@ -85,6 +85,12 @@ std::string legend() {
   return text + "</dl></div>";
 }
 
+/// A foreign engine is not always at hand when the report is written; then the maps are those of the slide's formula.
+std::string gallery_heading(const Tally& tally, const OperationMaps& maps) {
+  const bool shown = speaker_of(tally.declaration) == Speaker::reference || maps[0].second.size() > 2;
+  return shown ? "Where it goes wrong" : "For comparison: where the slide's formula goes wrong";
+}
+
 std::string gallery(const OperationMaps& maps) {
   const std::vector<FailureMap>& first = maps[0].second;
   std::string text =
@@ -158,7 +164,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps) {
                      escaped(conditions(tally)) + "</p></header><main>";
   body += tiles(tally, sum) + "<h2>By operation</h2>" + operations_table(tally);
   body += "<h2>What the verdicts mean</h2>" + legend();
-  if (!maps.empty()) body += "<h2>Where it goes wrong</h2>" + gallery(maps);
+  if (!maps.empty()) body += "<h2>" + gallery_heading(tally, maps) + "</h2>" + gallery(maps);
   body += conventions(tally) + "<h2>By family of inputs</h2>" + whole_table(tally) + command(tally);
   return page(
       "touchstone: " + name,

@@ -93,7 +93,11 @@ std::string findings(const Tally& tally, const OperationTally& here, const Opera
     const std::string of_robust = cards(robust, known, tally.declaration, Speaker::robust);
     if (!of_robust.empty()) text += "<h2>robust is wrong</h2>" + of_robust;
   }
-  return text.empty() ? "<p>Nothing was found.</p>" : text;
+  if (!text.empty()) return text;
+  const Cell total = here.total();
+  return total.count(Verdict::unsupported) == total.cases() && total.cases() > 0
+             ? "<p>The engine does not answer this operation.</p>"
+             : "<p>Nothing was found.</p>";
 }
 
 std::string by_family(const OperationTally& tally) {

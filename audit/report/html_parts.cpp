@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "audit/codec/json.h"
 #include "audit/judge/ulps.h"
 #include "audit/report/html_style.h"
@@ -11,13 +13,12 @@
 namespace touchstone::audit {
 namespace {
 
-std::string bar_of(const Cell& cell, Verdict first, bool thin) {
-  std::uint64_t whole = 0;
-  for (std::size_t v = static_cast<std::size_t>(first); v < verdict_count; ++v) whole += cell.counts[v];
+std::string bar_of(const std::array<std::uint64_t, verdict_count>& counts, bool thin) {
+  const std::uint64_t whole = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
   if (whole == 0) return "";
   std::string parts, spoken;
-  for (std::size_t v = static_cast<std::size_t>(first); v < verdict_count; ++v) {
-    const std::uint64_t n = cell.counts[v];
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    const std::uint64_t n = counts[v];
     if (n == 0) continue;
     const std::string text = std::string(verdict_names[v]) + " " + grouped(n) + " (" + share(n, whole) + ")";
     parts += fmt::format("<i class=\"{} hatch\" style=\"width:{:.3f}%\" title=\"{}\"></i>", verdict_names[v],
@@ -63,9 +64,13 @@ std::string badge(Verdict verdict) {
 
 std::string swatch(const std::string& colour) { return "<span class=\"swatch\" style=\"--c:" + colour + "\"></span>"; }
 
-std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(cell, Verdict::agree, thin); }
+std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(cell.counts, thin); }
 
-std::string cause_bar(const Cell& cell) { return bar_of(cell, Verdict::rounding, true); }
+std::string cause_bar(const Cell& cell) {
+  std::array<std::uint64_t, verdict_count> counts{};
+  for (std::size_t v = 0; v < verdict_count; ++v) counts[v] = is_finding(static_cast<Verdict>(v)) ? cell.counts[v] : 0;
+  return bar_of(counts, true);
+}
 
 std::string verdict_columns() {
   std::string text = "<th scope=\"col\">cases</th>";

@@ -21,7 +21,7 @@ std::string swatch(const std::string& colour);
 
 /// Shares of the verdicts as one horizontal bar, its numbers said to screen readers.
 std::string verdict_bar(const Cell& cell, bool thin);
-/// The same without what agrees: the causes alone, as parts of what is wrong. Empty where nothing is.
+/// The findings alone, as parts of all findings. Empty where there is none.
 std::string cause_bar(const Cell& cell);
 
 /// Numbers of a cell as table cells, in the order of verdict_columns.
