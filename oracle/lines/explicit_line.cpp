@@ -23,9 +23,11 @@ Truth<Height> explicit_line(double slope, double intercept, const Point2d& point
   return truth(height(slope, intercept, point));
 }
 
-Truth<Height> explicit_line(const Rational& slope, const Rational& intercept, const Point2<Rational>& point) {
+template <Exact Number>
+Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
   return truth(height(slope, intercept, point));
 }
+template Truth<Height> explicit_line(const Rational&, const Rational&, const Point2<Rational>&);
 
 Certificate explicit_line_certificate(double slope, double intercept, const Point2d& point) {
   return {"height", {{"height", {height(slope, intercept, point)}}}};

@@ -8,7 +8,8 @@ namespace touchstone::oracle {
 
 /// Truth: sign of the rational y - (slope x + intercept). Margin: its absolute value (the vertical distance).
 Truth<Height> explicit_line(double slope, double intercept, const Point2d& point);
-Truth<Height> explicit_line(const Rational& slope, const Rational& intercept, const Point2<Rational>& point);
+template <Exact Number>
+Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point);
 Certificate explicit_line_certificate(double slope, double intercept, const Point2d& point);
 
 }  // namespace touchstone::oracle

@@ -29,9 +29,11 @@ Truth<Location> truth(const Squares& s) {
 
 Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) { return truth(squares(circle, point)); }
 
-Truth<Location> implicit_circle(const Circle2<Rational>& circle, const Point2<Rational>& point) {
+template <Exact Number>
+Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
   return truth(squares(circle, point));
 }
+template Truth<Location> implicit_circle(const Circle2<Rational>&, const Point2<Rational>&);
 
 Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point) {
   const Squares s = squares(circle, point);

@@ -9,7 +9,8 @@ namespace touchstone::oracle {
 /// Truth: sign of |point - center|^2 - radius^2 on integers. Margin: its absolute value (a difference of squared
 /// lengths).
 Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point);
-Truth<Location> implicit_circle(const Circle2<Rational>& circle, const Point2<Rational>& point);
+template <Exact Number>
+Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point);
 Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point);
 
 }  // namespace touchstone::oracle

@@ -57,9 +57,11 @@ Truth<LineLine<Rational>> truth(const Lines<Number>& s) {
 
 Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b) { return truth(intersect(a, b)); }
 
-Truth<LineLine<Rational>> line_line(const Line2<Rational>& a, const Line2<Rational>& b) {
+template <Exact Number>
+Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>& b) {
   return truth(intersect(a, b));
 }
+template Truth<LineLine<Rational>> line_line(const Line2<Rational>&, const Line2<Rational>&);
 
 Certificate line_line_certificate(const Line2d& a, const Line2d& b) {
   const Lines<double> s = intersect(a, b);

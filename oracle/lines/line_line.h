@@ -10,7 +10,8 @@ namespace touchstone::oracle {
 /// two lines: a last coordinate of 0 is `parallel`, all three 0 is `same`. Margin: the absolute cross product of the
 /// two directions (the area of their parallelogram), so 0 for `parallel` and `same`.
 Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b);
-Truth<LineLine<Rational>> line_line(const Line2<Rational>& a, const Line2<Rational>& b);
+template <Exact Number>
+Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>& b);
 Certificate line_line_certificate(const Line2d& a, const Line2d& b);
 
 }  // namespace touchstone::oracle

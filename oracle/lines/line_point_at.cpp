@@ -42,9 +42,11 @@ Truth<Point2<Rational>> truth(const Travelled<Number>& s) {
 
 Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t) { return truth(travel(line, t)); }
 
-Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>& line, const Rational& t) {
+template <Exact Number>
+Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const Number& t) {
   return truth(travel(line, t));
 }
+template Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>&, const Rational&);
 
 Certificate line_point_at_certificate(const ParametricLine2d& line, double t) {
   const Travelled<double> s = travel(line, t);

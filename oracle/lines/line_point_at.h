@@ -9,7 +9,8 @@ namespace touchstone::oracle {
 /// Truth: origin + t direction in rationals. Nothing is decided but the rounding: the margin is the smaller of the two
 /// coordinates' distances, in their units in the last place, to the nearest tie between doubles.
 Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t);
-Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>& line, const Rational& t);
+template <Exact Number>
+Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const Number& t);
 Certificate line_point_at_certificate(const ParametricLine2d& line, double t);
 
 }  // namespace touchstone::oracle

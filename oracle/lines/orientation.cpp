@@ -33,9 +33,11 @@ Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) 
   return truth(determinant(p0, p1, p));
 }
 
-Truth<Side> orientation(const Point2<Rational>& p0, const Point2<Rational>& p1, const Point2<Rational>& p) {
+template <Exact Number>
+Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
   return truth(determinant(p0, p1, p));
 }
+template Truth<Side> orientation(const Point2<Rational>&, const Point2<Rational>&, const Point2<Rational>&);
 
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   const CommonScale<double, 6> n = admitted(p0, p1, p);

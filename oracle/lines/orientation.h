@@ -10,7 +10,8 @@ namespace touchstone::oracle {
 /// Truth: sign of the 3x3 determinant of the homogeneous points. Margin: its absolute value (twice the triangle's
 /// area).
 Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
-Truth<Side> orientation(const Point2<Rational>& p0, const Point2<Rational>& p1, const Point2<Rational>& p);
+template <Exact Number>
+Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p);
 Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
 /// The answer of `orientation` alone by elimination (oracle/exact/elimination.h), in 128-bit integers where the

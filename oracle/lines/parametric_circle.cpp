@@ -70,9 +70,8 @@ template <class Number>
 Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
   const CommonScale<Number, 3> n = admitted(circle, u);
   const Point2<Rational> point =
-      rational(circle, u)
-          ? actual_point(n, {Rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
-          : find(n, u).point;
+      rational(circle, u) ? actual_point(n, {Rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
+                          : find(n, u).point;
   return {point, std::min(rounding_margin(point.x), rounding_margin(point.y))};
 }
 
@@ -80,9 +79,11 @@ Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
 
 Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u) { return truth(circle, u); }
 
-Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>& circle, const Rational& u) {
+template <Exact Number>
+Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u) {
   return truth(circle, u);
 }
+template Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>&, const Rational&);
 
 Certificate parametric_circle_certificate(const Circle2d& circle, double u) {
   const CommonScale<double, 3> n = admitted(circle, u);

@@ -12,7 +12,8 @@ namespace touchstone::oracle {
 /// within 2^-60 of its unit in the last place. Margin: the smaller of the two coordinates' distances, in units in the
 /// last place, to the nearest tie between doubles (computed from that rational).
 Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u);
-Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>& circle, const Rational& u);
+template <Exact Number>
+Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u);
 Certificate parametric_circle_certificate(const Circle2d& circle, double u);
 
 }  // namespace touchstone::oracle

@@ -49,9 +49,11 @@ Truth<PointOnSegment<Rational>> point_on_segment(const Point2d& point, const Seg
   return truth(examine(point, segment));
 }
 
-Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>& point, const Segment2<Rational>& segment) {
+template <Exact Number>
+Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
   return truth(examine(point, segment));
 }
+template Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 
 Certificate point_on_segment_certificate(const Point2d& point, const Segment2d& segment) {
   const Situation<double> s = examine(point, segment);

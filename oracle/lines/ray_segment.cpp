@@ -48,9 +48,11 @@ Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segme
   return truth(solve(ray, segment));
 }
 
-Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>& ray, const Segment2<Rational>& segment) {
+template <Exact Number>
+Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
   return truth(solve(ray, segment));
 }
+template Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>&, const Segment2<Rational>&);
 
 Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) {
   const Solved<double> s = solve(ray, segment);

@@ -11,7 +11,8 @@ namespace touchstone::oracle {
 /// the origin from the segment and of the segment's ends from the ray. For `none` that is the squared distance of the
 /// two; 0 for every contact at an end and for `overlap`.
 Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment);
-Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>& ray, const Segment2<Rational>& segment);
+template <Exact Number>
+Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment);
 Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment);
 
 }  // namespace touchstone::oracle

@@ -54,9 +54,11 @@ Truth<SegmentSegment<Rational>> truth(const Solved<Number>& s) {
 
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b) { return truth(solve(a, b)); }
 
-Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>& a, const Segment2<Rational>& b) {
+template <Exact Number>
+Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b) {
   return truth(solve(a, b));
 }
+template Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>&, const Segment2<Rational>&);
 
 Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b) {
   const Solved<double> s = solve(a, b);

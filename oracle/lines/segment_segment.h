@@ -12,7 +12,8 @@ namespace touchstone::oracle {
 /// one segment from the other segment. For `disjoint` that is the squared distance of the two segments, for a crossing
 /// it says how far the nearest end is from touching; 0 for every contact at an end and for `overlap`.
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b);
-Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>& a, const Segment2<Rational>& b);
+template <Exact Number>
+Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b);
 Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b);
 
 /// The relation alone, by another method: elimination (oracle/exact/elimination.h), in 128-bit integers where the

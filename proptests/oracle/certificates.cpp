@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "oracle/certificates/check.h"
+
+namespace {
+
+using nlohmann::json;
+using namespace touchstone::certify;
+
+/// The test program runs in the source folder.
+std::vector<json> claims(const std::string& file) {
+  std::ifstream in("oracle/certificates/" + file);
+  std::vector<json> result;
+  for (std::string text; std::getline(in, text);) result.push_back(json::parse(text));
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("certificates: true claims of every kind are accepted") {
+  const auto all = claims("accepted_claims.jsonl");
+  REQUIRE(all.size() >= 20);
+  for (const json& claim : all) {
+    CAPTURE(claim.dump());
+    CHECK(refuse(claim) == std::nullopt);
+  }
+}
+
+TEST_CASE("certificates: false claims of every sort are refused, each for its own reason") {
+  const auto all = claims("refused_claims.jsonl");
+  REQUIRE(all.size() >= 140);
+  for (const json& claim : all) {
+    CAPTURE(claim["because"], claim.dump());
+    CHECK(refuse(claim) == claim["refused"].get<std::string>());
+  }
+}
+
+TEST_CASE("certificates: a claim with any one part taken away or replaced is refused, and nothing crashes") {
+  const json junk[] = {
+      nullptr, true, -7, 2.5, "", "x", "1/0", json::array(), json::object(), json::array({"1", "2", "3"})};
+  for (const json& claim : claims("accepted_claims.jsonl")) {
+    const json parts = claim.flatten();
+    for (const auto& part : parts.items()) {
+      for (const json& thing : junk) {
+        if (thing.is_number() && part.key().starts_with("/input")) continue;  // a legal input of some other question
+        json broken = claim;
+        broken[json::json_pointer(part.key())] = thing;
+        CAPTURE(broken.dump());
+        CHECK(refuse(broken).has_value());
+      }
+    }
+    for (const char* part : {"op", "input", "truth", "certificate"}) {
+      json broken = claim;
+      broken.erase(part);
+      CHECK(refuse(broken) == "claim: field " + std::string(part) + " is missing");
+    }
+  }
+}
+
+TEST_CASE("certificates: no other word is accepted in place of the truth's") {
+  const json words =
+      json::parse(R"(["above","on","below","left","right","inside","boundary","outside","off","crossing","parallel",
+                                     "same","disjoint","point","overlap","none"])");
+  for (const json& claim : claims("accepted_claims.jsonl")) {
+    for (const char* field : {"side", "location", "relation"}) {
+      if (!claim["truth"].contains(field)) continue;
+      for (const json& word : words) {
+        json broken = claim;
+        broken["truth"][field] = word;
+        CAPTURE(broken.dump());
+        CHECK((broken == claim) == !refuse(broken).has_value());
+      }
+    }
+  }
+}
+
+TEST_CASE("certificates: text that is not JSON and numbers that are not finite are refused") {
+  CHECK(refuse_text("") == "not JSON");
+  CHECK(refuse_text("{\"op\":") == "not JSON");
+  CHECK(refuse_text("[]") == "claim: an object");
+  json claim = claims("accepted_claims.jsonl").front();
+  claim["input"]["slope"] = std::numeric_limits<double>::infinity();
+  CHECK(refuse(claim) == "slope: finite number");
+}

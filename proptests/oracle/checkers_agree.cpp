@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmpxx.h>
+
+#include <catch2/catch.hpp>
+
+#include "oracle/certificates/check.h"
+#include "proptests/oracle/claims.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using audit::Choices;
+using nlohmann::json;
+
+const char* const script = "proptests/oracle/checkers_agree.py ";
+
+/// What both checkers were shown, and what the C++ one said.
+struct Shown {
+  std::vector<std::string> claims, verdicts;
+  int accepted = 0;
+
+  bool accepts(const json& claim) {
+    const auto refused = certify::refuse(claim);
+    claims.push_back(claim.dump()), verdicts.push_back(refused.value_or("accepted"));
+    accepted += !refused;
+    return !refused;
+  }
+
+  bool said_in_python_too() const {
+    const LinesInFile all_claims("claims.jsonl", claims), all_verdicts("verdicts.txt", verdicts);
+    return python_finds_nothing(script + all_claims.path() + " " + all_verdicts.path());
+  }
+};
+
+json one_of(Choices& choices, const json& list) { return list[choices.below(list.size())]; }
+
+/// The pointers of all leaves below one field.
+std::vector<json::json_pointer> leaves(const json& claim, const char* field) {
+  std::vector<json::json_pointer> found;
+  const json flat = claim[field].flatten();
+  for (const auto& leaf : flat.items()) {
+    if (!leaf.key().empty()) found.push_back(json::json_pointer("/" + std::string(field) + leaf.key()));
+  }
+  return found;
+}
+
+const json junk = {nullptr,  true,           -7,         2.5,      "",    "x",   "1/0", "0/5", "-0",  "+1",
+                   "1e5",    " 1",           "1 ",       "0x1p+0", "nan", "inf", "0x",  "--",  "1/-", "0x.",
+                   "0x1p-1", "0x1p99999999", "-0x1.8p3", 1e308};
+
+/// An exact value near to, or made from, the one that stands there.
+std::string altered(Choices& choices, const std::string& text) {
+  const mpq_class value(text);
+  const mpq_class near_one = 1 + mpq_class(1, mpz_class(1) << 50);
+  switch (choices.below(7)) {
+    case 0:
+      return mpq_class(value + 1).get_str();
+    case 1:
+      return mpq_class(-value).get_str();
+    case 2:
+      return mpq_class(value * 2).get_str();
+    case 3:
+      return mpq_class(value * near_one).get_str();
+    case 4:
+      return mpq_class(value + mpq_class(1, mpz_class(1) << 1200)).get_str();
+    case 5:
+      return "1";
+    default:
+      return "0";
+  }
+}
+
+}  // namespace
+
+TEST_CASE("certificates: the Python checker judges the two files of claims as the C++ checker does") {
+  CHECK(python_finds_nothing(script + std::string("oracle/certificates/accepted_claims.jsonl")));
+  CHECK(python_finds_nothing(script + std::string("oracle/certificates/refused_claims.jsonl")));
+}
+
+TEST_CASE("certificates: both checkers accept what the oracle claims") {
+  Shown shown;
+  const auto claims = drawn_claims("claims", 6);
+  REQUIRE(claims.size() > 500);
+  for (const json& claim : claims) CHECK(shown.accepts(claim));
+  CHECK(shown.said_in_python_too());
+}
+
+TEST_CASE("certificates: both checkers refuse every other truth, for the same reason") {
+  Shown shown;
+  Choices choices = Choices::seeded(audit::seed_of(1, "other truths", 0));
+  for (const json& claim : drawn_claims("other truths", 6)) {
+    for (const auto& place : leaves(claim, "truth")) {
+      const std::string value = claim[place];
+      if (value.find_first_not_of("-0123456789/") != std::string::npos) continue;
+      const std::string other = altered(choices, value);
+      const bool close = claim["op"] == "parametric_circle" && claim["certificate"]["kind"] == "enclosure" &&
+                         abs(mpq_class(mpq_class(other) - mpq_class(value))) < abs(mpq_class(value)) / 1e16;
+      json broken = claim;
+      broken[place] = other;
+      CAPTURE(broken.dump());
+      if (other != value && !close) CHECK(!shown.accepts(broken));
+    }
+  }
+  CHECK(shown.claims.size() > 500);
+  CHECK(shown.said_in_python_too());
+}
+
+TEST_CASE("certificates: both checkers say the same of altered certificates and of junk in any place") {
+  Shown shown;
+  Choices choices = Choices::seeded(audit::seed_of(1, "altered", 0));
+  const json kinds = {"height",          "squares",      "exact",           "enclosure",   "displacement",
+                      "determinant",     "weights",      "transversal",     "level_lines", "same_line",
+                      "separating_line", "single_point", "supporting_line", "overlap"};
+  for (const json& claim : drawn_claims("altered", 3)) {
+    for (const auto& place : leaves(claim, "certificate")) {
+      json broken = claim;
+      broken[place] =
+          place.back() == "kind" ? one_of(choices, kinds).get<std::string>() : altered(choices, claim[place]);
+      shown.accepts(broken);
+    }
+    for (const char* field : {"input", "truth", "certificate"}) {
+      const auto places = leaves(claim, field);
+      if (places.empty()) continue;
+      json broken = claim;
+      broken[places[choices.below(places.size())]] = one_of(choices, junk);
+      shown.accepts(broken);
+      broken = claim;
+      broken[field].erase(broken[field].begin());
+      CHECK(!shown.accepts(broken));
+      broken = claim;
+      broken[field]["more"] = "1";
+      CHECK(!shown.accepts(broken));
+    }
+  }
+  CHECK(shown.accepted > 0);  // a certificate may be altered and still prove the truth
+  CHECK(shown.claims.size() > 20 * static_cast<std::size_t>(shown.accepted) / 19);
+  CHECK(shown.said_in_python_too());
+}
+
+}  // namespace touchstone::proptests

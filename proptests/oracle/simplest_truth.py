@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A second truth: slower, shorter, in Python's fractions. What two shapes have in common is found by cutting the interval of
+the first one's parameter with half-planes; margins follow from their definition.
+
+usage: simplest_truth.py CLAIMS     one {"op", "input", "truth", "margin"} a line; every difference is printed
+"""
+import json
+import sys
+from fractions import Fraction
+
+ENDLESS = None
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)
+
+
+def number(value):
+    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
+
+
+def point(value):
+    return number(value[0]), number(value[1])
+
+
+def minus(p, q):
+    return p[0] - q[0], p[1] - q[1]
+
+
+def dot(p, q):
+    return p[0] * q[0] + p[1] * q[1]
+
+
+def cross(p, q):
+    return p[0] * q[1] - p[1] * q[0]
+
+
+def at(start, t, direction):
+    return start[0] + t * direction[0], start[1] + t * direction[1]
+
+
+def written(p):
+    return [str(p[0]), str(p[1])]
+
+
+def cut(interval, slope, height):
+    """The part of (low, high) where slope t + height >= 0."""
+    if interval is None or (slope == 0 and height < 0):
+        return None
+    low, high = interval
+    if slope > 0:
+        low = max(low, -height / slope)
+    elif slope < 0:
+        high = -height / slope if high is ENDLESS else min(high, -height / slope)
+    return interval if slope == 0 else None if high is not ENDLESS and low > high else (low, high)
+
+
+def cut_to_zero(interval, slope, height):
+    return cut(cut(interval, slope, height), -slope, -height)
+
+
+def in_common(start, direction, last, ends):
+    """The interval of t in [0, last] where start + t direction is on the segment."""
+    v, w = minus(ends[1], ends[0]), minus(start, ends[0])
+    everything = (Fraction(0), last)
+    if v == (0, 0):
+        return cut_to_zero(cut_to_zero(everything, direction[0], w[0]), direction[1], w[1])
+    on_line = cut_to_zero(everything, cross(v, direction), cross(v, w))
+    return cut(cut(on_line, dot(v, direction), dot(v, w)), -dot(v, direction), dot(v, v) - dot(v, w))
+
+
+def parameter(p, start, direction):
+    axis = 0 if direction[0] != 0 else 1
+    return Fraction(0) if direction == (0, 0) else (p[axis] - start[axis]) / direction[axis]
+
+
+def squared_distance(p, start, direction, last):
+    length = dot(direction, direction)
+    t = Fraction(0) if length == 0 else max(Fraction(0), dot(minus(p, start), direction) / length)
+    nearest = at(start, t if last is ENDLESS else min(t, last), direction)
+    return dot(minus(p, nearest), minus(p, nearest))
+
+
+def by_sign(value, below, zero, above):
+    return below if value < 0 else above if value > 0 else zero
+
+
+def explicit_line(q):
+    p = point(q["point"])
+    height = p[1] - number(q["slope"]) * p[0] - number(q["intercept"])
+    return {"side": by_sign(height, "below", "on", "above")}, abs(height)
+
+
+def implicit_circle(q):
+    (x, y), (a, b), r = point(q["point"]), point(q["circle"]["center"]), number(q["circle"]["radius"])
+    power = x * x + y * y - 2 * a * x - 2 * b * y + a * a + b * b - r * r
+    return {"location": by_sign(power, "inside", "boundary", "outside")}, abs(power)
+
+
+def line_point_at(q):
+    return {"point": written(at(point(q["line"]["origin"]), number(q["t"]), point(q["line"]["direction"])))}, None
+
+
+def orientation(q):
+    (a, b), (c, d), (e, f) = point(q["p0"]), point(q["p1"]), point(q["p"])
+    area = a * d + c * f + e * b - b * c - d * e - f * a
+    return {"side": by_sign(area, "right", "on", "left")}, abs(area)
+
+
+def point_on_segment(q):
+    p, ends = point(q["point"]), [point(end) for end in q["segment"]]
+    v = minus(ends[1], ends[0])
+    margin = squared_distance(p, ends[0], v, Fraction(1))
+    on = in_common(p, (Fraction(0), Fraction(0)), Fraction(0), ends)
+    return {"relation": "on", "t": str(parameter(p, ends[0], v))} if on else {"relation": "off"}, margin
+
+
+def line_line(q):
+    (a, a_end), (b, b_end) = [[point(end) for end in q[name]] for name in "ab"]
+    u, v = minus(a_end, a), minus(b_end, b)
+    slope, height = cross(v, u), cross(v, minus(a, b))  # how far a + t u is from b's line
+    if slope == 0:
+        return {"relation": "same" if height == 0 else "parallel"}, Fraction(0)
+    p = at(a, -height / slope, u)
+    numbers = {"ta": str(-height / slope), "tb": str(parameter(p, b, v)), "point": written(p)}
+    return {"relation": "crossing", **numbers}, abs(slope)
+
+
+def segment_segment(q):
+    a, b = [[point(end) for end in q[name]] for name in "ab"]
+    u, v, one = minus(a[1], a[0]), minus(b[1], b[0]), Fraction(1)
+    margin = min([squared_distance(p, b[0], v, one) for p in a] + [squared_distance(p, a[0], u, one) for p in b])
+    interval = in_common(a[0], u, one, b)
+    if interval is None:
+        return {"relation": "disjoint"}, margin
+    first, last = at(a[0], interval[0], u), at(a[0], interval[1], u)
+    if first != last:
+        return {"relation": "overlap", "overlap": [written(p) for p in sorted((first, last))]}, margin
+    numbers = {"ta": str(parameter(first, a[0], u)), "tb": str(parameter(first, b[0], v)), "point": written(first)}
+    return {"relation": "point", **numbers}, margin
+
+
+def ray_segment(q):
+    start, direction = point(q["ray"]["origin"]), point(q["ray"]["direction"])
+    ends = [point(end) for end in q["segment"]]
+    margin = min([squared_distance(p, start, direction, ENDLESS) for p in ends]
+                 + [squared_distance(start, ends[0], minus(ends[1], ends[0]), Fraction(1))])
+    interval = in_common(start, direction, ENDLESS, ends)
+    if interval is None:
+        return {"relation": "none"}, margin
+    first, last = at(start, interval[0], direction), at(start, interval[1], direction)
+    if first != last:
+        return {"relation": "overlap", "t": str(interval[0]), "overlap": [written(first), written(last)]}, margin
+    return {"relation": "point", "t": str(interval[0]), "point": written(first)}, margin
+
+
+TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
+                                              line_line, segment_segment, ray_segment)}
+
+
+def main(path):
+    seen, wrong = set(), 0
+    with open(path, encoding="utf-8") as lines:
+        for position, text in enumerate(lines, 1):
+            claim = json.loads(text)
+            if claim["op"] not in TRUTHS:
+                continue
+            truth, margin = TRUTHS[claim["op"]](claim["input"])
+            seen.add((claim["op"], truth.get("relation") or truth.get("side") or truth.get("location")))
+            if truth != claim["truth"] or (margin is not None and str(margin) != claim["margin"]):
+                wrong += 1
+                print(f"{path}:{position}: {truth}, margin {margin}, instead of {text[:600]}")
+    if len(seen) != 21:
+        print(f"only {len(seen)} of 21 answers were seen: {sorted(seen)}")
+    return 1 if wrong or len(seen) != 21 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
