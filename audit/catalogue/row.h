@@ -18,7 +18,7 @@
 ///   static void scale(Question&, int k);     numbers that are no lengths stay (default: all times 2^k)
 ///   static std::optional<Truth> as_open_sets(const Truth&, const Question&);   the answer for open sets, if the truth is a touch
 ///   static Question map_centre();            a degenerate question for the failure map (default: the first hard case at its simplest)
-///   struct decision { robust(Question), oracle(the same over std::int64_t) };   decisions alone, for exhaustive runs at full speed
+///   struct decision { robust(Question), oracle(Question), oracle(the same over std::int64_t) };   decisions alone, at full speed
 ///   static void draw(Scene&, const Question&);   (default: every argument by its type)
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
 #define TOUCHSTONE_ROOMS(op)                                                                                   \

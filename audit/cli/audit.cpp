@@ -84,7 +84,8 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   out << text_table(tally) << std::flush;
   if (!command.json_file.empty()) write_file(command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
-    write_report(tally, command.report_directory);
+    const std::unique_ptr<Engine> for_maps = options.engine ? options.engine() : nullptr;
+    write_report(tally, command.report_directory, for_maps.get());
     out << "report: " << command.report_directory << "/index.html\n";
   }
   return tally.has_findings() ? findings : nothing_found;

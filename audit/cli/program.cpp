@@ -130,9 +130,15 @@ int run_program(int argc, const char* const* argv) {
   } catch (const UsageError& wrong) {
     std::cerr << "touchstone: " << wrong.what() << '\n';
     return bad_usage;
+  } catch (const InvalidInput& wrong) {
+    std::cerr << "touchstone: " << wrong.what() << '\n';
+    return bad_usage;
   } catch (const EngineError& failed) {
     std::cerr << "touchstone: " << failed.what() << '\n';
     return engine_failed;
+  } catch (const std::exception& failed) {
+    std::cerr << "touchstone: " << failed.what() << '\n';
+    return bad_usage;
   }
 }
 

@@ -73,8 +73,9 @@ struct explicit_line {
     audit::draw(scene, "point", point, false);
   }
 
-  /// y = x / 2 + 1/2 around the point (12, 6.5) on it.
-  static Question map_centre() { return {0.5, 0.5, {12, 6.5}}; }
+  /// The point (0.5, 12.25) of y = x / 2 + 12: moves the slope and x, whose product is far finer than y.
+  static Question map_centre() { return {0.5, 12, {0.5, 12.25}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 2}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -75,8 +75,9 @@ struct implicit_circle {
     return Location::outside;
   }
 
-  /// The point (3, 4) of the circle of radius 5.
-  static Question map_centre() { return {{{0, 0}, 5}, {3, 4}}; }
+  /// The point (12.5, 5.5) of a circle by the triple 5, 12, 13; moves the centre.
+  static Question map_centre() { return {{{0.5, 0.5}, 13}, {12.5, 5.5}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -69,8 +69,9 @@ struct line_line {
     };
   }
 
-  /// Two lines of slope 1/2, one unit apart: parallel.
-  static Question map_centre() { return {{{0, 0}, {16, 8}}, {{0, 1}, {12, 7}}}; }
+  /// Two times the diagonal, by points whose differences have to be rounded; moves the first point of a.
+  static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{17, 17}, {24, 24}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 };
 
 }  // namespace touchstone::audit::rows

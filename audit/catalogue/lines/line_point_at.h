@@ -67,8 +67,9 @@ struct line_point_at {
     direction = {std::ldexp(direction.x, k), std::ldexp(direction.y, k)};
   }
 
-  /// A point near the origin by cancellation: moves the direction's y and t.
-  static Question map_centre() { return {{{-1, -1}, {3, 3}}, 1.0 / 3}; }
+  /// x is near 0 by cancellation at t = 1/3; moves x of the origin and t.
+  static Question map_centre() { return {{{-1, -12}, {3, 3}}, 1.0 / 3}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 4}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/figures.h"
 #include "audit/catalogue/row.h"
 #include "audit/codec/walk.h"
 #include "oracle/exact/elimination.h"
@@ -83,10 +84,23 @@ struct orientation {
     static Side oracle(const rebound_t<Question, std::int64_t>& q) {
       return ::touchstone::oracle::orientation_side<std::int64_t>(std::get<0>(q), std::get<1>(q), std::get<2>(q));
     }
+    static Side oracle(const Question& q) {
+      return ::touchstone::oracle::orientation_side(std::get<0>(q), std::get<1>(q), std::get<2>(q));
+    }
   };
 
-  /// The classroom example: p near (0.5, 0.5) on the line through (12, 12) and (24, 24).
-  static Question map_centre() { return {{12, 12}, {24, 24}, {0.5, 0.5}}; }
+  /// The classroom example: p0 near (0.5, 0.5) on the line through (12, 12) and (24, 24).
+  static Question map_centre() { return {{0.5, 0.5}, {12, 12}, {24, 24}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  /// The line of p0 and p1 as well: what p is beside.
+  static void draw(Scene& scene, const Question& question) {
+    const auto& [p0, p1, p] = question;
+    if (!(p0 == p1)) scene.figures.push_back({Figure::Kind::line, "", {p0.x, p0.y, p1.x, p1.y}, false});
+    audit::draw(scene, "p0", p0, false);
+    audit::draw(scene, "p1", p1, false);
+    audit::draw(scene, "p", p, false);
+  }
 };
 
 }  // namespace touchstone::audit::rows

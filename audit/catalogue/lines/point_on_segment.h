@@ -82,9 +82,9 @@ struct point_on_segment {
     return PointOnSegment<mpq_class>{Incidence::off, std::nullopt};
   }
 
-  /// The point (0.5, 0.5) of the segment (0, 0) - (12, 12); moves the point.
-  static Question map_centre() { return {{0.5, 0.5}, {{0, 0}, {12, 12}}}; }
-  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+  /// The point (12, 12) of the segment (0.5, 0.5) - (24, 24); moves the end near the origin.
+  static Question map_centre() { return {{12, 12}, {{0.5, 0.5}, {24, 24}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -104,9 +104,9 @@ struct ray_segment {
     return RaySegment<mpq_class>{RayRelation::none, {}, {}, {}};
   }
 
-  /// The ray along the diagonal through the segment's end (0.5, 0.5); moves that end.
-  static Question map_centre() { return {{{0, 0}, {12, 12}}, {{0.5, 0.5}, {24, 3}}}; }
-  static std::pair<std::size_t, std::size_t> map_axes() { return {4, 5}; }
+  /// A ray along the diagonal through the end (24, 24) of the segment; moves the origin of the ray.
+  static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{24, 24}, {24, 3}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -114,11 +114,14 @@ struct segment_segment {
     static SegmentRelation oracle(const rebound_t<Question, std::int64_t>& q) {
       return ::touchstone::oracle::segment_segment_relation<std::int64_t>(std::get<0>(q), std::get<1>(q));
     }
+    static SegmentRelation oracle(const Question& q) {
+      return ::touchstone::oracle::segment_segment_relation(std::get<0>(q), std::get<1>(q));
+    }
   };
 
-  /// The end (0.5, 0.5) of b lies on a; moves that end.
-  static Question map_centre() { return {{{0, 0}, {12, 12}}, {{0.5, 0.5}, {24, 3}}}; }
-  static std::pair<std::size_t, std::size_t> map_axes() { return {4, 5}; }
+  /// The end (12, 12) of b lies on a; moves the first end of a.
+  static Question map_centre() { return {{{0.5, 0.5}, {24, 24}}, {{12, 12}, {24, 3}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 };
 
 }  // namespace touchstone::audit::rows
