@@ -68,7 +68,7 @@ def operation_files(tree, operations):
         if place in ("proptests", "audit/catalogue"):  # other folders stand here too
             folders = chapters
         else:
-            folders = {p.name for p in (tree.root / place).iterdir() if p.is_dir()} - NO_CHAPTER.get(place, set())
+            folders = {p.name for p in (tree.root / place).glob("*") if p.is_dir()} - NO_CHAPTER.get(place, set())
         for name in sorted(tree.text):
             for folder in folders:
                 if name.startswith(f"{place}/{folder}/") and name not in wanted:
@@ -82,7 +82,7 @@ def directions(tree):
         for quote, target in tree.includes(name):
             other = target.removeprefix("touchstone/").split("/")[0]
             if quote == '"' and target not in tree.text and room != "examples":
-                yield f"{name}: \"{target}\" is not spelled from the root"
+                yield f"{name}: there is no \"{target}\" from the root"
             if allowed is not None and other in ROOMS and other not in allowed and "/" in target:
                 yield f"{name}: {room} must not include {other} ({target})"
             if re.match(r"oracle/certificates/check[^/]*$", name) and other in ROOMS and not target.startswith(
@@ -171,7 +171,7 @@ PLANTED = [
     ("oracle/lines/touch.cpp", '#include <touchstone/robust/lines/touch.h>\n', "oracle must not include robust"),
     ("robust/kernel/filter.h", '#include "audit/cli/main.cpp"\n', "robust must not include audit"),
     ("audit/cli/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "audit must not include fuzz"),
-    ("robust/lines/touch.cpp", '#include "touch.h"\n', "not spelled from the root"),
+    ("robust/lines/touch.cpp", '#include "touch.h"\n', 'there is no \"touch.h\" from the root'),
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
     ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
     ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
