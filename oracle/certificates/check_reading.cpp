@@ -28,6 +28,7 @@ Rational from_double(double value, const std::string& what) {
   return bits >> 63 ? Rational(-result) : result;
 }
 
+/// Of a value whose denominator is a power of two.
 bool binary64(const Rational& value) {
   if (sgn(value) == 0) return true;
   const mpz_class& numerator = value.get_num();
@@ -35,7 +36,7 @@ bool binary64(const Rational& value) {
   const long low = static_cast<long>(mpz_scan1(numerator.get_mpz_t(), 0));
   const long high = static_cast<long>(mpz_sizeinbase(numerator.get_mpz_t(), 2));
   const long scale = static_cast<long>(mpz_sizeinbase(denominator.get_mpz_t(), 2)) - 1;
-  return mpz_popcount(denominator.get_mpz_t()) == 1 && high - low <= 53 && low - scale >= -1074 && high - scale <= 1024;
+  return high - low <= 53 && low - scale >= -1074 && high - scale <= 1024;
 }
 
 bool digits(const std::string& text, const char* allowed) {

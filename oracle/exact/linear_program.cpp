@@ -85,13 +85,9 @@ template <class Value>
 bool LinearProgram<Value>::solve_equations() {
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     if (!fixed(basic_[index(i)])) continue;
-    int column = -1;
-    for (int j = 0; j + 1 < columns_; ++j) {
-      const int variable = nonbasic_[index(j)];
-      if (fixed(variable) || sign(entry(i, j)) == 0) continue;
-      if (column < 0 || variable < nonbasic_[index(column)]) column = j;
-    }
-    if (column >= 0) {
+    int column = 0;
+    while (column + 1 < columns_ && (fixed(nonbasic_[index(column)]) || sign(entry(i, column)) == 0)) ++column;
+    if (column + 1 < columns_) {
       pivot(i, column);
     } else if (sign(entry(i, columns_ - 1)) != 0) {
       prove_contradiction(i);

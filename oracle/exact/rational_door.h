@@ -12,8 +12,10 @@ namespace touchstone::door {
 inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
 
 inline void admit(const std::string&, const oracle::Rational&) {}
-inline void admit(const std::string&, const Point2<oracle::Rational>&) {}
-inline void admit(const std::string&, const Segment2<oracle::Rational>&) {}
+
+/// Where no overload below has a rule, every shape is legal.
+template <template <class> class Shape>
+void admit(const std::string&, const Shape<oracle::Rational>&) {}
 
 inline void admit(const std::string& field, const Line2<oracle::Rational>& l) {
   if (l.p == l.q) throw InvalidInput(field, "two distinct points");

@@ -82,6 +82,16 @@ TEST_CASE("parametric_circle: rationals closer to a half turn than any double le
   CHECK(nearest_bits(oracle::parametric_circle(circle, below).answer.x) == std::bit_cast<std::uint64_t>(-1.0));
 }
 
+TEST_CASE("parametric_circle: what cancels in one coordinate only is still found to the last bit") {
+  const auto exact = oracle::cosine_and_sine(1.0, 2000);
+  const double sine = oracle::nearest_double(low(exact.sine));
+  const auto point = oracle::parametric_circle({{0, -sine}, 1}, 1.0).answer;
+  const Rational y_low(low(exact.sine) - oracle::exact(sine)), y_high(high(exact.sine) - oracle::exact(sine));
+  CHECK(nearest_bits(y_low) == nearest_bits(y_high));
+  CHECK(nearest_bits(point.y) == nearest_bits(y_low));
+  CHECK(nearest_bits(point.x) == nearest_bits(low(exact.cosine)));
+}
+
 TEST_CASE("quarter turns: what is left is less than 0.8") {
   Choices choices = Choices::seeded(20240605);
   const int bits = 2200;
