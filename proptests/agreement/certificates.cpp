@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/cli/commands.h"
-#include "oracle/certificates/check.h"
+#include "proptests/agreement/certified.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
@@ -13,8 +12,7 @@ std::string complaint(const Operation& operation, const Question& question) {
   } catch (const InvalidInput&) {
     return "";
   }
-  const auto refused = certify::refuse(nlohmann::json::parse(audit::explained(operation, question).dump()));
-  return refused ? "the checker refuses the oracle's certificate: " + *refused : "";
+  return certificate_complaint(operation, question);
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/cli/commands.h"
 #include "audit/judge/compare.h"
-#include "oracle/certificates/check.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/lines/segment_segment.h"
+#include "proptests/agreement/certified.h"
 #include "proptests/each_operation.h"
-#include "proptests/environment.h"
+#include "proptests/robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -50,8 +49,8 @@ void exhaust(const Operation& operation, int size, double first, std::uint64_t e
       const std::string broken = examination->broken_promise();
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
       if (index % every != 0) continue;
-      const auto refused = certify::refuse(nlohmann::json::parse(audit::explained(operation, question).dump()));
-      if (refused) FAIL_CHECK(*refused << ": " << shown());
+      const std::string refused = certificate_complaint(operation, question);
+      if (!refused.empty()) FAIL_CHECK(refused << ": " << shown());
     } catch (const InvalidInput&) {
       const std::string mismatch = operation.refusal_mismatch(question);
       if (!mismatch.empty()) FAIL_CHECK(mismatch << ": " << shown());

@@ -5,7 +5,7 @@
 #include "audit/judge/compare.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/environment.h"
+#include "proptests/robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "audit/catalogue/operation_of.h"
+#include "audit/inputs/families.h"
+#include "fuzz/driver/target.h"
+#include "proptests/agreement/certified.h"
+#include "proptests/environment.h"
+
+namespace touchstone::fuzz {
+
+/// How near the deciding quantity came to a change of answer is news to libFuzzer, as a branch that was not taken before would be.
+void report_margin(const mpq_class& margin, int degree, std::span<const double> numbers, std::size_t outcome);
+
+/// FNV-1a: what else is done with an input is decided by its bytes alone.
+inline std::uint64_t scattered(Bytes data) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const std::uint8_t byte : data) hash = (hash ^ byte) * 0x100000001b3u;
+  return hash ^ hash >> 29;
+}
+
+template <class Row>
+class TargetOf final : public Target {
+ public:
+  using Asked = typename Row::Question;
+
+  TargetOf() {
+    Asked asked{};
+    std::size_t place = 0;
+    std::apply([&](const auto&... value) { (find_points(value, place), ...); }, asked);
+  }
+
+  /// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the rest, so
+  /// certificates are checked for every 16th examination.
+  std::string complaint(Bytes data) const override {
+    const Asked asked = decoded(data);
+    const std::uint64_t hash = scattered(data);
+    const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % proptests::environment_count;
+    try {
+      if constexpr (decides_quickly) {
+        const auto truth = Row::decision::oracle(asked);
+        const auto answer = [&] {
+          const proptests::Environment set(environment);
+          return Row::decision::robust(asked);
+        }();
+        if (answer != truth) return "robust and oracle decide differently (" + proptests::environment_name(environment) + ")";
+        if (hash / 32 % 16 != 0) return "";
+      }
+      const auto truth = audit::ask_oracle<Row>(asked);
+      const auto answer = [&] {
+        const proptests::Environment set(environment);
+        return audit::ask_robust<Row>(asked);
+      }();
+      audit::Comparison found;
+      audit::compare(truth.answer, answer, true, false, found);
+      if (!found.decision || !found.finite || found.ulps > 0) return "robust and oracle differ (" + proptests::environment_name(environment) + ")";
+      feed_back(truth, asked);
+    } catch (const InvalidInput&) {
+      return operation_.refusal_mismatch(flat(asked));
+    }
+    if (hash / 512 % 16 != 0) return "";
+    const audit::Question question = flat(asked);
+    const std::string broken = operation_.examine(question)->broken_promise();
+    return broken.empty() ? proptests::certificate_complaint(operation_, question) : broken;
+  }
+
+  std::string shown(Bytes data) const override {
+    const audit::Question question = flat(decoded(data));
+    const std::string name = operation_.name(), exact = audit::one_line(operation_.print_hexadecimal(question));
+    return audit::one_line(operation_.print(question)) + "\n" + exact + "\necho '" + exact + "' | touchstone ask " + name + " -";
+  }
+
+  void decode(Bytes data, std::vector<double>& numbers) const override {
+    numbers.clear();
+    audit::for_each_number(decoded(data), [&](const double& number) { numbers.push_back(number); });
+  }
+
+  const std::vector<std::pair<std::size_t, std::size_t>>& points() const override { return points_; }
+
+  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seeds() const override {
+    std::vector<std::pair<std::string, std::vector<std::uint8_t>>> made;
+    const auto& names = families_.names();
+    for (std::size_t family = 0; family < names.size(); ++family) {
+      if (names[family].find('+') != std::string::npos) continue;  // the mutator moves by ulps itself
+      audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, names[family].c_str(), 0), true);
+      families_.draw(choices, family);
+      std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(family)};
+      bytes.insert(bytes.end(), choices.recorded().begin(), choices.recorded().end());
+      made.emplace_back(names[family], std::move(bytes));
+    }
+    return made;
+  }
+
+ private:
+  Asked decoded(Bytes data) const {
+    if (data.empty()) return Asked{};
+    const Bytes rest = data.subspan(1);
+    if (data[0] < families_.names().size()) {
+      audit::Choices choices = audit::Choices::replayed(rest);
+      return families_.draw(choices, data[0]);
+    }
+    Asked asked{};
+    std::size_t at = 0;
+    audit::for_each_number(asked, [&](double& number) {
+      if (at < rest.size()) std::memcpy(&number, rest.data() + at, std::min(sizeof number, rest.size() - at));
+      at += sizeof number;
+    });
+    return asked;
+  }
+
+  static audit::Question flat(const Asked& asked) {
+    audit::Question question;
+    audit::for_each_number(asked, [&](const double& number) { question.numbers.push_back(number); });
+    return question;
+  }
+
+  template <class Truth>
+  static void feed_back(const Truth& truth, const Asked& asked) {
+    std::array<double, 16> numbers;
+    std::size_t count = 0;
+    audit::for_each_number(asked, [&](const double& number) {
+      if (count < numbers.size()) numbers[count++] = number;
+    });
+    report_margin(truth.margin, Row::card().margin_degree, {numbers.data(), count}, outcome_of(truth.answer));
+  }
+
+  template <class T>
+  static std::size_t outcome_of(const T& answer) {
+    if constexpr (audit::Enumeration<T>) {
+      return static_cast<std::size_t>(answer);
+    } else if constexpr (requires { answer.relation; }) {
+      return static_cast<std::size_t>(answer.relation);
+    } else {
+      return 0;
+    }
+  }
+
+  template <class T>
+  void find_points(const T& value, std::size_t& place) {
+    if constexpr (requires { value.x; value.y; }) {
+      points_.emplace_back(place, place + 1);
+      place += 2;
+    } else if constexpr (audit::Composite<T>) {
+      audit::for_each_member<T>([&](const auto& member) { find_points(value.*member.pointer, place); });
+    } else {
+      ++place;
+    }
+  }
+
+  static constexpr bool decides_quickly = requires(const Asked& asked) { Row::decision::oracle(asked); };
+
+  audit::OperationOf<Row> operation_;
+  audit::Families<Row> families_;
+  std::vector<std::pair<std::size_t, std::size_t>> points_;
+};
+
+}  // namespace touchstone::fuzz
+
+/// The whole of a fuzz target: TOUCHSTONE_FUZZ(orientation)
+#define TOUCHSTONE_FUZZ(op)                                                        \
+  const ::touchstone::fuzz::Target& ::touchstone::fuzz::target() {                 \
+    static const ::touchstone::fuzz::TargetOf<::touchstone::audit::rows::op> made; \
+    return made;                                                                   \
+  }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What a fuzz target is to the driver: one operation of the catalogue, asked by bytes.
+///
+/// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families (0xff is what we write) means that
+/// the rest are the numbers themselves, as raw little-endian doubles. Bytes that are missing are 0.
+namespace touchstone::fuzz {
+
+using Bytes = std::span<const std::uint8_t>;
+
+class Target {
+ public:
+  virtual ~Target() = default;
+
+  /// Asks everybody, judges, and returns what is wrong ("" where nothing is).
+  virtual std::string complaint(Bytes data) const = 0;
+  /// The question in decimal, in hexadecimal, and the command that asks it again.
+  virtual std::string shown(Bytes data) const = 0;
+
+  virtual void decode(Bytes data, std::vector<double>& numbers) const = 0;
+  /// Places of the numbers that are the two coordinates of a point.
+  virtual const std::vector<std::pair<std::size_t, std::size_t>>& points() const = 0;
+  /// Seeds of a corpus by name: one for every hard case.
+  virtual std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seeds() const = 0;
+};
+
+/// The target of this program; TOUCHSTONE_FUZZ defines it.
+const Target& target();
+
+inline constexpr std::uint8_t numbers_follow = 0xff;
+
+/// The bytes that mean these numbers.
+void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data);
+
+/// Our own mutation: a pure function of the bytes and the seed. Empty where the bytes themselves should be mutated.
+bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result);
+
+}  // namespace touchstone::fuzz

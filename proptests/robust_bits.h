@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "audit/catalogue/catalogue.h"
+#include "audit/codec/walk.h"
+#include "proptests/environment.h"
+
+/// What robust answers in any environment, bit by bit.
+namespace touchstone::proptests {
+
+/// An answer as words: enumerators, presence of optional parts, numbers bit by bit. Never compares doubles.
+struct AnswerBits {
+  std::vector<std::uint64_t> words;
+  std::string refused;
+  friend bool operator==(const AnswerBits&, const AnswerBits&) = default;
+};
+
+template <class T>
+void append_bits(const T& value, std::vector<std::uint64_t>& words) {
+  if constexpr (audit::Enumeration<T>) {
+    words.push_back(static_cast<std::uint64_t>(value));
+  } else if constexpr (audit::Composite<T>) {
+    audit::for_each_member<T>([&](const auto& member) { append_bits(value.*member.pointer, words); });
+  } else if constexpr (audit::is_optional<T>) {
+    words.push_back(value.has_value());
+    if (value) append_bits(*value, words);
+  } else {
+    words.push_back(std::bit_cast<std::uint64_t>(value));
+  }
+}
+
+/// The question with its types.
+template <class Row>
+typename Row::Question typed(const audit::Question& question) {
+  typename Row::Question asked{};
+  std::size_t i = 0;
+  audit::for_each_number(asked, [&](double& number) { number = i < question.numbers.size() ? question.numbers[i] : 0, ++i; });
+  return asked;
+}
+
+/// What robust answers in an environment.
+template <class Row>
+AnswerBits robust_bits(const audit::Question& question, std::size_t environment) {
+  const auto asked = typed<Row>(question);
+  AnswerBits bits;
+  try {
+    const auto answer = [&] {
+      const Environment set(environment);
+      return audit::ask_robust<Row>(asked);
+    }();
+    append_bits(answer, bits.words);
+  } catch (const InvalidInput& refused) {
+    bits.refused = refused.what();
+  }
+  return bits;
+}
+
+/// The same for an operation of the catalogue.
+inline AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
+  AnswerBits bits;
+  audit::for_each_row([&]<class Row>() {
+    if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
+  });
+  return bits;
+}
+
+}  // namespace touchstone::proptests
