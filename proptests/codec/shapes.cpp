@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <functional>
+
+#include "proptests/drawn.h"
+#include "proptests/each_operation.h"
+#include "proptests/robust_bits.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using audit::Json;
+
+std::vector<std::uint64_t> bits_of(const Question& question) {
+  std::vector<std::uint64_t> bits;
+  for (const double number : question.numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
+  return bits;
+}
+
+Question read_again(const Operation& operation, const Json& printed) {
+  return operation.parse(audit::parse_line(audit::one_line(printed)));
+}
+
+std::string refusal(const Operation& operation, const Json& input) {
+  try {
+    read_again(operation, input);
+    return "read";
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+}
+
+/// Every value inside a document, with its path as refusals spell it.
+void for_each_value(Json& value, const std::string& path, const std::function<void(Json&, const std::string&)>& visit) {
+  if (value.is_object()) {
+    for (auto& [key, part] : value.items()) for_each_value(part, audit::member_path(path, key.c_str()), visit);
+  } else if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i)
+      for_each_value(value[i], path + "[" + std::to_string(i) + "]", visit);
+  }
+  visit(value, path);
+}
+
+Json simplest(const Operation& operation) { return operation.print({std::vector<double>(operation.arity(), 1.5)}); }
+
+/// Calls test(document, path) for every value of the simplest question with that value replaced by `change`.
+void with_each_changed(const Operation& operation, const std::function<bool(Json&)>& change,
+                       const std::function<void(const Json&, const std::string&)>& test) {
+  Json document = simplest(operation);
+  std::size_t tests = 0;
+  for_each_value(document, "", [&](Json& value, const std::string& path) {
+    const Json before = value;
+    if (!change(value)) return;
+    INFO(audit::one_line(document));
+    test(document, path), ++tests;
+    value = before;
+  });
+  CHECK(tests > 0);
+}
+
+}  // namespace
+
+EACH_OPERATION("a question of any family reads back from its decimals and from its hexadecimal strings") {
+  never(
+      operation, "read back",
+      [&](const Question& question) -> std::string {
+        const auto bits = bits_of(question);
+        if (bits_of(read_again(operation, operation.print(question))) != bits)
+          return "the decimals are another question";
+        if (bits_of(read_again(operation, operation.print_hexadecimal(question))) != bits)
+          return "the hexadecimals are another question";
+        return "";
+      },
+      4);
+}
+
+EACH_OPERATION("an answer reads back, infinities too") {
+  audit::for_each_row([&]<class Row>() {
+    if (&Row::card() != &operation.card()) return;
+    never(
+        operation, "answers read back",
+        [&](const Question& question) -> std::string {
+          audit::answer_t<Row> answer{}, again{};
+          try {
+            answer = audit::ask_robust<Row>(typed<Row>(question));
+          } catch (const InvalidInput&) {
+            return "";
+          }
+          const Json json = audit::to_json(answer);
+          audit::read(audit::parse_line(audit::one_line(Json{{"answer", json}}))["answer"], "answer", again,
+                      audit::read_answer_number);
+          std::vector<std::uint64_t> before, after;
+          append_bits(answer, before), append_bits(again, after);
+          return before == after ? "" : "another answer: " + audit::one_line(json);
+        },
+        4);
+  });
+}
+
+EACH_OPERATION("a missing field is named") {
+  Json document = simplest(operation);
+  std::size_t fields = 0;
+  for_each_value(document, "", [&](Json& value, const std::string& path) {
+    if (!value.is_object()) return;
+    const Json before = value;
+    for (const auto& [key, part] : before.items()) {
+      value.erase(key);
+      CHECK(refusal(operation, document) == audit::member_path(path, key.c_str()) + ": missing");
+      value = before, ++fields;
+    }
+  });
+  CHECK(fields >= operation.card().fields.size());
+}
+
+EACH_OPERATION("a field that is not known is named") {
+  with_each_changed(
+      operation, [](Json& value) { return value.is_object() ? (value["stranger"] = 1, true) : false; },
+      [&](const Json& document, const std::string& path) {
+        CHECK(refusal(operation, document) == audit::member_path(path, "stranger") + ": known field");
+      });
+}
+
+EACH_OPERATION("an array of another size, and what is no array, is refused by its path") {
+  const auto refused = [&](const Json& document, const std::string& path) {
+    CHECK(refusal(operation, document) == path + ": array of 2");  // every list so far is a pair
+  };
+  with_each_changed(
+      operation, [](Json& value) { return value.is_array() ? (value.push_back(value[0]), true) : false; }, refused);
+  with_each_changed(
+      operation, [](Json& value) { return value.is_array() ? (value.erase(1), true) : false; }, refused);
+  with_each_changed(
+      operation, [](Json& value) { return value.is_array() ? (value = Json::array(), true) : false; }, refused);
+  with_each_changed(
+      operation, [](Json& value) { return value.is_array() ? (value = 7, true) : false; }, refused);
+}
+
+EACH_OPERATION("what should be a number is refused by its path, wherever it stands") {
+  for (const Json& wrong : {Json(nullptr), Json(true), Json("one"), Json::array({1}), Json::object({{"x", 1}})}) {
+    with_each_changed(
+        operation, [&](Json& value) { return value.is_number() ? (value = wrong, true) : false; },
+        [&](const Json& document, const std::string& path) {
+          CHECK(refusal(operation, document) == path + ": number");
+        });
+  }
+  for (const Json& wrong : {Json("nan"), Json("-inf"), Json("0x1p+1024")}) {
+    with_each_changed(
+        operation, [&](Json& value) { return value.is_number() ? (value = wrong, true) : false; },
+        [&](const Json& document, const std::string& path) {
+          CHECK(refusal(operation, document) == path + ": finite number");
+        });
+  }
+}
+
+EACH_OPERATION("what is no object is refused as the input") {
+  for (const Json& wrong : {Json::array(), Json(1), Json("orientation"), Json(nullptr)}) {
+    CHECK(refusal(operation, wrong) == "input: object");
+  }
+}
+
+TEST_CASE("words: an answer's word is one of its enumeration's, letter by letter") {
+  const auto side = [](const char* json) -> std::string {
+    Side read{};
+    try {
+      audit::read(audit::parse_line(std::string("{\"side\":") + json + "}")["side"], "side", read, audit::read_double);
+      return audit::Words<Side>::words[static_cast<std::size_t>(read)];
+    } catch (const InvalidInput& refused) {
+      return refused.what();
+    }
+  };
+  CHECK(side("\"left\"") == "left");
+  CHECK(side("\"on\"") == "on");
+  CHECK(side("\"right\"") == "right");
+  for (const char* wrong : {"\"Left\"", "\"\"", "1", "null", "\"lef\"", "\"left \""})
+    CHECK(side(wrong) == "side: one of left, on, right");
+}
+
+}  // namespace touchstone::proptests

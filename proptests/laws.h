@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audit/judge/examination_of.h"
+#include "proptests/drawn.h"
+#include "proptests/robust_bits.h"
+#include "robust/kernel/stage.h"
+
+/// Laws, worked examples, refusals and stages of one operation, in its types.
+namespace touchstone::proptests {
+
+using Rational = oracle::Rational;
+using robust::Stage;
+namespace rows = audit::rows;
+
+inline constexpr double tiny = 5e-324, huge = 1e308;
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// The answer of a row's operation over exact rationals.
+template <class Row>
+using exact_answer_t = audit::rebound_t<audit::answer_t<Row>, Rational>;
+
+/// Calls `change` with every point, vector and other number of a question or answer.
+template <class T, class Change>
+void for_each_part(T& value, const Change& change) {
+  if constexpr (requires { change.place(value); }) {
+    change.place(value);
+  } else if constexpr (requires { std::tuple_size<T>::value; }) {
+    std::apply([&](auto&... part) { (for_each_part(part, change), ...); }, value);
+  } else if constexpr (audit::is_optional<T>) {
+    if (value) for_each_part(*value, change);
+  } else if constexpr (audit::Composite<T>) {
+    audit::for_each_member<T>([&](const auto& member) { for_each_part(value.*member.pointer, change); });
+  }
+}
+
+/// x -> (xx x + xy y + tx, yx x + yy y + ty); vectors are not moved, numbers that are no coordinates stay.
+struct Affine {
+  double xx, xy, yx, yy, tx = 0, ty = 0;
+  double determinant() const { return xx * yy - xy * yx; }
+
+  /// 0 times infinity is 0 here: an answer beyond the range has an image too.
+  template <class R>
+  static R times(double factor, const R& number) {
+    return factor == 0 ? R(0) : R(factor * number);
+  }
+  template <class R>
+  void place(Point2<R>& p) const {
+    p = {R(times(xx, p.x) + times(xy, p.y) + tx), R(times(yx, p.x) + times(yy, p.y) + ty)};
+  }
+  template <class R>
+  void place(Vector2<R>& v) const {
+    v = {R(times(xx, v.x) + times(xy, v.y)), R(times(yx, v.x) + times(yy, v.y))};
+  }
+  template <class T>
+  T operator()(T value) const {
+    for_each_part(value, *this);
+    return value;
+  }
+};
+
+/// The symmetries of the axes: exact for every double.
+inline constexpr std::array<Affine, 7> axis_symmetries{
+    {{-1, 0, 0, -1}, {0, -1, 1, 0}, {0, 1, -1, 0}, {1, 0, 0, -1}, {-1, 0, 0, 1}, {0, 1, 1, 0}, {0, -1, -1, 0}}};
+/// Exact on lattice questions: a shear, a turn and stretch, one that turns the plane over, one of large determinant.
+inline constexpr std::array<Affine, 4> integer_maps{
+    {{1, 3, 0, 1, 7, -11}, {2, -1, 1, 2, -1e6, 1e6}, {1, 2, 2, 1, 3, 5}, {5, -4, 3, 5, 12345, 67890}}};
+
+/// Whether every number is an integer of at most 45 bits, so that `integer_maps` do not round.
+template <class Asked>
+bool on_lattice(const Asked& asked) {
+  bool whole = true;
+  audit::for_each_number(asked,
+                         [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p45 && n == std::trunc(n); });
+  return whole;
+}
+
+/// Every word and number equal; the two zeros are.
+template <class T>
+bool equal(const T& a, const T& b) {
+  if constexpr (audit::Composite<T>) {
+    bool same = true;
+    audit::for_each_member<T>([&](const auto& member) { same = same && equal(a.*member.pointer, b.*member.pointer); });
+    return same;
+  } else if constexpr (audit::is_optional<T>) {
+    return a.has_value() == b.has_value() && (!a || equal(*a, *b));
+  } else {
+    return a == b;
+  }
+}
+
+/// The property that `holds(ask, asked)` for every question of every family that is inside the contract, once with robust as
+/// `ask` and once with the oracle. ask: question as a tuple -> answer.
+template <class Row, class Ask, class Holds>
+void law_of(const std::string& sentence, const Ask& ask, const Holds& holds, int usual) {
+  never(
+      *audit::find_operation(Row::card().name), sentence,
+      [&](const Question& question) -> std::string {
+        const auto asked = typed<Row>(question);
+        try {
+          ask(asked);
+        } catch (const InvalidInput&) {
+          return "";
+        }
+        try {
+          return holds(ask, asked) ? "" : "the law is broken";
+        } catch (const InvalidInput& refused) {
+          return std::string("the law is broken: refused, ") + refused.what();
+        }
+      },
+      usual);
+}
+
+template <class Row, class Holds>
+void robust_law(const std::string& sentence, const Holds& holds, int usual = 12) {
+  law_of<Row>(
+      "robust: " + sentence, [](const auto& asked) { return audit::ask_robust<Row>(asked); }, holds, usual);
+}
+
+template <class Row, class Holds>
+void law(const std::string& sentence, const Holds& holds) {
+  robust_law<Row>(sentence, holds);
+  law_of<Row>(
+      "oracle: " + sentence, [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; }, holds, 3);
+}
+
+/// Whether an answer's numbers are rationals (an answer of one word counts as exact).
+template <class Answer>
+inline constexpr bool is_exact = std::is_same_v<Answer, audit::rebound_t<Answer, Rational>>;
+
+/// Whether t and s are parameters of one point on a segment and on the reversed segment: told exactly of rationals; of
+/// rounded numbers only that both are there.
+template <class R>
+bool reversed(const std::optional<R>& t, const std::optional<R>& s) {
+  if constexpr (std::is_same_v<R, Rational>) return t.has_value() == s.has_value() && (!t || *s == 1 - *t);
+  return t.has_value() == s.has_value();
+}
+
+/// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is infinite.
+inline bool scaled_number(double n, double found, int k) {
+  if (std::fabs(n) < 0x1p-1021) return std::fabs(found) <= std::ldexp(0x1p-1021, k);
+  if (std::isinf(n)) return true;
+  const double expected = std::ldexp(n, k);
+  return found == expected || (std::fabs(expected) < 0x1p-1021 && std::fabs(found) < 0x1p-1021);
+}
+inline bool scaled_number(const Rational& n, const Rational& found, int k) {
+  const Rational two_to_k = audit::exact_value(std::ldexp(1, k));
+  return found == n * two_to_k;
+}
+
+/// Whether `found` is `answer` with every point times 2^k, as far as no coordinate is subnormal.
+template <class R>
+bool scaled(const Point2<R>& answer, const Point2<R>& found, int k) {
+  return scaled_number(answer.x, found.x, k) && scaled_number(answer.y, found.y, k);
+}
+template <class T>
+bool scaled(const T& answer, const T& found, int k) {
+  if constexpr (audit::Composite<T>) {
+    bool same = true;
+    audit::for_each_member<T>([&](const auto& m) { same = same && scaled(answer.*m.pointer, found.*m.pointer, k); });
+    return same;
+  } else if constexpr (audit::is_optional<T>) {
+    return answer.has_value() == found.has_value() && (!answer || scaled(*answer, *found, k));
+  } else {
+    return answer == found;
+  }
+}
+
+template <class Asked>
+std::vector<double> numbers_of(const Asked& asked) {
+  std::vector<double> numbers;
+  audit::for_each_number(asked, [&](const double& number) { numbers.push_back(number); });
+  return numbers;
+}
+
+/// The law of scaling: all lengths of a question times 2^k, where that is exact, give the same answer with its points times 2^k.
+template <class Row>
+inline constexpr auto scales = [](const auto& ask, const auto& asked) {
+  const auto times_two_to = [](auto question, int k) {
+    if constexpr (requires { Row::scale(question, k); }) {
+      Row::scale(question, k);
+    } else {
+      audit::for_each_number(question, [&](double& number) { number = std::ldexp(number, k); });
+    }
+    return question;
+  };
+  const auto answer = ask(asked);
+  for (const int k : {1, -29, 300, -300, 1000, -1000}) {
+    const auto larger = times_two_to(asked, k);
+    if (numbers_of(times_two_to(larger, -k)) == numbers_of(asked) && !scaled(answer, ask(larger), k)) return false;
+  }
+  return true;
+};
+
+/// The law of images: the image of a question has the image of its answer. `expected(map, answer)` says what that is.
+template <class Maps, class Expected>
+auto images(const Maps& maps, const Expected& expected) {
+  return [&maps, expected](const auto& ask, const auto& asked) {
+    const auto answer = ask(asked);
+    return std::all_of(maps.begin(), maps.end(),
+                       [&](const Affine& map) { return equal(ask(map(asked)), expected(map, answer)); });
+  };
+}
+/// The same of lattice questions; of rounded answers only the words and the numbers that are no coordinates are compared.
+template <class Expected>
+auto lattice_images(const Expected& expected) {
+  return [expected](const auto& ask, const auto& asked) {
+    if (!on_lattice(asked)) return true;
+    auto answer = ask(asked);
+    for (const Affine& map : integer_maps) {
+      auto found = ask(map(asked)), wanted = expected(map, answer);
+      static constexpr Affine nothing{0, 0, 0, 0};
+      if constexpr (!is_exact<decltype(wanted)>) {
+        for_each_part(found, nothing), for_each_part(wanted, nothing);
+      }
+      if (!equal(found, wanted)) return false;
+    }
+    return true;
+  };
+}
+
+/// Every stage that answers gives the same answer, and the first that answers is the one that decided.
+template <class Word>
+bool stages_agree(const Word& word, Stage decided, const std::optional<Word>& filter,
+                  const std::optional<Word>& lattice, const Word& exact) {
+  const Stage first = filter ? Stage::filter : lattice ? Stage::lattice : Stage::exact;
+  return word == exact && (!filter || *filter == exact) && (!lattice || *lattice == exact) && decided == first;
+}
+
+/// A worked example: the oracle answers exactly this, robust the nearest doubles of it, and so does the reference in double,
+/// unless `by_reference` says which verdict it gets instead.
+template <class Row>
+void example(const typename Row::Question& question, const exact_answer_t<Row>& expected,
+             const std::string& by_reference = "agree") {
+  const auto shown = [&] {
+    return audit::one_line(audit::find_operation(Row::card().name)->print({numbers_of(question)}));
+  };
+  INFO(shown());
+  CHECK(audit::one_line(audit::to_json(audit::ask_oracle<Row>(question).answer)) ==
+        audit::one_line(audit::to_json(expected)));
+  audit::Comparison robust, reference;
+  audit::compare(expected, audit::ask_robust<Row>(question), true, false, robust);
+  CHECK(robust.decision);
+  CHECK(robust.ulps == 0);
+  CHECK(audit::name_of(audit::ExaminationOf<Row>(question).judge_reference(false).verdict) == by_reference);
+  if (by_reference != "agree") return;
+  audit::compare(expected, audit::ask_reference<Row>(question), true, false, reference);
+  CHECK(reference.decision);
+  CHECK(reference.ulps <= Row::card().ulps);
+}
+
+/// Robust and oracle both refuse, naming this field and rule.
+template <class Row>
+void refused(const typename Row::Question& question, const std::string& field, const std::string& rule) {
+  const auto refusal = [&](const auto& ask) -> std::string {
+    try {
+      ask();
+      return "answered";
+    } catch (const InvalidInput& thrown) {
+      return thrown.field() + ": " + thrown.rule();
+    }
+  };
+  CHECK(refusal([&] { audit::ask_robust<Row>(question); }) == field + ": " + rule);
+  CHECK(refusal([&] { audit::ask_oracle<Row>(question); }) == field + ": " + rule);
+}
+
+}  // namespace touchstone::proptests
