@@ -2,42 +2,60 @@
 #pragma once
 
 #include "geometry/thin_shapes.h"
-#include "oracle/exact/decode.h"
+#include "oracle/exact/wide.h"
 
 namespace touchstone::oracle {
 
-/// What a thin shape (a segment, or the ray from its a through its b) and a segment have in common, by the exact linear
-/// program over the two parameters.
-struct CommonPoints {
-  bool any = false;
-  /// any: the common points with the least and the greatest parameter on the first shape, with their parameters on the
-  /// second.
-  Rational first, last, second_at_first, second_at_last;
-  /// none: normal . p < normal . q for every p of the first shape and q of the second (from the Farkas vector).
-  Vector2<Integer> normal;
-};
-
 enum class Extent { segment, ray };
 
-/// bits: every |coordinate| < 2^bits. Up to 28 bits the program runs on 128-bit integers.
-CommonPoints common_points(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second, int bits);
+/// numerator / denominator, the denominator positive.
+template <class Value>
+struct Fraction {
+  Value numerator, denominator;
+};
+
+template <class Value>
+Rational rational(const Fraction<Value>& t) {
+  return quotient(t.numerator, t.denominator);
+}
+
+/// What a thin shape (a segment, or the ray from its a through its b) and a segment have in common, by the exact linear
+/// program over the two parameters. Value: Integer, or Int128 where every |coordinate| < 2^61 (a minor of the program is
+/// a sum of at most four products of two differences).
+template <class Value>
+struct CommonPoints {
+  CommonPoints(const Segment2<Value>& first_shape, Extent extent, const Segment2<Value>& second_shape);
+
+  bool any = false;
+  /// any: the common points with the least and the greatest parameter on the first shape, with their parameters on the
+  /// second; `extended` if they differ.
+  Fraction<Value> first, last, second_at_first, second_at_last;
+  bool extended = false;
+  /// none: normal . p < normal . q for every p of the first shape and q of the second (from the Farkas vector).
+  Vector2<Value> normal;
+};
 
 /// A squared length numerator / denominator, the denominator positive.
+template <class Value>
 struct SquaredLength {
-  Integer numerator, denominator;
+  decltype(product(Value(), Value())) numerator;
+  Value denominator;
 };
 
 /// The squared distance of a point from a segment, or from the ray from its a through its b.
-SquaredLength squared_distance(const Point2<Integer>& point, const Segment2<Integer>& shape, Extent extent);
+template <class Value>
+SquaredLength<Value> squared_distance(const Point2<Value>& point, const Segment2<Value>& shape, Extent extent);
 
 /// The least squared distance of an end of either shape from the other one.
-Rational least_end_distance(const Segment2<Integer>& first, Extent extent, const Segment2<Integer>& second);
+template <class Value>
+Rational least_end_distance(const Segment2<Value>& first, Extent extent, const Segment2<Value>& second);
 
 /// shape.a + t (shape.b - shape.a)
-Point2<Rational> point_at(const Segment2<Integer>& shape, const Rational& t);
+template <class Value>
+Point2<Rational> point_at(const Segment2<Value>& shape, const Rational& t);
 
 /// The number halfway between the greatest of normal . p over the first shape and the least over the second; the first
-/// shape's direction as in common_points.
+/// shape's direction as in CommonPoints.
 Rational halfway(const Vector2<Integer>& normal, const Segment2<Integer>& first, Extent extent,
                  const Segment2<Integer>& second);
 

@@ -5,9 +5,11 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 
 #include "geometry/thin_shapes.h"
-#include "oracle/exact/decode.h"
+#include "oracle/exact/wide.h"
 
 namespace touchstone::oracle {
 
@@ -56,10 +58,7 @@ class CommonScale<double, N> {
   }
 
   /// value * unit^degree
-  template <class Value>
-  Rational actual(const Value& value, int degree) const {
-    return scaled(value, degree * exponent_);
-  }
+  Rational actual(Rational value, int degree) const { return scaled(std::move(value), degree * exponent_); }
 
  private:
   void measure() {
@@ -95,6 +94,7 @@ class CommonScale<Rational, N> {
 
   bool finite() const { return true; }
   int bits() const { return bits_; }
+  std::int64_t word(std::size_t i) const { return wholes_[i].get_si(); }
   const Integer& whole(std::size_t i) const { return wholes_[i]; }
 
   Rational actual(const Rational& value, int degree) const {
@@ -109,20 +109,31 @@ class CommonScale<Rational, N> {
   int bits_ = 0;
 };
 
-/// Numbers i and i + 1 as a point, i to i + 3 as a segment.
-template <class Scale>
-Point2<Integer> whole_point(const Scale& scale, std::size_t i) {
-  return {scale.whole(i), scale.whole(i + 1)};
+/// Integers of this size and their differences, and sums of a few products of two of those, fit Int128.
+constexpr int most_bits_in_words = 61;
+
+/// Numbers i and i + 1 as a point, i to i + 3 as a segment. Value: Integer, or Int128 where bits() <= most_bits_in_words.
+template <class Value, class Scale>
+Value whole(const Scale& scale, std::size_t i) {
+  if constexpr (std::is_same_v<Value, Integer>) {
+    return scale.whole(i);
+  } else {
+    return scale.word(i);
+  }
 }
-template <class Scale>
-Segment2<Integer> whole_segment(const Scale& scale, std::size_t i) {
-  return {whole_point(scale, i), whole_point(scale, i + 2)};
+template <class Value = Integer, class Scale>
+Point2<Value> whole_point(const Scale& scale, std::size_t i) {
+  return {whole<Value>(scale, i), whole<Value>(scale, i + 1)};
+}
+template <class Value = Integer, class Scale>
+Segment2<Value> whole_segment(const Scale& scale, std::size_t i) {
+  return {whole_point<Value>(scale, i), whole_point<Value>(scale, i + 2)};
 }
 
 /// A point counted in units, as it is.
 template <class Scale>
-Point2<Rational> actual_point(const Scale& scale, const Point2<Rational>& point) {
-  return {scale.actual(point.x, 1), scale.actual(point.y, 1)};
+Point2<Rational> actual_point(const Scale& scale, Point2<Rational> point) {
+  return {scale.actual(std::move(point.x), 1), scale.actual(std::move(point.y), 1)};
 }
 
 }  // namespace touchstone::oracle

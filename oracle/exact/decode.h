@@ -30,21 +30,12 @@ constexpr Dyadic decode(double value) {
 /// The exponent that `decode` gives an infinity or a NaN, and no finite double.
 constexpr int decode_infinite = 0x7ff - 1075;
 
-/// whole * 2^exponent, canonical.
-Rational scaled(const Integer& whole, int exponent);
-
 /// value * 2^exponent, canonical.
-Rational scaled(const Rational& value, int exponent);
-
-/// numerator / denominator, canonical; the denominator is not zero.
-Rational quotient(const Integer& numerator, const Integer& denominator);
+Rational scaled(Rational value, int exponent);
+Rational scaled(const Integer& whole, int exponent);
 
 /// The real number that a finite double is.
 Rational exact(double value);
 inline const Rational& exact(const Rational& value) { return value; }
-
-/// An integer of the machine as one of GMP.
-Integer widen(Int128 value);
-inline const Integer& widen(const Integer& value) { return value; }
 
 }  // namespace touchstone::oracle

@@ -7,21 +7,16 @@
 namespace touchstone::oracle {
 namespace {
 
-int sign(Int128 value) { return (value > 0) - (value < 0); }
-int sign(const Integer& value) { return sgn(value); }
-
-/// target = (target * pivot - column * row) / divisor, which leaves no remainder.
-void eliminate(Int128& target, Int128 pivot, Int128 column, Int128 row, Int128 divisor) {
-  target = target * pivot - column * row;
-  if (divisor != 1) target /= divisor;
+/// (target * pivot - column * row) / divisor, which leaves no remainder.
+void eliminate(Int128& target, Int128 pivot, Int128 column, Int128 row, const ExactDivision<Int128>& divide) {
+  target = divide(product(target, pivot) - product(column, row));
 }
 
 void eliminate(Integer& target, const Integer& pivot, const Integer& column, const Integer& row,
-               const Integer& divisor) {
-  mpz_ptr to = target.get_mpz_t();
-  mpz_mul(to, to, pivot.get_mpz_t());
-  mpz_submul(to, column.get_mpz_t(), row.get_mpz_t());
-  if (mpz_cmp_ui(divisor.get_mpz_t(), 1) != 0) mpz_divexact(to, to, divisor.get_mpz_t());
+               const ExactDivision<Integer>& divide) {
+  mpz_mul(target.get_mpz_t(), target.get_mpz_t(), pivot.get_mpz_t());
+  mpz_submul(target.get_mpz_t(), column.get_mpz_t(), row.get_mpz_t());
+  divide.in_place(target);
 }
 
 void negate(Int128& value) { value = -value; }
@@ -39,6 +34,7 @@ LinearProgram<Value>::LinearProgram(int variables, const std::vector<Row>& rows)
       entries_(rows.size() * index(columns_), Value(0)),
       farkas_(),
       denominator_(1) {
+  nonbasic_.reserve(index(variables)), basic_.reserve(rows.size());
   for (int j = 0; j < variables; ++j) nonbasic_.push_back(j);
   for (int i = 0; i < static_cast<int>(rows.size()); ++i) basic_.push_back(variables + i);
 }
@@ -51,17 +47,18 @@ bool LinearProgram<Value>::fixed(int variable) const {
 template <class Value>
 void LinearProgram<Value>::pivot(int row, int column) {
   const Value turn = entry(row, column);
+  const ExactDivision<Value> divide(denominator_);
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     if (i == row) continue;
     const Value factor = entry(i, column);
     for (int j = 0; j < columns_; ++j) {
-      if (j != column) eliminate(entry(i, j), turn, factor, entry(row, j), denominator_);
+      if (j != column) eliminate(entry(i, j), turn, factor, entry(row, j), divide);
     }
     negate(entry(i, column));
   }
   entry(row, column) = denominator_;
   denominator_ = turn;
-  if (sign(denominator_) < 0) {
+  if (sgn(denominator_) < 0) {
     negate(denominator_);
     for (Value& value : entries_) negate(value);
   }
@@ -76,7 +73,7 @@ void LinearProgram<Value>::prove_contradiction(int row) {
   };
   note(basic_[index(row)], denominator_);
   for (int j = 0; j + 1 < columns_; ++j) note(nonbasic_[index(j)], entry(row, j));
-  if (sign(entry(row, columns_ - 1)) > 0) {  // an equation 0 = b: either sign of b contradicts
+  if (sgn(entry(row, columns_ - 1)) > 0) {  // an equation 0 = b: either sign of b contradicts
     for (Value& value : farkas_) negate(value);
   }
 }
@@ -86,10 +83,10 @@ bool LinearProgram<Value>::solve_equations() {
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     if (!fixed(basic_[index(i)])) continue;
     int column = 0;
-    while (column + 1 < columns_ && (fixed(nonbasic_[index(column)]) || sign(entry(i, column)) == 0)) ++column;
+    while (column + 1 < columns_ && (fixed(nonbasic_[index(column)]) || sgn(entry(i, column)) == 0)) ++column;
     if (column + 1 < columns_) {
       pivot(i, column);
-    } else if (sign(entry(i, columns_ - 1)) != 0) {
+    } else if (sgn(entry(i, columns_ - 1)) != 0) {
       prove_contradiction(i);
       return false;
     }
@@ -103,13 +100,13 @@ bool LinearProgram<Value>::feasible() {
   for (;;) {
     int row = -1, column = -1;
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-      if (sign(entry(i, columns_ - 1)) >= 0) continue;
+      if (sgn(entry(i, columns_ - 1)) >= 0) continue;
       if (row < 0 || basic_[index(i)] < basic_[index(row)]) row = i;
     }
     if (row < 0) return true;
     for (int j = 0; j + 1 < columns_; ++j) {
       const int variable = nonbasic_[index(j)];
-      if (fixed(variable) || sign(entry(row, j)) >= 0) continue;
+      if (fixed(variable) || sgn(entry(row, j)) >= 0) continue;
       if (column < 0 || variable < nonbasic_[index(column)]) column = j;
     }
     if (column < 0) {
@@ -131,7 +128,7 @@ int LinearProgram<Value>::entering_column(const std::vector<Value>& cost) const 
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
       if (basic_[index(i)] < variables_) slope -= cost[index(basic_[index(i)])] * entry(i, j);
     }
-    if (sign(slope) < 0) column = j;
+    if (sgn(slope) < 0) column = j;
   }
   return column;
 }
@@ -140,13 +137,14 @@ template <class Value>
 int LinearProgram<Value>::leaving_row(int column) const {
   int row = -1;
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-    if (sign(entry(i, column)) <= 0) continue;
+    if (sgn(entry(i, column)) <= 0) continue;
     if (row < 0) {
       row = i;
       continue;
     }
-    const Value ahead(entry(i, columns_ - 1) * entry(row, column) - entry(row, columns_ - 1) * entry(i, column));
-    const int order = sign(ahead);
+    const auto here = product(entry(i, columns_ - 1), entry(row, column));
+    const auto best = product(entry(row, columns_ - 1), entry(i, column));
+    const int order = here < best ? -1 : best < here ? 1 : 0;
     if (order < 0 || (order == 0 && basic_[index(i)] < basic_[index(row)])) row = i;
   }
   return row;

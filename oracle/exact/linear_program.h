@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "oracle/exact/decode.h"
+#include "oracle/exact/wide.h"
 
 namespace touchstone::oracle {
 
@@ -14,7 +14,7 @@ namespace touchstone::oracle {
 /// leads to a feasible vertex or to a row that proves there is none; then the primal simplex method to an optimum.
 /// Bland's least-index rule in both, so no cycle.
 ///
-/// Value: Integer (any input), or Int128 where the product of two minors of (A b I) stays below 2^126.
+/// Value: Integer (any input), or Int128 where the minors of (A b I), and cost . x over such, stay within 127 bits.
 template <class Value>
 class LinearProgram {
  public:

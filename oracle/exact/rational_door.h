@@ -10,6 +10,7 @@
 namespace touchstone::door {
 
 inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
+inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
 
 inline void admit(const std::string&, const oracle::Rational&) {}
 
@@ -30,7 +31,7 @@ inline void admit(const std::string& field, const Ray2<oracle::Rational>& r) {
   admit_direction(field + ".direction", r.direction);
 }
 inline void admit(const std::string& field, const Circle2<oracle::Rational>& c) {
-  if (sgn(c.radius) < 0) throw InvalidInput(field + ".radius", "radius >= 0");
+  if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
 
 }  // namespace touchstone::door

@@ -1,43 +1,64 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/implicit_circle.h"
 
+#include <utility>
+
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/rational_door.h"
 
 namespace touchstone::oracle {
 namespace {
 
-struct Squares {
-  Rational distance, radius;
-};
+template <class Number>
+using Scale = CommonScale<Number, 5>;
 
 template <class Number>
-Squares squares(const Circle2<Number>& circle, const Point2<Number>& point) {
-  door::admit("circle", circle), door::admit("point", point);
-  const CommonScale<Number, 5> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
-  const Vector2<Integer> from_center = whole_point(n, 3) - whole_point(n, 0);
-  const Integer radius = n.whole(2);
-  return {n.actual(dot(from_center, from_center), 2), n.actual(Integer(radius * radius), 2)};
+Scale<Number> admitted(const Circle2<Number>& circle, const Point2<Number>& point) {
+  const Scale<Number> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
+  if (!n.finite() || door::negative(circle.radius)) door::admit("circle", circle), door::admit("point", point);
+  return n;
 }
 
-Truth<Location> truth(const Squares& s) {
-  const Rational e(s.distance - s.radius);
-  return {sgn(e) < 0 ? Location::inside : sgn(e) > 0 ? Location::outside : Location::boundary, Rational(abs(e))};
+/// Squared distance from the center and squared radius, in squares of the unit.
+template <class Value, class Number>
+std::pair<Value, Value> squares(const Scale<Number>& n) {
+  const Vector2<Value> from_center = whole_point<Value>(n, 3) - whole_point<Value>(n, 0);
+  const Value radius = whole<Value>(n, 2);
+  return {dot(from_center, from_center), Value(radius * radius)};
+}
+
+template <class Value, class Number>
+Truth<Location> truth(const Scale<Number>& n) {
+  const auto [distance, radius] = squares<Value>(n);
+  const Value e(distance - radius);
+  return {sgn(e) < 0   ? Location::inside
+          : sgn(e) > 0 ? Location::outside
+                       : Location::boundary,
+          n.actual(absolute(e), 2)};
+}
+
+template <class Number>
+Truth<Location> truth_of(const Circle2<Number>& circle, const Point2<Number>& point) {
+  const Scale<Number> n = admitted(circle, point);
+  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
 }  // namespace
 
-Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) { return truth(squares(circle, point)); }
+Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point) { return truth_of(circle, point); }
 
 template <Exact Number>
 Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point) {
-  return truth(squares(circle, point));
+  return truth_of(circle, point);
 }
 template Truth<Location> implicit_circle(const Circle2<Rational>&, const Point2<Rational>&);
 
 Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point) {
-  const Squares s = squares(circle, point);
-  return {"squares", {{"squared_distance", {s.distance}}, {"squared_radius", {s.radius}}}};
+  const Scale<double> n = admitted(circle, point);
+  const auto [distance, radius] = squares<Integer>(n);
+  return {
+      "squares",
+      {{"squared_distance", {n.actual(rational(distance), 2)}}, {"squared_radius", {n.actual(rational(radius), 2)}}}};
 }
 
 }  // namespace touchstone::oracle

@@ -7,75 +7,111 @@
 namespace touchstone::oracle {
 namespace {
 
+template <class Number>
+using Scale = CommonScale<Number, 8>;
+
+template <class Number>
+Scale<Number> admitted(const Line2<Number>& a, const Line2<Number>& b) {
+  const Scale<Number> n({a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y});
+  const auto is_point = [](const Line2<Number>& line) { return line.p == line.q; };
+  if (!n.finite() || is_point(a) || is_point(b)) door::admit("a", a), door::admit("b", b);  // names the field: slower
+  return n;
+}
+
 /// Homogeneous: a point (x : y : w), or the line of all (x : y : w) with product sum 0.
+template <class Value>
 struct Homogeneous {
-  Integer x, y, w;
+  Value x, y, w;
 };
 
-Homogeneous cross_product(const Homogeneous& g, const Homogeneous& h) {
+Homogeneous<Wide> cross_product(const Homogeneous<Int128>& g, const Homogeneous<Int128>& h) {
+  return {product(g.y, h.w) - product(g.w, h.y), product(g.w, h.x) - product(g.x, h.w),
+          product(g.x, h.y) - product(g.y, h.x)};
+}
+
+Homogeneous<Integer> cross_product(const Homogeneous<Integer>& g, const Homogeneous<Integer>& h) {
   return {Integer(g.y * h.w - g.w * h.y), Integer(g.w * h.x - g.x * h.w), Integer(g.x * h.y - g.y * h.x)};
 }
 
-template <class Number>
+/// The cross product of (p.x : p.y : 1) and (q.x : q.y : 1).
+template <class Value>
+Homogeneous<Value> line_through(const Point2<Value>& p, const Point2<Value>& q) {
+  return {Value(p.y - q.y), Value(q.x - p.x), Value(p.x * q.y - p.y * q.x)};
+}
+
+template <class Value>
 struct Lines {
-  CommonScale<Number, 8> scale;
-  Point2<Integer> a_start, b_start;
-  Vector2<Integer> a_direction, b_direction;
-  Homogeneous meet;
+  Line2<Value> a, b;
+  decltype(cross_product(Homogeneous<Value>(), Homogeneous<Value>())) meet;
 };
 
-template <class Number>
-Lines<Number> intersect(const Line2<Number>& a, const Line2<Number>& b) {
-  const CommonScale<Number, 8> n({a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y});
-  const auto homogeneous = [](const Point2<Integer>& p) { return Homogeneous{p.x, p.y, Integer(1)}; };
-  const Point2<Integer> ap = whole_point(n, 0), aq = whole_point(n, 2), bp = whole_point(n, 4), bq = whole_point(n, 6);
-  if (!n.finite() || ap == aq || bp == bq) door::admit("a", a), door::admit("b", b);  // names the field: slower
-  const Homogeneous line_a = cross_product(homogeneous(ap), homogeneous(aq));
-  const Homogeneous line_b = cross_product(homogeneous(bp), homogeneous(bq));
-  return {n, ap, bp, aq - ap, bq - bp, cross_product(line_a, line_b)};
+template <class Value, class Number>
+Lines<Value> intersect(const Scale<Number>& n) {
+  const Line2<Value> a{whole_point<Value>(n, 0), whole_point<Value>(n, 2)};
+  const Line2<Value> b{whole_point<Value>(n, 4), whole_point<Value>(n, 6)};
+  return {a, b, cross_product(line_through(a.p, a.q), line_through(b.p, b.q))};
 }
 
-/// t of start + t direction = (x/w, y/w), by the first coordinate that moves.
-Rational parameter(const Homogeneous& point, const Point2<Integer>& start, const Vector2<Integer>& direction) {
-  return sgn(direction.x) != 0 ? quotient(Integer(point.x - start.x * point.w), Integer(direction.x * point.w))
-                               : quotient(Integer(point.y - start.y * point.w), Integer(direction.y * point.w));
+Int128 narrow(const Wide& value) { return static_cast<Int128>(value.low); }
+const Integer& narrow(const Integer& value) { return value; }
+
+/// t of p + t (q - p) = (x/w, y/w) by one coordinate that moves: x - p.x w is a multiple of q.x - p.x there.
+template <class Value, class Coordinate>
+Rational parameter(const Coordinate& meet, const Value& w, const Value& from, const Value& to) {
+  const ExactDivision<Value> divide(Value(to - from));
+  return quotient(divide(Coordinate(meet - product(from, w))), w);
 }
 
-template <class Number>
-Truth<LineLine<Rational>> truth(const Lines<Number>& s) {
+template <class Value>
+Rational parameter(const Lines<Value>& s, const Line2<Value>& line) {
+  const Value w = narrow(s.meet.w);
+  return line.p.x != line.q.x ? parameter(s.meet.x, w, line.p.x, line.q.x) : parameter(s.meet.y, w, line.p.y, line.q.y);
+}
+
+template <class Value, class Number>
+Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
+  const Lines<Value> s = intersect<Value>(n);
   if (sgn(s.meet.w) == 0) {
     const bool same = sgn(s.meet.x) == 0 && sgn(s.meet.y) == 0;
     return {{same ? LineRelation::same : LineRelation::parallel, {}, {}, {}}, Rational(0)};
   }
-  const Point2<Rational> point{quotient(s.meet.x, s.meet.w), quotient(s.meet.y, s.meet.w)};
-  return {{LineRelation::crossing, parameter(s.meet, s.a_start, s.a_direction),
-           parameter(s.meet, s.b_start, s.b_direction), actual_point(s.scale, point)},
-          s.scale.actual(Integer(abs(s.meet.w)), 2)};
+  return {{LineRelation::crossing, parameter(s, s.a), parameter(s, s.b),
+           actual_point(n, {quotient(s.meet.x, s.meet.w), quotient(s.meet.y, s.meet.w)})},
+          n.actual(absolute(s.meet.w), 2)};
+}
+
+template <class Number>
+Truth<LineLine<Rational>> truth_of(const Line2<Number>& a, const Line2<Number>& b) {
+  const Scale<Number> n = admitted(a, b);
+  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
 }  // namespace
 
-Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b) { return truth(intersect(a, b)); }
+Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b) { return truth_of(a, b); }
 
 template <Exact Number>
 Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>& b) {
-  return truth(intersect(a, b));
+  return truth_of(a, b);
 }
 template Truth<LineLine<Rational>> line_line(const Line2<Rational>&, const Line2<Rational>&);
 
 Certificate line_line_certificate(const Line2d& a, const Line2d& b) {
-  const Lines<double> s = intersect(a, b);
-  if (sgn(s.meet.w) != 0) {
-    return {"transversal", {{"determinant", {s.scale.actual(cross(s.a_direction, s.b_direction), 2)}}}};
+  const Scale<double> n = admitted(a, b);
+  const auto [whole_a, whole_b, meet] = intersect<Integer>(n);
+  const Point2<Integer>& start = whole_a.p;
+  const Vector2<Integer> direction = whole_a.q - start;
+  if (sgn(meet.w) != 0) {
+    return {"transversal", {{"determinant", {n.actual(rational(cross(direction, whole_b.q - whole_b.p)), 2)}}}};
   }
-  if (sgn(s.meet.x) != 0 || sgn(s.meet.y) != 0) {
-    const Vector2<Integer>& d = s.a_direction;
-    return {"level_lines", {{"normal", {Rational(-d.y), Rational(d.x)}}}};
+  if (sgn(meet.x) != 0 || sgn(meet.y) != 0) {
+    return {"level_lines", {{"normal", {Rational(-direction.y), Rational(direction.x)}}}};
   }
-  const auto on_a = [&s](const Point2<Integer>& p) {
-    return parameter({p.x, p.y, Integer(1)}, s.a_start, s.a_direction);
+  const auto on_a = [&start, &direction](const Point2<Integer>& p) {
+    const Vector2<Integer> from = p - start;
+    return sgn(direction.x) != 0 ? quotient(from.x, direction.x) : quotient(from.y, direction.y);
   };
-  return {"same_line", {{"on_a", {on_a(s.b_start), on_a(s.b_start + s.b_direction)}}}};
+  return {"same_line", {{"on_a", {on_a(whole_b.p), on_a(whole_b.q)}}}};
 }
 
 }  // namespace touchstone::oracle

@@ -2,6 +2,7 @@
 #include "oracle/lines/line_point_at.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/nearest_double.h"
@@ -10,47 +11,49 @@
 namespace touchstone::oracle {
 namespace {
 
+/// t times the direction, in units of `lengths`.
 template <class Number>
 struct Travelled {
+  Travelled(const ParametricLine2<Number>& line, const Number& t)
+      : lengths({line.origin.x, line.origin.y, line.direction.x, line.direction.y}) {
+    const CommonScale<Number, 1> time({t});
+    const bool still = door::zero(line.direction.x) && door::zero(line.direction.y);
+    if (!lengths.finite() || !time.finite() || still) door::admit("line", line), door::admit("t", t);
+    const Integer factor = time.whole(0);
+    const auto step = [&](std::size_t i) { return time.actual(rational(Integer(factor * lengths.whole(i))), 1); };
+    x = step(2), y = step(3);
+  }
+
   CommonScale<Number, 4> lengths;
-  Vector2<Rational> step;  // in units of length
+  Rational x, y;
 };
 
 template <class Number>
-Travelled<Number> travel(const ParametricLine2<Number>& line, const Number& t) {
-  const CommonScale<Number, 4> lengths({line.origin.x, line.origin.y, line.direction.x, line.direction.y});
-  const CommonScale<Number, 1> time({t});
-  const Integer x = lengths.whole(2), y = lengths.whole(3);
-  const bool still = sgn(x) == 0 && sgn(y) == 0;
-  if (!lengths.finite() || !time.finite() || still) door::admit("line", line), door::admit("t", t);
-  const Integer factor = time.whole(0);
-  return {lengths, {time.actual(Integer(factor * x), 1), time.actual(Integer(factor * y), 1)}};
-}
-
-template <class Number>
-Truth<Point2<Rational>> truth(const Travelled<Number>& s) {
-  const auto sum = [](const Integer& whole, Rational step) {
-    step.get_num() += whole * step.get_den();  // no common factor comes in
-    return step;
+Truth<Point2<Rational>> truth(Travelled<Number> s) {
+  const auto add = [](const Integer& whole, Rational& step) {  // no common factor comes in
+    mpz_addmul(step.get_num_mpz_t(), whole.get_mpz_t(), step.get_den_mpz_t());
   };
-  const Point2<Rational> point =
-      actual_point(s.lengths, {sum(s.lengths.whole(0), s.step.x), sum(s.lengths.whole(1), s.step.y)});
-  return {point, std::min(rounding_margin(point.x), rounding_margin(point.y))};
+  add(s.lengths.whole(0), s.x), add(s.lengths.whole(1), s.y);
+  Point2<Rational> point = actual_point(s.lengths, {std::move(s.x), std::move(s.y)});
+  Rational margin = std::min(rounding_margin(point.x), rounding_margin(point.y));
+  return {std::move(point), std::move(margin)};
 }
 
 }  // namespace
 
-Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t) { return truth(travel(line, t)); }
+Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t) {
+  return truth(Travelled<double>(line, t));
+}
 
 template <Exact Number>
 Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const Number& t) {
-  return truth(travel(line, t));
+  return truth(Travelled<Number>(line, t));
 }
 template Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>&, const Rational&);
 
 Certificate line_point_at_certificate(const ParametricLine2d& line, double t) {
-  const Travelled<double> s = travel(line, t);
-  return {"displacement", {{"displacement", {s.lengths.actual(s.step.x, 1), s.lengths.actual(s.step.y, 1)}}}};
+  const Travelled<double> s(line, t);
+  return {"displacement", {{"displacement", {s.lengths.actual(s.x, 1), s.lengths.actual(s.y, 1)}}}};
 }
 
 }  // namespace touchstone::oracle

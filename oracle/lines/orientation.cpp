@@ -14,34 +14,38 @@ CommonScale<Number, 6> admitted(const Point2<Number>& p0, const Point2<Number>& 
   return numbers;
 }
 
-/// | x0 y0 1 | x1 y1 1 | x y 1 | by cofactors of the last column.
-template <class Number>
-Rational determinant(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  const CommonScale<Number, 6> n = admitted(p0, p1, p);
-  const Point2<Integer> a = whole_point(n, 0), b = whole_point(n, 2), c = whole_point(n, 4);
-  const Integer whole((b.x * c.y - b.y * c.x) - (a.x * c.y - a.y * c.x) + (a.x * b.y - a.y * b.x));
-  return n.actual(whole, 2);
+/// | x0 y0 1 | x1 y1 1 | x y 1 | by cofactors of the last column, in squares of the unit.
+template <class Value, class Number>
+Value determinant(const CommonScale<Number, 6>& n) {
+  const Point2<Value> a = whole_point<Value>(n, 0), b = whole_point<Value>(n, 2), c = whole_point<Value>(n, 4);
+  return Value((b.x * c.y - b.y * c.x) - (a.x * c.y - a.y * c.x) + (a.x * b.y - a.y * b.x));
 }
 
-Truth<Side> truth(const Rational& e) {
-  return {sgn(e) > 0 ? Side::left : sgn(e) < 0 ? Side::right : Side::on, Rational(abs(e))};
+template <class Value, class Number>
+Truth<Side> truth(const CommonScale<Number, 6>& n) {
+  const Value e = determinant<Value>(n);
+  return {sgn(e) > 0 ? Side::left : sgn(e) < 0 ? Side::right : Side::on, n.actual(absolute(e), 2)};
+}
+
+template <class Number>
+Truth<Side> truth_of(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
+  const CommonScale<Number, 6> n = admitted(p0, p1, p);
+  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
 }  // namespace
 
-Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  return truth(determinant(p0, p1, p));
-}
+Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) { return truth_of(p0, p1, p); }
 
 template <Exact Number>
 Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  return truth(determinant(p0, p1, p));
+  return truth_of(p0, p1, p);
 }
 template Truth<Side> orientation(const Point2<Rational>&, const Point2<Rational>&, const Point2<Rational>&);
 
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   const CommonScale<double, 6> n = admitted(p0, p1, p);
-  if (n.bits() <= 61) {
+  if (n.bits() <= most_bits_in_words) {
     using Word = Point2<std::int64_t>;
     return orientation_side<Int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)}, Word{n.word(4), n.word(5)});
   }
@@ -49,7 +53,8 @@ Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
 }
 
 Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  return {"determinant", {{"determinant", {determinant(p0, p1, p)}}}};
+  const CommonScale<double, 6> n = admitted(p0, p1, p);
+  return {"determinant", {{"determinant", {n.actual(rational(determinant<Integer>(n)), 2)}}}};
 }
 
 }  // namespace touchstone::oracle

@@ -62,7 +62,7 @@ CommonScale<Number, 3> admitted(const Circle2<Number>& circle, const Number& u) 
 }
 
 template <class Number>
-bool rational(const Circle2<Number>& circle, const Number& u) {
+bool rational_point(const Circle2<Number>& circle, const Number& u) {
   return door::zero(u) || door::zero(circle.radius);
 }
 
@@ -70,8 +70,8 @@ template <class Number>
 Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
   const CommonScale<Number, 3> n = admitted(circle, u);
   const Point2<Rational> point =
-      rational(circle, u) ? actual_point(n, {Rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
-                          : find(n, u).point;
+      rational_point(circle, u) ? actual_point(n, {rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
+                                : find(n, u).point;
   return {point, std::min(rounding_margin(point.x), rounding_margin(point.y))};
 }
 
@@ -87,7 +87,7 @@ template Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>&, con
 
 Certificate parametric_circle_certificate(const Circle2d& circle, double u) {
   const CommonScale<double, 3> n = admitted(circle, u);
-  if (rational(circle, u)) return {"exact", {}};
+  if (rational_point(circle, u)) return {"exact", {}};
   const auto [cosine, sine] = find(n, u).enclosures;
   const auto ends = [](const Enclosure& x) {
     const Integer low(x.nearest - x.width), high(x.nearest + x.width);

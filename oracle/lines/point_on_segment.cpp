@@ -9,61 +9,76 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
+using Scale = CommonScale<Number, 6>;
+
+template <class Number>
+Scale<Number> admitted(const Point2<Number>& point, const Segment2<Number>& segment) {
+  const Scale<Number> n({point.x, point.y, segment.a.x, segment.a.y, segment.b.x, segment.b.y});
+  if (!n.finite()) door::admit("point", point), door::admit("segment", segment);  // names the field: slower
+  return n;
+}
+
+template <class Value>
 struct Situation {
-  CommonScale<Number, 6> scale;
-  Point2<Integer> point;
-  Segment2<Integer> segment;
-  Integer along, length;  // w.v and v.v
+  Point2<Value> point;
+  Segment2<Value> segment;
+  Value along, length;  // w.v and v.v
   bool on;
 };
 
-template <class Number>
-Situation<Number> examine(const Point2<Number>& point, const Segment2<Number>& segment) {
-  const CommonScale<Number, 6> n({point.x, point.y, segment.a.x, segment.a.y, segment.b.x, segment.b.y});
-  if (!n.finite()) door::admit("point", point), door::admit("segment", segment);  // names the field: slower
-  Situation<Number> s{n, whole_point(n, 0), whole_segment(n, 2), {}, {}, {}};
-  const Vector2<Integer> v = s.segment.b - s.segment.a, w = s.point - s.segment.a;
-  const Integer distance = dot(w, w);
+template <class Value, class Number>
+Situation<Value> examine(const Scale<Number>& n) {
+  Situation<Value> s{whole_point<Value>(n, 0), whole_segment<Value>(n, 2), {}, {}, {}};
+  const Vector2<Value> v = s.segment.b - s.segment.a, w = s.point - s.segment.a;
+  const Value distance = dot(w, w);
   s.along = dot(w, v), s.length = dot(v, v);
-  const bool collinear = Integer(s.along * s.along) == Integer(distance * s.length);
+  const bool collinear = product(s.along, s.along) == product(distance, s.length);
   const bool between = sgn(s.along) >= 0 && s.along <= s.length;
   s.on = sgn(s.length) == 0 ? sgn(distance) == 0 : collinear && between;
   return s;
 }
 
-template <class Number>
-Rational parameter(const Situation<Number>& s) {
+template <class Value>
+Rational parameter(const Situation<Value>& s) {
   return sgn(s.length) == 0 ? Rational(0) : quotient(s.along, s.length);
 }
 
-template <class Number>
-Truth<PointOnSegment<Rational>> truth(const Situation<Number>& s) {
+template <class Value, class Number>
+Truth<PointOnSegment<Rational>> truth(const Scale<Number>& n) {
+  const Situation<Value> s = examine<Value>(n);
   if (s.on) return {{Incidence::on, parameter(s)}, Rational(0)};
-  const SquaredLength distance = squared_distance(s.point, s.segment, Extent::segment);
-  return {{Incidence::off, {}}, s.scale.actual(quotient(distance.numerator, distance.denominator), 2)};
+  const SquaredLength<Value> distance = squared_distance(s.point, s.segment, Extent::segment);
+  return {{Incidence::off, {}}, n.actual(quotient(distance.numerator, distance.denominator), 2)};
+}
+
+template <class Number>
+Truth<PointOnSegment<Rational>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
+  const Scale<Number> n = admitted(point, segment);
+  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
 }  // namespace
 
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2d& point, const Segment2d& segment) {
-  return truth(examine(point, segment));
+  return truth_of(point, segment);
 }
 
 template <Exact Number>
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
-  return truth(examine(point, segment));
+  return truth_of(point, segment);
 }
 template Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 
 Certificate point_on_segment_certificate(const Point2d& point, const Segment2d& segment) {
-  const Situation<double> s = examine(point, segment);
+  const Scale<double> n = admitted(point, segment);
+  const Situation<Integer> s = examine<Integer>(n);
   if (s.on) {
     const Rational t = parameter(s);
     return {"weights", {{"weights", {Rational(1 - t), t}}}};
   }
   // From the point to the nearest point of the segment; every point of the segment is at least as far along.
   const Rational t = std::clamp(parameter(s), Rational(0), Rational(1));
-  const Point2<Rational> nearest = actual_point(s.scale, point_at(s.segment, t)), from{exact(point.x), exact(point.y)};
+  const Point2<Rational> nearest = actual_point(n, point_at(s.segment, t)), from{exact(point.x), exact(point.y)};
   const Vector2<Rational> normal = nearest - from;
   const Rational offset((normal.x * (nearest.x + from.x) + normal.y * (nearest.y + from.y)) / 2);
   return {"separating_line", {{"normal", {normal.x, normal.y}}, {"offset", {offset}}}};

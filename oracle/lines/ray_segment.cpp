@@ -9,71 +9,88 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-struct Solved {
-  CommonScale<Number, 8> scale;
-  Segment2<Integer> ray;  // a: origin, b: origin + direction
-  Segment2<Integer> segment;
-  CommonPoints common;
-};
-
-template <class Number>
-Solved<Number> solve(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+CommonScale<Number, 8> admitted(const Ray2<Number>& ray, const Segment2<Number>& segment) {
   const CommonScale<Number, 8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x,
                                   segment.a.y, segment.b.x, segment.b.y});
-  const Point2<Integer> origin = whole_point(n, 0);
-  const Vector2<Integer> direction{n.whole(2), n.whole(3)};
-  const bool still = sgn(direction.x) == 0 && sgn(direction.y) == 0;
+  const bool still = door::zero(ray.direction.x) && door::zero(ray.direction.y);
   if (!n.finite() || still) door::admit("ray", ray), door::admit("segment", segment);  // names the field: slower
-  const Segment2<Integer> whole_ray{origin, origin + direction}, whole = whole_segment(n, 4);
-  return {n, whole_ray, whole, common_points(whole_ray, Extent::ray, whole, n.bits() + 1)};
+  return n;
+}
+
+template <class Value>
+struct Solved {
+  template <class Number>
+  explicit Solved(const CommonScale<Number, 8>& n)
+      : ray(from_origin(whole_segment<Value>(n, 0))),
+        segment(whole_segment<Value>(n, 4)),
+        common(ray, Extent::ray, segment) {}
+
+  static Segment2<Value> from_origin(const Segment2<Value>& origin_and_direction) {
+    const Point2<Value>&o = origin_and_direction.a, &d = origin_and_direction.b;
+    return {o, {Value(o.x + d.x), Value(o.y + d.y)}};
+  }
+
+  Segment2<Value> ray;  // a: origin, b: origin + direction
+  Segment2<Value> segment;
+  CommonPoints<Value> common;
+};
+
+template <class Value, class Number>
+Truth<RaySegment<Rational>> truth(const CommonScale<Number, 8>& n) {
+  const Solved<Value> s(n);
+  const CommonPoints<Value>& common = s.common;
+  const auto end_distance = [&] { return n.actual(least_end_distance(s.ray, Extent::ray, s.segment), 2); };
+  if (!common.any) return {{RayRelation::none, {}, {}, {}}, end_distance()};
+  Rational t = rational(common.first);
+  Point2<Rational> first = actual_point(n, point_at(s.ray, t));
+  if (common.extended) {
+    Point2<Rational> last = actual_point(n, point_at(s.ray, rational(common.last)));
+    return {{RayRelation::overlap, std::move(t), {}, Segment2<Rational>{std::move(first), std::move(last)}},
+            Rational(0)};
+  }
+  const Fraction<Value>& on_segment = common.second_at_first;
+  const bool touching = sgn(t) == 0 || sgn(on_segment.numerator) == 0 || on_segment.numerator == on_segment.denominator;
+  return {{RayRelation::point, std::move(t), std::move(first), {}}, touching ? Rational(0) : end_distance()};
 }
 
 template <class Number>
-Truth<RaySegment<Rational>> truth(const Solved<Number>& s) {
-  const auto end_distance = [&s] { return s.scale.actual(least_end_distance(s.ray, Extent::ray, s.segment), 2); };
-  if (!s.common.any) return {{RayRelation::none, {}, {}, {}}, end_distance()};
-  const Rational &t = s.common.first, &on_segment = s.common.second_at_first;
-  const Point2<Rational> first = actual_point(s.scale, point_at(s.ray, t));
-  if (t < s.common.last) {
-    const Point2<Rational> last = actual_point(s.scale, point_at(s.ray, s.common.last));
-    return {{RayRelation::overlap, t, {}, Segment2<Rational>{first, last}}, Rational(0)};
-  }
-  const bool touching = t == 0 || on_segment == 0 || on_segment == 1;
-  return {{RayRelation::point, t, first, {}}, touching ? Rational(0) : end_distance()};
+Truth<RaySegment<Rational>> truth_of(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+  const CommonScale<Number, 8> n = admitted(ray, segment);
+  return n.bits() < most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);  // origin + direction: one bit more
 }
 
 }  // namespace
 
-Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) {
-  return truth(solve(ray, segment));
-}
+Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment) { return truth_of(ray, segment); }
 
 template <Exact Number>
 Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment) {
-  return truth(solve(ray, segment));
+  return truth_of(ray, segment);
 }
 template Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>&, const Segment2<Rational>&);
 
 Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) {
-  const Solved<double> s = solve(ray, segment);
-  const CommonPoints& common = s.common;
+  const CommonScale<double, 8> n = admitted(ray, segment);
+  const Solved<Integer> s(n);
+  const CommonPoints<Integer>& common = s.common;
   if (!common.any) {
-    const Rational offset = s.scale.actual(halfway(common.normal, s.ray, Extent::ray, s.segment), 1);
+    const Rational offset = n.actual(halfway(common.normal, s.ray, Extent::ray, s.segment), 1);
     return {"separating_line",
             {{"normal", {Rational(common.normal.x), Rational(common.normal.y)}}, {"offset", {offset}}}};
   }
-  if (common.first < common.last) {
+  if (common.extended) {
     return {"overlap",
-            {{"on_ray", {common.first, common.last}}, {"on_segment", {common.second_at_first, common.second_at_last}}}};
+            {{"on_ray", {rational(common.first), rational(common.last)}},
+             {"on_segment", {rational(common.second_at_first), rational(common.second_at_last)}}}};
   }
-  const std::pair<std::string, std::vector<Rational>> witness{"on_segment", {common.second_at_first}};
+  const std::pair<std::string, std::vector<Rational>> witness{"on_segment", {rational(common.second_at_first)}};
   if (s.segment.a == s.segment.b) return {"single_point", {}};
   const Vector2<Integer> direction = s.ray.b - s.ray.a, v = s.segment.b - s.segment.a;
   const Integer area = cross(direction, v);
-  if (sgn(area) != 0) return {"transversal", {witness, {"determinant", {s.scale.actual(area, 2)}}}};
+  if (sgn(area) != 0) return {"transversal", {witness, {"determinant", {n.actual(rational(area), 2)}}}};
   // Collinear and end to end: the ray starts where the segment does, and leaves it.
   const Vector2<Integer> back{Integer(-direction.x), Integer(-direction.y)};
-  const Rational offset = s.scale.actual(halfway(back, s.ray, Extent::ray, s.segment), 1);
+  const Rational offset = n.actual(halfway(back, s.ray, Extent::ray, s.segment), 1);
   return {"supporting_line", {witness, {"normal", {Rational(back.x), Rational(back.y)}}, {"offset", {offset}}}};
 }
 
