@@ -71,7 +71,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   options.jobs = command.jobs > 0 ? command.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   require_known_families(options);
   if (!command.engine.empty()) {
-    options.engine = [&command] { return pipe_engine(command.engine, command.timeout); };
+    options.engine = [&command] { return pipe_engine(command.engine, command.timeout, &interrupted); };
   }
   const auto previous = std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

@@ -27,8 +27,9 @@ Judgement judged(const Reply& reply, const Examination& examination, const Decla
 /// One job: a share of the batches of one operation.
 class Worker {
  public:
-  Worker(const AuditOptions& options, const Operation& operation, const std::vector<std::size_t>& families, Engine* engine)
-      : options_(options), operation_(operation), families_(families), engine_(engine), asked_(families.size()), robust_(families.size()) {}
+  Worker(const AuditOptions& options, const Operation& operation, const std::vector<std::size_t>& families, Engine* engine,
+         const std::atomic<bool>& stop)
+      : options_(options), operation_(operation), families_(families), engine_(engine), stop_(stop), asked_(families.size()), robust_(families.size()) {}
 
   void run_batch(std::uint64_t first, std::uint64_t last) {
     std::vector<Pending> pending;
@@ -46,7 +47,11 @@ class Worker {
         count(asked_[p.family], p.question, p.examination->judge_reference(), outcome, p.index, nullptr);
       } else {
         const Reply reply = replies.empty() ? Reply{Reply::Kind::unsupported, nullptr, ""} : replies[i];
+        if (!reply.asked && stop_) continue;
+        auto& smallest = asked_[p.family].smallest[static_cast<std::size_t>(Verdict::invalid)];
+        const auto seen_to_fail = smallest;
         count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index, reply.answer);
+        if (!reply.asked) smallest = seen_to_fail;
       }
       count(robust_[p.family], p.question, p.examination->judge_robust(), outcome, p.index, nullptr);
     }
@@ -84,6 +89,7 @@ class Worker {
   const Operation& operation_;
   const std::vector<std::size_t>& families_;
   Engine* engine_;
+  const std::atomic<bool>& stop_;
   std::vector<Cell> asked_, robust_;
 };
 
@@ -110,6 +116,7 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
           found.answer = examination->reference();
         } else {
           const Reply reply = engine->ask(operation, {question})[0];
+          if (!reply.asked) return found;
           found.judgement = judged(reply, *examination, declaration);
           found.answer = reply.answer;
         }
@@ -172,7 +179,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
     if (families.empty()) continue;
     std::vector<Worker> workers;
-    for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get());
+    for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get(), stop);
     std::atomic<std::uint64_t> next{0};
     std::mutex failure_mutex;
     std::exception_ptr failure;

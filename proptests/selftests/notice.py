@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the property suite alone, the vectors alone and fuzzing alone notice each planted bug: notice.py PLANTED.json
+PROGRAMS VECTORS MATRIX. Writes the matrix to the file MATRIX too. Exit code 1 if a bug is missed, or if something cries
+wolf while no bug is on."""
+import concurrent.futures
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SECONDS = 60  # that fuzzing may take; it usually needs less than one
+
+
+def run(command, bug, limit, cwd=None):
+    """(exit code or None after `limit` seconds, stderr, seconds)"""
+    started = time.monotonic()
+    environment = dict(os.environ, TOUCHSTONE_PLANTED=str(bug), TOUCHSTONE_CASES=os.environ.get("TOUCHSTONE_CASES", "1"))
+    try:
+        done = subprocess.run(command, env=environment, cwd=cwd, timeout=limit, capture_output=True, text=True, errors="replace")
+        code, said = done.returncode, done.stderr
+    except subprocess.TimeoutExpired:
+        code, said = None, ""
+    return code, said, time.monotonic() - started
+
+
+class Notice:
+    """The three ways of asking; each returns (noticed, seconds). A crash or a hang is noticed too."""
+
+    def __init__(self, programs, vectors):
+        self.programs, self.vectors = programs, vectors
+
+    def properties(self, operation, bug):
+        code, _, seconds = run([self.programs / "planted_properties", f"{operation}:*", "--abort"], bug, 300)
+        return code != 0, seconds
+
+    def by_vectors(self, operation, bug):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(self.vectors / f"{operation}.jsonl", folder)
+            code, _, seconds = run([self.programs / "planted_vectors", "vectors", "check", folder], bug, 60)
+        return code != 0, seconds
+
+    def fuzzing(self, operation, bug):
+        with tempfile.TemporaryDirectory() as folder:
+            command = [self.programs / f"planted_fuzz_{operation}", "-seed=1", "-max_len=80", "-len_control=0",
+                       f"-max_total_time={SECONDS if bug else 10}", "-timeout=5", folder]
+            code, _, seconds = run(command, bug, SECONDS + 20, cwd=folder)
+        return code != 0, seconds
+
+
+def line(number, bug, results):
+    cells = "".join(f"{('%.1f s' % seconds if noticed else 'MISSED'):>12}" for noticed, seconds in results)
+    return f"{number:>3} {bug['operation']:<18}{cells}  {bug['what']}"
+
+
+def main(listed, programs, vectors, matrix):
+    bugs = json.load(open(listed))
+    notice = Notice(pathlib.Path(programs), pathlib.Path(vectors))
+    ways = (notice.properties, notice.by_vectors, notice.fuzzing)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        operations = sorted({bug["operation"] for bug in bugs})
+        calm = {op: [pool.submit(way, op, 0) for way in ways] for op in operations}
+        found = [[pool.submit(way, bug["operation"], number) for way in ways] for number, bug in enumerate(bugs, 1)]
+        lines = [f"planted bugs, and the time until each way alone noticed them\n"
+                 f"{'':<22}{'properties':>12}{'vectors':>12}{'fuzzing':>12}"]
+        lines += [line(number, bug, [cell.result() for cell in found[number - 1]]) for number, bug in enumerate(bugs, 1)]
+        wolf = [op for op in operations if any(cell.result()[0] for cell in calm[op])]
+    missed = sum(not cell.result()[0] for row in found for cell in row)
+    lines.append(f"{len(bugs)} bugs, {3 * len(bugs) - missed} of {3 * len(bugs)} times noticed; without a bug: "
+                 + ("all silent" if not wolf else "FALSE ALARM in " + ", ".join(wolf)))
+    text = "\n".join(lines) + "\n"
+    print(text)
+    pathlib.Path(matrix).parent.mkdir(parents=True, exist_ok=True)
+    pathlib.Path(matrix).write_text(text)
+    return 1 if missed or wolf else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
