@@ -12,13 +12,20 @@ if(driver_sources)
   target_link_libraries(touchstone_fuzz_driver PUBLIC touchstone_audit)
 endif()
 
+if(EXISTS ${replay_main} AND NOT TOUCHSTONE_LIBFUZZER)
+  add_library(touchstone_fuzz_replay OBJECT ${replay_main})
+  touchstone_own(touchstone_fuzz_replay)
+  target_link_libraries(touchstone_fuzz_replay PUBLIC touchstone_audit)
+endif()
+
 file(GLOB targets CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/fuzz/*/*.cpp)
 list(FILTER targets EXCLUDE REGEX "/fuzz/driver/")
 foreach(source ${targets})
   cmake_path(GET source STEM name)
-  add_executable(fuzz_${name} ${source} $<$<NOT:$<BOOL:${TOUCHSTONE_LIBFUZZER}>>:${replay_main}>)
+  add_executable(fuzz_${name} ${source})
   touchstone_own(fuzz_${name})
-  target_link_libraries(fuzz_${name} PRIVATE touchstone_audit $<TARGET_NAME_IF_EXISTS:touchstone_fuzz_driver>)
+  target_link_libraries(fuzz_${name} PRIVATE touchstone_audit $<TARGET_NAME_IF_EXISTS:touchstone_fuzz_driver>
+                        $<TARGET_NAME_IF_EXISTS:touchstone_fuzz_replay>)
   target_link_options(fuzz_${name} PRIVATE $<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer>)
   set_target_properties(fuzz_${name} PROPERTIES OUTPUT_NAME ${name}
                                                 RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)

@@ -88,4 +88,8 @@ if(NOT TOUCHSTONE_COVERAGE)
                      --output-on-failure)
     set_tests_properties(install/${name} PROPERTIES FIXTURES_REQUIRED installed)
   endforeach()
+  # It audits a naive engine, so that it ends with findings (exit code 1) is as it should be.
+  add_test(NAME install/my_engine_audits COMMAND ${PROJECT_BINARY_DIR}/consumers/my_engine/my_engine --cases 1000 --seed 1)
+  set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
+                                                           "my engine 1.0.*segment_segment")
 endif()
