@@ -16,20 +16,6 @@ long bit_length(mpz_srcptr value) { return static_cast<long>(mpz_sizeinbase(valu
 
 bool power_of_two(mpz_srcptr value) { return static_cast<long>(mpz_scan1(value, 0)) == bit_length(value) - 1; }
 
-/// e with 2^e <= |value| < 2^(e+1); value is not zero.
-long binary_order(const Rational& value) {
-  mpz_srcptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
-  const long guess = bit_length(numerator) - bit_length(denominator);  // the order is guess or guess - 1
-  if (power_of_two(denominator)) return guess;
-  Integer above(abs(value.get_num())), below(value.get_den());
-  if (guess > 0) {
-    below <<= static_cast<mp_bitcnt_t>(guess);
-  } else {
-    above <<= static_cast<mp_bitcnt_t>(-guess);
-  }
-  return above >= below ? guess : guess - 1;
-}
-
 /// |value| = (whole + rest / unit) * 2^exponent, 0 <= rest < unit.
 struct Ulps {
   Integer whole, rest, unit;
@@ -70,7 +56,31 @@ Parts in_ulps(const Rational& value, int exponent) {
   return {bits_from(numerator, dropped), half ? more : -1};
 }
 
+/// In the interior of a binade, and with the fraction of an ulp in `dropped` bits: from there to the middle.
+Rational dyadic_margin(mpz_srcptr numerator, long dropped) {
+  const auto bits = static_cast<mp_bitcnt_t>(dropped);
+  Integer rest, middle;
+  mpz_tdiv_r_2exp(rest.get_mpz_t(), numerator, bits);
+  mpz_abs(rest.get_mpz_t(), rest.get_mpz_t());
+  mpz_setbit(middle.get_mpz_t(), bits - 1);
+  middle -= rest;
+  return scaled(absolute(middle), -static_cast<int>(dropped));
+}
+
 }  // namespace
+
+long binary_order(const Rational& value) {
+  mpz_srcptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
+  const long guess = bit_length(numerator) - bit_length(denominator);  // the order is guess or guess - 1
+  if (power_of_two(denominator)) return guess;
+  Integer above(abs(value.get_num())), below(value.get_den());
+  if (guess > 0) {
+    below <<= static_cast<mp_bitcnt_t>(guess);
+  } else {
+    above <<= static_cast<mp_bitcnt_t>(-guess);
+  }
+  return above >= below ? guess : guess - 1;
+}
 
 int ulp_exponent(const Rational& value) {
   if (sgn(value) == 0) return -1074;
@@ -91,6 +101,14 @@ double nearest_double(const Rational& value) {
 
 Rational rounding_margin(const Rational& value) {
   const int exponent = ulp_exponent(value);
+  if (mpz_srcptr denominator = value.get_den_mpz_t(); power_of_two(denominator)) {
+    const long dropped = exponent + bit_length(denominator) - 1;
+    mpz_srcptr numerator = value.get_num_mpz_t();
+    const bool in_range = bit_length(numerator) - dropped <= 53;
+    if (dropped > 0 && in_range && (exponent == -1074 || bits_from(numerator, dropped) != std::uint64_t{1} << 52)) {
+      return dyadic_margin(numerator, dropped);
+    }
+  }
   const Ulps ulps(value, exponent);
   const Integer top = Integer(1) << 53;
   if (ulps.whole >= top) {  // from the largest double on: the distance to the tie with infinity

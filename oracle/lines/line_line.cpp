@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/line_line.h"
 
+#include <utility>
+
+#include "oracle/exact/common_points.h"
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/rational_door.h"
 
@@ -75,8 +78,9 @@ Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
     const bool same = sgn(s.meet.x) == 0 && sgn(s.meet.y) == 0;
     return {{same ? LineRelation::same : LineRelation::parallel, {}, {}, {}}, Rational(0)};
   }
-  return {{LineRelation::crossing, parameter(s, s.a), parameter(s, s.b),
-           actual_point(n, {quotient(s.meet.x, s.meet.w), quotient(s.meet.y, s.meet.w)})},
+  Rational ta = parameter(s, s.a);
+  Point2<Rational> point = actual_point(n, point_at(Segment2<Value>{s.a.p, s.a.q}, ta));
+  return {{LineRelation::crossing, std::move(ta), parameter(s, s.b), std::move(point)},
           n.actual(absolute(s.meet.w), 2)};
 }
 

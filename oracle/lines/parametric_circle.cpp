@@ -15,28 +15,31 @@ namespace {
 
 const int closeness = 60;  // the answer is within 2^-60 units in the last place
 
-/// A coordinate and what it may be off, both ways.
+/// A coordinate, and the ends between which the true one is.
 struct Coordinate {
-  Rational value, width;
+  Rational value, low, high;
+  bool certain;
 };
+
+/// One double (and one sign) is nearest to everything in the enclosure, and the enclosure (its width is not 0) is narrow
+/// enough.
+bool certain(const Coordinate& x, const Rational& width) {
+  const auto bits = [](const Rational& value) { return std::bit_cast<std::uint64_t>(nearest_double(value)); };
+  return binary_order(width) < ulp_exponent(x.value) - closeness && sgn(x.low) == sgn(x.high) &&
+         bits(x.low) == bits(x.high);
+}
 
 /// center + radius * unit
 template <class Number>
 Coordinate on_axis(const CommonScale<Number, 3>& circle, std::size_t center, const Enclosure& unit) {
+  const Integer radius = circle.whole(2), off(radius * unit.width);
   Integer whole = circle.whole(center);
   whole <<= static_cast<mp_bitcnt_t>(-unit.exponent);  // |unit| <= 1 has all its bits behind the point
-  const Integer radius = circle.whole(2);
   whole += radius * unit.nearest;
   const auto actual = [&](const Integer& size) { return circle.actual(scaled(size, unit.exponent), 1); };
-  return {actual(whole), actual(Integer(radius * unit.width))};
-}
-
-/// One double (and one sign) is nearest to everything in the enclosure, and the enclosure is narrow enough.
-bool certain(const Coordinate& x) {
-  const auto bits = [](const Rational& value) { return std::bit_cast<std::uint64_t>(nearest_double(value)); };
-  if (x.width + x.width >= scaled(Rational(1), ulp_exponent(x.value) - closeness)) return false;
-  const Rational low(x.value - x.width), high(x.value + x.width);
-  return sgn(low) == sgn(high) && bits(low) == bits(high);
+  Coordinate x{actual(whole), actual(Integer(whole - off)), actual(Integer(whole + off)), false};
+  x.certain = certain(x, actual(Integer(2 * off)));
+  return x;
 }
 
 struct Found {
@@ -51,7 +54,7 @@ Found find(const CommonScale<Number, 3>& circle, const Number& u) {
   for (int bits = 128;; bits += bits / 2) {
     const CosineAndSine turn = cosine_and_sine(u, bits);
     const Coordinate x = on_axis(circle, 0, turn.cosine), y = on_axis(circle, 1, turn.sine);
-    if (certain(x) && certain(y)) return {{x.value, y.value}, turn};
+    if (x.certain && y.certain) return {{x.value, y.value}, turn};
   }
 }
 

@@ -124,4 +124,10 @@ TEST_CASE("rounding margin: the rounding stays within it and changes beyond it")
   CHECK(asked > 10000);
 }
 
+TEST_CASE("rounding margin: far beyond the range it is the distance from the tie with infinity") {
+  const Rational far(times_power(Rational(1), 1100) + times_power(Rational(1), 970));  // 2^129 + 1/2 units of 2^971
+  const Integer expected((Integer(1) << 129) - (Integer(1) << 53) + 1);
+  CHECK(oracle::rounding_margin(far) == expected);
+}
+
 }  // namespace touchstone::proptests
