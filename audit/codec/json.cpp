@@ -90,10 +90,13 @@ double nearest(const Token& token, const std::string& field) {
   const char* end = token.text.data() + token.text.size();
   const auto [stop, error] = std::from_chars(token.text.data(), end, value, format);
   if (error == std::errc::result_out_of_range) {
-    // Out of range at either end: a decimal below half of the least subnormal is 0, one beyond the greatest double is refused.
-    const mpq_class exact = read_exact(Json(token.hexadecimal ? "0x" + token.text : typed_number_mark + token.text), field);
-    if (cmp(abs(exact), 1) > 0) throw InvalidInput(field, "finite number");
-    return sgn(exact) < 0 ? -0.0 : 0.0;
+    // Out of range at either end: what is below half of the least subnormal is 0, what is beyond the greatest double is
+    // refused. The C library tells which, whatever the size of the exponent.
+    const bool minus = token.text[0] == '-';
+    const std::string spelled = (minus ? "-" : "") + std::string(token.hexadecimal ? "0x" : "") + token.text.substr(minus ? 1 : 0);
+    const double value_or_infinity = std::strtod(spelled.c_str(), nullptr);
+    if (std::isinf(value_or_infinity)) throw InvalidInput(field, "finite number");
+    return value_or_infinity;
   }
   if (error != std::errc() || stop != end) throw InvalidInput(field, "number");
   return value;

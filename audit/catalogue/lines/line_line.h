@@ -19,7 +19,7 @@ struct line_line {
                            .question = "Where do the lines through two points each cross?",
                            .kind = Kind::set,
                            .fields = {"a", "b"},
-                           .ulps = 12,
+                           .ulps = 15,
                            .margin_degree = 2};
     return card;
   }

@@ -19,7 +19,7 @@ struct ray_segment {
                            .question = "Where does the ray meet the closed segment?",
                            .kind = Kind::set,
                            .fields = {"ray", "segment"},
-                           .ulps = 10,
+                           .ulps = 13,
                            .margin_degree = 2};
     return card;
   }

@@ -21,7 +21,7 @@ struct segment_segment {
                            .question = "What do the two closed segments have in common?",
                            .kind = Kind::set,
                            .fields = {"a", "b"},
-                           .ulps = 12,
+                           .ulps = 15,
                            .margin_degree = 2};
     return card;
   }
