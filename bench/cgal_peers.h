@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <cmath>
 #include <tuple>
 
 #include "audit/catalogue/catalogue.h"
@@ -16,7 +17,7 @@ using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
 /// shapes(question...)   the question as CGAL's own objects (made before the clock starts)
 /// decide(shapes...)     the int of Decisions
-/// promised(question...) CGAL promises to be exact here (its intersection tests expect proper segments)
+/// promised(question...) exact answers can be expected here (CGAL's intersection tests expect proper segments)
 /// only_epeck            the question itself takes a construction, which Epick rounds: another question
 template <class Row>
 struct CgalPeer;
@@ -130,7 +131,10 @@ struct CgalPeer<audit::rows::ray_segment> {
   static int decide(const Ray& ray, const Segment& s) {
     return CGAL::do_intersect(ray, s);
   }
-  static bool promised(const Ray2d&, const Segment2d& s) { return !(s.a == s.b); }
+  /// With coordinates near 2^1011 Epeck of CGAL 5.5.1 says that rays miss segments which CGAL itself over Gmpq finds met.
+  static bool promised(const Ray2d& ray, const Segment2d& s) {
+    return !(s.a == s.b) && std::abs(ray.origin.x) < 0x1p1000 && std::abs(ray.direction.x) < 0x1p1000;
+  }
 };
 
 }  // namespace touchstone::bench

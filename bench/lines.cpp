@@ -19,7 +19,9 @@ namespace touchstone::bench {
 namespace {
 
 template <class Row>
-concept Decides = requires { &Decisions<Row>::ours; };
+concept Decides = requires {
+  &Decisions<Row>::ours;
+};
 
 template <class Row>
 using QuestionOf = typename Row::Question;
@@ -36,8 +38,10 @@ struct Asked {
   static int rational(const QuestionOf<Row>& q) {
     return std::apply(
         [](const auto&... field) {
-          if constexpr (requires { Decisions<Row>::complete(field...); }) return Decisions<Row>::complete(field...);
-          else return Decisions<Row>::naive(field...);
+          if constexpr (requires { Decisions<Row>::complete(field...); })
+            return Decisions<Row>::complete(field...);
+          else
+            return Decisions<Row>::naive(field...);
         },
         audit::converted<mpq_class>(q, [](double number) { return mpq_class(number); }));
   }
@@ -96,8 +100,8 @@ bool verified() {
       std::size_t wrong_full = wrong_answers<Row>(set);
       if constexpr (Decides<Row>) {
         const Wrong w = wrong_decisions<Row>(set);
-        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu\n", Row::card().name, name_of(set), w.robust, w.naive, w.epick,
-                    w.epeck, w.rational);
+        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu\n", Row::card().name, name_of(set), w.robust, w.naive,
+                    w.epick, w.epeck, w.rational);
         wrong_full += w.robust + w.epick + w.epeck + w.rational;
       }
       if (wrong_full != 0) {
@@ -129,8 +133,10 @@ void add_row(DataSet set) {
   const auto add = [&](const char* peer, auto timed) { benchmark::RegisterBenchmark((group + peer).c_str(), timed); };
   if constexpr (Decides<Row>) {
     using A = Asked<Row>;
-    add("naive", [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::naive(q); }); });
-    add("robust", [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::ours(q); }); });
+    add("naive",
+        [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::naive(q); }); });
+    add("robust",
+        [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::ours(q); }); });
     if constexpr (!CgalPeer<Row>::only_epeck) {
       add("epick", [=](benchmark::State& s) {
         time_decisions(s, shapes_of<Row, Epick>(set), [](const auto& shapes) { return A::cgal(shapes); });
@@ -139,7 +145,8 @@ void add_row(DataSet set) {
     add("epeck", [=](benchmark::State& s) {
       time_decisions(s, shapes_of<Row, Epeck>(set), [](const auto& shapes) { return A::cgal(shapes); });
     });
-    add("mpq", [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
+    add("mpq",
+        [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
   }
   add("slide_answer", [=](benchmark::State& s) {
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_reference<Row>(q); });

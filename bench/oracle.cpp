@@ -88,7 +88,8 @@ void add_exhaustive(const audit::Operation& operation) {
   if (!operation.count_decisions(2, 0, 1)) return;
   for (const int size : {3, 4, 10}) {
     const std::string name = operation.name() + "/grid_" + std::to_string(size) + "/exhaust";
-    benchmark::RegisterBenchmark(name.c_str(), [&operation, size](benchmark::State& s) { exhaust(s, operation, size); });
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [&operation, size](benchmark::State& s) { exhaust(s, operation, size); });
   }
 }
 

@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the benchmarks and prints ratios: everything that is compared is timed in one process, in turns.
+
+  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write]
+
+BUILD is the build directory (build/bench). A time is the least of N repetitions (default 25) of 10 ms each: what else the
+machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
+bench/README.md.
+"""
+
+import argparse
+import json
+import pathlib
+import platform
+import re
+import shlex
+import statistics
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
+
+
+class Times:
+    """Nanoseconds a case of one group of benchmarks: name -> one number a repetition."""
+
+    def __init__(self, program, group, repetitions):
+        command = [program, f"--benchmark_filter=^{group.replace("^", ".")}/", "--benchmark_format=json",
+                   f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.01",
+                   "--benchmark_enable_random_interleaving=true"]
+        done = subprocess.run(command, capture_output=True, text=True, check=True)
+        self.of = {}
+        for run in json.loads(done.stdout)["benchmarks"] if done.stdout else []:
+            if run["run_type"] == "iteration":
+                if run.get("error_occurred"):
+                    sys.exit(f"{run['name']}: {run['error_message']}")
+                self.of.setdefault(run["name"].rsplit("/", 1)[1], []).append(1e9 / run["items_per_second"])
+
+    def least(self, name):
+        return min(self.of[name]) if name in self.of else None
+
+    def ratio(self, above, below, of=min):
+        return of(self.of[above]) / of(self.of[below]) if above in self.of and below in self.of else None
+
+
+def names(program):
+    listed = subprocess.run([program, "--benchmark_list_tests"], capture_output=True, text=True, check=True).stdout
+    return [line for line in listed.split("\n") if line]
+
+
+def groups(program, ops):
+    found = dict.fromkeys(name.rsplit("/", 1)[0] for name in names(program))
+    return [group for group in found if not ops or group.split("/")[0] in ops]
+
+
+def written(value, unit=""):
+    if value is None:
+        return ""
+    return f"{value:.2f}{unit}" if value < 9.95 else f"{value:.3g}{unit}" if value < 1000 else f"{value:.0f}{unit}"
+
+
+def table(head, rows):
+    widths = [max(len(str(row[i])) for row in [head, *rows]) for i in range(len(head))]
+    line = lambda row: "| " + " | ".join(str(cell).ljust(width) for cell, width in zip(row, widths)) + " |"
+    return "\n".join([line(head), "|" + "|".join("-" * (width + 2) for width in widths) + "|", *map(line, rows)])
+
+
+def decisions(timed):
+    rows = []
+    for group, t in timed.items():
+        if "naive" in t.of:
+            op, data = group.split("/")
+            rows.append([op, data, written(t.least("naive")), written(t.least("robust")),
+                         *(written(t.ratio(*pair)) for pair in [("robust", "naive"), ("epick", "robust"),
+                                                                ("epeck", "robust"), ("mpq", "robust")])])
+    return table(["decision", "cases", "naive ns", "robust ns", "robust / naive", "Epick / robust", "Epeck / robust",
+                  "mpq / robust"], rows)
+
+
+def answers(timed):
+    rows = []
+    for group, t in timed.items():
+        if "robust_answer" in t.of:
+            op, data = group.split("/")
+            rows.append([op, data, written(t.least("slide_answer")), written(t.least("robust_answer")),
+                         written(t.ratio("robust_answer", "slide_answer"))])
+    return table(["full answer", "cases", "slide ns", "robust ns", "robust / slide"], rows)
+
+
+def truths(timed):
+    rows = []
+    million = lambda t, name: "" if t.least(name) is None else written(1e3 / t.least(name))
+    for group, t in timed.items():
+        if "truth" in t.of:
+            op, data = group.split("/")
+            rows.append([op, data, *(million(t, name) for name in ["decision", "truth", "certificate", "examination"])])
+    return table(["oracle, million a second", "cases", "decision alone", "truth", "certificate", "examination"], rows)
+
+
+def exhausted(timed):
+    rows = [[*group.split("/"), written(1e3 / t.least("exhaust"))] for group, t in timed.items() if "exhaust" in t.of]
+    return table(["exhaustive", "grid", "million cases a second"], rows)
+
+
+def goals(lines, oracle):
+    """(what, bound, sign, measured by least times, by medians): sign -1 for "at most"."""
+    median = statistics.median
+    found = []
+
+    def ratio(what, group, above, below, bound, sign):
+        t = lines.get(group)
+        if t and above in t.of and below in t.of:
+            found.append((what, bound, sign, t.ratio(above, below), t.ratio(above, below, median)))
+
+    def rate(what, group, name, bound):
+        t = oracle.get(group)
+        if t and name in t.of:
+            found.append((what, bound, 1, 1e3 / min(t.of[name]), 1e3 / median(t.of[name])))
+
+    ratio("orientation, random: robust / naive", "orientation/random", "robust", "naive", 1.3, -1)
+    ratio("orientation, random: Epick / robust", "orientation/random", "epick", "robust", 7, 1)
+    ratio("segment_segment, random: robust / naive", "segment_segment/random", "robust", "naive", 1.2, -1)
+    ratio("segment_segment, random: Epick / robust", "segment_segment/random", "epick", "robust", 2.5, 1)
+    for op in ["orientation", "segment_segment"]:
+        for data, bound in [("near_degenerate", 3), ("small_integer_grid", 1), ("scale_2^1012", 1), ("scale_2^-1074", 1)]:
+            ratio(f"{op}, {data}: Epick / robust", f"{op}/{data}", "epick", "robust", bound, 1)
+    for grid in [3, 4, 10]:
+        rate(f"segment_segment, exhaustive on the {grid}-grid, million a second", f"segment_segment/grid_{grid}",
+             "exhaust", 20)
+    rate("segment_segment, oracle's decision on random cases, million a second", "segment_segment/random", "decision", 2)
+    rate("segment_segment, oracle's truth on random cases, million a second", "segment_segment/random", "truth", 2)
+    return table(["goal", "bound", "measured", "by medians", ""],
+                 [[what, ("at most " if sign < 0 else "at least ") + written(bound), written(least), written(by_median),
+                   "met" if (least - bound) * sign >= 0 else "MISSED"] for what, bound, sign, least, by_median in found])
+
+
+def circumstances(build):
+    """The compiler, its flags and the kind of processor."""
+    commands = json.loads((build / "compile_commands.json").read_text())
+    command = shlex.split(next(c["command"] for c in commands if c["file"].endswith("bench/lines.cpp")))
+    flags = " ".join(word for word in command if re.match(r"-(O|f|m|std|DNDEBUG)", word))
+    compiler = next(word for word in command if re.search(r"(\+\+|clang|gcc)[^/]*$", word) and "ccache" not in word)
+    version = subprocess.run([compiler, "--version"], capture_output=True, text=True).stdout.split("\n")[0]
+    cpuinfo = pathlib.Path("/proc/cpuinfo")
+    model = re.search(r"model name\s*: (.*)", cpuinfo.read_text()) if cpuinfo.exists() else None
+    return f"{version}; {flags}; {model.group(1) if model else platform.machine()}."
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", nargs="?", type=pathlib.Path, default=ROOT / "build/bench")
+    parser.add_argument("--ops", type=lambda text: text.split(","), default=[])
+    parser.add_argument("--repetitions", type=int, default=25)
+    parser.add_argument("--write", action="store_true")
+    options = parser.parse_args()
+    timed = {}
+    for name in ["lines", "oracle"]:
+        program = str(options.build / "bench" / name)
+        timed[name] = {}
+        for group in groups(program, options.ops):
+            print(group, file=sys.stderr)
+            timed[name][group] = Times(program, group, options.repetitions)
+    report = "\n\n".join([circumstances(options.build), goals(timed["lines"], timed["oracle"]),
+                          decisions(timed["lines"]), answers(timed["lines"]), truths(timed["oracle"]),
+                          exhausted(timed["oracle"])])
+    print(report)
+    if options.write:
+        readme = ROOT / "bench/README.md"
+        text = readme.read_text()
+        begin, end = "<!-- ratios -->\n", "<!-- end of ratios -->\n"
+        head, rest = text.split(begin)
+        readme.write_text(head + begin + "\n" + report + "\n\n" + end + rest.split(end)[1])
+
+
+if __name__ == "__main__":
+    main()
