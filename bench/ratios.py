@@ -27,7 +27,8 @@ class Times:
     """Nanoseconds a case of one group of benchmarks: name -> one number a repetition."""
 
     def __init__(self, program, group, repetitions):
-        command = [program, f"--benchmark_filter=^{group.replace("^", ".")}/", "--benchmark_format=json",
+        pattern = group.replace("^", ".")
+        command = [program, f"--benchmark_filter=^{pattern}/", "--benchmark_format=json",
                    f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.01",
                    "--benchmark_enable_random_interleaving=true"]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
