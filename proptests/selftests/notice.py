@@ -59,7 +59,7 @@ def line(number, bug, results):
 
 def main(listed, programs, vectors, matrix):
     bugs = json.load(open(listed))
-    notice = Notice(pathlib.Path(programs), pathlib.Path(vectors))
+    notice = Notice(pathlib.Path(programs).resolve(), pathlib.Path(vectors))
     ways = (notice.properties, notice.by_vectors, notice.fuzzing)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         operations = sorted({bug["operation"] for bug in bugs})
