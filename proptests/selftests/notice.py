@@ -35,7 +35,7 @@ class Notice:
         self.programs, self.vectors = programs, vectors
 
     def properties(self, operation, bug):
-        code, _, seconds = run([self.programs / "planted_properties", f"{operation}:*", "--abort"], bug, 300)
+        code, _, seconds = run([self.programs / "planted_properties", f"{operation}:*", "--abort"], bug, 120)
         return code != 0, seconds
 
     def by_vectors(self, operation, bug):
