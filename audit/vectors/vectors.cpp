@@ -12,8 +12,8 @@ namespace touchstone::audit {
 namespace {
 
 constexpr int version = 1;
-constexpr std::size_t most_of_a_family = 12, most_alike = 3;
-constexpr std::uint64_t drawn_of_a_family = 400;
+constexpr std::size_t most_of_a_family = 24, most_alike = 6;
+constexpr std::uint64_t drawn_of_a_family = 600;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 

@@ -9,7 +9,7 @@
 
 namespace touchstone::audit {
 
-/// The test vectors of one operation, a line each: at most a dozen a family, of every outcome and of every way in which
+/// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in which
 /// the slide's formula fails. The same seed gives the same bytes on every machine.
 std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t seed);
 

@@ -63,6 +63,13 @@ struct point_on_segment {
            const Point2d p = along(a, static_cast<double>(c.below(4)), v);
            return {{p.x + small_integer(c, 1), p.y}, {a, along(a, 4, v)}};
          }},
+        {"on_long_segment",
+         [](Choices& c) -> Question {
+           const Point2d a = lattice_point(c, 45);
+           const Vector2d v = lattice_direction(c, 45);
+           const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
+           return {along(a, k, v), {a, along(a, n, v)}};
+         }},
         {"rounded_on_segment",
          [](Choices& c) -> Question {
            const Segment2d s{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};

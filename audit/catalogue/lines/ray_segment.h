@@ -80,6 +80,12 @@ struct ray_segment {
            const Point2d p = lattice_point(c);
            return {{p, {0, 0}}, {p, lattice_point(c)}};
          }},
+        {"through_far_end",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c, 45);
+           const Vector2d v = lattice_direction(c, 45);
+           return {{p, v}, {along(p, small_integer(c), v), lattice_point(c, 45)}};
+         }},
         {"nearly_touching",
          [](Choices& c) -> Question {
            const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};

@@ -86,6 +86,13 @@ struct segment_segment {
            const Segment2d other{along(p, small_integer(c, 2), v), along(p, c.below(2) == 1 ? 0 : small_integer(c, 2), v)};
            return c.below(2) == 1 ? Question{other, point} : Question{point, other};
          }},
+        {"end_on_long_segment",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c, 45);
+           const Vector2d v = lattice_direction(c, 45);
+           const Segment2d a{p, along(p, 1 + static_cast<double>(c.below(8)), v)};
+           return {a, {along(p, static_cast<double>(c.below(9)), v), lattice_point(c, 45)}};
+         }},
         {"nearly_touching",
          [](Choices& c) -> Question {
            const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
