@@ -21,7 +21,7 @@ inline std::string environment_name(std::size_t number) {
   return std::string(modes[number & 3]) + (number & 4 ? ", FTZ" : "") + (number & 8 ? ", DAZ" : "");
 }
 
-/// That environment while in scope; then what was before.
+/// That environment while in scope; then what was before. A compiler may move floating-point operations across both: `in_environment`.
 class Environment {
  public:
 #if defined(__SSE2__)
@@ -47,5 +47,16 @@ class Environment {
   int before_;
 #endif
 };
+
+/// What `ask(argument)` returns in an environment. No compiler knows that arithmetic depends on the control word, so argument and answer
+/// pass through memory that it cannot see into, between setting the word and setting it back.
+template <class Argument, class Ask>
+auto in_environment(std::size_t number, Argument argument, const Ask& ask) {
+  const Environment set(number);
+  asm volatile("" : "+m"(argument) : : "memory");
+  auto answer = ask(argument);
+  asm volatile("" : "+m"(answer) : : "memory");
+  return answer;
+}
 
 }  // namespace touchstone::proptests

@@ -49,11 +49,8 @@ AnswerBits robust_bits(const audit::Question& question, std::size_t environment)
   const auto asked = typed<Row>(question);
   AnswerBits bits;
   try {
-    const auto answer = [&] {
-      const Environment set(environment);
-      return audit::ask_robust<Row>(asked);
-    }();
-    append_bits(answer, bits.words);
+    const auto ask = [](const auto& argument) { return audit::ask_robust<Row>(argument); };
+    append_bits(in_environment(environment, asked, ask), bits.words);
   } catch (const InvalidInput& refused) {
     bits.refused = refused.what();
   }
