@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "proptests/drawn.h"
+#include "proptests/each_operation.h"
+#include "proptests/robust_bits.h"
+
+namespace touchstone::proptests {
+namespace {
+
+std::string complaint(const Operation& operation, const Question& question) {
+  const AnswerBits expected = robust_bits(operation, question, 0);
+  for (std::size_t environment = 1; environment < environment_count; ++environment) {
+    if (robust_bits(operation, question, environment) != expected) {
+      return "robust answers differently with this environment: " + environment_name(environment);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+EACH_OPERATION("every rounding mode, flush to zero and denormals as zero give the same bits") {
+  never(
+      operation, "the same bits in sixteen environments",
+      [&](const Question& question) { return complaint(operation, question); }, 4);
+}
+
+TEST_CASE("environments: the test really sets them") {
+  const auto reciprocal = [](std::size_t number, double x) {
+    return in_environment(number, x, [](double y) { return 1 / y; });
+  };
+  const auto halved = [](std::size_t number, double x) {
+    const double half = in_environment(number, x, [](double y) { return y * 0.5; });
+    return std::bit_cast<std::uint64_t>(half);
+  };
+  CHECK(reciprocal(1, 3) < reciprocal(2, 3));
+  CHECK(reciprocal(3, 3) == reciprocal(1, 3));
+  CHECK(reciprocal(3, -3) == reciprocal(2, -3));
+  CHECK(halved(0, 0x1p-1022) == std::uint64_t{1} << 51);
+  CHECK(halved(0, 0x1p-1073) == 1);
+#if defined(__SSE2__)
+  CHECK(halved(4, 0x1p-1022) == 0);  // FTZ: the result
+  CHECK(halved(8, 0x1p-1073) == 0);  // DAZ: the operand
+#endif
+}
+
+TEST_CASE("environments: what the host had set is there again after robust has answered") {
+#if defined(__SSE2__)
+  for (std::size_t number = 0; number < environment_count; ++number) {
+    const Environment set(number);
+    const unsigned before = _mm_getcsr() & ~0x3fu;
+    for (const Operation* operation : audit::catalogue()) {
+      for (const double size : {1.0, 0x1p-1074, 0x1p1000}) {
+        Question question{std::vector<double>(operation->arity())};
+        for (std::size_t i = 0; i < question.numbers.size(); ++i)
+          question.numbers[i] = static_cast<double>(1 + i * i % 5) * size;
+        robust_bits(*operation, question, number);
+        CHECK((_mm_getcsr() & ~0x3fu) == before);
+      }
+    }
+  }
+#endif
+}
+
+}  // namespace touchstone::proptests
