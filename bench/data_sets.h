@@ -62,7 +62,10 @@ template <class Row>
 typename Row::Question drawn(DataSet set, audit::Choices& choices) {
   typename Row::Question question{};
   const auto fill = [&](double (*number)(audit::Choices&)) {
-    audit::for_each_number(question, [&](double& value) { value = number(choices); });
+    audit::walk(
+        question, [&](double& value) { value = number(choices); },
+        [](auto& list) { list.resize(Row::card().list_length); });
+    if constexpr (requires { Row::make_legal(question); }) Row::make_legal(question);
   };
   switch (set) {
     case DataSet::near_degenerate: {

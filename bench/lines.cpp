@@ -84,8 +84,7 @@ std::size_t wrong_answers(DataSet set) {
   const auto& operation = *audit::find_operation(Row::card().name);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < chunk; ++i) {
-    audit::Question flat;
-    audit::for_each_number(cases_of<Row>(set)[i], [&](double number) { flat.numbers.push_back(number); });
+    const audit::Question flat{audit::flattened(cases_of<Row>(set)[i])};
     wrong += operation.examine(flat)->judge_robust().verdict != audit::Verdict::agree;
   }
   return wrong;

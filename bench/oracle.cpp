@@ -26,7 +26,7 @@ const std::vector<audit::Question>& questions_of(DataSet set) {
   if (questions.empty() || made != set) {
     questions.clear();
     for (const auto& q : cases_of<Row>(made = set)) {
-      audit::for_each_number(q, [&, &numbers = questions.emplace_back().numbers](double x) { numbers.push_back(x); });
+      questions.push_back({audit::flattened(q)});
     }
   }
   return questions;
@@ -69,10 +69,7 @@ void draw_families(benchmark::State& state) {
 
 /// Part of the grid on which every number is one of 0 .. size - 1: robust against the oracle's integers, counted and hashed.
 void exhaust(benchmark::State& state, const audit::Operation& operation, int size) {
-  std::uint64_t configurations = 1;
-  for (std::size_t i = 0; i < operation.arity() && configurations < (std::uint64_t{1} << 40); ++i) {
-    configurations *= static_cast<std::uint64_t>(size);
-  }
+  const std::uint64_t configurations = operation.configurations(size).value_or(std::uint64_t{1} << 40);
   const std::uint64_t part = std::min(configurations, std::uint64_t{1} << 16);
   std::uint64_t first = 0, wrong = 0;
   for (auto _ : state) {

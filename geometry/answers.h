@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "geometry/polygons.h"
+#include "geometry/space.h"
 #include "geometry/thin_shapes.h"
 
 /// What operations answer. An enumerator is a word of the contract; a field that the enumerator rules out is empty.
@@ -23,6 +25,19 @@ enum class Incidence { on, off };
 enum class LineRelation { crossing, parallel, same };
 enum class SegmentRelation { disjoint, point, overlap };
 enum class RayRelation { none, point, overlap };
+
+/// Whether two solids have a common point, and a common interior point.
+enum class Contact { disjoint, touching, overlapping };
+
+/// `degenerate`: repeated neighbours, or all vertices on one line. `not_simple`: the ring meets itself elsewhere.
+enum class PolygonClass { convex, concave, not_simple, degenerate };
+enum class Winding { ccw, cw, none };
+
+/// Where a point lies of a plane; the front is where the normal points.
+enum class PlaneSide { front, on, back };
+/// `degenerate`: the normal is the zero vector.
+enum class NormalClass { proper, degenerate };
+enum class HitRelation { hit, never };
 
 /// relation `on`: point = a + t (b - a), 0 <= t <= 1; t is 0 on a segment of length zero. `off`: no t.
 template <class Real>
@@ -57,6 +72,46 @@ struct RaySegment {
   std::optional<Real> t;
   std::optional<Point2<Real>> point;
   std::optional<Segment2<Real>> overlap;
+};
+
+/// strict: convex, and no interior angle is flat. `not_simple` and `degenerate`: not strict, orientation `none`.
+struct PolygonConvexity {
+  PolygonClass polygon_class;
+  bool strict;
+  Winding orientation;
+};
+
+/// signed_distance: positive in front, 0 on the plane, in the unit of the coordinates.
+template <class Real>
+struct PointPlane {
+  PlaneSide side;
+  Real signed_distance;
+};
+
+/// `proper`: the normal by Newell's sum, and that vector divided by its length. `degenerate`: neither.
+template <class Real>
+struct PolygonNormal {
+  NormalClass normal_class;
+  std::optional<Vector3<Real>> normal, unit;
+};
+
+/// Whether the end of a step is not in front of the plane any more.
+struct StepTest {
+  HitRelation relation;
+};
+
+/// relation `hit`: the first t in [0, 1], and the point start + t (end - start) there. `never`: no numbers.
+template <class Real>
+struct FirstHit {
+  HitRelation relation;
+  std::optional<Real> t;
+  std::optional<Point3<Real>> point;
+};
+
+template <class Real>
+struct PointPlaneToi {
+  StepTest option_1;
+  FirstHit<Real> option_2;
 };
 
 }  // namespace touchstone

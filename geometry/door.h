@@ -6,6 +6,8 @@
 #include <string>
 
 #include "geometry/invalid_input.h"
+#include "geometry/polygons.h"
+#include "geometry/space.h"
 #include "geometry/thin_shapes.h"
 
 /// The door: what is legal input, once for everybody. Each `admit` throws InvalidInput naming the field and the rule, or
@@ -53,5 +55,44 @@ inline void admit(const std::string& field, const Circle2d& c) {
   admit(field + ".center", c.center), admit(field + ".radius", c.radius);
   if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
+
+inline void admit(const std::string& field, const Point3d& p) {
+  admit(field + "[0]", p.x), admit(field + "[1]", p.y), admit(field + "[2]", p.z);
+}
+inline void admit(const std::string& field, const Vector3d& v) {
+  admit(field + "[0]", v.x), admit(field + "[1]", v.y), admit(field + "[2]", v.z);
+}
+inline void admit(const std::string& field, const Plane3d& plane) {
+  admit(field + ".normal", plane.normal), admit(field + ".offset", plane.offset);
+  if (zero(plane.normal.x) && zero(plane.normal.y) && zero(plane.normal.z)) {
+    throw InvalidInput(field + ".normal", "nonzero normal");
+  }
+}
+
+template <class Point>
+void admit_ring(const std::string& field, const std::vector<Point>& vertices) {
+  if (vertices.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point& p = vertices[i];
+    bool legal = finite(p.x) && finite(p.y);
+    if constexpr (requires { p.z; }) legal = legal && finite(p.z);
+    if (!legal) admit(field + "[" + std::to_string(i) + "]", p);
+  }
+}
+/// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first elsewhere than in a
+/// vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one with the least `first` counts, edges of
+/// length zero before all others, then the least `second`.
+struct RingDefect {
+  std::size_t first, second;
+};
+
+[[noreturn]] inline void refuse(const std::string& field, const RingDefect& defect) {
+  const std::string vertex = field + "[" + std::to_string(defect.first) + "]";
+  if (defect.first == defect.second) throw InvalidInput(vertex, "different from the next vertex");
+  throw InvalidInput(vertex, "simple: its edge must not meet edge " + std::to_string(defect.second));
+}
+
+inline void admit(const std::string& field, const Polygon2d& polygon) { admit_ring(field, polygon.vertices); }
+inline void admit(const std::string& field, const Polygon3d& polygon) { admit_ring(field, polygon.vertices); }
 
 }  // namespace touchstone::door

@@ -38,6 +38,8 @@ void for_each_part(T& value, const Change& change) {
     std::apply([&](auto&... part) { (for_each_part(part, change), ...); }, value);
   } else if constexpr (audit::is_optional<T>) {
     if (value) for_each_part(*value, change);
+  } else if constexpr (audit::is_vector<T>) {
+    for (auto& part : value) for_each_part(part, change);
   } else if constexpr (audit::Composite<T>) {
     audit::for_each_member<T>([&](const auto& member) { for_each_part(value.*member.pointer, change); });
   }
@@ -93,6 +95,8 @@ bool equal(const T& a, const T& b) {
     return same;
   } else if constexpr (audit::is_optional<T>) {
     return a.has_value() == b.has_value() && (!a || equal(*a, *b));
+  } else if constexpr (audit::is_vector<T>) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return equal(x, y); });
   } else {
     return a == b;
   }
@@ -170,6 +174,9 @@ bool scaled(const T& answer, const T& found, int k) {
     return same;
   } else if constexpr (audit::is_optional<T>) {
     return answer.has_value() == found.has_value() && (!answer || scaled(*answer, *found, k));
+  } else if constexpr (audit::is_vector<T>) {
+    return std::equal(answer.begin(), answer.end(), found.begin(), found.end(),
+                      [k](const auto& x, const auto& y) { return scaled(x, y, k); });
   } else {
     return answer == found;
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "audit/catalogue/catalogue.h"
-#include "audit/codec/walk.h"
+#include "audit/codec/flat.h"
 #include "proptests/environment.h"
 
 /// What robust answers in any environment, bit by bit.
@@ -29,6 +29,11 @@ void append_bits(const T& value, std::vector<std::uint64_t>& words) {
   } else if constexpr (audit::is_optional<T>) {
     words.push_back(value.has_value());
     if (value) append_bits(*value, words);
+  } else if constexpr (audit::Plain<T>) {
+    words.push_back(value);
+  } else if constexpr (audit::is_vector<T>) {
+    words.push_back(value.size());
+    for (const auto& element : value) append_bits(element, words);
   } else {
     words.push_back(std::bit_cast<std::uint64_t>(value));
   }
@@ -37,10 +42,7 @@ void append_bits(const T& value, std::vector<std::uint64_t>& words) {
 /// The question with its types.
 template <class Row>
 typename Row::Question typed(const audit::Question& question) {
-  typename Row::Question asked{};
-  std::size_t i = 0;
-  audit::for_each_number(asked, [&](double& number) { number = i < question.numbers.size() ? question.numbers[i] : 0, ++i; });
-  return asked;
+  return audit::unflattened<typename Row::Question>(question.numbers);
 }
 
 /// What robust answers in an environment.

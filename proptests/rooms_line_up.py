@@ -34,8 +34,10 @@ PLACES = {
     "proptests": (".cpp",),
     "fuzz": (".cpp",),
 }
+# Another method for an operation's question has a formula and a row of its own, and nothing else.
+METHOD_PLACES = {"reference", "audit/catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel"}, "oracle": {"exact", "certificates"}, "fuzz": {"driver", "corpus", "findings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings"}, "oracle": {"exact", "certificates", "rings"}, "fuzz": {"driver", "corpus", "findings"}}
 CODE = {".h", ".cpp", ".py", ".mjs"}
 LONGEST = 400
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
@@ -62,7 +64,12 @@ class Tree:
 def operation_files(tree, operations):
     chapters = {operation["chapter"] for operation in operations}
     for place, suffixes in PLACES.items():
-        wanted = {f"{place}/{o['chapter']}/{o['name']}{suffix}" for o in operations for suffix in suffixes}
+        wanted = {
+            f"{place}/{o['chapter']}/{o['name']}{suffix}"
+            for o in operations
+            for suffix in suffixes
+            if place in METHOD_PLACES or "method_of" not in o
+        }
         for name in sorted(wanted - tree.text.keys()):
             yield f"{name}: missing"
         if place in ("proptests", "audit/catalogue"):  # other folders stand here too

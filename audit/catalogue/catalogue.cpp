@@ -18,11 +18,20 @@ const std::vector<const Operation*>& catalogue() {
 }
 
 Question Operation::on_grid(int size, std::uint64_t index) const {
-  Question question{std::vector<double>(arity())};
-  for (std::size_t i = arity(); i-- > 0; index /= static_cast<std::uint64_t>(size)) {
-    question.numbers[i] = static_cast<double>(index % static_cast<std::uint64_t>(size));
+  Question question = zeros();
+  const std::vector<std::size_t> places = coordinates(question);
+  for (std::size_t i = places.size(); i-- > 0; index /= static_cast<std::uint64_t>(size)) {
+    question.numbers[places[i]] = static_cast<double>(index % static_cast<std::uint64_t>(size));
   }
   return question;
+}
+
+std::optional<std::uint64_t> Operation::configurations(int size) const {
+  std::uint64_t total = 1;
+  for (std::size_t i = coordinates(zeros()).size(); i > 0; --i) {
+    if (__builtin_mul_overflow(total, static_cast<std::uint64_t>(size), &total)) return std::nullopt;
+  }
+  return total;
 }
 
 const Operation* find_operation(const std::string& name) {

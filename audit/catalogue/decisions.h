@@ -21,8 +21,8 @@ inline std::uint64_t scattered(std::uint64_t z) {
 template <class Row>
 DecisionCount count_decisions_of(int size, std::uint64_t first, std::uint64_t last) {
   using Asked = typename Row::Question;
-  Asked asked{};
-  rebound_t<Asked, std::int64_t> integers{};
+  Asked asked = zeros<Asked>(Row::card().list_length);
+  auto integers = zeros<rebound_t<Asked, std::int64_t>>(Row::card().list_length);
   std::vector<double*> numbers;
   std::vector<std::int64_t*> digits;
   for_each_number(asked, [&](double& number) { numbers.push_back(&number); });

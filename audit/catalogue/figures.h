@@ -3,6 +3,7 @@
 
 #include "audit/codec/json.h"
 #include "audit/report/scene.h"
+#include "geometry/polygons.h"
 #include "geometry/thin_shapes.h"
 
 /// How each shape is drawn; a new type of geometry adds its overload.
@@ -30,6 +31,11 @@ inline void draw(Scene& scene, const std::string& label, const ParametricLine2d&
 inline void draw(Scene& scene, const std::string& label, const Ray2d& r, bool answer) {
   const Point2d end = r.origin + r.direction;
   scene.figures.push_back({Figure::Kind::ray, label, {r.origin.x, r.origin.y, end.x, end.y}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Polygon2d& polygon, bool answer) {
+  Figure figure{Figure::Kind::polygon, label, {}, answer};
+  for (const Point2d& p : polygon.vertices) figure.numbers.insert(figure.numbers.end(), {p.x, p.y});
+  scene.figures.push_back(std::move(figure));
 }
 inline void draw(Scene& scene, const std::string& label, const Circle2d& c, bool answer) {
   scene.figures.push_back({Figure::Kind::circle, label, {c.center.x, c.center.y, c.radius}, answer});

@@ -36,6 +36,10 @@ struct Card {
   const char* answer = "";            ///< the answer's field name where the answer is one bare value
   double ulps = 0;                    ///< stated bound of the reference's numbers: roundings in the slide's formula
   int margin_degree = 1;              ///< the oracle's margin is a length to this power
+  std::size_t list_length = 0;        ///< exhaustive runs: how many elements each list has, where there are lists
+  /// The operation whose question this is, answered by another formula of the deck: this one is named "<operation>_<method>", has a
+  /// reference of its own and the operation's robust and oracle, and is asked of no engine.
+  const char* method_of = "";
 };
 
 /// A question of any operation, its types forgotten: its numbers in canonical order (a list is preceded by its length).
@@ -89,8 +93,10 @@ class Operation {
   /// "x+ulp" is x with one coordinate moved by a few units in the last place.
   virtual const std::vector<std::string>& families() const = 0;
   virtual Question draw(Choices& choices, std::size_t family) const = 0;
-  /// A question whose numbers are taken from `numbers` (missing ones are 0), for sources that write numbers directly.
-  virtual std::size_t arity() const = 0;
+  /// Every number 0; every list as long as in exhaustive runs (`Card::list_length`).
+  virtual Question zeros() const = 0;
+  /// Where the coordinates stand in `Question::numbers`: everything but the lengths of lists.
+  virtual std::vector<std::size_t> coordinates(const Question& question) const = 0;
   /// Every number rounded to the nearest float.
   virtual Question in_binary32(const Question& question) const = 0;
 
@@ -105,6 +111,8 @@ class Operation {
   /// Truth for the decimals as typed, read as exact rationals.
   virtual Json truth_as_typed(const Json& input) const = 0;
 
+  /// How many configurations such a grid has; empty beyond 2^64.
+  std::optional<std::uint64_t> configurations(int size) const;
   /// Configurations `first` <= index < `last` of the grid on which every number runs over 0 .. size - 1 (the first number is
   /// the slowest). Empty where the operation has no such fast pair of decisions.
   virtual std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const = 0;

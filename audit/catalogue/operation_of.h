@@ -4,6 +4,7 @@
 #include "audit/catalogue/figures.h"
 #include "audit/catalogue/decisions.h"
 #include "audit/catalogue/row.h"
+#include "audit/codec/flat.h"
 #include "audit/inputs/families.h"
 #include "audit/judge/examination_of.h"
 
@@ -19,7 +20,8 @@ class OperationOf final : public Operation {
   const Card& card() const override { return Row::card(); }
   const std::vector<std::string>& families() const override { return families_.names(); }
   Question draw(Choices& choices, std::size_t family) const override { return flat(families_.draw(choices, family)); }
-  std::size_t arity() const override { return Families<Row>::count_numbers(); }
+  Question zeros() const override { return flat(audit::zeros<Asked>(Row::card().list_length)); }
+  std::vector<std::size_t> coordinates(const Question& question) const override { return coordinates_of(typed_of(question)); }
 
   Question in_binary32(const Question& question) const override {
     Asked asked = typed_of(question);
@@ -87,22 +89,13 @@ class OperationOf final : public Operation {
   }
   std::pair<std::size_t, std::size_t> map_axes() const override {
     if constexpr (requires { Row::map_axes(); }) return Row::map_axes();
-    return {arity() - 2, arity() - 1};
+    const std::vector<std::size_t> places = coordinates(map_centre());
+    return {places[places.size() - 2], places.back()};
   }
 
  private:
-  static Question flat(const Asked& asked) {
-    Question question;
-    for_each_number(asked, [&](const double& number) { question.numbers.push_back(number); });
-    return question;
-  }
-
-  static Asked typed_of(const Question& question) {
-    Asked asked{};
-    std::size_t i = 0;
-    for_each_number(asked, [&](double& number) { number = i < question.numbers.size() ? question.numbers[i] : 0, ++i; });
-    return asked;
-  }
+  static Question flat(const Asked& asked) { return {flattened(asked)}; }
+  static Asked typed_of(const Question& question) { return unflattened<Asked>(question.numbers); }
 
   template <class Tuple, class Visit>
   static void for_each_field(Tuple& asked, const Visit& visit) {
@@ -151,6 +144,8 @@ class OperationOf final : public Operation {
   static void draw_answer(Scene& scene, const std::string& label, const T& value) {
     if constexpr (is_optional<T>) {
       if (value) draw_answer(scene, label, *value);
+    } else if constexpr (Plain<T> || is_vector<T>) {
+      scene.notes.push_back(label + ": " + one_line(to_json(value)));
     } else if constexpr (Enumeration<T>) {
       scene.notes.push_back(label + ": " + Words<T>::words[static_cast<std::size_t>(value)]);
     } else if constexpr (Composite<T>) {

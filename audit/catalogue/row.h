@@ -17,6 +17,8 @@
 /// and where the operation is particular
 ///   static void scale(Question&, int k);     numbers that are no lengths stay (default: all times 2^k)
 ///   static std::optional<Truth> as_open_sets(const Truth&, const Question&);   the answer for open sets, if the truth is a touch
+///   static void make_legal(Question&);       makes a question of the operation out of drawn numbers (a ring that does not cross itself)
+///   static std::string fault(const Question&, const Answer&);   where many answers are right: what is wrong with one; "" if it is right
 ///   static Question map_centre();            a degenerate question for the failure map (default: the first hard case at its simplest)
 ///   struct decision { robust(Question), oracle(Question), oracle(the same over std::int64_t) };   decisions alone, at full speed
 ///   static void draw(Scene&, const Question&);   (default: every argument by its type)

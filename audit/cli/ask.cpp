@@ -54,6 +54,12 @@ Json explained(const Operation& operation, const Question& question) {
   line["certificate"] = certificate_json(examination->certificate());
   line["robust"] = verdict_json(examination->judge_robust(), examination->robust());
   line["reference"] = verdict_json(examination->judge_reference(), examination->reference());
+  for (const Operation* method : catalogue()) {
+    if (operation.name() != method->card().method_of) continue;
+    const auto by_method = method->examine(question);
+    line["reference" + method->name().substr(operation.name().size())] =
+        verdict_json(by_method->judge_reference(), by_method->reference());
+  }
   return line;
 }
 

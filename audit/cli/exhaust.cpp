@@ -27,11 +27,9 @@ Shard parsed(const std::string& text) {
 }
 
 std::uint64_t configurations(const Operation& operation, int grid) {
-  std::uint64_t total = 1;
-  for (std::size_t i = 0; i < operation.arity(); ++i) {
-    if (__builtin_mul_overflow(total, static_cast<std::uint64_t>(grid), &total)) throw UsageError("--grid: fewer than 2^64 configurations");
-  }
-  return total;
+  const auto total = operation.configurations(grid);
+  if (!total) throw UsageError("--grid: fewer than 2^64 configurations");
+  return *total;
 }
 
 /// The share of shard I of N: consecutive indices; all shards together cover the range once.

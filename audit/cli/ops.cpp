@@ -22,12 +22,12 @@ std::string joined(const std::vector<const char*>& words) {
 }  // namespace
 
 int ops_command(bool json, std::ostream& out) {
-  if (!json) out << fmt::format("{:<20} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input", "question");
+  if (!json) out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input", "question");
   Json list = Json::array();
   for (const Operation* operation : catalogue()) {
     const Card& card = operation->card();
     if (!json) {
-      out << fmt::format("{:<20} {:<8} {:<6} {:<9} {:<16} {}\n", card.name, card.chapter, card.pages, kind_name(card.kind),
+      out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", card.name, card.chapter, card.pages, kind_name(card.kind),
                          joined(card.fields), card.question);
       continue;
     }
@@ -36,6 +36,7 @@ int ops_command(bool json, std::ostream& out) {
     entry["chapter"] = card.chapter;
     entry["pages"] = card.pages;
     entry["fields"] = card.fields;
+    if (card.method_of[0] != 0) entry["method_of"] = card.method_of;
     entry["kind"] = kind_name(card.kind);
     entry["question"] = card.question;
     entry["families"] = operation->families();

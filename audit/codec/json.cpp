@@ -150,9 +150,20 @@ double read_answer_number(const Json& value, const std::string& field) {
   try {
     return nearest(number_token(value, field), field);
   } catch (const InvalidInput& refused) {
-    if (refused.rule() == "finite number") return HUGE_VAL;
-    throw;
+    if (refused.rule() != "finite number") throw;
+    return number_token(value, field).text[0] == '-' ? -HUGE_VAL : HUGE_VAL;
   }
+}
+
+bool read_flag(const Json& value, const std::string& field) {
+  if (!value.is_boolean()) throw InvalidInput(field, "true or false");
+  return value.get<bool>();
+}
+
+Index read_index(const Json& value, const std::string& field) {
+  const double number = read_double(value, field);
+  if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number))) throw InvalidInput(field, "whole number below 2^32");
+  return static_cast<Index>(number);
 }
 
 mpq_class read_exact(const Json& value, const std::string& field) {

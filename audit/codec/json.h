@@ -44,6 +44,10 @@ template <class T>
 Json to_json(const T& value) {
   if constexpr (Enumeration<T>) {
     return Words<T>::words[static_cast<std::size_t>(value)];
+  } else if constexpr (Plain<T>) {
+    return value;
+  } else if constexpr (is_bare<T>) {
+    return to_json(value.*std::get<0>(Described<T>::members).pointer);
   } else if constexpr (Composite<T>) {
     Json result = Described<T>::form == Form::list ? Json::array() : Json::object();
     for_each_member<T>([&](const auto& member) {
@@ -71,6 +75,10 @@ void require_fields(const Json& object, const std::string& path, std::initialize
 void require_array(const Json& value, const std::string& path, std::size_t size);
 std::string member_path(const std::string& path, const char* name);
 
+bool read_flag(const Json& value, const std::string& field);
+/// A whole number 0 <= n < 2^32.
+Index read_index(const Json& value, const std::string& field);
+
 /// Reads a value of type T; `read_number(json, path)` gives its numbers. Throws InvalidInput naming the path and the rule.
 template <class T, class ReadNumber>
 void read(const Json& json, const std::string& path, T& value, const ReadNumber& read_number) {
@@ -84,6 +92,12 @@ void read(const Json& json, const std::string& path, T& value, const ReadNumber&
       rule += (i == 0 ? "one of " : ", ") + std::string(Words<T>::words[i]);
     }
     throw InvalidInput(path, rule);
+  } else if constexpr (std::is_same_v<T, bool>) {
+    value = read_flag(json, path);
+  } else if constexpr (Plain<T>) {
+    value = read_index(json, path);
+  } else if constexpr (is_bare<T>) {
+    read(json, path, value.*std::get<0>(Described<T>::members).pointer, read_number);
   } else if constexpr (Composite<T>) {
     constexpr std::size_t size = std::tuple_size_v<decltype(Described<T>::members)>;
     if constexpr (Described<T>::form == Form::list) {

@@ -6,36 +6,41 @@
 /// Walks over described values: every number in canonical order, and the same value over another number type.
 namespace touchstone::audit {
 
-template <class T, class Visit>
-void for_each_number(T& value, Visit&& visit) {
+/// visit(number) for every number, and before the elements of a list visit_list(list), which may change its length.
+template <class T, class Visit, class VisitList>
+void walk(T& value, const Visit& visit, const VisitList& visit_list) {
   using Bare = std::remove_const_t<T>;
-  if constexpr (Enumeration<Bare>) {
+  if constexpr (Enumeration<Bare> || Plain<Bare>) {
     return;
   } else if constexpr (Composite<Bare>) {
-    for_each_member<Bare>([&](const auto& member) { for_each_number(value.*member.pointer, visit); });
+    for_each_member<Bare>([&](const auto& member) { walk(value.*member.pointer, visit, visit_list); });
   } else if constexpr (is_optional<Bare>) {
-    if (value) for_each_number(*value, visit);
+    if (value) walk(*value, visit, visit_list);
   } else if constexpr (is_vector<Bare>) {
-    for (auto& element : value) for_each_number(element, visit);
+    visit_list(value);
+    for (auto& element : value) walk(element, visit, visit_list);
   } else {
     visit(value);
   }
 }
-
-template <class... Ts, class Visit>
-void for_each_number(std::tuple<Ts...>& values, Visit&& visit) {
-  std::apply([&](auto&... value) { (for_each_number(value, visit), ...); }, values);
+template <class... Ts, class Visit, class VisitList>
+void walk(std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
+  std::apply([&](auto&... value) { (walk(value, visit, visit_list), ...); }, values);
+}
+template <class... Ts, class Visit, class VisitList>
+void walk(const std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
+  std::apply([&](const auto&... value) { (walk(value, visit, visit_list), ...); }, values);
 }
 
-template <class... Ts, class Visit>
-void for_each_number(const std::tuple<Ts...>& values, Visit&& visit) {
-  std::apply([&](const auto&... value) { (for_each_number(value, visit), ...); }, values);
+template <class T, class Visit>
+void for_each_number(T& value, const Visit& visit) {
+  walk(value, visit, [](auto&) {});
 }
 
 /// The same value over the number type To, each number passed through `change`.
 template <class To, class T, class Change>
 rebound_t<T, To> converted(const T& value, const Change& change) {
-  if constexpr (Enumeration<T>) {
+  if constexpr (Enumeration<T> || Plain<T>) {
     return value;
   } else if constexpr (Composite<T>) {
     rebound_t<T, To> result{};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "audit/catalogue/catalogue.h"
+#include "audit/codec/flat.h"
 #include "audit/engines/engine_answer.h"
 #include "audit/engines/serve.h"
 
@@ -70,9 +71,7 @@ Declaration declaration_of() {
 template <class Row, class Engine>
 std::optional<Json> ask_engine(Engine& engine, const Question& question) {
   using Real = handed_number<Engine, Row>;
-  rebound_t<typename Row::Question, Real> asked{};
-  std::size_t i = 0;
-  for_each_number(asked, [&](Real& number) { number = static_cast<Real>(question.numbers.at(i++)); });
+  const auto asked = unflattened<rebound_t<typename Row::Question, Real>>(question.numbers);
   return std::apply([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
 }
 

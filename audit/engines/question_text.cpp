@@ -27,14 +27,17 @@ void append_number(double number, std::string& text) {
 }  // namespace
 
 QuestionText::QuestionText(const Operation& operation) : operation_(operation) {
-  const std::string pattern = one_line(operation.print({std::vector<double>(operation.arity(), placeholder)}));
+  Question marked = operation.zeros();
+  if (operation.coordinates(marked).size() != marked.numbers.size()) return;  // lists: their lengths are no numbers in the text
+  for (double& number : marked.numbers) number = placeholder;
+  const std::string pattern = one_line(operation.print(marked));
   const std::string mark = decimal(placeholder);
   std::size_t begin = 0;
   for (std::size_t end; (end = pattern.find(mark, begin)) != std::string::npos; begin = end + mark.size()) {
     around_.push_back(pattern.substr(begin, end - begin));
   }
   around_.push_back(pattern.substr(begin));
-  if (around_.size() != operation.arity() + 1) around_.clear();
+  if (around_.size() != marked.numbers.size() + 1) around_.clear();
 }
 
 void QuestionText::write(const Question& question, std::string& text) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "audit/catalogue/row.h"
-#include "audit/codec/walk.h"
+#include "audit/codec/flat.h"
 
 /// The families of inputs of an operation: its hard cases, each also moved by an ulp, and what follows from its types.
 namespace touchstone::audit {
@@ -32,14 +32,6 @@ class Families {
     return question;
   }
 
-  /// 0 and 1 everywhere: the simplest question whose numbers can be anything.
-  static std::size_t count_numbers() {
-    std::size_t count = 0;
-    Question question{};
-    for_each_number(question, [&](double&) { ++count; });
-    return count;
-  }
-
  private:
   struct Derived {
     const char* name;
@@ -57,7 +49,10 @@ class Families {
 
   static Question draw_derived(Choices& choices, const Derived& derived) {
     Question question{};
-    for_each_number(question, [&](double& number) { number = derived.number(choices); });
+    walk(
+        question, [&](double& number) { number = derived.number(choices); },
+        [&](auto& list) { list.resize(list_length(choices)); });
+    if constexpr (requires { Row::make_legal(question); }) Row::make_legal(question);
     if (derived.scaled) scale(question, scale_exponent(choices));
     return question;
   }
@@ -75,7 +70,9 @@ class Families {
   }
 
   static void nudge(Question& question, Choices& choices) {
-    const std::size_t which = choices.below(count_numbers());
+    std::size_t numbers = 0;
+    for_each_number(question, [&](double&) { ++numbers; });
+    const std::size_t which = choices.below(numbers);
     const int ulps = (choices.below(2) == 1 ? -1 : 1) * (1 + static_cast<int>(choices.below(3)));
     std::size_t i = 0;
     for_each_number(question, [&](double& number) {

@@ -52,6 +52,12 @@ int scale_exponent(Choices& choices) {
   }
 }
 
+std::size_t list_length(Choices& choices) {
+  const std::uint64_t k = choices.below(32);
+  if (k < 30) return 3 + k % 6;
+  return k == 30 ? choices.below(3) : 9 + choices.below(32);
+}
+
 double moved_by_ulps(double value, int ulps) {
   const double towards = ulps > 0 ? std::numeric_limits<double>::max() : std::numeric_limits<double>::lowest();
   for (int i = ulps > 0 ? ulps : -ulps; i > 0; --i) value = std::nextafter(value, towards);

@@ -32,6 +32,9 @@ double mixed_exponent(Choices& choices);
 /// An exponent for scaling a whole input: mostly 0, else +-39, one end of the range or the other (see numbers.cpp).
 int scale_exponent(Choices& choices);
 
+/// How many elements a list has: mostly 3 to 8, 3 being the simplest; sometimes fewer, sometimes up to 40.
+std::size_t list_length(Choices& choices);
+
 /// `value` moved by `ulps` units in the last place; finite values stay finite, zero passes through the subnormals.
 double moved_by_ulps(double value, int ulps);
 

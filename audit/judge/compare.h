@@ -21,8 +21,11 @@ struct Comparison {
 /// `complete`: a number that the truth has must be there (ours); an engine may answer less than we do.
 template <class Exactly, class Answer>
 void compare(const Exactly& truth, const Answer& answer, bool complete, bool binary32, Comparison& result) {
-  if constexpr (Enumeration<Answer>) {
+  if constexpr (Enumeration<Answer> || Plain<Answer>) {
     result.decision = result.decision && truth == answer;
+  } else if constexpr (is_vector<Answer>) {
+    result.decision = result.decision && truth.size() == answer.size();
+    for (std::size_t i = 0; i < std::min(truth.size(), answer.size()); ++i) compare(truth[i], answer[i], complete, binary32, result);
   } else if constexpr (Composite<Answer>) {
     std::apply(
         [&](const auto&... t) {
@@ -46,8 +49,12 @@ void compare(const Exactly& truth, const Answer& answer, bool complete, bool bin
 /// Whether a formula run in exact arithmetic gave the truth: words equal, numbers defined and the same.
 template <class Exactly, class Answer>
 bool same_as_truth(const Exactly& truth, const Answer& answer) {
-  if constexpr (Enumeration<Answer>) {
+  if constexpr (Enumeration<Answer> || Plain<Answer>) {
     return truth == answer;
+  } else if constexpr (is_vector<Answer>) {
+    bool same = truth.size() == answer.size();
+    for (std::size_t i = 0; same && i < truth.size(); ++i) same = same_as_truth(truth[i], answer[i]);
+    return same;
   } else if constexpr (Composite<Answer>) {
     bool same = true;
     std::apply(
@@ -66,11 +73,15 @@ bool same_as_truth(const Exactly& truth, const Answer& answer) {
 
 /// What running error analysis promises: `plain` (run in double) is bit for bit what `tracked` computed, and within its
 /// bound of `exact`. Both words and numbers; call only where no comparison was in doubt.
-template <class Plain, class Bounded, class Exactly>
-bool promise_holds(const Plain& plain, const Bounded& tracked, const Exactly& exact) {
-  if constexpr (Enumeration<Plain>) {
+template <class InFloat, class Bounded, class Exactly>
+bool promise_holds(const InFloat& plain, const Bounded& tracked, const Exactly& exact) {
+  if constexpr (Enumeration<InFloat> || Plain<InFloat>) {
     return plain == tracked && plain == exact;
-  } else if constexpr (Composite<Plain>) {
+  } else if constexpr (is_vector<InFloat>) {
+    bool holds = plain.size() == tracked.size() && plain.size() == exact.size();
+    for (std::size_t i = 0; holds && i < plain.size(); ++i) holds = promise_holds(plain[i], tracked[i], exact[i]);
+    return holds;
+  } else if constexpr (Composite<InFloat>) {
     bool holds = true;
     std::apply(
         [&](const auto&... p) {
@@ -84,9 +95,9 @@ bool promise_holds(const Plain& plain, const Bounded& tracked, const Exactly& ex
               },
               Described<Bounded>::members);
         },
-        Described<Plain>::members);
+        Described<InFloat>::members);
     return holds;
-  } else if constexpr (is_optional<Plain>) {
+  } else if constexpr (is_optional<InFloat>) {
     if (!plain || !tracked || !exact) return plain.has_value() == tracked.has_value() && plain.has_value() == exact.has_value();
     return promise_holds(*plain, *tracked, *exact);
   } else {
@@ -97,19 +108,18 @@ bool promise_holds(const Plain& plain, const Bounded& tracked, const Exactly& ex
   }
 }
 
-/// The word of a described value: its first enumeration, or nothing.
+/// The words of a described value, in order ("hit", "convex/ccw"); "value" where there is none.
 template <class T>
 std::string word_of(const T& value) {
   if constexpr (Enumeration<T>) {
     return Words<T>::words[static_cast<std::size_t>(value)];
   } else if constexpr (Composite<T>) {
-    std::string word;
+    std::string words;
     for_each_member<T>([&](const auto& member) {
-      if constexpr (Enumeration<std::remove_cvref_t<decltype(value.*member.pointer)>>) {
-        if (word.empty()) word = word_of(value.*member.pointer);
-      }
+      const std::string word = word_of(value.*member.pointer);
+      if (word != "value") words += (words.empty() ? "" : "/") + word;
     });
-    return word.empty() ? "value" : word;
+    return words.empty() ? "value" : words;
   } else {
     return "value";
   }

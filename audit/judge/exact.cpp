@@ -29,5 +29,14 @@ Exact by_mpfr(const Exact& a, Function function) {
 
 Exact cos(const Exact& a) { return by_mpfr(a, mpfr_cos); }
 Exact sin(const Exact& a) { return by_mpfr(a, mpfr_sin); }
+Exact acos(const Exact& a) {
+  return a.defined() && abs(a.value()) > 1 ? a / Exact(0) : by_mpfr(a, mpfr_acos);
+}
+Exact sqrt(const Exact& a) {
+  if (!a.defined() || sgn(a.value()) < 0) return a / Exact(0);
+  const mpz_class numerator = ::sqrt(a.value().get_num()), denominator = ::sqrt(a.value().get_den());
+  const mpq_class root(numerator, denominator);
+  return root * root == a.value() ? Exact(root) : by_mpfr(a, mpfr_sqrt);
+}
 
 }  // namespace touchstone::audit

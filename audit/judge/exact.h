@@ -39,6 +39,10 @@ class Exact {
   /// Irrational: rationals within 2^-2399 of the true value, relatively.
   friend Exact cos(const Exact& a);
   friend Exact sin(const Exact& a);
+  /// Undefined outside [-1, 1].
+  friend Exact acos(const Exact& a);
+  /// Exact for squares; undefined below 0.
+  friend Exact sqrt(const Exact& a);
 
  private:
   Exact(mpq_class value, const Exact& a, const Exact& b) : value_(std::move(value)), defined_(both(a, b)) {}

@@ -108,8 +108,21 @@ class ExaminationOf final : public Examination {
   template <class A>
   Comparison compared(const A& answer, bool complete, bool binary32) const {
     Comparison found;
-    compare(truth_.answer, answer, complete, binary32, found);
+    if constexpr (requires { Row::fault(question_, answer); }) {
+      found.decision = Row::fault(question_, answer).empty();
+    } else {
+      compare(truth_.answer, answer, complete, binary32, found);
+    }
     return found;
+  }
+
+  template <class A>
+  bool right_in_exact_arithmetic(const A& answer) const {
+    if constexpr (requires { Row::fault(question_, answer); }) {
+      return Row::fault(question_, answer).empty();
+    } else {
+      return same_as_truth(truth_.answer, answer);
+    }
   }
 
   std::optional<Exactly> open_reading() const {
@@ -125,7 +138,7 @@ class ExaminationOf final : public Examination {
     const Comparison found = compared(answer, true, std::is_same_v<Real, float>);
     Judgement judgement{Verdict::agree, found.ulps, ""};
     if (!found.decision) {
-      judgement.verdict = same_as_truth(truth_.answer, run<Exact>()) ? Verdict::rounding : Verdict::algorithm;
+      judgement.verdict = right_in_exact_arithmetic(run<Exact>()) ? Verdict::rounding : Verdict::algorithm;
     } else if (!found.finite) {
       judgement.verdict = Verdict::invalid;
       judgement.remark = "NaN or infinity where the truth is finite";

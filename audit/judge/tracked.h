@@ -66,6 +66,33 @@ class Tracked {
   friend Tracked cos(const Tracked& a) { return library(std::cos(a.value_), a); }
   friend Tracked sin(const Tracked& a) { return library(std::sin(a.value_), a); }
 
+  /// The root is rounded correctly; an error e of the argument a moves it by at most e / sqrt(a - e).
+  friend Tracked sqrt(const Tracked& a) {
+    if (a.is_undefined()) return undefined();
+    const Float root = std::sqrt(a.value_);
+    const bool exact = std::fma(root, root, -a.value_) == 0 && (magnitude(a.value_) > safe_product || a.value_ == 0);
+    if (exact && a.error_ == 0) return Tracked(root);
+    const double least = down(size(a) - a.error_);
+    if (!(a.value_ >= 0)) return Tracked(root, infinite);
+    // Below the error the root is anything from 0 to sqrt(a + e).
+    const double propagated = least > 0 ? over(a.error_, down(std::sqrt(least))) : std::nextafter(std::sqrt(plus(size(a), a.error_)), infinite);
+    return Tracked(root, plus(propagated, half_ulp(root)));
+  }
+
+  /// An error e of the argument a moves the arc cosine by at most e / sqrt(1 - (|a| + e)^2); near the ends by at most pi sqrt(e / 2),
+  /// since 1 - cos x >= 2 x^2 / pi^2. Beyond 1 it is undefined, and whether the argument is beyond is a comparison.
+  friend Tracked acos(const Tracked& a) {
+    if (a.is_undefined()) return undefined();
+    const double most = plus(size(a), a.error_);
+    if (most > 1 && a.error_ > 0) doubtful() = true;
+    const Float angle = std::acos(a.value_);
+    if (a.error_ == 0) return library(angle, a);
+    const double room = down(1 - most);
+    const double steep = room > 0 ? over(a.error_, down(std::sqrt(down(room * down(1 + most))))) : infinite;
+    const double ends = times(0x1.921fb54442d19p+1, std::nextafter(std::sqrt(a.error_ / 2), infinite));
+    return Tracked(angle, plus(std::fmin(steep, ends), 4 * half_ulp(angle)));
+  }
+
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   /// Products above this are far enough from the subnormals that their error term is a Float.

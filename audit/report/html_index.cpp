@@ -114,7 +114,10 @@ std::string whole_table(const Tally& tally) {
   for (const OperationTally& operation : tally.operations) {
     text += "<tbody><tr class=\"total\"><th scope=\"row\"><a href=\"" + escaped(operation.operation) + ".html\">" +
             escaped(operation.operation) + "</a></th>" + verdict_numbers(operation.total()) + "</tr>";
+    const Cell total = operation.total();
+    const bool unknown = total.count(Verdict::unsupported) == total.cases();
     for (const auto& [family, cell] : operation.families) {
+      if (unknown) break;
       text += "<tr><td>" + escaped(family) + "</td>" + verdict_numbers(cell) + "</tr>";
     }
     text += "</tbody>";

@@ -76,7 +76,9 @@ std::string counts(const Tally& tally) {
   std::vector<Row> rows{header_row()};
   for (const OperationTally& operation : tally.operations) {
     rows.push_back({});
-    rows.push_back(row_of(operation.operation, operation.total()));
+    const Cell total = operation.total();
+    rows.push_back(row_of(operation.operation, total));
+    if (total.count(Verdict::unsupported) == total.cases()) continue;  // the engine does not know it
     for (const auto& [family, cell] : operation.families) rows.push_back(row_of("  " + family, cell));
   }
   rows.push_back({});

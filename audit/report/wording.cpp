@@ -54,9 +54,8 @@ std::string why_algorithm(const Finding& finding, Speaker speaker) {
     case Speaker::foreign:
       break;
   }
-  return "Rounding is not to blame: in the engine's own number type even the slide's formula is certain of its "
-         "decision on "
-         "this input.";
+  return "In the engine's own number type the slide's formula is certain of its decision on this input; the engine's "
+         "method decides otherwise.";
 }
 
 std::string why_rounding(Speaker speaker) {

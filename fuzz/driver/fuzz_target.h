@@ -28,12 +28,6 @@ class TargetOf final : public Target {
  public:
   using Asked = typename Row::Question;
 
-  TargetOf() {
-    Asked asked{};
-    std::size_t place = 0;
-    std::apply([&](const auto&... value) { (find_points(value, place), ...); }, asked);
-  }
-
   /// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the rest together,
   /// so that there only every 64th of those, elsewhere every 16th, has its certificate checked.
   std::string complaint(Bytes data) const override {
@@ -69,11 +63,18 @@ class TargetOf final : public Target {
   }
 
   void decode(Bytes data, std::vector<double>& numbers) const override {
-    numbers.clear();
-    audit::for_each_number(decoded(data), [&](const double& number) { numbers.push_back(number); });
+    numbers = audit::flattened(decoded(data));
   }
 
-  const std::vector<std::pair<std::size_t, std::size_t>>& points() const override { return points_; }
+  const Layout& layout(const std::vector<double>& numbers) const override {
+    static thread_local Layout found;
+    static const bool always_the_same = !audit::holds_lists<Asked>();
+    if (always_the_same && !found.coordinates.empty()) return found;
+    found = {};
+    std::size_t place = 0;
+    std::apply([&](const auto&... value) { (lay_out(value, place, found), ...); }, audit::unflattened<Asked>(numbers));
+    return found;
+  }
 
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seeds() const override {
     std::vector<std::pair<std::string, std::vector<std::uint8_t>>> made;
@@ -97,20 +98,12 @@ class TargetOf final : public Target {
       audit::Choices choices = audit::Choices::replayed(rest);
       return families_.draw(choices, data[0]);
     }
-    Asked asked{};
-    std::size_t at = 0;
-    audit::for_each_number(asked, [&](double& number) {
-      if (at < rest.size()) std::memcpy(&number, rest.data() + at, std::min(sizeof number, rest.size() - at));
-      at += sizeof number;
-    });
-    return asked;
+    std::vector<double> numbers((rest.size() + sizeof(double) - 1) / sizeof(double));
+    if (!rest.empty()) std::memcpy(numbers.data(), rest.data(), rest.size());
+    return audit::unflattened<Asked>(numbers);
   }
 
-  static audit::Question flat(const Asked& asked) {
-    audit::Question question;
-    audit::for_each_number(asked, [&](const double& number) { question.numbers.push_back(number); });
-    return question;
-  }
+  static audit::Question flat(const Asked& asked) { return {audit::flattened(asked)}; }
 
   template <class Truth>
   static void feed_back(const Truth& truth, const Asked& asked) {
@@ -134,14 +127,20 @@ class TargetOf final : public Target {
   }
 
   template <class T>
-  void find_points(const T& value, std::size_t& place) {
+  static void lay_out(const T& value, std::size_t& place, Layout& found) {
     if constexpr (requires { value.x; value.y; }) {
-      points_.emplace_back(place, place + 1);
-      place += 2;
-    } else if constexpr (audit::Composite<T>) {
-      audit::for_each_member<T>([&](const auto& member) { find_points(value.*member.pointer, place); });
+      found.points.push_back({place, requires { value.z; } ? 3u : 2u});
+    }
+    if constexpr (audit::Composite<T>) {
+      audit::for_each_member<T>([&](const auto& member) { lay_out(value.*member.pointer, place, found); });
+    } else if constexpr (audit::is_vector<T>) {
+      typename T::value_type element{};
+      std::size_t numbers = 0;
+      audit::for_each_number(element, [&](auto&) { ++numbers; });
+      found.lists.push_back({place++, numbers});
+      for (const auto& one : value) lay_out(one, place, found);
     } else {
-      ++place;
+      found.coordinates.push_back(place++);
     }
   }
 
@@ -149,7 +148,6 @@ class TargetOf final : public Target {
 
   audit::OperationOf<Row> operation_;
   audit::Families<Row> families_;
-  std::vector<std::pair<std::size_t, std::size_t>> points_;
 };
 
 }  // namespace touchstone::fuzz

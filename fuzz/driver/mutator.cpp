@@ -17,10 +17,11 @@ using Numbers = std::vector<double>;
 
 class Mutation {
  public:
-  Mutation(Numbers& numbers, Choices& choices) : numbers_(numbers), choices_(choices), points_(target().points()) {}
+  Mutation(Numbers& numbers, Choices& choices) : numbers_(numbers), choices_(choices), layout_(target().layout(numbers)) {}
 
   void apply() {
-    switch (choices_.below(12)) {
+    if (layout_.coordinates.empty()) return grow_or_shrink();
+    switch (choices_.below(layout_.lists.empty() ? 12 : 14)) {
       case 0: case 1: case 2: return nudge();
       case 3: case 4: return snap_to_line();
       case 5: return coincide();
@@ -29,13 +30,14 @@ class Mutation {
       case 8: return common_power();
       case 9: return swap_points();
       case 10: return flip_bits();
-      default: return typed();
+      case 11: return typed();
+      default: return grow_or_shrink();
     }
   }
 
  private:
-  double& any_number() { return numbers_[choices_.below(numbers_.size())]; }
-  std::pair<std::size_t, std::size_t> any_point() { return points_[choices_.below(points_.size())]; }
+  double& any_number() { return numbers_[layout_.coordinates[choices_.below(layout_.coordinates.size())]]; }
+  Layout::Point any_point() { return layout_.points[choices_.below(layout_.points.size())]; }
 
   void nudge() {
     double& number = any_number();
@@ -45,18 +47,41 @@ class Mutation {
 
   /// r = p + k/8 (q - p), rounded: mostly next to the line, sometimes on it.
   void snap_to_line() {
-    if (points_.size() < 2) return nudge();
+    if (layout_.points.size() < 2) return nudge();
     const auto p = any_point(), q = any_point(), r = any_point();
     const double t = (static_cast<double>(choices_.below(25)) - 8) / 8;
-    numbers_[r.first] = numbers_[p.first] + t * (numbers_[q.first] - numbers_[p.first]);
-    numbers_[r.second] = numbers_[p.second] + t * (numbers_[q.second] - numbers_[p.second]);
+    for (std::size_t i = 0; i < r.dimension; ++i) {
+      numbers_[r.first + i] = numbers_[p.first + i] + t * (numbers_[q.first + i] - numbers_[p.first + i]);
+    }
   }
 
   void coincide() {
-    if (points_.size() < 2) return copy_number();
+    if (layout_.points.size() < 2) return copy_number();
     const auto p = any_point(), q = any_point();
-    numbers_[q.first] = numbers_[p.first];
-    numbers_[q.second] = numbers_[p.second];
+    for (std::size_t i = 0; i < q.dimension; ++i) numbers_[q.first + i] = numbers_[p.first + i];
+  }
+
+  /// One element of a list is there twice, or is taken out.
+  void grow_or_shrink() {
+    if (layout_.lists.empty()) return;
+    const Layout::List list = layout_.lists[choices_.below(layout_.lists.size())];
+    double& length = numbers_[list.length];
+    if (length == 0) {
+      length = 1;
+      numbers_.insert(numbers_.begin() + static_cast<std::ptrdiff_t>(list.length + 1), list.element, 0.0);
+      return;
+    }
+    const auto element = static_cast<std::ptrdiff_t>(list.element);
+    const auto at = numbers_.begin() + static_cast<std::ptrdiff_t>(list.length + 1) +
+                    static_cast<std::ptrdiff_t>(choices_.below(static_cast<std::uint64_t>(length))) * element;
+    if (choices_.below(2) == 1) {
+      length -= 1;
+      numbers_.erase(at, at + element);
+    } else {
+      length += 1;
+      const Numbers copied(at, at + element);
+      numbers_.insert(at, copied.begin(), copied.end());
+    }
   }
 
   void copy_number() {
@@ -69,17 +94,16 @@ class Mutation {
 
   void common_power() {
     const int power = choices_.below(2) == 1 ? static_cast<int>(choices_.below(2098)) - 1074 : static_cast<int>(choices_.below(21)) - 10;
-    for (double& number : numbers_) {
-      const double multiplied = std::ldexp(number, power);
-      if (std::isfinite(multiplied)) number = multiplied;
+    for (const std::size_t place : layout_.coordinates) {
+      const double multiplied = std::ldexp(numbers_[place], power);
+      if (std::isfinite(multiplied)) numbers_[place] = multiplied;
     }
   }
 
   void swap_points() {
-    if (points_.size() < 2) return std::swap(any_number(), any_number());
+    if (layout_.points.size() < 2) return std::swap(any_number(), any_number());
     const auto p = any_point(), q = any_point();
-    std::swap(numbers_[p.first], numbers_[q.first]);
-    std::swap(numbers_[p.second], numbers_[q.second]);
+    for (std::size_t i = 0; i < p.dimension; ++i) std::swap(numbers_[p.first + i], numbers_[q.first + i]);
   }
 
   void flip_bits() {
@@ -89,7 +113,7 @@ class Mutation {
 
   Numbers& numbers_;
   Choices& choices_;
-  const std::vector<std::pair<std::size_t, std::size_t>>& points_;
+  const Layout& layout_;
 };
 
 }  // namespace

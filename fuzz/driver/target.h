@@ -15,6 +15,19 @@ namespace touchstone::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
 
+/// Which of the numbers of a question are what: lists are preceded by their length.
+struct Layout {
+  struct Point {
+    std::size_t first, dimension;  ///< its coordinates are numbers first .. first + dimension - 1
+  };
+  struct List {
+    std::size_t length, element;  ///< place of the length, numbers of one element; the elements follow the length
+  };
+  std::vector<std::size_t> coordinates;
+  std::vector<Point> points;
+  std::vector<List> lists;
+};
+
 class Target {
  public:
   virtual ~Target() = default;
@@ -25,8 +38,8 @@ class Target {
   virtual std::string shown(Bytes data) const = 0;
 
   virtual void decode(Bytes data, std::vector<double>& numbers) const = 0;
-  /// Places of the numbers that are the two coordinates of a point.
-  virtual const std::vector<std::pair<std::size_t, std::size_t>>& points() const = 0;
+  /// The layout of numbers that `decode` gave; good until the next call.
+  virtual const Layout& layout(const std::vector<double>& numbers) const = 0;
   /// Seeds of a corpus by name: one for every hard case.
   virtual std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seeds() const = 0;
 };

@@ -6,7 +6,7 @@ usage: certify.py [FILE...]    (standard input without a FILE, or where FILE is 
 
 Each line is one claim, {"op":..,"input":{..},"truth":{..},"certificate":{"kind":..,facts}}; other keys are ignored. Prints
 every refused line with its reason and then "N certificates, M refused". Exit code: 0 all hold, 1 some refused, 2 a file
-cannot be read. The same checks as check_lines.cpp and check_circle.cpp, and the same reasons.
+cannot be read. The same checks as the files check_*.cpp beside it, and the same reasons.
 """
 
 import json
@@ -20,15 +20,10 @@ if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(0)
 
 CHECKS = {
-    "explicit_line": certify_lines.check_explicit_line,
-    "implicit_circle": certify_lines.check_implicit_circle,
-    "parametric_circle": certify_circle.check_parametric_circle,
-    "line_point_at": certify_lines.check_line_point_at,
-    "point_on_segment": certify_lines.check_point_on_segment,
-    "line_line": certify_lines.check_line_line,
-    "segment_segment": certify_lines.check_segment_segment,
-    "ray_segment": certify_lines.check_ray_segment,
-    "orientation": certify_lines.check_orientation,
+    name.removeprefix("check_"): check
+    for module in (certify_lines, certify_circle)
+    for name, check in vars(module).items()
+    if name.startswith("check_")
 }
 
 

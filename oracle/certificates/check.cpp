@@ -9,23 +9,23 @@
 namespace touchstone::certify {
 namespace {
 
+const Checks& all_checks() {
+  static const Checks all = [] {
+    Checks merged;
+    for (Checks (*of_a_file)() : {checks_of_lines, checks_of_circles}) merged.merge(of_a_file());
+    return merged;
+  }();
+  return all;
+}
+
 void check(const json& claim) {
-  static const std::map<std::string, void (*)(const Claim&)> checks{{"explicit_line", check_explicit_line},
-                                                                    {"implicit_circle", check_implicit_circle},
-                                                                    {"parametric_circle", check_parametric_circle},
-                                                                    {"line_point_at", check_line_point_at},
-                                                                    {"point_on_segment", check_point_on_segment},
-                                                                    {"line_line", check_line_line},
-                                                                    {"segment_segment", check_segment_segment},
-                                                                    {"ray_segment", check_ray_segment},
-                                                                    {"orientation", check_orientation}};
   expect(claim.is_object(), "claim: an object");
   for (const char* name : {"op", "input", "truth", "certificate"}) {
     expect(claim.contains(name), std::string("claim: field ") + name + " is missing");
   }
   expect(claim["op"].is_string(), "op: a string");
-  const auto found = checks.find(claim["op"].get<std::string>());
-  expect(found != checks.end(), "op: not an operation with certificates");
+  const auto found = all_checks().find(claim["op"].get<std::string>());
+  expect(found != all_checks().end(), "op: not an operation with certificates");
   found->second(Claim{claim["input"], claim["truth"], claim["certificate"]});
 }
 

@@ -139,8 +139,6 @@ void expect_rounds_alike(const Rational& claimed, const Rational& low, const Rat
          "truth: the rounding of point is not proved");
 }
 
-}  // namespace
-
 void check_parametric_circle(const Claim& claim) {
   claim.inputs({"circle", "u"}), claim.answers({"point"});
   const Circle c = circle(claim.input["circle"], "circle");
@@ -158,6 +156,12 @@ void check_parametric_circle(const Claim& claim) {
   expect_cosine_and_sine(u, cosine, sine, claim.single("quarter_turns"), claim.single("bits"));
   expect_rounds_alike(p.x, Rational(c.center.x + c.radius * cosine.x), Rational(c.center.x + c.radius * cosine.y));
   expect_rounds_alike(p.y, Rational(c.center.y + c.radius * sine.x), Rational(c.center.y + c.radius * sine.y));
+}
+
+}  // namespace
+
+Checks checks_of_circles() {
+  return {{"parametric_circle", check_parametric_circle}};
 }
 
 }  // namespace touchstone::certify

@@ -44,8 +44,6 @@ void expect_determinant(const Claim& claim, const Pair& u, const Pair& v) {
   expect(sgn(determinant) != 0, "certificate: the directions are parallel");
 }
 
-}  // namespace
-
 void check_explicit_line(const Claim& claim) {
   claim.inputs({"slope", "intercept", "point"});
   const Rational slope = number(claim.input["slope"], "slope"),
@@ -226,6 +224,19 @@ void check_ray_segment(const Claim& claim) {
     expect(start <= c && sgn(slope) <= 0 && sa >= c && sb >= c, "certificate: the line does not support");
     expect(sgn(slope) < 0 || touched_once(sa, sb, c), "certificate: the line is touched more than once");
   }
+}
+
+}  // namespace
+
+Checks checks_of_lines() {
+  return {{"explicit_line", check_explicit_line},
+          {"implicit_circle", check_implicit_circle},
+          {"line_point_at", check_line_point_at},
+          {"orientation", check_orientation},
+          {"point_on_segment", check_point_on_segment},
+          {"line_line", check_line_line},
+          {"segment_segment", check_segment_segment},
+          {"ray_segment", check_ray_segment}};
 }
 
 }  // namespace touchstone::certify

@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <initializer_list>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -79,15 +80,12 @@ struct Claim {
   Pair pair(const char* name) const;
 };
 
-/// One function an operation; each returns where the certificate proves the truth and throws Refusal otherwise.
-void check_explicit_line(const Claim&);
-void check_implicit_circle(const Claim&);
-void check_parametric_circle(const Claim&);
-void check_line_point_at(const Claim&);
-void check_point_on_segment(const Claim&);
-void check_line_line(const Claim&);
-void check_segment_segment(const Claim&);
-void check_ray_segment(const Claim&);
-void check_orientation(const Claim&);
+/// Returns where the certificate proves the truth and throws Refusal otherwise.
+using Check = void (*)(const Claim&);
+/// By operation.
+using Checks = std::map<std::string, Check>;
+
+Checks checks_of_lines();
+Checks checks_of_circles();
 
 }  // namespace touchstone::certify

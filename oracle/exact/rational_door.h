@@ -33,5 +33,15 @@ inline void admit(const std::string& field, const Ray2<oracle::Rational>& r) {
 inline void admit(const std::string& field, const Circle2<oracle::Rational>& c) {
   if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
+inline void admit(const std::string& field, const Plane<oracle::Rational>& plane) {
+  const auto& n = plane.normal;
+  if (zero(n.x) && zero(n.y) && zero(n.z)) throw InvalidInput(field + ".normal", "nonzero normal");
+}
+inline void admit(const std::string& field, const Polygon2<oracle::Rational>& polygon) {
+  if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+}
+inline void admit(const std::string& field, const Polygon3<oracle::Rational>& polygon) {
+  if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+}
 
 }  // namespace touchstone::door

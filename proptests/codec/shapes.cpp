@@ -40,7 +40,11 @@ void for_each_value(Json& value, const std::string& path, const std::function<vo
   visit(value, path);
 }
 
-Json simplest(const Operation& operation) { return operation.print({std::vector<double>(operation.arity(), 1.5)}); }
+Json simplest(const Operation& operation) {
+  Question question = operation.zeros();
+  for (const std::size_t place : operation.coordinates(question)) question.numbers[place] = 1.5;
+  return operation.print(question);
+}
 
 /// Calls test(document, path) for every value of the simplest question with that value replaced by `change`.
 void with_each_changed(const Operation& operation, const std::function<bool(Json&)>& change,

@@ -50,8 +50,8 @@ TEST_CASE("environments: what the host had set is there again after robust has a
     const unsigned before = _mm_getcsr() & ~0x3fu;
     for (const Operation* operation : audit::catalogue()) {
       for (const double size : {1.0, 0x1p-1074, 0x1p1000}) {
-        Question question{std::vector<double>(operation->arity())};
-        for (std::size_t i = 0; i < question.numbers.size(); ++i)
+        Question question = operation->zeros();
+        for (const std::size_t i : operation->coordinates(question))
           question.numbers[i] = static_cast<double>(1 + i * i % 5) * size;
         robust_bits(*operation, question, number);
         CHECK((_mm_getcsr() & ~0x3fu) == before);

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/door.h"
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+
+/// The first defect of a ring by definition: every pair of edges, asked for its common points. Empty: the ring is simple.
+std::optional<door::RingDefect> ring_defect(const Polygon2d& ring);
+std::optional<door::RingDefect> ring_defect(const Polygon2<Rational>& ring);
+
+}  // namespace touchstone::oracle
