@@ -7,6 +7,7 @@ Pairs are whole numbers of some unit 2^-bits, low and high, with the true value 
 from fractions import Fraction
 
 from certify_reading import circle, expect, number
+from certify_rounding import expect_rounds_alike
 
 
 def quotients(low, high, divisor):
@@ -72,24 +73,6 @@ def expect_cosine_and_sine(u, cosine, sine, turns, bits):
         expect(encloses, f"certificate: {name} is wrong")
 
 
-def ulp_exponent(value):
-    size = abs(value)
-    order = size.numerator.bit_length() - size.denominator.bit_length()
-    if size < Fraction(2) ** order:
-        order -= 1
-    return min(max(order - 52, -1074), 971)
-
-
-def expect_rounds_alike(claimed, low, high):
-    same_sign = claimed * low > 0 and claimed * high > 0
-    expect(same_sign, "truth: the sign of point is not proved")
-    ulp = Fraction(2) ** ulp_exponent(claimed)
-    close = ulp / 2**60
-    expect(abs(claimed - low) < close and abs(claimed - high) < close, "truth: point is too far off")
-    nearest = {min(round(abs(value / ulp)), 1 << 53) for value in (low, claimed, high)}  # round: ties to even
-    expect(len(nearest) == 1, "truth: the rounding of point is not proved")
-
-
 def check_parametric_circle(claim):
     claim.inputs("circle", "u"), claim.answers("point")
     center, radius = circle(claim.input["circle"], "circle")
@@ -104,4 +87,4 @@ def check_parametric_circle(claim):
     cosine, sine = claim.pair("cosine"), claim.pair("sine")
     expect_cosine_and_sine(u, cosine, sine, claim.single("quarter_turns"), claim.single("bits"))
     for axis, unit in enumerate((cosine, sine)):
-        expect_rounds_alike(p[axis], center[axis] + radius * unit[0], center[axis] + radius * unit[1])
+        expect_rounds_alike("point", p[axis], center[axis] + radius * unit[0], center[axis] + radius * unit[1])

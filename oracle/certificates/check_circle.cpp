@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <string>
 
 #include "oracle/certificates/check_reading.h"
+#include "oracle/certificates/check_rounding.h"
 
 namespace touchstone::certify {
 namespace {
@@ -104,41 +104,6 @@ void expect_cosine_and_sine(const Rational& u, const Pair& cosine, const Pair& s
   expect_encloses(sine, quadrant >= 2 ? negated(sin_turned) : sin_turned, bits, "certificate: sine is wrong");
 }
 
-/// The exponent of the unit in the last place of a binary64 number near a value that is not 0.
-long ulp_exponent(const Rational& value) {
-  const Rational size(abs(value));
-  long order = static_cast<long>(mpz_sizeinbase(size.get_num_mpz_t(), 2)) -
-               static_cast<long>(mpz_sizeinbase(size.get_den_mpz_t(), 2));
-  const Rational power = order >= 0 ? Rational(Integer(1) << static_cast<mp_bitcnt_t>(order))
-                                    : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-order));
-  if (size < power) --order;
-  return std::clamp(order - 52, -1074L, 971L);
-}
-
-/// The nearest whole number, ties to even; everything from 2^53 on is infinite alike.
-Integer nearest_whole(const Rational& ulps) {
-  const Rational size(abs(ulps));
-  const Integer whole = floor_quotient(size.get_num(), size.get_den());
-  const int to_half = cmp(Rational(size - whole), Rational(1, 2));
-  const Integer up(to_half > 0 || (to_half == 0 && mpz_odd_p(whole.get_mpz_t())) ? 1 : 0);
-  return std::min(Integer(whole + up), Integer(Integer(1) << 53));
-}
-
-/// The true coordinate is somewhere in [low, high]: the claimed one rounds to the same double, with the same sign, and
-/// is within 2^-60 units in the last place.
-void expect_rounds_alike(const Rational& claimed, const Rational& low, const Rational& high) {
-  expect(sgn(claimed) != 0 && sgn(low) == sgn(claimed) && sgn(high) == sgn(claimed),
-         "truth: the sign of point is not proved");
-  const long exponent = ulp_exponent(claimed);
-  const Rational ulp = exponent >= 0 ? Rational(Integer(1) << static_cast<mp_bitcnt_t>(exponent))
-                                     : Rational(1, Integer(1) << static_cast<mp_bitcnt_t>(-exponent));
-  const Rational close(ulp / Rational(Integer(1) << 60));
-  expect(claimed - low < close && high - claimed < close, "truth: point is too far off");
-  const Integer nearest = nearest_whole(claimed / ulp);
-  expect(nearest_whole(low / ulp) == nearest && nearest_whole(high / ulp) == nearest,
-         "truth: the rounding of point is not proved");
-}
-
 void check_parametric_circle(const Claim& claim) {
   claim.inputs({"circle", "u"}), claim.answers({"point"});
   const Circle c = circle(claim.input["circle"], "circle");
@@ -154,8 +119,8 @@ void check_parametric_circle(const Claim& claim) {
   claim.facts({"cosine", "sine", "quarter_turns", "bits"});
   const Pair cosine = claim.pair("cosine"), sine = claim.pair("sine");
   expect_cosine_and_sine(u, cosine, sine, claim.single("quarter_turns"), claim.single("bits"));
-  expect_rounds_alike(p.x, Rational(c.center.x + c.radius * cosine.x), Rational(c.center.x + c.radius * cosine.y));
-  expect_rounds_alike(p.y, Rational(c.center.y + c.radius * sine.x), Rational(c.center.y + c.radius * sine.y));
+  expect_rounds_alike("point", p.x, Rational(c.center.x + c.radius * cosine.x), Rational(c.center.x + c.radius * cosine.y));
+  expect_rounds_alike("point", p.y, Rational(c.center.y + c.radius * sine.x), Rational(c.center.y + c.radius * sine.y));
 }
 
 }  // namespace
