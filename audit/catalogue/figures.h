@@ -4,6 +4,7 @@
 #include "audit/codec/json.h"
 #include "audit/report/scene.h"
 #include "geometry/polygons.h"
+#include "geometry/space.h"
 #include "geometry/thin_shapes.h"
 
 /// How each shape is drawn; a new type of geometry adds its overload.
@@ -39,6 +40,14 @@ inline void draw(Scene& scene, const std::string& label, const Polygon2d& polygo
 }
 inline void draw(Scene& scene, const std::string& label, const Circle2d& c, bool answer) {
   scene.figures.push_back({Figure::Kind::circle, label, {c.center.x, c.center.y, c.radius}, answer});
+}
+
+/// Positions and vectors of space are told; which view shows them, each row knows (space_figures.h).
+inline void draw(Scene& scene, const std::string& label, const Point3d& p, bool) {
+  scene.notes.push_back(label + ": (" + decimal(p.x) + ", " + decimal(p.y) + ", " + decimal(p.z) + ")");
+}
+inline void draw(Scene& scene, const std::string& label, const Vector3d& v, bool answer) {
+  draw(scene, label, Point3d{v.x, v.y, v.z}, answer);
 }
 
 }  // namespace touchstone::audit

@@ -14,6 +14,7 @@ import sys
 
 import certify_circle
 import certify_lines
+import certify_planes
 from certify_reading import Claim, Refusal, expect
 
 if hasattr(sys, "set_int_max_str_digits"):
@@ -21,7 +22,7 @@ if hasattr(sys, "set_int_max_str_digits"):
 
 CHECKS = {
     name.removeprefix("check_"): check
-    for module in (certify_lines, certify_circle)
+    for module in (certify_lines, certify_circle, certify_planes)
     for name, check in vars(module).items()
     if name.startswith("check_")
 }

@@ -87,5 +87,6 @@ using Checks = std::map<std::string, Check>;
 
 Checks checks_of_lines();
 Checks checks_of_circles();
+Checks checks_of_planes();
 
 }  // namespace touchstone::certify

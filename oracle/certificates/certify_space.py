@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How certify.py reads shapes of space, as check_space.cpp does."""
+
+from certify_reading import exact_value, expect, number, only
+
+
+def list_of_three(value, what):
+    expect(isinstance(value, list) and len(value) == 3, what + ": a list of three")
+    return value
+
+
+def point_in_space(value, what):
+    return tuple(number(n, f"{what}[{axis}]") for axis, n in enumerate(list_of_three(value, what)))
+
+
+def plane(value, what):
+    only(value, what, ["normal", "offset"])
+    normal, offset = point_in_space(value["normal"], what + ".normal"), number(value["offset"], what + ".offset")
+    expect(normal != (0, 0, 0), what + ".normal: nonzero normal")
+    return normal, offset
+
+
+def exact_triple(value, what):
+    return tuple(exact_value(n, f"{what}[{axis}]") for axis, n in enumerate(list_of_three(value, what)))
+
+
+def triple(claim, name):
+    return exact_triple(claim.certificate[name], "certificate." + name)
+
+
+def dot(p, q):
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "oracle/certificates/check_reading.h"
+
+/// Shapes of space as claims write them, each with the rules of its shape.
+namespace touchstone::certify {
+
+/// A position or a displacement.
+struct Triple {
+  Rational x, y, z;
+};
+
+inline bool operator==(const Triple& p, const Triple& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
+inline Rational dot(const Triple& p, const Triple& q) { return Rational(p.x * q.x + p.y * q.y + p.z * q.z); }
+
+/// The points p with normal . p + offset = 0.
+struct Plane {
+  Triple normal;
+  Rational offset;
+  Rational at(const Triple& p) const { return Rational(dot(normal, p) + offset); }
+};
+
+/// Input, by the field's name; `what` is how the field is called in a refusal.
+Triple point_in_space(const json& value, const std::string& what);
+Plane plane(const json& value, const std::string& what);
+
+/// Exact values of the truth and of the certificate.
+Triple exact_triple(const json& value, const std::string& what);
+Triple triple(const Claim& claim, const char* name);
+
+}  // namespace touchstone::certify

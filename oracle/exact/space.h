@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/space.h"
+#include "oracle/exact/decode.h"
+
+/// Shapes of space over rationals.
+namespace touchstone::oracle {
+
+template <class Number>
+Point3<Rational> exact(const Point3<Number>& p) {
+  return {exact(p.x), exact(p.y), exact(p.z)};
+}
+template <class Number>
+Plane<Rational> exact(const Plane<Number>& plane) {
+  return {{exact(plane.normal.x), exact(plane.normal.y), exact(plane.normal.z)}, exact(plane.offset)};
+}
+
+/// N . p + d: positive in front, in units of the normal's length.
+inline Rational height_over(const Plane<Rational>& plane, const Point3<Rational>& p) {
+  const auto& n = plane.normal;
+  return Rational(n.x * p.x + n.y * p.y + n.z * p.z + plane.offset);
+}
+
+}  // namespace touchstone::oracle

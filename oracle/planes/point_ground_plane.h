@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::oracle {
+
+/// Truth: sign of the rational N . p + d of the plane with N = (0, 1, 0), d = 0. Margin: its absolute value, the distance from
+/// the ground.
+Truth<Height> point_ground_plane(const Point3d& point);
+template <Exact Number>
+Truth<Height> point_ground_plane(const Point3<Number>& point);
+Certificate point_ground_plane_certificate(const Point3d& point);
+
+}  // namespace touchstone::oracle
