@@ -86,6 +86,11 @@ def circle(value, what):
     return center, radius
 
 
+def polygon(value, what):
+    expect(isinstance(value, list) and len(value) >= 3, what + ": at least 3 vertices")
+    return [point(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)]
+
+
 EXACT = re.compile(r"(-?[0-9]+)(?:/([0-9]+))?")
 
 
@@ -145,6 +150,11 @@ class Claim:
         value, what = self.certificate[name], "certificate." + name
         expect(isinstance(value, list) and len(value) == 1, what + ": a list of one")
         return exact_value(value[0], what + "[0]")
+
+    def list(self, name):
+        values, what = self.certificate[name], "certificate." + name
+        expect(isinstance(values, list), what + ": a list")
+        return [exact_value(value, f"{what}[{i}]") for i, value in enumerate(values)]
 
     def pair(self, name):
         return exact_pair(self.certificate[name], "certificate." + name)

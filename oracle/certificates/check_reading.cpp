@@ -118,6 +118,13 @@ Circle circle(const json& value, const std::string& what) {
   return result;
 }
 
+std::vector<Pair> polygon(const json& value, const std::string& what) {
+  expect(value.is_array() && value.size() >= 3, what + ": at least 3 vertices");
+  std::vector<Pair> ring;
+  for (const json& vertex : value) ring.push_back(point(vertex, what + "[" + std::to_string(ring.size()) + "]"));
+  return ring;
+}
+
 Rational exact_value(const json& value, const std::string& what) {
   const std::string malformed = what + ": an exact value \"p/q\"";
   expect(value.is_string(), malformed);
@@ -165,6 +172,14 @@ Rational Claim::single(const char* name) const {
   const std::string what = std::string("certificate.") + name;
   expect(list.is_array() && list.size() == 1, what + ": a list of one");
   return exact_value(list[0], what + "[0]");
+}
+
+std::vector<Rational> Claim::list(const char* name) const {
+  const std::string what = std::string("certificate.") + name;
+  expect(certificate[name].is_array(), what + ": a list");
+  std::vector<Rational> values;
+  for (const json& value : certificate[name]) values.push_back(exact_value(value, what + "[" + std::to_string(values.size()) + "]"));
+  return values;
 }
 
 Pair Claim::pair(const char* name) const { return exact_pair(certificate[name], std::string("certificate.") + name); }

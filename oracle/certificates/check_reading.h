@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace touchstone::certify {
 
@@ -59,6 +60,7 @@ Ends segment(const json& value, const std::string& what);
 Ends line_of_two_points(const json& value, const std::string& what);
 Ray ray(const json& value, const std::string& what);
 Circle circle(const json& value, const std::string& what);
+std::vector<Pair> polygon(const json& value, const std::string& what);
 
 /// Exact values of the truth and of the certificate.
 Rational exact_value(const json& value, const std::string& what);
@@ -78,6 +80,7 @@ struct Claim {
   void facts(std::initializer_list<const char*> names) const;
   Rational single(const char* name) const;
   Pair pair(const char* name) const;
+  std::vector<Rational> list(const char* name) const;
 };
 
 /// Returns where the certificate proves the truth and throws Refusal otherwise.
