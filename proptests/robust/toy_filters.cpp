@@ -15,14 +15,16 @@ using FiveFormat = ToyFormat<Five, 5, low, high>;
 using Six = Toy<6, low, high>;
 using SixFormat = ToyFormat<Six, 6, low, high>;
 
-/// Whatever cross_sign, and so orientation, can be asked where v and w are differences of points of these windows.
-Count crosses(const std::vector<double>& of_v, const std::vector<double>& of_w) {
+/// Whatever cross_sign, and so orientation, can be asked where the coordinates of v and w are differences of numbers of
+/// these windows.
+Count crosses(const std::vector<double>& of_vx, const std::vector<double>& of_vy, const std::vector<double>& of_wx,
+              const std::vector<double>& of_wy) {
   Count count;
-  const auto v = differences<Five>(of_v), w = differences<Five>(of_w);
-  for (const auto& vx : v) {
-    for (const auto& vy : v) {
-      for (const auto& wx : w) {
-        for (const auto& wy : w) {
+  const auto all_vy = differences<Five>(of_vy), all_wx = differences<Five>(of_wx), all_wy = differences<Five>(of_wy);
+  for (const auto& vx : differences<Five>(of_vx)) {
+    for (const auto& vy : all_vy) {
+      for (const auto& wx : all_wx) {
+        for (const auto& wy : all_wy) {
           const auto said =
               filters::cross_sign<Five, FiveFormat>({vx.computed, vy.computed}, {wx.computed, wy.computed});
           count.add(said, sign_of(vx.exact * wy.exact - vy.exact * wx.exact));
@@ -31,6 +33,9 @@ Count crosses(const std::vector<double>& of_v, const std::vector<double>& of_w) 
     }
   }
   return count;
+}
+Count crosses(const std::vector<double>& of_v, const std::vector<double>& of_w) {
+  return crosses(of_v, of_v, of_w, of_w);
 }
 
 template <class Float, class Format>
@@ -65,11 +70,12 @@ Count elevations(const std::vector<double>& slopes, const std::vector<double>& x
   return count;
 }
 
-Count ordinary_crosses() { return crosses(half_binade<Five, FiveFormat>(-5), half_binade<Five, FiveFormat>(-5)); }
-/// One vector around the least normal number, the other around 1; both where products underflow; both at the guard and beyond.
+Count ordinary_crosses() { return crosses(half_binade<Five, FiveFormat>(-6), half_binade<Five, FiveFormat>(-6)); }
+/// One vector around the least normal number, the other around 1; every y around the one, every x around the other; both where products underflow; both at the guard and beyond.
 Count extreme_crosses() {
   return crosses(window<Five>(8, low - 3), window<Five>(4, -2)) +
          crosses(window<Five>(4, -2), window<Five>(8, low - 3)) +
+         crosses(window<Five>(4, -3), window<Five>(8, low - 3), window<Five>(4, -3), window<Five>(8, low - 3)) +
          crosses(window<Five>(6, low / 2 - 2), window<Five>(6, low / 2 - 2)) +
          crosses(window<Five>(6, -2), window<Five>(6, -2)) +
          crosses(window<Five>(5, high - 3), window<Five>(5, high - 3));

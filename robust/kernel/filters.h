@@ -7,28 +7,39 @@
 /// The first stage: signs of polynomials, certain or unknown, from a few floating-point operations and a bound on their
 /// error.
 ///
-/// Every filter is a straight line: differences of the input, the polynomial, the maxima that bound its terms, a guard
-/// on those maxima, one comparison. It is a template on the number type, and all its constants follow from that type's
-/// FloatFormat, so that a toy format can be tried on all of its numbers.
+/// Every filter is a straight line: differences of the input, the polynomial, sums of magnitudes that bound its terms, one
+/// comparison with the bound and one guard on the sums. There is no maximum and no other choice in it: where a compiler
+/// makes a branch of a choice, half of the branches are mispredicted. It is a template on the number type, and all its
+/// constants follow from that type's FloatFormat, so that a toy format can be tried on all of its numbers.
 ///
 /// Model. u = 2^(1 - precision), n = 2^min_exponent. The result of one operation on x and y is exact * (1 + e) + h with
 /// |e| <= u. That holds to nearest, upwards, downwards and towards zero (to nearest alone it would hold with u/2), and
 /// a compiler that contracts a * b + c to FMA only leaves roundings out. h is what underflow costs: a result flushed to
 /// zero (FTZ) is off by less than n, an operand read as zero (DAZ) by less than n before it is added, and by less than
 /// n times the other factor before it is multiplied. Gradual underflow costs less. The guards keep out overflow, and
-/// NaN and infinity: a comparison with NaN is false, and false is "unknown". A guard e1 + e2 <= H bounds both, because
-/// rounding is monotone and H is a number of the format.
+/// NaN and infinity: a comparison with NaN is false, and false is "unknown". A guard on a sum of magnitudes bounds every
+/// one of them, because rounding is monotone and H is a number of the format.
 ///
 /// What the derivations below share, for u <= 1/16:
-/// (1) A difference d of two numbers of the input comes out as D with |D - d| <= u |d| + 4 n. Where |D| <= m that is at
-///     most k m + 5 n, with k = u / (1 - u).
-/// (2) Maxima are at most H, H >= 2. Then the absolute terms of a polynomial of second degree stay below 40 n H: it has
-///     at most three products, whose factors cost 9.2 n H by (1) and 2.2 n H by DAZ and whose rounding costs n, and two
-///     sums at 4 n. The computed bound C e1 e2 + A may lose 3 n H to underflow, and a factor (1 - u) for each of its
-///     operations. A = 64 n H pays for all that.
-/// (3) What is left is to choose C with (1 - u)^3 C >= T, where T is the sum of the relative terms. T / (1 - u)^3 is a
-///     power series in u with positive coefficients, hence convex, so against a C = c u (1 + j u) with the same first
-///     term it is enough to look at u = 1/16; every C below is a number of the format for double.
+/// (1) A difference d of two numbers of the input comes out as D with |D - d| <= u |d| + 4 n, so that is at most
+///     k |D| + 5 n with k = u / (1 - u).
+/// (2) v.x * w.y - v.y * w.x of computed differences, in units of |v.x w.y| + |v.y w.x|: each product is off by
+///     2 k + k^2 (1) and u (its rounding), and at most 1 + u; the subtraction rounds at most 1 + u. Together
+///     T = 2 k + k^2 + 2 u + u^2 = 4 u + ..., and the computed value is at most (1 + u)^2. Where v is no difference, T is
+///     T' = k + 2 u + u^2 = 3 u + ....
+/// (3) With e1 + e2 <= H, H >= 2, for the extents e1 and e2 of the factors, the absolute terms of such a polynomial stay
+///     below 40 n H: factors cost 11 n H by (1) and 3 n H by DAZ, each product n, the subtraction 4 n.
+/// (4) The last operation of all, a subtraction, cannot make a sign wrong. It makes a value greater by a factor 1 + u at
+///     most, so it is enough to bound what it subtracts from what, where the sign of that is wrong.
+/// (5) A computed bound C e1 e2 + A loses a factor 1 - u for each of its m operations, those in the extents included. What
+///     is left is to choose C with (1 - u)^m C >= (1 + u) times the sum of the relative terms. Divided by its first term
+///     that quotient is a power series in u with positive coefficients, or below one, hence convex, so against a
+///     C = c u + d u^2 with the same first term it is enough to look at u = 1/16; every C below is a number of the format
+///     for double.
+/// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
+///
+/// Half of the bound of cross_sign or of circle would be too small: proptests/robust/toy_halves.cpp has the inputs. The
+/// other three are looser, and say why.
 namespace touchstone::robust::filters {
 
 enum class Sign { negative, unknown, positive };
@@ -40,51 +51,56 @@ struct Bounds {
   static_assert(Format::max_exponent >= 7, "the guards below need room");
   static constexpr double u = power_of_two(1 - Format::precision);
 
-  /// H for polynomials of second degree (3 H^2 is finite) and for products of two of them (11 H^4 is finite). As thirds
-  /// and sevenths of the range they leave about as much room below, where the absolute term hides everything, as above.
+  /// H: 3 H^2 is finite, and above all that is computed from numbers whose magnitudes add up to H. As a third of the
+  /// range it leaves about as much room below, where the absolute term hides everything, as above.
   static constexpr int high_exponent = Format::max_exponent / 3;
-  static constexpr int high_exponent_of_products = Format::max_exponent / 7;
-
   static Float high() { return Format::above(power_of_two(high_exponent)); }
+  static Float high_squared() { return Format::above(power_of_two(2 * high_exponent)); }
+  /// 64 n H
   static Float absolute() { return Format::above(power_of_two(6 + Format::min_exponent + high_exponent)); }
-  static Float high_of_products() { return Format::above(power_of_two(high_exponent_of_products)); }
-  /// 1024 n H^3
-  static Float absolute_of_products() {
-    return Format::above(power_of_two(10 + Format::min_exponent + 3 * high_exponent_of_products));
+  /// 512 n H
+  static Float absolute_of_several() { return Format::above(power_of_two(9 + Format::min_exponent + high_exponent)); }
+  /// c u + d u^2, which does not round: no rounding mode has a say.
+  template <int twice_c, int d>
+  static Float relative() {
+    constexpr double c = twice_c * (u / 2) + d * u * u;
+    return Format::above(c);
   }
 };
 
-template <class Float>
-Float larger(const Float& a, const Float& b) {
-  return a < b ? b : a;
+/// The sum of magnitudes.
+template <class Float, class Format = FloatFormat<Float>>
+Float extent(const Float& a, const Float& b) {
+  return Format::magnitude(a) + Format::magnitude(b);
+}
+template <class Float, class Format = FloatFormat<Float>>
+Float extent(const Float& a, const Float& b, const Float& c) {
+  return extent<Float, Format>(a, b) + Format::magnitude(c);
 }
 
-/// The larger coordinate of a vector in magnitude.
+/// The sign of a computed value that is off by less than error, where the guard holds.
 template <class Float, class Format = FloatFormat<Float>>
-Float extent(const Vector2<Float>& v) {
-  return larger(Format::magnitude(v.x), Format::magnitude(v.y));
-}
-
-/// The sign of a computed value that is off by less than error.
-template <class Float, class Format = FloatFormat<Float>>
-Sign certain(const Float& value, const Float& error) {
-  if (!(Format::magnitude(value) > error)) return Sign::unknown;
-  return value > error ? Sign::positive : Sign::negative;
+Sign certain(const Float& value, const Float& error, const Float& size, const Float& high) {
+  const int known = Format::magnitude(value) > error, guarded = size <= high;
+  if ((known & guarded) == 0) [[unlikely]]  // one branch
+    return Sign::unknown;
+  return value > Float() ? Sign::positive : Sign::negative;
 }
 
 /// The sign of v.x * w.y - v.y * w.x, each coordinate a computed difference of two numbers of the input, or such a
 /// number.
 ///
-/// In units of extent(v) extent(w): a product of two differences is off by u (its rounding) + 2 k + k^2 (1), and at
-/// most 1 + u; the subtraction rounds a number of at most 2 (1 + u). T = 2 (u + 2 k + k^2) + 2 u (1 + u) = 8 u + ...,
-/// and C = 8 u (1 + 5 u): at u = 1/16, T / (8 u (1 - u)^3) = 1.295 < 1.3125.
+/// Let p and q be the exact products, P and Q the computed ones, and P > Q although p <= q; then both are positive (else no
+/// rounding matters). With the computed factors, v.x w.y = a^2 p and v.y w.x = b^2 p, where a <= 1 + u and b >= 1 - u, so
+/// P - Q <= (a^2 (1 + u) - b^2 (1 - u)) p. The extents are those of all x and of all y: ex ey >= v.x w.y + v.y w.x +
+/// 2 sqrt(v.x w.y v.y w.x) = (a + b)^2 p. The quotient rises with a and falls with b: it is at most ((1 + u)^3 -
+/// (1 - u)^3) / 4 = (3 u + u^3) / 2. m = 5. C = 3/2 u (1 + 8 u): at u = 1/16, 1.470 < 1.5 in units of 3/2 u.
 template <class Float, class Format = FloatFormat<Float>>
 Sign cross_sign(const Vector2<Float>& v, const Vector2<Float>& w) {
   using B = Bounds<Float, Format>;
   const Float value = v.x * w.y - v.y * w.x;
-  const Float ev = extent<Float, Format>(v), ew = extent<Float, Format>(w);
-  if (!(ev + ew <= B::high())) return Sign::unknown;
-  return certain<Float, Format>(value, Format::above(8 * B::u * (1 + 5 * B::u)) * ev * ew + B::absolute());
+  const Float ex = extent<Float, Format>(v.x, w.x), ey = extent<Float, Format>(v.y, w.y);
+  return certain<Float, Format>(value, B::template relative<3, 12>() * ex * ey + B::absolute(), ex + ey, B::high());
 }
 
 /// Positive: p lies left of p0 -> p1; negative: right.
@@ -95,80 +111,73 @@ Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<
 
 /// The sign of radius^2 - v.x^2 - v.y^2, v a computed difference of two points: positive inside the circle.
 ///
-/// In units of the square of the largest of |v.x|, |v.y|, |radius|: the squares of v are off by u + 2 k + k^2 each, the
-/// square of the radius by u; the sum rounds a number of at most 2 (1 + u), the difference one of at most 2 (1 + u)^2
-/// (both are positive). T = 2 (u + 2 k + k^2) + u + 2 u (1 + u) + 2 u (1 + u)^2 = 11 u + ..., and C = 11 u (1 + 8 u):
-/// at u = 1/16, T / (11 u (1 - u)^3) = 1.301 < 1.5.
+/// The sum of the squares is itself the extent. Let r2 be the exact square of the radius. If the computed inside I is
+/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; the other way round,
+/// I >= r2 (1 - u) and O <= r2 (1 + u)^4. (I - O) / (I + O) rises with I / O, so the first is at most ((1 + u) -
+/// (1 - u)^4) / ((1 + u) + (1 - u)^4), and below 5/2 u (1 + u / 2); where FMA leaves I unrounded in the sum alone, below
+/// 5/2 u (1 + u); the other below 5/2 u. m = 3. C = 5/2 u + 16 u^2: at u = 1/16, 1.371 < 1.4 in units of 5/2 u. The
+/// guard bounds |v.x| and |v.y| by H (1 + u) and their sum by 3 H / 2, so (3) holds for the two squares of v; to read the
+/// radius as zero costs n^2.
 template <class Float, class Format = FloatFormat<Float>>
 Sign circle(const Vector2<Float>& v, const Float& radius) {
   using B = Bounds<Float, Format>;
-  const Float value = radius * radius - (v.x * v.x + v.y * v.y);
-  const Float scale = larger(extent<Float, Format>(v), Format::magnitude(radius));
-  if (!(scale <= B::high())) return Sign::unknown;
-  return certain<Float, Format>(value, Format::above(11 * B::u * (1 + 8 * B::u)) * scale * scale + B::absolute());
+  const Float inside = radius * radius, outside = v.x * v.x + v.y * v.y;
+  const Float sum = inside + outside;
+  return certain<Float, Format>(inside - outside, B::template relative<5, 16>() * sum + B::absolute(), sum,
+                                B::high_squared());
 }
 
 /// The sign of y - (slope * x + intercept): positive above the line.
 ///
-/// In units of the largest of |slope * x|, |intercept|, |y|: the product is off by k, the sum rounds a number of at
-/// most 2 + k, the difference one of at most 1 + (2 + k) (1 + u). (With FMA the product is exact instead, and at most 1
-/// + k.) Underflow costs 2.2 n H for a factor read as zero, n for the product and 4 n for each sum; the bound has one
-/// product less. T = k + u (2 + k) + u (1 + (2 + k) (1 + u)) = 6 u + ..., and C = 6 u (1 + 4 u): at u = 1/16, T / (6 u
-/// (1 - u)^2) = 1.201 < 1.25.
+/// Let P be the computed product, s = |P + intercept|, t = |P| + |intercept| >= s, and V the difference of y and the
+/// computed sum, of the wrong sign. Then V is at most what the product and the sum are off by, k t + u s = k (t +
+/// (1 - u) s). The computed sum is at least (1 - u) s, so |y| >= (1 - u) s - V, and the terms are at least t + (1 - u) s -
+/// V. So V <= k / (1 - k) = u / (1 - 2 u) in units of the terms. (With FMA, V <= u s and the terms are at least
+/// 2 (1 - u) s - V.) (Looser by about two than it could be: V is a multiple of the last place of y or of the sum.) m = 4. C = u + 10 u^2: at u = 1/16, 1.572 < 1.625 in units of u. Underflow costs 2.2 n H for a factor
+/// read as zero, n for the product and 4 n for each of four sums.
 template <class Float, class Format = FloatFormat<Float>>
 Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& p) {
   using B = Bounds<Float, Format>;
   const Float product = slope * p.x;
   const Float value = p.y - (product + intercept);
-  const Float scale = larger(Format::magnitude(product), larger(Format::magnitude(intercept), Format::magnitude(p.y)));
-  const Float factor = larger(Format::magnitude(slope), Format::magnitude(p.x));
-  if (!(scale + factor <= B::high())) return Sign::unknown;
-  return certain<Float, Format>(value, Format::above(6 * B::u * (1 + 4 * B::u)) * scale + B::absolute());
+  const Float terms = extent<Float, Format>(product, intercept, p.y);
+  const Float size = terms + extent<Float, Format>(slope, p.x);
+  return certain<Float, Format>(value, B::template relative<2, 10>() * terms + B::absolute(), size, B::high());
 }
 
-/// The sign of the larger of two products, if both factors of that product have a certain sign. One factor is a
-/// determinant d, computed as in `cross_sign` from coordinates of at most ex (every x) and ey (every y); the other is a
-/// sum or difference e of two such determinants.
+/// Whether two segments meet: negative: they cross; positive: the line of one has the other on one side.
 ///
-/// In units of M = ex ey: with T as in `cross_sign`, d is off by T and at most 2 (1 + u)^2; e is off by T2 =
-/// 2 T + 4 u (1 + u)^2 and at most 4 (1 + u)^3. So a product one of whose factors has no certain sign is at most
-/// 4 T (1 + u)^4 = 32 u + ... or 2 T2 (1 + u)^3 = 40 u + ..., in units of M^2. The computed bound loses a factor
-/// (1 - u)^5 at most. B = 40 u (1 + 16 u): at u = 1/16 the two, divided by that factor, are 3.754 and 4.469 and B is 5.
-/// The absolute terms, 40 n H in d and 90 n H in e, meet factors of at most 4.8 H^2: 1024 n H^3 pays for them.
-template <class Float, class Format = FloatFormat<Float>>
-Sign larger_product(const Float& p, const Float& q, const Float& ex, const Float& ey) {
-  using B = Bounds<Float, Format>;
-  if (!(ex + ey <= B::high_of_products())) return Sign::unknown;
-  const Float scale = ex * ey;
-  const Float bound = Format::above(40 * B::u * (1 + 16 * B::u)) * scale * scale + B::absolute_of_products();
-  return certain<Float, Format>(larger(p, q), bound);
-}
-
-/// The largest magnitude of three.
-template <class Float, class Format = FloatFormat<Float>>
-Float extent(const Float& a, const Float& b, const Float& c) {
-  return larger(larger(Format::magnitude(a), Format::magnitude(b)), Format::magnitude(c));
-}
-
-/// Whether two segments meet: negative: they cross; positive: a line of one has the other on one side.
+/// With r and s the segments as vectors and f from b.a to a.a, ta = (s x f) / (r x s) and tb = (r x f) / (r x s). Both lie
+/// strictly between 0 and 1 where |2 (s x f) - r x s| and |2 (r x f) - r x s| are less than |r x s|; one lies outside, or
+/// the lines are parallel and not the same, where one of these is greater. The larger of |p + q| and |p - q| is
+/// |p| + |q|, so the larger of these two is |s x f + r x f - r x s| + |s x f - r x f|, and its difference from |r x s|
+/// decides without a choice.
 ///
-/// They cross where the ends of each lie on different sides of the other's line: both products of sides are negative.
-/// So the larger product decides, whatever its sign. Seen from b.a, the ends of a are f and f + r, and those of b are 0
-/// and s; the sides are r x f and r x (f - s) = r x f - r x s, and s x f and s x (f + r) = s x f - r x s. A NaN or an
-/// infinity in any coordinate gets into both products.
+/// With a, b, c the units of (2) for r x s, r x f, s x f: a + b + c <= ex ey. Let D, R, S be these three as computed and
+/// G = |S + R - D| + |S - R| - |D|, exactly. If G has the wrong sign, S or D does, or S lies on the wrong side of D (or R
+/// instead of S): |G| <= 2 |S - s x f| + 2 |D - r x s| <= 2 T (a + c). Let N = |D| + |G| = |S + R - D| + |S - R|; then
+/// |S + R| <= 2 N. The sums before the last are off by u (1 + u) 2 N for S + R, u N for the two with magnitudes, and both
+/// again rounded with u N: at most u (4 + 5 u + 2 u^2) N in all. The relative terms are 2 T + u (4 + 5 u + 2 u^2)
+/// ((1 + u)^2 + 2 T) = 12 u + ...; m = 7. C = 12 u (1 + 20 u): at u = 1/16, 2.19 < 2.25 in units of 12 u. (Looser by more than two: the
+/// roundings of S and D, and those of the sums, are taken for independent; nothing is known that needs half.) The absolute
+/// terms are 160 n H by (3), 10 n H for five sums, and 30 n H in the bound: 512 n H pays for them.
 template <class Float, class Format = FloatFormat<Float>>
 Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
+  using B = Bounds<Float, Format>;
   const Vector2<Float> r = a.b - a.a, s = b.b - b.a, f = a.a - b.a;
   const Float rs = r.x * s.y - r.y * s.x, rf = r.x * f.y - r.y * f.x, sf = s.x * f.y - s.y * f.x;
+  const Float value = extent<Float, Format>(sf + rf - rs, sf - rf) - Format::magnitude(rs);
   const Float ex = extent<Float, Format>(r.x, s.x, f.x), ey = extent<Float, Format>(r.y, s.y, f.y);
-  return larger_product<Float, Format>(rf * (rf - rs), sf * (sf - rs), ex, ey);
+  return certain<Float, Format>(value, B::template relative<24, 240>() * ex * ey + B::absolute_of_several(), ex + ey,
+                                B::high());
 }
 
 /// Whether a line parallel to an axis lies strictly between two segments. Comparisons do not round; denormals-are-zero
 /// can make them equal but never turn them round.
 template <class Float>
 bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
-  const auto below = [](const Float& p, const Float& q, const Float& r, const Float& s) {
+  const auto larger = [](const Float& p, const Float& q) { return p < q ? q : p; };
+  const auto below = [&](const Float& p, const Float& q, const Float& r, const Float& s) {
     return static_cast<int>(larger(p, q) < (r < s ? r : s));
   };
   // One branch in all: nobody can predict on which side.
@@ -178,17 +187,33 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 
 /// Whether a ray and a segment meet: negative: they cross; positive: they do not.
 ///
-/// Seen from the origin, with v the ray's direction, the segment's ends are f and f + s: on different sides of the
-/// ray's line where (v x f) (v x (f + s)) < 0, v x (f + s) = v x f + v x s, and then t = (f x s) / (v x s) has the sign
-/// of (f x s) (v x (f + s)). If that product is negative there is no common point even where the ends lie on one side.
-/// So the larger of the first product and minus the second decides.
+/// With v the ray's direction, s the segment as a vector and f from the origin to segment.a, the lines meet at
+/// -(v x f) / (v x s) on the segment and at t = (f x s) / (v x s) on the ray. The first lies strictly between 0 and 1
+/// where one = |v x s| - |2 (v x f) + v x s| is positive and outside where it is negative; t likewise is positive or
+/// negative with two = |f x s + v x s| - |f x s - v x s|. The smaller decides, and twice that is one + two - |one - two|.
+///
+/// With a, b, c the units of (2) for v x s, v x f, f x s, a + b + c <= ex ey, and E, F, G the three as computed. If the sign
+/// of the whole is wrong, then that of one or of two is, and the value is at most twice that one, and the roundings of
+/// one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself or positive.
+/// - one: as for segments, at most 2 T' (a + b) before it is rounded; 2 F + E is at most |E| more, so its rounding costs
+///   u ((1 + u)^2 a + 2 T' (a + b)). A positive two is at most (1 + u)^3 (a + c). Twice one and the rest: 12 u (a + b) +
+///   2 u a + 2 u (a + c) + ... <= 16 u + ....
+/// - two = 2 min(|E|, |G|) with a sign: |E| <= T' a or |G| <= T c, and its two sums round 2 max(|E|, |G|). A positive one is
+///   at most |E|. In the second case 16 u c + 4 u a + 2 u a + ... <= 16 u + ..., in the first 12 u a + 4 u c + ....
+/// With all terms of higher order the second case of two is the largest: (1 + u) (2 + 2 u) (2 T + 2 u T) + ... = 1.280 at
+/// u = 1/16. m = 7. C = 16 u (1 + 20 u): at u = 1/16, 2.14 < 2.25 in units of 16 u. (Looser by more than two, as for segments.) The absolute terms are 320 n H by (3),
+/// 26 n H for the sums, and 40 n H in the bound: 512 n H pays for them.
 template <class Float, class Format = FloatFormat<Float>>
 Sign ray(const Point2<Float>& origin, const Vector2<Float>& v, const Segment2<Float>& segment) {
+  using B = Bounds<Float, Format>;
   const Vector2<Float> f = segment.a - origin, s = segment.b - segment.a;
-  const Float vf = v.x * f.y - v.y * f.x, vs = v.x * s.y - v.y * s.x, sf = s.x * f.y - s.y * f.x;
-  const Float end = vf + vs;
+  const Float vs = v.x * s.y - v.y * s.x, vf = v.x * f.y - v.y * f.x, fs = f.x * s.y - f.y * s.x;
+  const Float one = Format::magnitude(vs) - Format::magnitude(vf + vf + vs);
+  const Float two = Format::magnitude(fs + vs) - Format::magnitude(fs - vs);
+  const Float value = Format::magnitude(one - two) - (one + two);
   const Float ex = extent<Float, Format>(v.x, s.x, f.x), ey = extent<Float, Format>(v.y, s.y, f.y);
-  return larger_product<Float, Format>(vf * end, sf * end, ex, ey);
+  return certain<Float, Format>(value, B::template relative<32, 320>() * ex * ey + B::absolute_of_several(), ex + ey,
+                                B::high());
 }
 
 }  // namespace touchstone::robust::filters

@@ -23,10 +23,14 @@ Height explicit_line_exact(double slope, double intercept, const Point2d& point)
 /// The door, then the stages after the filter.
 Height explicit_line_past_filter(double slope, double intercept, const Point2d& point, Stage& decided);
 
+inline Height explicit_line_for(filters::Sign certain) {
+  return certain == filters::Sign::positive ? Height::above : Height::below;
+}
+
 inline std::optional<Height> explicit_line_filter(double slope, double intercept, const Point2d& point) {
   const filters::Sign sign = filters::elevation(slope, intercept, point);
   if (sign == filters::Sign::unknown) return std::nullopt;
-  return sign == filters::Sign::positive ? Height::above : Height::below;
+  return explicit_line_for(sign);
 }
 
 inline Height explicit_line(double slope, double intercept, const Point2d& point, Stage& decided) {
@@ -35,8 +39,10 @@ inline Height explicit_line(double slope, double intercept, const Point2d& point
   return explicit_line_past_filter(slope, intercept, point, decided);
 }
 
+/// The filter asked directly: g++ keeps an optional in memory.
 inline Height explicit_line(double slope, double intercept, const Point2d& point) {
-  if (const auto answer = explicit_line_filter(slope, intercept, point)) return *answer;
+  const filters::Sign sign = filters::elevation(slope, intercept, point);
+  if (sign != filters::Sign::unknown) return explicit_line_for(sign);
   Stage ignored;
   return explicit_line_past_filter(slope, intercept, point, ignored);
 }

@@ -24,11 +24,19 @@ Location implicit_circle_exact(const Circle2d& circle, const Point2d& point);
 /// The door, then the stages after the filter.
 Location implicit_circle_past_filter(const Circle2d& circle, const Point2d& point, Stage& decided);
 
+inline filters::Sign implicit_circle_sign(const Circle2d& circle, const Point2d& point) {
+  if (std::signbit(circle.radius)) return filters::Sign::unknown;  // -0.0, or for the door to refuse
+  return filters::circle(point - circle.center, circle.radius);
+}
+
+inline Location implicit_circle_for(filters::Sign certain) {
+  return certain == filters::Sign::positive ? Location::inside : Location::outside;
+}
+
 inline std::optional<Location> implicit_circle_filter(const Circle2d& circle, const Point2d& point) {
-  if (std::signbit(circle.radius)) return std::nullopt;  // -0.0, or for the door to refuse
-  const filters::Sign sign = filters::circle(point - circle.center, circle.radius);
+  const filters::Sign sign = implicit_circle_sign(circle, point);
   if (sign == filters::Sign::unknown) return std::nullopt;
-  return sign == filters::Sign::positive ? Location::inside : Location::outside;
+  return implicit_circle_for(sign);
 }
 
 inline Location implicit_circle(const Circle2d& circle, const Point2d& point, Stage& decided) {
@@ -37,8 +45,10 @@ inline Location implicit_circle(const Circle2d& circle, const Point2d& point, St
   return implicit_circle_past_filter(circle, point, decided);
 }
 
+/// The filter asked directly: g++ keeps an optional in memory.
 inline Location implicit_circle(const Circle2d& circle, const Point2d& point) {
-  if (const auto answer = implicit_circle_filter(circle, point)) return *answer;
+  const filters::Sign sign = implicit_circle_sign(circle, point);
+  if (sign != filters::Sign::unknown) return implicit_circle_for(sign);
   Stage ignored;
   return implicit_circle_past_filter(circle, point, ignored);
 }

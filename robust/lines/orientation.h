@@ -23,10 +23,14 @@ Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p);
 /// The door, then the stages after the filter.
 Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
 
+inline Side orientation_for(filters::Sign certain) {
+  return certain == filters::Sign::positive ? Side::left : Side::right;
+}
+
 inline std::optional<Side> orientation_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   const filters::Sign sign = filters::orientation(p0, p1, p);
   if (sign == filters::Sign::unknown) return std::nullopt;
-  return sign == filters::Sign::positive ? Side::left : Side::right;
+  return orientation_for(sign);
 }
 
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
@@ -35,8 +39,10 @@ inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, 
   return orientation_past_filter(p0, p1, p, decided);
 }
 
+/// The filter asked directly: g++ keeps an optional in memory.
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  if (const auto answer = orientation_filter(p0, p1, p)) return *answer;
+  const filters::Sign sign = filters::orientation(p0, p1, p);
+  if (sign != filters::Sign::unknown) return orientation_for(sign);
   Stage ignored;
   return orientation_past_filter(p0, p1, p, ignored);
 }

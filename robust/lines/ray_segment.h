@@ -27,10 +27,16 @@ RaySegment<double> ray_segment_exact(const Ray2d& ray, const Segment2d& segment)
 /// The door, then the stages after the filter.
 RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& segment, Stage& decided);
 
+/// Without a branch: nobody can predict whether a ray meets a segment.
+inline RayRelation ray_segment_relation_for(filters::Sign certain) {
+  static_assert(static_cast<int>(RayRelation::none) == 0 && static_cast<int>(RayRelation::point) == 1);
+  return static_cast<RayRelation>(certain == filters::Sign::negative);
+}
+
 inline std::optional<RayRelation> ray_segment_relation_filter(const Ray2d& ray, const Segment2d& segment) {
   const filters::Sign sign = filters::ray(ray.origin, ray.direction, segment);
   if (sign == filters::Sign::unknown) return std::nullopt;
-  return sign == filters::Sign::positive ? RayRelation::none : RayRelation::point;
+  return ray_segment_relation_for(sign);
 }
 
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment, Stage& decided) {
@@ -40,7 +46,8 @@ inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segme
 }
 
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment) {
-  if (const auto answer = ray_segment_relation_filter(ray, segment)) return *answer;
+  const filters::Sign sign = filters::ray(ray.origin, ray.direction, segment);
+  if (sign != filters::Sign::unknown) return ray_segment_relation_for(sign);
   Stage ignored;
   return ray_segment_relation_past_filter(ray, segment, ignored);
 }
