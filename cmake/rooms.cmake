@@ -43,12 +43,27 @@ list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp
 list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
 list(FILTER audit_sources EXCLUDE REGEX "/audit/(cli/main\\.cpp|engines/programs/)")
 
+# audit/catalogue/CHAPTER/OP.h -> a translation unit that makes the operation of this row: adding one compiles one.
+file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/audit/catalogue/*/*.h)
+set(row_sources "")
+foreach(row ${rows})
+  cmake_path(GET row STEM row_name)
+  cmake_path(REPLACE_EXTENSION row cpp OUTPUT_VARIABLE row_source)
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${row_source} @ONLY CONTENT [[
+#include "audit/catalogue/operation_of.h"
+#include "@row@"
+
+template const touchstone::audit::Operation& touchstone::audit::operation_of_row<touchstone::audit::rows::@row_name@>();
+]])
+  list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${row_source})
+endforeach()
+
 touchstone_room(geometry)
 touchstone_room(reference)
 touchstone_room(robust ${robust_sources})
 touchstone_room(oracle ${oracle_sources})
 touchstone_room(certify ${certify_sources})
-touchstone_room(audit ${audit_sources})
+touchstone_room(audit ${audit_sources} ${row_sources})
 
 touchstone_links(reference PUBLIC touchstone_geometry)
 touchstone_links(robust PUBLIC touchstone_geometry)

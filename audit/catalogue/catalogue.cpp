@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/catalogue.h"
 
-#include "audit/catalogue/operation_of.h"
-
 namespace touchstone::audit {
 
 const std::vector<const Operation*>& catalogue() {
   static const std::vector<const Operation*> operations = [] {
     std::vector<const Operation*> made;
-    for_each_row([&]<class Row>() {
-      static const OperationOf<Row> operation;
-      made.push_back(&operation);
-    });
+    for_each_row([&]<class Row>() { made.push_back(&operation_of_row<Row>()); });
     return made;
   }();
   return operations;

@@ -163,4 +163,10 @@ class OperationOf final : public Operation {
   Families<Row> families_;
 };
 
+template <class Row>
+const Operation& operation_of_row() {
+  static const OperationOf<Row> operation;
+  return operation;
+}
+
 }  // namespace touchstone::audit

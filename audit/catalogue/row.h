@@ -66,6 +66,10 @@ template <class Row, class... Ts>
   requires requires(const Ts&... q) { Row::oracle(q...); }
 inline constexpr bool oracle_takes<Row, std::tuple<Ts...>> = true;
 
+/// The operation made from a row. Defined in a translation unit of its own for every row, which CMake writes (cmake/rooms.cmake).
+template <class Row>
+const Operation& operation_of_row();
+
 template <class Row>
 using answer_t = decltype(ask_robust<Row>(std::declval<const typename Row::Question&>()));
 

@@ -5,8 +5,9 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "audit/catalogue/operation_of.h"
+#include "audit/catalogue/row.h"
 #include "audit/inputs/families.h"
+#include "audit/judge/compare.h"
 #include "fuzz/driver/target.h"
 #include "proptests/agreement/certified.h"
 #include "proptests/environment.h"
@@ -146,7 +147,7 @@ class TargetOf final : public Target {
 
   static constexpr bool decides_quickly = requires(const Asked& asked) { Row::decision::oracle(asked); };
 
-  audit::OperationOf<Row> operation_;
+  const audit::Operation& operation_ = audit::operation_of_row<Row>();
   audit::Families<Row> families_;
 };
 
