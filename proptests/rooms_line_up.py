@@ -38,6 +38,7 @@ PLACES = {
 METHOD_PLACES = {"reference", "audit/catalogue"}
 # Folders beside the chapters.
 NO_CHAPTER = {"robust": {"kernel", "rings"}, "oracle": {"exact", "certificates", "rings"}, "fuzz": {"driver", "corpus", "findings"}}
+FEWEST_PLANTED = 6
 CODE = {".h", ".cpp", ".py", ".mjs"}
 LONGEST = 400
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
@@ -80,6 +81,43 @@ def operation_files(tree, operations):
             for folder in folders:
                 if name.startswith(f"{place}/{folder}/") and name not in wanted:
                     yield f"{name}: stray, no operation of that chapter has this name"
+
+
+def claimed(tree, file):
+    """The operations of a file of claims."""
+    text = (tree.root / file).read_text(encoding="utf-8") if (tree.root / file).is_file() else ""
+    return {json.loads(line).get("op") for line in text.splitlines() if line.strip()}
+
+
+def evidence(tree, operations):
+    """What an operation needs beside its files, room by room."""
+    planted_file, certify = "proptests/selftests/planted.json", "oracle/certificates/"
+    planted = json.loads((tree.root / planted_file).read_text(encoding="utf-8"))
+    claims = {file: claimed(tree, certify + file) for file in ("accepted_claims.jsonl", "refused_claims.jsonl")}
+    readme = (tree.root / "README.md").read_text(encoding="utf-8")
+    checks = {suffix: "".join(text for name, text in tree.text.items() if name.startswith(certify) and name.endswith(suffix))
+              for suffix in (".cpp", ".py")}
+    for operation in operations:
+        name = operation["name"]
+        if "method_of" in operation:
+            continue
+        vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
+        if not vectors.is_file() or not vectors.stat().st_size:
+            yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
+        if not corpus.is_dir() or not any(corpus.iterdir()):
+            yield f"fuzz/corpus/{name}: missing or empty (./dev seeds {name})"
+        bugs = sum(bug["operation"] == name for bug in planted)
+        if bugs < FEWEST_PLANTED:
+            yield f"{planted_file}: {bugs} bugs of {name}, fewer than {FEWEST_PLANTED}"
+        if not re.search(rf'\{{\s*"{name}"\s*,\s*check_', checks[".cpp"]):
+            yield f"{certify}check_*.cpp: no check of {name} in the table of a file"
+        if not re.search(rf"^def check_{name}\(", checks[".py"], re.MULTILINE):
+            yield f"{certify}certify_*.py: no function check_{name}"
+        for file, known in claims.items():
+            if name not in known:
+                yield f"{certify}{file}: no claim of {name}"
+        if not re.search(rf"^\|.*`{name}`.*\|", readme, re.MULTILINE):
+            yield f"README.md: no row names `{name}`"
 
 
 def directions(tree):
@@ -142,10 +180,14 @@ def faults(root, operations):
         return
     tree = Tree(root)
     yield from operation_files(tree, operations)
+    yield from evidence(tree, operations)
     yield from directions(tree)
     yield from cgal(tree)
     yield from public_headers(tree)
     yield from lengths(tree)
+
+
+CLAIM = '{"op":"touch"}\n'
 
 
 def right_tree():
@@ -160,6 +202,13 @@ def right_tree():
     files["audit/cli/main.cpp"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
     files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
     files["fuzz/driver/replay_main.cpp"] = '#include "audit/cli/main.cpp"\n'
+    files["vectors/touch.jsonl"] = files["oracle/certificates/accepted_claims.jsonl"] = CLAIM
+    files["oracle/certificates/refused_claims.jsonl"] = CLAIM
+    files["fuzz/corpus/touch/seed"] = "seed"
+    files["proptests/selftests/planted.json"] = json.dumps(6 * [{"operation": "touch"}])
+    files["oracle/certificates/check_lines.cpp"] = 'Checks checks_of_lines() { return {{"touch", check_touch}}; }\n'
+    files["oracle/certificates/certify_lines.py"] = "def check_touch(claim):\n    pass\n"
+    files["README.md"] = "| `meet`, `touch` | do they touch? |\n"
     return files
 
 
@@ -186,6 +235,15 @@ PLANTED = [
     ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
     ("audit/cli/main.cpp", "\n" * 401, "audit/cli/main.cpp: 401 lines"),
+    ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
+    ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),
+    ("fuzz/corpus/touch/seed", None, "fuzz/corpus/touch: missing"),
+    ("proptests/selftests/planted.json", json.dumps(5 * [{"operation": "touch"}]), "5 bugs of touch, fewer than 6"),
+    ("oracle/certificates/check_lines.cpp", '{{"touched", check_touched}}', "no check of touch in the table"),
+    ("oracle/certificates/certify_lines.py", "def check_touched(claim):\n", "no function check_touch"),
+    ("oracle/certificates/accepted_claims.jsonl", CLAIM.replace("touch", "meet"), "accepted_claims.jsonl: no claim of touch"),
+    ("oracle/certificates/refused_claims.jsonl", None, "refused_claims.jsonl: no claim of touch"),
+    ("README.md", "| `touched` | does it? |\nof `touch`\n", "README.md: no row names `touch`"),
 ]
 
 
@@ -198,11 +256,14 @@ def write(root, files):
 
 def self_check():
     operations = [{"name": "touch", "chapter": "lines"}]
+    method = {"name": "touch_slowly", "chapter": "lines", "method_of": "touch"}
     wrong = []
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         write(root / "right", right_tree())
         wrong += [f"a right tree was blamed: {fault}" for fault in faults(root / "right", operations)]
+        write(root / "method", right_tree() | {f"{place}/lines/touch_slowly.h": "" for place in METHOD_PLACES})
+        wrong += [f"a right method was blamed: {fault}" for fault in faults(root / "method", operations + [method])]
         if not list(faults(root / "right", [])):
             wrong.append("a program without operations was not noticed")
         for number, (name, text, blame) in enumerate(PLANTED):
@@ -214,7 +275,7 @@ def self_check():
             found = list(faults(root / str(number), operations))
             if not any(blame in fault for fault in found):
                 wrong.append(f"planted in {name}, expected '{blame}', found {found}")
-    print(f"self-check: {len(PLANTED) + 2 - len(wrong)} of {len(PLANTED) + 2} as expected")
+    print(f"self-check: {len(PLANTED) + 3 - len(wrong)} of {len(PLANTED) + 3} as expected")
     return wrong
 
 
