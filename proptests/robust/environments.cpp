@@ -2,6 +2,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 #include "proptests/robust_bits.h"
+#include "robust/kernel/control_word.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -58,6 +59,28 @@ TEST_CASE("environments: what the host had set is there again after robust has a
       }
     }
   }
+#endif
+}
+
+TEST_CASE("environments: the last stage's guard sets IEEE arithmetic, and then what was there, exception flags included") {
+#if defined(__SSE2__)
+  int wrong_inside = 0, wrong_after = 0;
+  for (std::size_t number = 0; number < environment_count; ++number) {
+    for (const unsigned flags : {0u, 0x1u, 0x3fu}) {
+      const Environment set(number);
+      const unsigned before = (_mm_getcsr() & ~0x3fu) | flags;
+      _mm_setcsr(before);
+      {
+        const robust::kernel::ControlWord guard;
+        wrong_inside += (_mm_getcsr() & ~0x3fu) != 0x1f80;
+        volatile double third = 3;
+        third = 1 / third;  // inexact
+      }
+      wrong_after += _mm_getcsr() != before;
+    }
+  }
+  CHECK(wrong_inside == 0);
+  CHECK(wrong_after == 0);
 #endif
 }
 
