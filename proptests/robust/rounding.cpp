@@ -127,6 +127,27 @@ TEST_CASE("rounding: a million quotients of 128-bit integers are MPFR's") {
   });
 }
 
+TEST_CASE("rounding: quotients of 192 by 128 bits are MPFR's, whatever remainder follows a tie") {
+  Mpfr mpfr;
+  cases("long quotients", 400000, [&](Choices& choices) {
+    const mpz_class d = random_integer(choices, 65 + static_cast<int>(choices.below(62))) + 1;
+    // 54 bits, the last one set or not; what follows them is below a thousandth of a unit, so that the 64 bits of a quotient end in a tie
+    // and only the remainder tells, or anything.
+    mpz_class n = random_integer(choices, 54) * d, rest = random_integer(choices, 130) % d;
+    if (choices.below(4) != 0) rest >>= 10 + choices.below(10);
+    n += choices.below(8) == 0 ? mpz_class(0) : rest;
+    if (choices.below(2) == 1) n = -n;
+    const long exponent = exponent_of(choices);
+    const mpq_class q = times_power(n, d, exponent);
+    const mpz_class size = abs(n);
+    kernel::Int192 limbs{};
+    for (std::size_t i = 0; i < 3; ++i) limbs.limb[i] = mpz_getlimbn(size.get_mpz_t(), static_cast<mp_size_t>(i));
+    const double expected = mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); });
+    return same_bits(kernel::round_quotient(sgn(n) < 0 ? -limbs : limbs, wide(d), exponent), expected) &&
+           same_bits(kernel::round_quotient(n, d, exponent), expected);
+  });
+}
+
 TEST_CASE("rounding: integers times powers of two are MPFR's, in 128 bits and in any size") {
   Mpfr mpfr;
   cases("scaled integers", 500000, [&](Choices& choices) {
@@ -193,6 +214,28 @@ TEST_CASE("rounding: points of a line are MPFR's fused multiply-add") {
            (expected == 0 && computed == 0 && !std::signbit(computed));
   });
   mpfr_clears(a, b, c, static_cast<mpfr_ptr>(nullptr));
+}
+
+TEST_CASE("rounding: one bit anywhere below a tie decides it") {
+  // An even significand, the half, and one bit `at` places above the last; from 55 digits to as many as 128 bits hold.
+  const mpz_class even = mpz_class(1) << 52;
+  int wrong = 0;
+  for (int dropped = 2; dropped < 73; ++dropped) {
+    const auto tie = [&](const mpz_class& kept) {
+      return mpz_class((kept << static_cast<unsigned long>(dropped)) + (mpz_class(1) << static_cast<unsigned long>(dropped - 1)));
+    };
+    for (int at = 0; at + 1 < dropped; ++at) {
+      const mpz_class above = tie(even) + (mpz_class(1) << static_cast<unsigned long>(at));
+      const mpz_class below = tie(even + 1) - (mpz_class(1) << static_cast<unsigned long>(at));
+      for (const mpz_class& n : {above, below}) {
+        wrong += kernel::round_scaled(n, -dropped) != 0x1p52 + 1 || kernel::round_scaled(wide(n), -dropped) != 0x1p52 + 1;
+        wrong += kernel::round_quotient(n, mpz_class(1), -dropped) != 0x1p52 + 1;
+        wrong += kernel::round_quotient(wide(n), 1, -dropped) != 0x1p52 + 1;
+      }
+    }
+    wrong += kernel::round_scaled(tie(even), -dropped) != 0x1p52 || kernel::round_scaled(wide(tie(even)), -dropped) != 0x1p52;
+  }
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("rounding: ties, subnormals and the ends of the range, by hand") {
