@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
 #include "proptests/laws.h"
 
 namespace touchstone::proptests {
@@ -98,6 +100,22 @@ TEST_CASE("explicit_line: what is not finite is refused by its field") {
   refused<Row>({1, -infinity, {0, 0}}, "intercept", "finite number");
   refused<Row>({1, 0, {infinity, 0}}, "point[0]", "finite number");
   refused<Row>({1, 0, {0, not_a_number}}, "point[1]", "finite number");
+}
+
+TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may have to hold") {
+  // y = -intercept = (2^53 - 1) 2^447, and -m x, positive and odd, ends so many digits below 2^500. The sum is almost 2^501.
+  const double most = 0x1p53 - 1;
+  for (int span = 107; span <= 140; ++span) {
+    const double y = std::ldexp(most, 447), x = std::ldexp(most, 500 - span);
+    INFO(span);
+    for (const double sign : {1.0, -1.0}) {
+      const Height expected = sign > 0 ? Height::above : Height::below;
+      CHECK(robust::explicit_line(-sign * most, -sign * y, {x, sign * y}) == expected);
+      const auto by_lattice = robust::explicit_line_lattice(-sign * most, -sign * y, {x, sign * y});
+      CHECK(by_lattice.value_or(expected) == expected);
+      CHECK(by_lattice.has_value() == (span <= 124));
+    }
+  }
 }
 
 TEST_CASE("explicit_line: each stage decides what is meant for it") {
