@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "audit/catalogue/catalogue.h"
@@ -133,6 +134,39 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
       }
     }
   }
+}
+
+TEMPLATE_TEST_CASE("rationals: where whole numbers stop to fit machine words, a large factor changes nothing but the size", "",
+                   audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line,
+                   audit::rows::segment_segment, audit::rows::ray_segment, audit::rows::orientation) {
+  const Rational factor((mpz_class(1) << 89) - 1);  // a prime: there is no common factor to take out again
+  const typename TestType::Question shape{};
+  int different = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    Choices choices = Choices::seeded(audit::seed_of(i, "words", 0));
+    // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere within.
+    const unsigned long bits = 58 + choices.below(8);
+    std::array<mpz_class, 4> values;
+    for (mpz_class& value : values) {
+      value = (mpz_class(1) << bits) - 1;
+      value -= choices.below(3) != 0 ? mpz_class(static_cast<unsigned long>(choices.below(4)))
+                                     : mpz_class(static_cast<unsigned long>(choices.any_bits() >> 2)) % value;
+    }
+    const auto question = audit::converted<Rational>(shape, [&](double) {
+      const mpz_class& value = values[choices.below(4)];
+      return Rational(choices.below(2) == 0 ? value : mpz_class(-value));
+    });
+    const auto larger = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * factor); });
+    try {
+      auto truth = audit::ask_oracle<TestType>(question);
+      truth.answer = enlarged(truth.answer, factor), truth.margin *= factor * factor;
+      different += said<TestType>(larger) !=
+                   audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() + ", margin " + truth.margin.get_str();
+    } catch (const InvalidInput& refused) {
+      different += said<TestType>(larger) != refused.what();
+    }
+  }
+  CHECK(different == 0);
 }
 
 TEST_CASE("rationals: typed decimals mean what they say, where the doubles next to them do not") {
