@@ -7,7 +7,9 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
+#include "audit/codec/json.h"
 #include "audit/inputs/numbers.h"
+#include "oracle/certificates/check.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/lines/parametric_circle.h"
 
@@ -101,6 +103,44 @@ TEST_CASE("quarter turns: what is left is less than 0.8") {
     const Rational rest(oracle::exact(u) - Rational(oracle::quarter_turns(u)) * half_pi);
     CHECK(abs(rest) < Rational(4, 5));
   }
+}
+
+TEST_CASE("certificates: no enclosure of a sine or cosine is accepted that leaves the true value out by one unit") {
+  mpfr_t angle, sine, cosine;
+  mpfr_init2(angle, 53), mpfr_inits2(2600, sine, cosine, static_cast<mpfr_ptr>(nullptr));
+  int accepted_wrongly = 0, accepted = 0;
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    Choices choices = Choices::seeded(audit::seed_of(1, "sharp enclosures", i));
+    const double u = choices.below(2) == 0 ? audit::ordinary(choices) * 100 : audit::mixed_exponent(choices);
+    if (u == 0) continue;
+    const auto bits = static_cast<unsigned long>(4 + choices.below(200));
+    mpfr_set_d(angle, u, MPFR_RNDN);
+    mpfr_sin_cos(sine, cosine, angle, MPFR_RNDN);
+    nlohmann::json claim{{"op", "parametric_circle"}, {"truth", {{"point", {"1", "1"}}}}};
+    claim["input"] = {{"circle", {{"center", {0, 0}}, {"radius", 1}}}, {"u", audit::hexadecimal(u)}};
+    claim["certificate"] = {{"kind", "enclosure"},
+                            {"cosine", {"-2", "2"}},
+                            {"sine", {"-2", "2"}},
+                            {"quarter_turns", {oracle::quarter_turns(u).get_str()}},
+                            {"bits", {std::to_string(bits)}}};
+    for (const auto& [name, value] : {std::pair{"cosine", cosine}, {"sine", sine}}) {
+      Integer below;  // the true value lies between this many units and one more
+      mpfr_mul_2ui(value, value, bits, MPFR_RNDN);
+      mpfr_get_z(below.get_mpz_t(), value, MPFR_RNDD);
+      const auto says = [&, name = name](const Integer& low, const Integer& high) {
+        nlohmann::json shown = claim;
+        const auto part = [&](const Integer& units) { return oracle::scaled(units, -static_cast<int>(bits)).get_str(); };
+        shown["certificate"][name] = {part(low), part(high)};
+        return certify::refuse(shown).value_or("").starts_with("truth:");  // the enclosures have been accepted
+      };
+      const Integer more = Integer(1) << 40;
+      accepted_wrongly += says(below + 1, below + more) || says(below - more, below);
+      accepted += says(below - more, below + more);
+    }
+  }
+  CHECK(accepted_wrongly == 0);
+  CHECK(accepted > 2000);
+  mpfr_clears(angle, sine, cosine, static_cast<mpfr_ptr>(nullptr));
 }
 
 }  // namespace touchstone::proptests
