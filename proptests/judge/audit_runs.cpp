@@ -40,6 +40,15 @@ class Scripted final : public Engine {
 
 Json right(const Question&, const Examination& examination) { return examination.rounded_truth(); }
 
+bool is_refused(const Operation& operation, const Question& question) {
+  try {
+    operation.examine(question);
+    return false;
+  } catch (const InvalidInput&) {
+    return true;
+  }
+}
+
 struct Run {
   const char* operation = "orientation";
   std::vector<std::string> families{};
@@ -119,6 +128,28 @@ TEST_CASE("audit_runs: an engine that is wrong beyond a threshold is shrunk to t
   INFO(one_line(find_operation("point_on_segment")->print(found->question)));
   CHECK(n[0] == 40);
   CHECK(n == std::vector<double>{40, 0, 40, 0, 40, 0});
+}
+
+TEST_CASE("audit_runs: what is shown is never larger than what was found") {
+  for (const char* name : {"segment_segment", "point_on_segment", "explicit_line", "implicit_circle"}) {
+    const Operation& operation = *find_operation(name);
+    const std::uint64_t each = 40;
+    const Tally tally = Run{.operation = name, .cases = each * operation.families().size()}.tally();
+    for (std::size_t family = 0; family < operation.families().size(); ++family) {
+      for (std::uint64_t i = 0; i < each; ++i) {
+        Choices choices = case_choices(operation, family, 1, i);
+        const Question question = operation.draw(choices, family);
+        if (is_refused(operation, question)) continue;
+        const Verdict verdict = operation.examine(question)->judge_reference().verdict;
+        if (verdict == Verdict::agree) continue;
+        const auto& shown = tally.operations[0].families[family].second.smallest[static_cast<std::size_t>(verdict)];
+        INFO(name << " " << operation.families()[family] << " " << i);
+        REQUIRE(shown);
+        CHECK(shown->judgement.verdict == verdict);
+        CHECK_FALSE(smaller(question, shown->question));
+      }
+    }
+  }
 }
 
 TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupported, neither stops the run") {

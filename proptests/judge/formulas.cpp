@@ -121,6 +121,20 @@ TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that
   CHECK(std::isinf((T(1.0) / T(0.0)).error()));
 }
 
+TEST_CASE("Tracked: a quotient by a number that is far off is within its bound, its own rounding included") {
+  // 2^25 + 22 is a tie between two floats, so the divisor is 24 instead of 22. The bound is a double: its own roundings are no help.
+  using T = Tracked<float>;
+  const T divisor = (T(0x1p25f) + T(22.0f)) - T(0x1p25f);
+  REQUIRE(divisor.value() == 24);
+  REQUIRE(divisor.error() >= 2);
+  int wrong = 0;
+  for (int a = 1; a <= 5000; ++a) {
+    const T quotient = T(static_cast<float>(a)) / divisor;
+    wrong += abs(mpq_class(exact_value(quotient.value()) - mpq_class(a) / 22)) > exact_value(quotient.error());
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no other") {
   using T = Tracked<double>;
   const auto doubtful = [](const auto& comparison) {

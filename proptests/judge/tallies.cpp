@@ -33,7 +33,7 @@ TEST_CASE("tallies: a cell counts verdicts, outcomes, touches, and keeps the sma
   count(cell, {{7, 7}}, {Verdict::agree, 0.5, "", 1}, "point", 0, nullptr);
   count(cell, {{5, 5}}, {Verdict::rounding, 0, "", -1}, "point", 1, "five");
   count(cell, {{1, 0}}, {Verdict::rounding, 0, "", 0}, "on", 2, "one");
-  count(cell, {{123, 456}}, {Verdict::rounding, 9, "", 0}, "on", 3, "long");
+  count(cell, {{123, 456}}, {Verdict::rounding, 900, "", 0}, "on", 3, "long");
   count(cell, {{9, 9}}, {Verdict::inexact, 40, "", 0}, "on", 4, nullptr);
   count(cell, {{9, 9}}, {Verdict::unsupported, 0, "", 0}, "on", 5, nullptr);
   CHECK(cell.cases() == 6);
@@ -67,6 +67,21 @@ TEST_CASE("tallies: smaller is a total order, fewest digits first") {
   CHECK(smaller({{1, 1}}, {{100, 0}}));
   CHECK(smaller({{0.1, 0}}, {{5e-324, 0}}));
   CHECK(smaller({{1e10, 0}}, {{1e300, 0}}));
+}
+
+TEST_CASE("tallies: refused cases add up, and cells of one shard or cut into other shards do not merge") {
+  const Tally rays = audited(1, "ray_segment", 600);
+  const Cell total = rays.operations[0].total();
+  CHECK(total.refused > 0);
+  CHECK(total.cases() + total.refused == 600);
+  CHECK(rays.robust[0].total().refused == total.refused);
+  Tally third = audited(1, "orientation", 300), other = third;
+  third.grid = {3, 3, {1}}, other.grid = {3, 3, {2}};
+  CHECK(refusal(third, other) == "merged");
+  other.grid.done = {1};
+  CHECK(refusal(third, other) == "grid.done: every shard once (1 is there twice)");
+  other.grid = {3, 4, {2}};
+  CHECK(refusal(third, other) == "grid.shards: the same in every file");
 }
 
 TEST_CASE("tallies: merging cells in any order gives the same cell") {

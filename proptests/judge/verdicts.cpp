@@ -57,6 +57,26 @@ TEST_CASE("verdicts: a declared tolerance forgives what lies within it, and noth
   CHECK(Case{"orientation", left, Boundary::closed, 1e-9}.says(R"({"side":"left"})") == "agree");
 }
 
+TEST_CASE("verdicts: among coordinates below 1 an area is compared with the tolerance itself") {
+  // The margin is 2^-1 * 2^-40.
+  const char* const small = R"({"p0":[0,0],"p1":[0.5,0],"p":[0,"0x1p-40"]})";
+  const auto with = [&](double tolerance) {
+    return Case{"orientation", small, Boundary::closed, tolerance}.says(R"({"side":"on"})");
+  };
+  CHECK(with(0x1p-41) == "tolerance");
+  CHECK(with(0x1.fffffffffffffp-42) == "algorithm");
+}
+
+TEST_CASE("verdicts: a binary32 engine is blamed for rounding where binary32 rounds, others only where binary64 does") {
+  // 16777215 * 16777213 - 16777214^2 = -1: products of 48 bits.
+  Case engine{"orientation", R"({"p0":[0,0],"p1":[16777215,16777214],"p":[16777214,16777213]})"};
+  CHECK(engine.says(R"({"side":"right"})") == "agree");
+  CHECK(engine.says(R"({"side":"on"})") == "algorithm");
+  engine.binary32 = true;
+  CHECK(engine.says(R"({"side":"right"})") == "agree");
+  CHECK(engine.says(R"({"side":"on"})") == "rounding");
+}
+
 TEST_CASE("verdicts: a touch answered as open sets do is a convention, unless closed sets were declared") {
   const Case closed{"segment_segment", tee, Boundary::closed}, open{"segment_segment", tee, Boundary::open},
       unspecified{"segment_segment", tee};
