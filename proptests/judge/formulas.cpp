@@ -122,15 +122,18 @@ TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that
 }
 
 TEST_CASE("Tracked: a quotient by a number that is far off is within its bound, its own rounding included") {
-  // 2^25 + 22 is a tie between two floats, so the divisor is 24 instead of 22. The bound is a double: its own roundings are no help.
+  // Each 6 is half way between two floats beyond 2^25 and counts for 8: the divisor is 88 instead of 66. The bound is a double: its own
+  // roundings are no help to a float.
   using T = Tracked<float>;
-  const T divisor = (T(0x1p25f) + T(22.0f)) - T(0x1p25f);
-  REQUIRE(divisor.value() == 24);
-  REQUIRE(divisor.error() >= 2);
+  T divisor(0x1p25f);
+  for (int i = 0; i < 11; ++i) divisor = divisor + T(6.0f);
+  divisor = divisor - T(0x1p25f);
+  REQUIRE(divisor.value() == 88);
+  REQUIRE(divisor.error() >= 22);
   int wrong = 0;
   for (int a = 1; a <= 5000; ++a) {
     const T quotient = T(static_cast<float>(a)) / divisor;
-    wrong += abs(mpq_class(exact_value(quotient.value()) - mpq_class(a) / 22)) > exact_value(quotient.error());
+    wrong += abs(mpq_class(exact_value(quotient.value()) - mpq_class(a) / 66)) > exact_value(quotient.error());
   }
   CHECK(wrong == 0);
 }
