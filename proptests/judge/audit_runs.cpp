@@ -24,6 +24,8 @@ class Scripted final : public Engine {
       const Json answer = answer_(question, *operation.examine(question));
       if (answer.is_null()) {
         replies.push_back({Reply::Kind::unsupported, nullptr, ""});
+      } else if (answer.contains("not asked")) {
+        replies.push_back({Reply::Kind::failed, nullptr, "given up", false});
       } else if (answer.contains("failure")) {
         replies.push_back({Reply::Kind::failed, nullptr, answer["failure"].get<std::string>()});
       } else {
@@ -166,6 +168,18 @@ TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupp
   CHECK(failed->judgement.remark == "fell over");
   const Cell silent = Run{.operation = "ray_segment", .answer = right}.tally().operations[0].total();
   CHECK(silent.count(Verdict::unsupported) == silent.cases());
+}
+
+TEST_CASE("audit_runs: what was never asked is counted, but is not shown as a failure") {
+  const auto given_up_on_small = [](const Question& q, const Examination&) -> Json {
+    if (std::fabs(q.numbers[0]) < 3) return {{"not asked", true}};
+    return {{"failure", "fell over"}};
+  };
+  const Cell cell = Run{.families = {"grid"}, .answer = given_up_on_small}.tally().operations[0].total();
+  CHECK(cell.count(Verdict::invalid) == cell.cases());
+  const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
+  REQUIRE(failed);
+  CHECK(failed->judgement.remark == "fell over");
 }
 
 TEST_CASE("audit_runs: touch as contact here and not there is an inconsistent convention, always the same is not") {

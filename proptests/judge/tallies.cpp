@@ -108,6 +108,19 @@ TEST_CASE("tallies: merging cells in any order gives the same cell") {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
+TEST_CASE("tallies: of one finding counted twice the earlier case is kept, counted or merged") {
+  Cell early, late;
+  count(early, {{1, 0}}, {Verdict::rounding, 0, "", 0}, "on", 3, "early");
+  count(late, {{1, 0}}, {Verdict::rounding, 0, "", 0}, "on", 7, "late");
+  for (auto [sum, other] : {std::pair{early, late}, {late, early}}) {
+    sum.merge(other);
+    const auto& kept = sum.smallest[static_cast<std::size_t>(Verdict::rounding)];
+    REQUIRE(kept);
+    CHECK(kept->index == 3);
+    CHECK(kept->answer == "early");
+  }
+}
+
 TEST_CASE("tallies: merging runs of three seeds in any order gives the same tally, which is their sum") {
   const std::array<Tally, 3> runs{audited(3), audited(1), audited(2)};
   std::array<std::size_t, 3> order{0, 1, 2};
