@@ -186,6 +186,14 @@ TEST_CASE("pipe: an engine that dies on every question is given up, and asked ag
   REQUIRE(with.engine.ask(*find_operation("explicit_line"), {{{1, 0, 3, 4}}})[0].asked);
 }
 
+TEST_CASE("pipe: restarts with answers between them are not in a row") {
+  PipeLimits limits = with_timeout(patient);
+  limits.restarts_in_a_row = 4;
+  Engineered with("crashes 13 200 577", limits);
+  require_lost(with.engine.ask(orientation(), numbered(600)), {13, 200, 577}, "signal 11");
+  REQUIRE(with.engine.restarts() > 4);
+}
+
 TEST_CASE("pipe: an engine that dies too often in an operation is given up") {
   PipeLimits limits = with_timeout(patient);
   limits.restarts = 4;
