@@ -68,6 +68,25 @@ TEST_CASE("stretched: the side of a line and what lies on a segment") {
   }) == 0);
 }
 
+TEST_CASE("stretched: a huge vector and one of the least, in any directions") {
+  int changed = 0;
+  for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scaled(4000)); ++i) {
+    Choices choices = Choices::seeded(audit::seed_of(1, "stretched vectors", i));
+    std::array<double, 4> n;
+    for (double& number : n) number = static_cast<double>(choices.below(17)) - 8;
+    const auto ask = [](const std::array<double, 4>& q) {
+      return static_cast<int>(robust::orientation({0, 0}, {q[0], q[1]}, {q[2], q[3]}));
+    };
+    const int expected = ask(n);
+    const Stretch by = stretches[choices.below(std::size(stretches))];  // the one vector and the other
+    const std::array<double, 4> stretched{std::ldexp(n[0], by.x), std::ldexp(n[1], by.x), std::ldexp(n[2], by.y),
+                                          std::ldexp(n[3], by.y)};
+    for (std::size_t environment = 0; environment < environment_count; ++environment)
+      changed += in_environment(environment, stretched, ask) != expected;
+  }
+  CHECK(changed == 0);
+}
+
 TEST_CASE("stretched: how segments, and a ray and a segment, meet") {
   CHECK(changed_decisions<8>("stretched segments", [](const auto& n) {
     const Segment2d a{{n[0], n[1]}, {n[2], n[3]}}, b{{n[4], n[5]}, {n[6], n[7]}};
