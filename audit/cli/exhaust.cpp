@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <charconv>
 #include <fstream>
 
 #include "audit/cli/commands.h"
@@ -18,9 +19,11 @@ struct Shard {
 
 Shard parsed(const std::string& text) {
   Shard shard;
-  char slash = 0, rest = 0;
-  if (std::sscanf(text.c_str(), "%lu%c%lu%c", &shard.index, &slash, &shard.of, &rest) != 3 || slash != '/' || shard.index < 1 ||
-      shard.index > shard.of) {
+  const char* const end = text.data() + text.size();
+  const auto [slash, no_index] = std::from_chars(text.data(), end, shard.index);
+  const bool cut = no_index == std::errc() && slash != end && *slash == '/';
+  const auto [rest, no_count] = std::from_chars(cut ? slash + 1 : end, end, shard.of);
+  if (!cut || no_count != std::errc() || rest != end || shard.index < 1 || shard.index > shard.of) {
     throw UsageError("--shard " + text + ": I/N with 1 <= I <= N");
   }
   return shard;

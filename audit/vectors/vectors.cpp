@@ -51,6 +51,9 @@ std::string likeness(const Operation& operation, const Question& question) {
   }
 }
 
+/// Equal, in whatever order the fields of objects come.
+bool same(const Json& a, const Json& b) { return nlohmann::json(a) == nlohmann::json(b); }
+
 std::string robust_complaint(const Operation& operation, const Json& line, const Question& question) {
   if (line.contains("refused")) {
     const std::string mismatch = operation.refusal_mismatch(question);
@@ -63,8 +66,21 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
     return "not refused";
   }
   const auto examination = operation.examine(question);
-  if (without_marks(examination->truth()) != line["truth"]) return "the oracle's truth is " + one_line(examination->truth());
+  if (!same(without_marks(examination->truth()), line["truth"])) return "the oracle's truth is " + one_line(examination->truth());
   if (examination->judge_robust().verdict != Verdict::agree) return "robust answers " + one_line(examination->robust());
+  return "";
+}
+
+/// What the line says beside the truth, as it would be written now. Another certificate may hold as well.
+std::string other_complaint(const Operation& operation, const Json& line, const Question& question) {
+  const std::string family = line.value("family", "");
+  const auto& families = operation.families();
+  if (std::find(families.begin(), families.end(), family) == families.end()) return "family: one of the operation's families";
+  const Json written = vector_line(operation, family, question);
+  for (const char* name : {"rounded", "margin", "flags", "as_typed"}) {
+    const Json right = written.value(name, Json());
+    if (!same(line.value(name, Json()), right)) return std::string(name) + " is " + one_line(right);
+  }
   return "";
 }
 
@@ -116,7 +132,9 @@ std::string vector_complaint(const std::string& text) {
     if (const auto reason = certify::refuse_text(text)) return *reason;
   }
   try {
-    return robust_complaint(*operation, line, operation->parse(parse_line(text)["input"]));
+    const Question question = operation->parse(parse_line(text)["input"]);
+    const std::string complaint = robust_complaint(*operation, line, question);
+    return complaint.empty() ? other_complaint(*operation, line, question) : complaint;
   } catch (const std::exception& thrown) {
     return thrown.what();
   }

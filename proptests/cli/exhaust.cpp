@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "audit/cli/commands.h"
+#include "audit/cli/program.h"
 #include "geometry/invalid_input.h"
 
 /// Exhaustive runs cut into shards, and their merging.
@@ -137,6 +138,14 @@ TEST_CASE("exhaust: a shard is I/N with 1 <= I <= N") {
   for (const char* shard : {"0/3", "4/3", "1/", "/3", "1", "a/b", "1/3x", "1:3", "", "1/0"}) {
     INFO(shard);
     CHECK_THROWS_AS(shards.run("orientation", 2, shard, false), UsageError);
+  }
+}
+
+TEST_CASE("exhaust: what is no shard is refused") {
+  for (const char* shard : {"", "1", "0/1", "2/1", "1/-1", "-1/2", "+1/2", "1/0", "1/2/3", "1 /2", "1/2 ", "a/b", "1/18446744073709551616"}) {
+    std::ostringstream out, err;
+    INFO(shard);
+    CHECK_THROWS_AS(exhaust_command("orientation", 2, shard, "", true, out, err), UsageError);
   }
 }
 

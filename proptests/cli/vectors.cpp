@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/vectors/vectors.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -60,6 +61,23 @@ TEST_CASE("vectors: a truth that its certificate allows and that is not the orac
     changed += said.starts_with("the oracle's truth is");
   }
   CHECK(changed >= 10);
+}
+
+TEST_CASE("vectors: whatever else a vector says is complained about where it is not so") {
+  const auto lines = stored("segment_segment");
+  const auto legal = std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.contains("truth"); });
+  REQUIRE(legal != lines.end());
+  CHECK(complaint(*legal).empty());
+  const auto changed = [&](const char* name, const Line& value) {
+    Line other = *legal;
+    other[name] = value;
+    return complaint(other);
+  };
+  CHECK(changed("family", "stranger") == "family: one of the operation's families");
+  CHECK_THAT(changed("margin", "1/7919"), Catch::StartsWith("margin is "));
+  CHECK_THAT(changed("flags", {"stranger"}), Catch::StartsWith("flags is "));
+  CHECK_THAT(changed("rounded", {{"relation", "stranger"}}), Catch::StartsWith("rounded is "));
+  CHECK_THAT(changed("as_typed", {{"relation", "point"}}), Catch::StartsWith("as_typed is "));
 }
 
 TEST_CASE("vectors: what is no vector is complained about") {
