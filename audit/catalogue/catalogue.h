@@ -11,6 +11,7 @@
 #include "audit/catalogue/lines/ray_segment.h"
 #include "audit/catalogue/lines/segment_segment.h"
 #include "audit/catalogue/planes/point_ground_plane.h"
+#include "audit/catalogue/planes/point_plane.h"
 
 namespace touchstone::audit {
 
@@ -25,7 +26,7 @@ struct RowList {
 /// The catalogue, in the order of the deck. There is no other list of operations.
 using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
                      rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
-                     rows::point_ground_plane>;
+                     rows::point_ground_plane, rows::point_plane>;
 
 /// visit.template operator()<Row>() for every row.
 template <class Visit>

@@ -27,4 +27,8 @@ mpz_class scaled(const Term& t, int shift) {
   return shifted(n, shift, t.negative);
 }
 
+mpz_class integer_of(Int128 n) {
+  return scaled(Term{n < 0 ? -static_cast<UInt128>(n) : static_cast<UInt128>(n), 0, n < 0}, 0);
+}
+
 }  // namespace touchstone::robust::kernel

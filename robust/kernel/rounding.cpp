@@ -170,4 +170,6 @@ double round_square_root(const mpz_class& n, const mpz_class& d, long exponent) 
   return round_leading(false, top.digits, tail, (exponent - shift) / 2 + top.shift);
 }
 
+double with_sign(double size, int sign) { return assemble(sign < 0, std::bit_cast<std::uint64_t>(size)); }
+
 }  // namespace touchstone::robust::kernel

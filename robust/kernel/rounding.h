@@ -27,4 +27,7 @@ double round_quotient(const mpz_class& n, const mpz_class& d, long exponent = 0)
 /// sqrt((n / d) * 2^exponent), n / d >= 0
 double round_square_root(const mpz_class& n, const mpz_class& d, long exponent = 0);
 
+/// The size of a number that is not negative, with that sign; 0 keeps it +0.0.
+double with_sign(double size, int sign);
+
 }  // namespace touchstone::robust::kernel

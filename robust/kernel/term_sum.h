@@ -50,10 +50,10 @@ Scaled<int> span_of(const std::array<Term, N>& terms) {
   return low == INT_MAX ? Scaled<int>{0, 0} : Scaled<int>{high, low};
 }
 
-/// The exact sum, empty if the terms span more than 124 binary digits (three such terms fit 126).
+/// The exact sum, empty if the terms span more than 124 binary digits (four such terms fit 126).
 template <std::size_t N>
 std::optional<Scaled<Int128>> lattice_sum(const std::array<Term, N>& terms) {
-  static_assert(N <= 3);
+  static_assert(N <= 4);
   const auto [high, low] = span_of(terms);
   if (high - low > 124) return std::nullopt;
   Scaled<Int128> sum{0, low};
@@ -66,6 +66,9 @@ std::optional<Scaled<Int128>> lattice_sum(const std::array<Term, N>& terms) {
 }
 
 mpz_class scaled(const Term& t, int shift);
+
+/// The same number as a GMP integer.
+mpz_class integer_of(Int128 n);
 
 /// The exact sum.
 template <std::size_t N>
