@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "geometry/answers.h"
 #include "geometry/door.h"
 #include "robust/kernel/legal_space.h"

@@ -64,6 +64,13 @@ struct implicit_circle {
            const Point2d center{typed(c), typed(c)};
            return {{center, r}, {center.x + r * std::cos(u), center.y + r * std::sin(u)}};
          }},
+        {"on_long_circle",
+         [](Choices& c) -> Question {
+           // A multiple of 3, 4, 5 whose squares do not fit a double.
+           const double w = std::ldexp(1, 49) + static_cast<double>(c.below(std::uint64_t{1} << 49));
+           const Point2d p{c.below(2) == 1 ? -3 * w : 3 * w, c.below(2) == 1 ? -4 * w : 4 * w};
+           return {{{0, 0}, 5 * w}, c.below(2) == 1 ? Point2d{p.y, p.x} : p};
+         }},
     };
   }
 

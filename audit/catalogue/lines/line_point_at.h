@@ -57,6 +57,17 @@ struct line_point_at {
            const double dx = std::ldexp(small_integer(c) + 0.5, 1000), t = small_integer(c);
            return {{origin, {dx, 1.0}}, std::ldexp(t, static_cast<int>(c.below(30)))};
          }},
+        {"far_apart",
+         [](Choices& c) -> Question {
+           const Point2d origin{ordinary(c), ordinary(c)};
+           const double far = std::ldexp(1, -static_cast<int>(c.below(128)));
+           return {{origin, {far * ordinary(c), far * ordinary(c)}}, ordinary(c)};
+         }},
+        {"at_end_of_range",
+         [](Choices& c) -> Question {
+           const double x = ordinary(c), y = ordinary(c);
+           return {{{integer(c, 53), 0.0}, {std::ldexp(x, 1023), std::ldexp(y, 1023)}}, 8 * ordinary(c)};
+         }},
     };
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "audit/catalogue/figures.h"
+#include "audit/catalogue/long_choices.h"
 #include "audit/catalogue/row.h"
 #include "audit/codec/walk.h"
 #include "oracle/exact/elimination.h"
@@ -73,6 +74,11 @@ struct orientation {
            const Point2d p0 = lattice_point(c);
            const Vector2d v = lattice_direction(c, 8);
            return {p0, along(p0, std::ldexp(1, 18), v), along(p0, -std::ldexp(1, 17), v)};
+         }},
+        {"long_collinear",
+         [](Choices& c) -> Question {
+           const auto [first, last, between] = long_triple(c);
+           return c.below(2) == 1 ? Question{first, between, last} : Question{first, last, between};
          }},
     };
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/long_choices.h"
 #include "audit/catalogue/row.h"
 #include "oracle/lines/point_on_segment.h"
 #include "reference/lines/point_on_segment.h"
@@ -80,6 +81,11 @@ struct point_on_segment {
          [](Choices& c) -> Question {
            const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
            return {{x, y}, {{0.0, 0.0}, {k * x, k * y}}};
+         }},
+        {"on_long_line",
+         [](Choices& c) -> Question {
+           const auto [first, last, between] = long_triple(c);
+           return {between, {first, last}};
          }},
     };
   }

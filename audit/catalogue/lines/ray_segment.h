@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/long_choices.h"
 #include "audit/catalogue/row.h"
 #include "oracle/lines/ray_segment.h"
 #include "reference/lines/ray_segment.h"
@@ -95,6 +96,11 @@ struct ray_segment {
          [](Choices& c) -> Question {
            const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            return {ray, {along(ray.origin, ordinary(c), ray.direction), along(ray.origin, ordinary(c), ray.direction)}};
+         }},
+        {"end_on_long_line",
+         [](Choices& c) -> Question {
+           const auto [first, last, between] = long_triple(c);
+           return {{first, Vector2d{-first.x, -first.y}}, {last, along(last, 0.125, long_direction(c))}};
          }},
     };
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/long_choices.h"
 #include "audit/catalogue/row.h"
 #include "audit/codec/walk.h"
 #include "oracle/exact/elimination.h"
@@ -103,6 +104,11 @@ struct segment_segment {
            const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            const Vector2d v = a.b - a.a;
            return {a, {along(a.a, ordinary(c), v), along(a.a, ordinary(c), v)}};
+         }},
+        {"end_on_long_line",
+         [](Choices& c) -> Question {
+           const auto [first, last, between] = long_triple(c);
+           return {{first, last}, {between, along(between, 0.125, long_direction(c))}};
          }},
     };
   }
