@@ -3,6 +3,8 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
+
 namespace touchstone::audit {
 namespace {
 
@@ -10,12 +12,16 @@ namespace {
 // doubles; 2400 also leave 300 bits beyond the last place for the question of ties.
 constexpr mpfr_prec_t precision = 2400;
 
+// Directions of doubles that differ at all have a sine of at least 2^-4200, so their cosine is at least 2^-8401 away from 1: a root
+// in the denominator of such a cosine must tell it from 1.
+constexpr mpfr_prec_t nearest_cosine = 8402, precision_of_roots = 9000;
+
 template <class Function>
-Exact by_mpfr(const Exact& a, Function function) {
+Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = precision, mpfr_prec_t of_result = precision) {
   if (!a.defined()) return a;
   mpfr_t argument, result;
-  mpfr_init2(argument, precision);
-  mpfr_init2(result, precision);
+  mpfr_init2(argument, of_argument);
+  mpfr_init2(result, of_result);
   mpfr_set_q(argument, a.value().get_mpq_t(), MPFR_RNDN);
   function(result, argument, MPFR_RNDN);
   mpq_class value;
@@ -30,13 +36,20 @@ Exact by_mpfr(const Exact& a, Function function) {
 Exact cos(const Exact& a) { return by_mpfr(a, mpfr_cos); }
 Exact sin(const Exact& a) { return by_mpfr(a, mpfr_sin); }
 Exact acos(const Exact& a) {
-  return a.defined() && abs(a.value()) > 1 ? a / Exact(0) : by_mpfr(a, mpfr_acos);
+  if (!a.defined()) return a;
+  const mpq_class room = 1 - abs(a.value());
+  if (sgn(room) < 0) return a / Exact(0);
+  // Where room is left of 2^-k, an argument rounded to 2^-(precision + k) moves the room, and the angle from an end, by 2^-precision
+  // relatively; and it is pi - angle that must be as precise as that angle, which is the root of twice the room.
+  const std::size_t numerator = mpz_sizeinbase(room.get_num_mpz_t(), 2), denominator = mpz_sizeinbase(room.get_den_mpz_t(), 2);
+  const auto near_end = sgn(room) == 0 ? nearest_cosine : static_cast<mpfr_prec_t>(denominator - std::min(numerator, denominator) + 2);
+  return by_mpfr(a, mpfr_acos, precision + near_end, precision + near_end / 2);
 }
 Exact sqrt(const Exact& a) {
   if (!a.defined() || sgn(a.value()) < 0) return a / Exact(0);
   const mpz_class numerator = ::sqrt(a.value().get_num()), denominator = ::sqrt(a.value().get_den());
   const mpq_class root(numerator, denominator);
-  return root * root == a.value() ? Exact(root) : by_mpfr(a, mpfr_sqrt);
+  return root * root == a.value() ? Exact(root) : by_mpfr(a, mpfr_sqrt, precision_of_roots + 1, precision_of_roots);
 }
 
 }  // namespace touchstone::audit

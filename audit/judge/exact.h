@@ -39,9 +39,9 @@ class Exact {
   /// Irrational: rationals within 2^-2399 of the true value, relatively.
   friend Exact cos(const Exact& a);
   friend Exact sin(const Exact& a);
-  /// Undefined outside [-1, 1].
+  /// The same; undefined outside [-1, 1].
   friend Exact acos(const Exact& a);
-  /// Exact for squares; undefined below 0.
+  /// Exact for squares, else within 2^-8999 relatively; undefined below 0.
   friend Exact sqrt(const Exact& a);
 
  private:

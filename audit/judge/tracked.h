@@ -86,7 +86,7 @@ class Tracked {
     const double most = plus(size(a), a.error_);
     if (most > 1 && a.error_ > 0) doubtful() = true;
     const Float angle = std::acos(a.value_);
-    if (a.error_ == 0) return library(angle, a);
+    if (a.error_ == 0) return Tracked(angle, a.value_ == 1 ? 0 : 4 * half_ulp(angle));
     const double room = down(1 - most);
     const double steep = room > 0 ? over(a.error_, down(std::sqrt(down(room * down(1 + most))))) : infinite;
     const double ends = times(0x1.921fb54442d19p+1, std::nextafter(std::sqrt(a.error_ / 2), infinite));
