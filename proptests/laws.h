@@ -249,7 +249,7 @@ template <class Row>
 void example(const typename Row::Question& question, const exact_answer_t<Row>& expected,
              const std::string& by_reference = "agree") {
   const auto shown = [&] {
-    return audit::one_line(audit::find_operation(Row::card().name)->print({numbers_of(question)}));
+    return audit::one_line(audit::find_operation(Row::card().name)->print({audit::flattened(question)}));
   };
   INFO(shown());
   CHECK(audit::one_line(audit::to_json(audit::ask_oracle<Row>(question).answer)) ==

@@ -62,6 +62,7 @@ TEST_CASE("certificates: a claim with any one part taken away or replaced is ref
           continue;  // legal
         json broken = claim;
         broken[part] = thing;
+        if (broken == claim) continue;  // a truth that is true
         CAPTURE(broken.dump());
         CHECK(refuse(broken).has_value());
       }
