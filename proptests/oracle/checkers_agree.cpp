@@ -90,6 +90,13 @@ TEST_CASE("certificates: both checkers refuse every other truth, for the same re
   Choices choices = Choices::seeded(audit::seed_of(1, "other truths", 0));
   for (const json& claim : drawn_claims("other truths", 6)) {
     for (const auto& place : leaves(claim, "truth")) {
+      if (claim[place].is_boolean()) {
+        json broken = claim;
+        broken[place] = !claim[place].get<bool>();
+        CAPTURE(broken.dump());
+        CHECK(!shown.accepts(broken));
+        continue;
+      }
       const std::string value = claim[place];
       if (value.find_first_not_of("-0123456789/") != std::string::npos) continue;
       const std::string other = altered(choices, value);
@@ -110,7 +117,8 @@ TEST_CASE("certificates: both checkers say the same of altered certificates and 
   Choices choices = Choices::seeded(audit::seed_of(1, "altered", 0));
   const json kinds = {"height",          "squares",      "exact",           "enclosure",   "displacement",
                       "determinant",     "weights",      "transversal",     "level_lines", "same_line",
-                      "separating_line", "single_point", "supporting_line", "overlap"};
+                      "separating_line", "single_point", "supporting_line", "overlap",
+                      "repeated_neighbour", "common_line", "common_point", "both_sides", "one_side"};
   for (const json& claim : drawn_claims("altered", 3)) {
     for (const auto& place : leaves(claim, "certificate")) {
       json broken = claim;

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polygons/polygon_convexity.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "oracle/exact/common_points.h"
+#include "oracle/exact/elimination.h"
+#include "oracle/exact/rational_door.h"
+#include "oracle/lines/segment_segment.h"
+#include "oracle/rings/simple.h"
+#include "oracle/rings/whole.h"
+
+namespace touchstone::oracle {
+namespace {
+
+constexpr PolygonConvexity degenerate{PolygonClass::degenerate, false, Winding::none};
+constexpr PolygonConvexity not_simple{PolygonClass::not_simple, false, Winding::none};
+
+std::optional<std::size_t> repeated_neighbour(const WholeRing& r) {
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    if (r[i] == r.ring.next(i)) return i;
+  }
+  return std::nullopt;
+}
+
+/// Neighbours differ.
+bool on_one_line(const WholeRing& r) {
+  for (std::size_t i = 2; i < r.size(); ++i) {
+    if (sgn(WholeRing::turn(r[0], r[1], r[i])) != 0) return false;
+  }
+  return true;
+}
+
+/// An edge and two vertices strictly on different sides of its line.
+struct Straddled {
+  std::size_t edge, left, right;
+};
+std::optional<Straddled> straddled(const WholeRing& r) {
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    std::optional<std::size_t> left, right;
+    for (std::size_t j = 0; j < r.size(); ++j) {
+      const int side = sgn(WholeRing::turn(r[i], r.ring.next(i), r[j]));
+      if (side > 0) left = j;
+      if (side < 0) right = j;
+    }
+    if (left && right) return Straddled{i, *left, *right};
+  }
+  return std::nullopt;
+}
+
+Integer doubled_area(const WholeRing& r) {
+  Integer sum(0);
+  for (std::size_t i = 0; i < r.size(); ++i) sum += r[i].x * r.ring.next(i).y - r[i].y * r.ring.next(i).x;
+  return sum;
+}
+
+Integer turn_at(const WholeRing& r, std::size_t i) { return WholeRing::turn(r.ring.previous(i), r[i], r.ring.next(i)); }
+
+/// In squared units; the ring is simple.
+Rational room(const WholeRing& r, bool convex, int winding) {
+  std::optional<Rational> clearance, greatest_dent;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const Integer turn = turn_at(r, i);
+    const Vector2<Integer> base = r.ring.next(i) - r.ring.previous(i);
+    // Neighbours of a simple ring's vertex may coincide no more than it may be a spike: the base is not 0.
+    const Rational height = quotient(Integer(turn * turn), dot(base, base));
+    if (convex) clearance = clearance ? std::min(*clearance, height) : height;
+    if (sgn(turn) * winding < 0) greatest_dent = greatest_dent ? std::max(*greatest_dent, height) : height;
+    for (std::size_t j = 0; j < r.size(); ++j) {
+      if (j == i || (j + 1) % r.size() == i) continue;
+      const auto away = squared_distance(r[i], r.edge(j), Extent::segment);
+      const Rational distance = quotient(away.numerator, away.denominator);
+      clearance = clearance ? std::min(*clearance, distance) : distance;
+    }
+  }
+  return convex ? *clearance : std::min(*clearance, *greatest_dent);
+}
+
+/// In squared units; the ring is not simple.
+Rational depth(const WholeRing& r) {
+  Rational deepest(0);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    for (std::size_t j = i + 1; j < r.size(); ++j) {
+      if (segment_segment_relation<Integer>(r.edge(i), r.edge(j)) != SegmentRelation::point) continue;
+      deepest = std::max(deepest, least_end_distance(r.edge(i), Extent::segment, r.edge(j)));  // 0 where ends are shared
+    }
+  }
+  return deepest;
+}
+
+template <class Number>
+Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
+  door::admit("polygon", polygon);
+  const WholeRing r(polygon);
+  if (repeated_neighbour(r) || on_one_line(r)) return {degenerate, Rational(0)};
+  const auto actual = [&](const Rational& squared) { return Rational(squared * r.unit * r.unit); };
+  if (ring_defect(polygon)) return {not_simple, actual(depth(r))};
+  const bool convex = !straddled(r);
+  const int winding = sgn(doubled_area(r));
+  bool strict = convex;
+  for (std::size_t i = 0; i < r.size(); ++i) strict = strict && sgn(turn_at(r, i)) != 0;
+  return {{convex ? PolygonClass::convex : PolygonClass::concave, strict, winding > 0 ? Winding::ccw : Winding::cw},
+          actual(room(r, convex, winding))};
+}
+
+/// Where point p stands on a segment that holds it.
+Rational parameter(const Point2<Rational>& p, const Segment2<Rational>& s) {
+  const Vector2<Rational> along = s.b - s.a, to = p - s.a;
+  return Rational(dot(to, along) / dot(along, along));
+}
+
+/// Two edges and the parameters of a common point that is no vertex shared by neighbours.
+Certificate common_point(const Polygon2d& polygon, const door::RingDefect& defect) {
+  const auto edge = [&](std::size_t i) { return Segment2d{polygon[i], polygon.next(i)}; };
+  const Segment2d a = edge(defect.first), b = edge(defect.second);
+  const auto common = segment_segment(a, b).answer;
+  std::vector<Rational> at;
+  if (common.point) {
+    at = {*common.ta, *common.tb};
+  } else {
+    const auto exactly = [](const Segment2d& s) {
+      return Segment2<Rational>{{exact(s.a.x), exact(s.a.y)}, {exact(s.b.x), exact(s.b.y)}};
+    };
+    const auto &[p, q] = *common.overlap;
+    const Point2<Rational> middle{Rational((p.x + q.x) / 2), Rational((p.y + q.y) / 2)};
+    at = {parameter(middle, exactly(a)), parameter(middle, exactly(b))};
+  }
+  return {"common_point", {{"edges", {Rational(defect.first), Rational(defect.second)}}, {"parameters", at}}};
+}
+
+}  // namespace
+
+Truth<PolygonConvexity> polygon_convexity(const Polygon2d& polygon) { return truth(polygon); }
+
+template <Exact Number>
+Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon) {
+  return truth(polygon);
+}
+template Truth<PolygonConvexity> polygon_convexity(const Polygon2<Rational>&);
+
+Certificate polygon_convexity_certificate(const Polygon2d& polygon) {
+  door::admit("polygon", polygon);
+  const WholeRing r(polygon);
+  if (const auto i = repeated_neighbour(r)) return {"repeated_neighbour", {{"vertex", {Rational(*i)}}}};
+  if (on_one_line(r)) {
+    const Vector2<Integer> along = r[1] - r[0];
+    const Rational offset((-along.y * r[0].x + along.x * r[0].y) * r.unit);
+    return {"common_line", {{"normal", {Rational(-along.y), Rational(along.x)}}, {"offset", {offset}}}};
+  }
+  if (const auto defect = ring_defect(polygon)) return common_point(polygon, *defect);
+  if (const auto found = straddled(r)) {
+    return {"both_sides", {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
+  }
+  return {"one_side", {{"doubled_area", {Rational(doubled_area(r) * r.unit * r.unit)}}}};
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polygons/polygon_convexity.h"
+
+#include <algorithm>
+
+#include "robust/kernel/control_word.h"
+#include "robust/kernel/legal.h"
+#include "robust/lines/orientation.h"
+#include "robust/rings/simple.h"
+
+namespace touchstone::robust {
+namespace {
+
+/// Lexicographic. Only in IEEE arithmetic: a flushed denormal would be 0.
+bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
+/// What one walk round the ring finds.
+struct Walk {
+  std::size_t left = 0, right = 0;  ///< turns
+  std::size_t reversals = 0;        ///< vertices where the ring turns back on itself
+  std::size_t flips = 0;            ///< edges that lead up after one that leads down, or the other way (lexicographically)
+  Side at_first = Side::on;         ///< the turn at the vertex that is lexicographically first
+  Stage decided = Stage::filter;
+};
+
+Walk walk(const Polygon2d& ring) {
+  Walk found;
+  const kernel::ControlWord ieee;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    Stage decided;
+    const Side side = orientation(ring.previous(i), ring[i], ring.next(i), decided);
+    found.decided = std::max(found.decided, decided);
+    const bool flip = before(ring.previous(i), ring[i]) != before(ring[i], ring.next(i));
+    found.flips += flip;
+    found.left += side == Side::left, found.right += side == Side::right;
+    found.reversals += side == Side::on && flip;
+    if (i == 0 || before(ring[i], ring[first])) first = i, found.at_first = side;
+  }
+  return found;
+}
+
+bool repeated_neighbours(const Polygon2d& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (door::same(ring[i].x, ring.next(i).x) && door::same(ring[i].y, ring.next(i).y)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided) {
+  door::admit("polygon", polygon);
+  decided = Stage::filter;
+  const PolygonConvexity degenerate{PolygonClass::degenerate, false, Winding::none};
+  const PolygonConvexity not_simple{PolygonClass::not_simple, false, Winding::none};
+  if (repeated_neighbours(polygon)) return degenerate;
+  const Walk found = walk(polygon);
+  decided = found.decided;
+  // Neighbours differ, so vertices on one line with those before them are all on the first edge's line.
+  if (found.left == 0 && found.right == 0) return degenerate;
+  if (found.reversals > 0) return not_simple;
+  const bool both = found.left > 0 && found.right > 0;
+  if (!both) {
+    // The edges' directions go round one way, never by half a turn, so each time round they flip twice. Once round: convex (the
+    // ring's support function is that of a convex polygon). A simple ring goes round once (Hopf's Umlaufsatz), so others cross.
+    if (found.flips != 2) return not_simple;
+    const bool strict = found.left + found.right == polygon.size();
+    return {PolygonClass::convex, strict, found.left > 0 ? Winding::ccw : Winding::cw};
+  }
+  if (ring_defect(polygon)) return not_simple;
+  // The first vertex of all is a corner of the convex hull, and its angle is not flat: one of its neighbours would be before it.
+  return {PolygonClass::concave, false, found.at_first == Side::left ? Winding::ccw : Winding::cw};
+}
+
+PolygonConvexity polygon_convexity(const Polygon2d& polygon) {
+  Stage ignored;
+  return polygon_convexity(polygon, ignored);
+}
+
+}  // namespace touchstone::robust
