@@ -12,6 +12,7 @@
 #include "audit/catalogue/lines/segment_segment.h"
 #include "audit/catalogue/planes/point_ground_plane.h"
 #include "audit/catalogue/planes/point_plane.h"
+#include "audit/catalogue/polygons/interior_angles.h"
 #include "audit/catalogue/polygons/polygon_convexity.h"
 #include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
 
@@ -28,7 +29,7 @@ struct RowList {
 /// The catalogue, in the order of the deck. There is no other list of operations.
 using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
                      rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
-                     rows::polygon_convexity, rows::polygon_convexity_interior_angles,
+                     rows::polygon_convexity, rows::polygon_convexity_interior_angles, rows::interior_angles,
                      rows::point_ground_plane, rows::point_plane>;
 
 /// visit.template operator()<Row>() for every row.

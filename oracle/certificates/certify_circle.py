@@ -56,20 +56,28 @@ def rest_of_turn(u, turns, bits):
     return (low.numerator << bits) // low.denominator, -((-high.numerator << bits) // high.denominator)
 
 
-def expect_cosine_and_sine(u, cosine, sine, turns, bits):
+def whole_bits(bits):
     expect(bits.denominator == 1 and 1 <= bits <= 8192, "certificate: bits is not from 1 to 8192")
-    in_range = turns.denominator == 1 and abs(turns.numerator).bit_length() <= 1030
-    expect(in_range, "certificate: quarter_turns is out of range")
-    bits, turns = int(bits), int(turns)
+    return int(bits)
+
+
+def cosine_and_sine(u, turns, bits):
     rest, one = rest_of_turn(u, turns, bits), 1 << bits
     negative = rest[1] <= 0
     x = negated(rest) if negative else rest
     expect(0 <= x[0] and x[1] <= one, "certificate: quarter_turns or bits do not fit u")
     c, s = series((one, one), x, 1, bits), series(x, x, 2, bits)
     s = negated(s) if negative else s
-    turned = [(c, s), (negated(s), c), (negated(c), negated(s)), (s, negated(c))][turns % 4]
-    for claimed, computed, name in ((cosine, turned[0], "cosine"), (sine, turned[1], "sine")):
-        encloses = claimed[0] * one <= computed[0] and computed[1] <= claimed[1] * one
+    return [(c, s), (negated(s), c), (negated(c), negated(s)), (s, negated(c))][turns % 4]
+
+
+def expect_cosine_and_sine(u, cosine, sine, turns, bits):
+    in_range = turns.denominator == 1 and abs(turns.numerator).bit_length() <= 1030
+    expect(in_range, "certificate: quarter_turns is out of range")
+    bits = whole_bits(bits)
+    computed = cosine_and_sine(u, int(turns), bits)
+    for claimed, found, name in ((cosine, computed[0], "cosine"), (sine, computed[1], "sine")):
+        encloses = claimed[0] * (1 << bits) <= found[0] and found[1] <= claimed[1] * (1 << bits)
         expect(encloses, f"certificate: {name} is wrong")
 
 

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of the convexity of polygons, as in check_convexity.cpp."""
 
+from fractions import Fraction
+from math import floor
+
+from certify_circle import cosine_and_sine, whole_bits
 from certify_lines import along, cross, dot, minus
-from certify_reading import WRONG_KIND, expect, polygon
+from certify_reading import WRONG_KIND, exact_value, expect, polygon
 from certify_rings import edge, expect_not_degenerate, expect_simple, side, vertex
+from certify_rounding import expect_rounds_alike
 
 
 def expect_truth(claim, name, strict, orientation):
@@ -83,3 +88,37 @@ def check_polygon_convexity(claim):
 
 
 check_polygon_convexity_interior_angles = check_polygon_convexity
+
+
+def turn_from(u, vector, bits):
+    cosine, sine = cosine_and_sine(u, floor(u * 7 / 11 + Fraction(1, 2)), bits)
+    x, y = vector
+    low = y * cosine[y < 0] - x * sine[x >= 0]
+    high = y * cosine[y >= 0] - x * sine[x < 0]
+    return 1 if low > 0 else -1 if high < 0 else 0
+
+
+def expect_angle(vector, low, high, bits):
+    reason = "certificate: an angle is not between low and high"
+    expect(0 < low < high and high - low < 1, reason)
+    expect(low > 3 and high < 7 if vector[1] < 0 else high < 4, reason)
+    expect(turn_from(low, vector, bits) > 0 > turn_from(high, vector, bits), reason)
+
+
+def check_interior_angles(claim):
+    claim.inputs("polygon"), claim.answers("angles")
+    ring = polygon(claim.input["polygon"], "polygon")
+    expect_simple(ring)
+    claim.expect_kind("enclosure"), claim.facts("low", "high", "bits")
+    low, high = claim.list("low"), claim.list("high")
+    angles, n = claim.truth["angles"], len(ring)
+    expect(isinstance(angles, list) and len(angles) == n, "truth.angles: one for each vertex")
+    expect(len(low) == n and len(high) == n, "certificate: low and high for each vertex")
+    bits = whole_bits(claim.single("bits"))
+    sign = 1 if winding(ring) == "ccw" else -1
+    for i, p in enumerate(ring):
+        following, previous = minus(ring[(i + 1) % n], p), minus(ring[i - 1], p)
+        expect_angle((dot(following, previous), sign * cross(following, previous)), low[i], high[i], bits)
+        angle = exact_value(angles[i], f"truth.angles[{i}]")
+        expect(low[i] < angle < high[i], "truth: an angle is not between low and high")
+        expect_rounds_alike("angles", angle, low[i], high[i])

@@ -2,17 +2,13 @@
 #include <string>
 
 #include "oracle/certificates/check_reading.h"
+#include "oracle/certificates/check_circular.h"
 #include "oracle/certificates/check_rounding.h"
 
 namespace touchstone::certify {
 namespace {
 
 using Integer = mpz_class;
-
-/// Whole numbers of some unit 2^-bits, with the true value between them.
-struct Between {
-  Integer low, high;
-};
 
 Integer floor_quotient(const Integer& n, const Integer& d) {
   Integer result;
@@ -77,6 +73,29 @@ Between rest_of_turn(const Rational& u, const Integer& turns, long bits) {
   return {floor_quotient(low.get_num(), low.get_den()), ceiling_quotient(high.get_num(), high.get_den())};
 }
 
+}  // namespace
+
+long whole_bits(const Rational& precision) {
+  expect(precision.get_den() == 1 && precision >= 1 && precision <= 8192, "certificate: bits is not from 1 to 8192");
+  return precision.get_num().get_si();
+}
+
+CosineAndSine cosine_and_sine(const Rational& u, const mpz_class& turns, long bits) {
+  const Between rest = rest_of_turn(u, turns, bits);
+  const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
+  const bool negative = sgn(rest.high) <= 0;
+  const Between x = negative ? negated(rest) : rest;
+  expect(sgn(x.low) >= 0 && x.high <= one, "certificate: quarter_turns or bits do not fit u");
+  const Between c = series({one, one}, x, 1, bits), s_of_x = series(x, x, 2, bits);
+  const Between s = negative ? negated(s_of_x) : s_of_x;
+  const Integer quadrant(turns & 3);
+  const bool swapped = quadrant == 1 || quadrant == 3;
+  const Between cosine = swapped ? s : c, sine = swapped ? c : s;
+  return {quadrant == 1 || quadrant == 2 ? negated(cosine) : cosine, quadrant >= 2 ? negated(sine) : sine};
+}
+
+namespace {
+
 void expect_encloses(const Pair& claimed, const Between& computed, long bits, const char* reason) {
   const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
   expect(claimed.x * one <= computed.low && claimed.y * one >= computed.high, reason);
@@ -85,23 +104,12 @@ void expect_encloses(const Pair& claimed, const Between& computed, long bits, co
 /// The claimed enclosures of cos u and sin u hold.
 void expect_cosine_and_sine(const Rational& u, const Pair& cosine, const Pair& sine, const Rational& turns,
                             const Rational& precision) {
-  expect(precision.get_den() == 1 && precision >= 1 && precision <= 8192, "certificate: bits is not from 1 to 8192");
   expect(turns.get_den() == 1 && mpz_sizeinbase(turns.get_num_mpz_t(), 2) <= 1030,
          "certificate: quarter_turns is out of range");
-  const long bits = precision.get_num().get_si();
-  const Between rest = rest_of_turn(u, turns.get_num(), bits);
-  const Integer one = Integer(1) << static_cast<mp_bitcnt_t>(bits);
-  const bool negative = sgn(rest.high) <= 0;
-  const Between x = negative ? negated(rest) : rest;
-  expect(sgn(x.low) >= 0 && x.high <= one, "certificate: quarter_turns or bits do not fit u");
-  const Between c = series({one, one}, x, 1, bits), s_of_x = series(x, x, 2, bits);
-  const Between s = negative ? negated(s_of_x) : s_of_x;
-  const Integer quadrant(turns.get_num() & 3);
-  const bool swapped = quadrant == 1 || quadrant == 3;
-  const Between cos_turned = swapped ? s : c, sin_turned = swapped ? c : s;
-  expect_encloses(cosine, quadrant == 1 || quadrant == 2 ? negated(cos_turned) : cos_turned, bits,
-                  "certificate: cosine is wrong");
-  expect_encloses(sine, quadrant >= 2 ? negated(sin_turned) : sin_turned, bits, "certificate: sine is wrong");
+  const long bits = whole_bits(precision);
+  const CosineAndSine computed = cosine_and_sine(u, turns.get_num(), bits);
+  expect_encloses(cosine, computed.cosine, bits, "certificate: cosine is wrong");
+  expect_encloses(sine, computed.sine, bits, "certificate: sine is wrong");
 }
 
 void check_parametric_circle(const Claim& claim) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
+#include "oracle/certificates/check_circular.h"
 #include "oracle/certificates/check_rings.h"
+#include "oracle/certificates/check_rounding.h"
 
 namespace touchstone::certify {
 namespace {
@@ -88,10 +90,54 @@ void check_polygon_convexity(const Claim& claim) {
   check_convex(claim, ring);
 }
 
+/// 1, -1: the vector lies counter-clockwise or clockwise of the angle u, by less than half a turn; 0 if the bits do not tell.
+int turn_from(const Rational& u, const Pair& vector, long bits) {
+  const Rational turns(u * 7 / 11 + Rational(1, 2));  // about 2 / pi
+  const auto [cosine, sine] = cosine_and_sine(u, mpz_class(turns.get_num() / turns.get_den()), bits);
+  // y cos u - x sin u
+  const bool up = sgn(vector.y) >= 0, ahead = sgn(vector.x) >= 0;
+  const Rational low(vector.y * (up ? cosine.low : cosine.high) - vector.x * (ahead ? sine.high : sine.low));
+  const Rational high(vector.y * (up ? cosine.high : cosine.low) - vector.x * (ahead ? sine.low : sine.high));
+  return sgn(low) > 0 ? 1 : sgn(high) < 0 ? -1 : 0;
+}
+
+/// The angle in (0, 2 pi) of a vector, not along +x, lies between low and high: it is less than half a turn beyond low, and high less than half
+/// a turn beyond it; and they are on the vector's side of the x axis, or nearly, so no whole turn comes in.
+void expect_angle(const Pair& vector, const Rational& low, const Rational& high, long bits) {
+  const char* const reason = "certificate: an angle is not between low and high";
+  expect(sgn(low) > 0 && low < high && high - low < 1, reason);
+  expect(sgn(vector.y) < 0 ? low > 3 && high < 7 : high < 4, reason);
+  expect(turn_from(low, vector, bits) > 0 && turn_from(high, vector, bits) < 0, reason);
+}
+
+void check_interior_angles(const Claim& claim) {
+  claim.inputs({"polygon"}), claim.answers({"angles"});
+  const Ring ring = polygon(claim.input["polygon"], "polygon");
+  expect_simple(ring);
+  expect(claim.kind() == "enclosure", wrong_kind), claim.facts({"low", "high", "bits"});
+  const std::vector<Rational> low = claim.list("low"), high = claim.list("high");
+  const json& angles = claim.truth["angles"];
+  const std::size_t n = ring.size();
+  expect(angles.is_array() && angles.size() == n, "truth.angles: one for each vertex");
+  expect(low.size() == n && high.size() == n, "certificate: low and high for each vertex");
+  const long bits = whole_bits(claim.single("bits"));
+  const bool ccw = std::string(winding(ring)) == "ccw";
+  for (std::size_t i = 0; i < n; ++i) {
+    const Pair next = ring[(i + 1) % n] - ring[i], previous = ring[(i + n - 1) % n] - ring[i];
+    const Rational turn = cross(next, previous);
+    expect_angle({dot(next, previous), ccw ? turn : Rational(-turn)}, low[i], high[i], bits);
+    const Rational angle = exact_value(angles[i], "truth.angles[" + std::to_string(i) + "]");
+    expect(low[i] < angle && angle < high[i], "truth: an angle is not between low and high");
+    expect_rounds_alike("angles", angle, low[i], high[i]);
+  }
+}
+
 }  // namespace
 
 Checks checks_of_convexity() {
-  return {{"polygon_convexity", check_polygon_convexity}, {"polygon_convexity_interior_angles", check_polygon_convexity}};
+  return {{"polygon_convexity", check_polygon_convexity},
+          {"polygon_convexity_interior_angles", check_polygon_convexity},
+          {"interior_angles", check_interior_angles}};
 }
 
 }  // namespace touchstone::certify

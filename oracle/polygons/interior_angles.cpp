@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polygons/interior_angles.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "oracle/exact/direction.h"
+#include "oracle/exact/nearest_double.h"
+#include "oracle/exact/rational_door.h"
+#include "oracle/rings/simple.h"
+#include "oracle/rings/whole.h"
+
+namespace touchstone::oracle {
+namespace {
+
+const int closeness = 60;  // both ends are within 2^-60 units in the last place
+
+/// One double is nearest to all of it, and it is narrow enough.
+bool certain(const AngleBetween& angle) {
+  const auto bits = [](const Rational& value) { return std::bit_cast<std::uint64_t>(nearest_double(value)); };
+  return sgn(angle.low) > 0 && bits(angle.low) == bits(angle.high) &&
+         binary_order(Rational(angle.high - angle.low)) < ulp_exponent(angle.high) - closeness;
+}
+
+/// What MPFR says, and as much again on both sides, so that the ends are told from the angle with few more bits.
+AngleBetween enclosed(const Integer& x, const Integer& y) {
+  for (int bits = 128;; bits += bits / 2) {
+    AngleBetween angle = angle_between(x, y, bits);
+    const Rational width(angle.high - angle.low);
+    angle.low -= width, angle.high += width;
+    if (certain(angle)) return angle;
+  }
+}
+
+template <class Number>
+std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
+  door::admit("polygon", polygon);
+  if (const auto defect = ring_defect(polygon)) door::refuse("polygon", *defect);
+  const WholeRing r(polygon);
+  Integer area(0);
+  for (std::size_t i = 0; i < r.size(); ++i) area += r[i].x * r.ring.next(i).y - r[i].y * r.ring.next(i).x;
+  std::vector<AngleBetween> angles;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const Vector2<Integer> out = r.ring.next(i) - r[i], back = r.ring.previous(i) - r[i];
+    const Integer turn(cross(out, back) * sgn(area));
+    angles.push_back(enclosed(dot(out, back), turn));
+  }
+  return angles;
+}
+
+Rational middle(const AngleBetween& angle) { return Rational((angle.low + angle.high) / 2); }
+
+template <class Number>
+Truth<std::vector<Rational>> truth(const Polygon2<Number>& polygon) {
+  Truth<std::vector<Rational>> result{{}, Rational(1, 2)};
+  for (const AngleBetween& angle : enclosures(polygon)) {
+    result.answer.push_back(middle(angle));
+    result.margin = std::min(result.margin, rounding_margin(result.answer.back()));
+  }
+  return result;
+}
+
+}  // namespace
+
+Truth<std::vector<Rational>> interior_angles(const Polygon2d& polygon) { return truth(polygon); }
+
+template <Exact Number>
+Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon) {
+  return truth(polygon);
+}
+template Truth<std::vector<Rational>> interior_angles(const Polygon2<Rational>&);
+
+Certificate interior_angles_certificate(const Polygon2d& polygon) {
+  std::vector<Rational> low, high;
+  long bits = 0;
+  for (const AngleBetween& angle : enclosures(polygon)) {
+    low.push_back(angle.low), high.push_back(angle.high);
+    bits = std::max(bits, 32 - binary_order(Rational(angle.high - angle.low)));
+  }
+  return {"enclosure", {{"low", low}, {"high", high}, {"bits", {Rational(bits)}}}};
+}
+
+}  // namespace touchstone::oracle
