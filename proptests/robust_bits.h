@@ -45,7 +45,7 @@ typename Row::Question typed(const audit::Question& question) {
   return audit::unflattened<typename Row::Question>(question.numbers);
 }
 
-/// What robust answers in an environment.
+/// What robust answers in an environment; then its decision alone, where it has one.
 template <class Row>
 AnswerBits robust_bits(const audit::Question& question, std::size_t environment) {
   const auto asked = typed<Row>(question);
@@ -53,6 +53,10 @@ AnswerBits robust_bits(const audit::Question& question, std::size_t environment)
   try {
     const auto ask = [](const auto& argument) { return audit::ask_robust<Row>(argument); };
     append_bits(in_environment(environment, asked, ask), bits.words);
+    if constexpr (audit::decides_alone<Row>) {
+      const auto decide = [](const auto& argument) { return audit::decision_alone<Row>(argument); };
+      append_bits(in_environment(environment, asked, decide), bits.words);
+    }
   } catch (const InvalidInput& refused) {
     bits.refused = refused.what();
   }

@@ -88,6 +88,8 @@ class Operation {
 
   virtual const Card& card() const = 0;
   std::string name() const { return card().name; }
+  /// Every word that an answer can hold ("inside", "boundary" ...); none where answers are numbers alone.
+  virtual std::vector<std::string> words() const = 0;
 
   /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard case of the operation;
   /// "x+ulp" is x with one coordinate moved by a few units in the last place.

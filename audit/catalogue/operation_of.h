@@ -18,6 +18,11 @@ class OperationOf final : public Operation {
   using Exactly = typename ExaminationOf<Row>::Exactly;
 
   const Card& card() const override { return Row::card(); }
+  std::vector<std::string> words() const override {
+    std::vector<std::string> words;
+    append_words<answer_t<Row>>(words);
+    return words;
+  }
   const std::vector<std::string>& families() const override { return families_.names(); }
   Question draw(Choices& choices, std::size_t family) const override { return flat(families_.draw(choices, family)); }
   Question zeros() const override { return flat(audit::zeros<Asked>(Row::card().list_length)); }

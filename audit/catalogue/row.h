@@ -20,7 +20,9 @@
 ///   static void make_legal(Question&);       makes a question of the operation out of drawn numbers (a ring that does not cross itself)
 ///   static std::string fault(const Question&, const Answer&);   where many answers are right: what is wrong with one; "" if it is right
 ///   static Question map_centre();            a degenerate question for the failure map (default: the first hard case at its simplest)
+///   static std::pair<std::size_t, std::size_t> map_axes();      which of its numbers move (default: the last two)
 ///   struct decision { robust(Question), oracle(Question), oracle(the same over std::int64_t) };   decisions alone, at full speed
+///   static Word relation(const Question&);   robust's decision alone, where it has a function for it and the row no `decision`
 ///   static void draw(Scene&, const Question&);   (default: every argument by its type)
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
 #define TOUCHSTONE_ROOMS(op)                                                                                   \
@@ -72,6 +74,19 @@ const Operation& operation_of_row();
 
 template <class Row>
 using answer_t = decltype(ask_robust<Row>(std::declval<const typename Row::Question&>()));
+
+/// Whether robust decides without numbers in a function of its own, and what that says.
+template <class Row>
+inline constexpr bool decides_alone = requires(const typename Row::Question& q) { Row::relation(q); } ||
+                                      requires(const typename Row::Question& q) { Row::decision::robust(q); };
+template <class Row>
+auto decision_alone(const typename Row::Question& q) {
+  if constexpr (requires { Row::relation(q); }) {
+    return Row::relation(q);
+  } else {
+    return Row::decision::robust(q);
+  }
+}
 
 /// A lattice point of the plane, near the origin first.
 inline Point2d lattice_point(Choices& choices, int bits = 26) {

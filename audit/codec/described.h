@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "geometry/answers.h"
@@ -247,6 +248,16 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
+template <class T>
+inline constexpr bool may_be_left_out = is_optional<T>;
+template <Composite T>
+inline constexpr bool may_be_left_out<T> = std::apply(
+    [](const auto&... member) {
+      return (may_be_left_out<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>> && ...);
+    },
+    Described<T>::members);
 
 template <class T>
 inline constexpr bool is_vector = false;

@@ -112,7 +112,7 @@ void read(const Json& json, const std::string& path, T& value, const ReadNumber&
       for_each_member<T>([&](const auto& member) {
         if (json.contains(member.name)) {
           read(json[member.name], member_path(path, member.name), value.*member.pointer, read_number);
-        } else if (!is_optional<std::remove_cvref_t<decltype(value.*member.pointer)>>) {
+        } else if (!may_be_left_out<std::remove_cvref_t<decltype(value.*member.pointer)>>) {
           throw InvalidInput(member_path(path, member.name), "missing");
         }
       });

@@ -51,6 +51,18 @@ constexpr bool has_member_of_type() {
   return false;
 }
 
+/// Whether that word alone is an answer: whatever else the answer holds are numbers, which may be left out.
+template <class Answer, class Word>
+constexpr bool is_the_only_word() {
+  return std::apply(
+      [](const auto&... member) {
+        return ((std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word> ||
+                 may_be_left_out<rebound_t<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>,
+                                           std::optional<double>>>)&&...);
+      },
+      Described<Answer>::members);
+}
+
 /// Empty: the engine does not support this question. Result: the operation's answer over double or float, its word
 /// alone, true or false where that is an answer, or a std::optional of one of these.
 template <class Row, class Result>
@@ -76,6 +88,7 @@ std::optional<Json> engine_answer(const Result& result) {
   } else {
     static_assert(has_member_of_type<Answer, Result>(),
                   "this type is no answer to the operation (see geometry/answers.h)");
+    static_assert(is_the_only_word<Answer, Result>(), "this word alone is no answer to the operation: return the whole answer");
     return named(member_of_type<Answer, Result>(), to_json(result));
   }
 }

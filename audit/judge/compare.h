@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "audit/codec/walk.h"
 #include "audit/judge/exact.h"
@@ -18,7 +19,8 @@ struct Comparison {
   double ulps = 0;       ///< the greatest distance of a number
 };
 
-/// `complete`: a number that the truth has must be there (ours); an engine may answer less than we do.
+/// `complete`: a number that the truth has must be there (ours); an engine may answer less than we do, and then `Answer` is over
+/// std::optional<double>.
 template <class Exactly, class Answer>
 void compare(const Exactly& truth, const Answer& answer, bool complete, bool binary32, Comparison& result) {
   if constexpr (Enumeration<Answer> || Plain<Answer>) {
@@ -33,6 +35,8 @@ void compare(const Exactly& truth, const Answer& answer, bool complete, bool bin
                      Described<Answer>::members);
         },
         Described<Exactly>::members);
+  } else if constexpr (is_optional<Answer> && !is_optional<Exactly>) {
+    if (answer) compare(truth, *answer, complete, binary32, result);
   } else if constexpr (is_optional<Answer>) {
     if (truth && answer) {
       compare(*truth, *answer, complete, binary32, result);
@@ -123,6 +127,34 @@ std::string word_of(const T& value) {
   } else {
     return "value";
   }
+}
+
+/// Every word that an answer of this type can hold, each once.
+template <class T>
+void append_words(std::vector<std::string>& words) {
+  if constexpr (Enumeration<T>) {
+    for (const char* word : Words<T>::words) {
+      if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    }
+  } else if constexpr (Composite<T>) {
+    for_each_member<T>([&](const auto& member) {
+      append_words<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>>(words);
+    });
+  }
+}
+
+/// The first word of that type in an answer; empty if it holds none.
+template <Enumeration Word, class T>
+std::optional<Word> word_in(const T& value) {
+  std::optional<Word> found;
+  if constexpr (std::is_same_v<T, Word>) {
+    found = value;
+  } else if constexpr (Composite<T>) {
+    for_each_member<T>([&](const auto& member) {
+      if (!found) found = word_in<Word>(value.*member.pointer);
+    });
+  }
+  return found;
 }
 
 /// The plain answer to "do they meet?" / "is it in the closed shape?"; empty where the operation has no such reading.

@@ -18,6 +18,9 @@ class ExaminationOf final : public Examination {
   using Asked = typename Row::Question;
   using Answer = answer_t<Row>;
   using Exactly = rebound_t<Answer, mpq_class>;
+  /// What an engine says: any number may be left out, unless a checker must see them all.
+  static constexpr bool is_checked = requires(const Asked& asked, const Answer& answer) { Row::fault(asked, answer); };
+  using Said = std::conditional_t<is_checked, Answer, rebound_t<Answer, std::optional<double>>>;
 
   /// Throws InvalidInput where the oracle refuses.
   explicit ExaminationOf(const Asked& question)
@@ -60,6 +63,10 @@ class ExaminationOf final : public Examination {
       if (!found.decision) judgement.verdict = Verdict::algorithm;
       else if (!found.finite) judgement.verdict = Verdict::invalid;
       else if (found.ulps > 0) judgement.verdict = Verdict::inexact;
+      if constexpr (decides_alone<Row>) {
+        const auto word = decision_alone<Row>(question_);
+        if (word_in<std::remove_const_t<decltype(word)>>(truth_.answer) != word) return {Verdict::algorithm, 0, "the decision alone is " + word_of(word)};
+      }
       return judgement;
     } catch (const std::exception& thrown) {
       return {Verdict::invalid, 0, thrown.what()};
@@ -191,7 +198,7 @@ class ExaminationOf final : public Examination {
     return judgement;
   }
 
-  Judgement judge_answer(const Answer& answer, const Declaration& declaration) const {
+  Judgement judge_answer(const Said& answer, const Declaration& declaration) const {
     const Comparison found = compared(answer, false, declaration.binary32);
     Judgement judgement;
     if (!found.decision) {
@@ -206,8 +213,8 @@ class ExaminationOf final : public Examination {
     return judgement;
   }
 
-  static Answer read_answer(const Json& json) {
-    Answer answer{};
+  static Said read_answer(const Json& json) {
+    Said answer{};
     if (Row::card().answer[0] == 0) {
       read(json, "", answer, read_answer_number);
     } else {

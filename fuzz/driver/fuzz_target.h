@@ -47,6 +47,12 @@ class TargetOf final : public Target {
       audit::Comparison found;
       audit::compare(truth.answer, answer, true, false, found);
       if (!found.decision || !found.finite || found.ulps > 0) return "robust and oracle differ (" + proptests::environment_name(environment) + ")";
+      if constexpr (audit::decides_alone<Row> && !decides_quickly) {
+        const auto word = proptests::in_environment(environment, asked, [](const Asked& q) { return audit::decision_alone<Row>(q); });
+        if (audit::word_in<std::remove_const_t<decltype(word)>>(truth.answer) != word) {
+          return "the decision alone differs from the oracle's (" + proptests::environment_name(environment) + ")";
+        }
+      }
       feed_back(truth, asked);
     } catch (const InvalidInput&) {
       return operation_.refusal_mismatch(flat(asked));
@@ -116,15 +122,15 @@ class TargetOf final : public Target {
     report_margin(truth.margin, Row::card().margin_degree, {numbers.data(), count}, outcome_of(truth.answer));
   }
 
+  /// The place of an answer's words among all that could be there; 0 where there are none.
   template <class T>
-  static std::size_t outcome_of(const T& answer) {
+  static std::size_t outcome_of(const T& answer, std::size_t outcome = 0) {
     if constexpr (audit::Enumeration<T>) {
-      return static_cast<std::size_t>(answer);
-    } else if constexpr (requires { answer.relation; }) {
-      return static_cast<std::size_t>(answer.relation);
-    } else {
-      return 0;
+      return outcome * audit::Words<T>::words.size() + static_cast<std::size_t>(answer);
+    } else if constexpr (audit::Composite<T>) {
+      audit::for_each_member<T>([&](const auto& member) { outcome = outcome_of(answer.*member.pointer, outcome); });
     }
+    return outcome;
   }
 
   template <class T>

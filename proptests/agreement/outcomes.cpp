@@ -4,33 +4,13 @@
 #include <map>
 #include <set>
 
-#include "audit/judge/compare.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {
 
 constexpr std::uint64_t drawn_of_a_family = 1500;
-
-/// Every word that an answer of this type can hold ("value" where it holds none).
-template <class T>
-void add_words_of(std::set<std::string>& words) {
-  if constexpr (audit::Enumeration<T>) {
-    words.insert(audit::Words<T>::words.begin(), audit::Words<T>::words.end());
-  } else if constexpr (audit::Composite<T>) {
-    audit::for_each_member<T>([&](const auto& member) {
-      add_words_of<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>>(words);
-    });
-  }
-}
-template <class T>
-std::set<std::string> words_of() {
-  std::set<std::string> words;
-  add_words_of<T>(words);
-  return words.empty() ? std::set<std::string>{"value"} : words;
-}
 
 /// The words of an outcome: "convex/ccw" has two.
 std::vector<std::string> split(const std::string& outcome) {
@@ -44,11 +24,8 @@ std::vector<std::string> split(const std::string& outcome) {
 }
 
 std::set<std::string> possible_outcomes(const Operation& operation) {
-  std::set<std::string> words;
-  audit::for_each_row([&]<class Row>() {
-    if (&Row::card() == &operation.card()) words = words_of<audit::answer_t<Row>>();
-  });
-  return words;
+  const std::vector<std::string> words = operation.words();
+  return words.empty() ? std::set<std::string>{"value"} : std::set<std::string>(words.begin(), words.end());
 }
 
 struct Reached {

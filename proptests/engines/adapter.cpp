@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "audit/engines/fuzz.h"
+#include "proptests/mandatory_number.h"
 
 using namespace touchstone;
 using namespace touchstone::audit;
@@ -73,6 +74,12 @@ TEST_CASE("adapter: a truth value, a word, a whole answer and nothing are answer
   REQUIRE(said<Various>("line_point_at", R"({"line":{"origin":[0,0],"direction":[1,2]},"t":2})") ==
           R"({"point":[2,4]})");
   REQUIRE_THROWS_WITH(said<Various>("explicit_line", R"({"slope":1,"intercept":0,"point":[0,0]})"), "vertical");
+}
+
+TEST_CASE("adapter: a word alone is an answer where the number is always there") {
+  const auto said = engine_answer<proptests::mandatory_number>(PlaneSide::front);
+  REQUIRE(said.has_value());
+  REQUIRE(one_line(*said) == R"({"side":"front"})");
 }
 
 TEST_CASE("adapter: an engine in float gets float shapes where it takes them, doubles elsewhere") {

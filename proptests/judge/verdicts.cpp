@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
-#include "audit/catalogue/operation.h"
+#include "audit/judge/examination_of.h"
+#include "proptests/mandatory_number.h"
 
 /// What the judge says of answers made by hand.
 namespace touchstone::audit {
@@ -194,6 +195,20 @@ TEST_CASE("verdicts: robust agrees where the formula does not") {
     const Operation& asked = *find_operation(operation);
     CHECK(name_of(asked.examine(asked.parse(parse_line(question)))->judge_robust().verdict) == std::string("agree"));
   }
+}
+
+TEST_CASE("verdicts: an engine may leave out every number, also one that is always there, but not the word") {
+  const ExaminationOf<proptests::mandatory_number> examination({{0, 3}});
+  const auto judged = [&](const char* answer) { return examination.judge_engine(parse_line(answer), Declaration{"by hand"}); };
+  CHECK(judged(R"({"side":"front","signed_distance":3})").verdict == Verdict::agree);
+  CHECK(judged(R"({"side":"front","signed_distance":4})").verdict == Verdict::inexact);
+  CHECK(judged(R"({"side":"front","signed_distance":"nan"})").verdict == Verdict::invalid);
+  CHECK(judged(R"({"side":"front"})").verdict == Verdict::agree);
+  CHECK(judged(R"({"side":"front"})").ulps == 0);
+  CHECK(judged(R"({"side":"back"})").verdict == Verdict::algorithm);
+  CHECK(judged(R"({"side":"back","signed_distance":3})").verdict == Verdict::algorithm);
+  CHECK(judged(R"({"signed_distance":3})").remark == "answer.side: missing");
+  CHECK(judged(R"({"side":"front","distance":3})").verdict == Verdict::invalid);
 }
 
 }  // namespace touchstone::audit

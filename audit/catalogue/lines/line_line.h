@@ -24,6 +24,10 @@ struct line_line {
     return card;
   }
 
+  static LineRelation relation(const Question& q) {
+    return ::touchstone::robust::line_line_relation(std::get<0>(q), std::get<1>(q));
+  }
+
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"crossing_on_lattice",

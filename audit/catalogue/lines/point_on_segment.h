@@ -25,6 +25,10 @@ struct point_on_segment {
     return card;
   }
 
+  static Incidence relation(const Question& q) {
+    return ::touchstone::robust::point_on_segment_relation(std::get<0>(q), std::get<1>(q));
+  }
+
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_segment",

@@ -25,6 +25,10 @@ struct ray_segment {
     return card;
   }
 
+  static RayRelation relation(const Question& q) {
+    return ::touchstone::robust::ray_segment_relation(std::get<0>(q), std::get<1>(q));
+  }
+
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"crossing_on_lattice",

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/catalogue/row.h"
+#include "audit/judge/exact.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::proptests {
+
+/// A row for tests alone: a word and a number that is always there. How high is the point over y = 0?
+struct mandatory_number {
+  using Question = std::tuple<Point2d>;
+
+  static const audit::Card& card() {
+    static const audit::Card card{.name = "mandatory_number", .fields = {"point"}};
+    return card;
+  }
+
+  template <class Real>
+  static PointPlane<Real> reference(const Point2<Real>& p) {
+    return {p.y > Real(0) ? PlaneSide::front : p.y < Real(0) ? PlaneSide::back : PlaneSide::on, p.y};
+  }
+  static PointPlane<double> robust(const Point2d& p) { return reference(p); }
+  static ::touchstone::oracle::Truth<PointPlane<mpq_class>> oracle(const Point2d& p) {
+    const mpq_class height = audit::exact_value(p.y);
+    return {reference(Point2<mpq_class>{0, height}), abs(height)};
+  }
+  static ::touchstone::oracle::Certificate certificate(const Point2d&) { return {}; }
+};
+
+}  // namespace touchstone::proptests
