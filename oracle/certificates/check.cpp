@@ -48,4 +48,9 @@ std::optional<std::string> refuse_text(const std::string& line) {
   }
 }
 
+bool is_refused_input(const std::string& line) {
+  const json vector = json::parse(line, nullptr, false);
+  return vector.is_object() && vector.contains("refused") && !vector.contains("truth") && !vector.contains("certificate");
+}
+
 }  // namespace touchstone::certify

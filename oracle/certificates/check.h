@@ -17,4 +17,7 @@ std::optional<std::string> refuse(const nlohmann::json& claim);
 /// The same for one line of text; text that is not JSON is refused as well.
 std::optional<std::string> refuse_text(const std::string& line);
 
+/// Whether the line is a test vector of an input that is refused: there is nothing to certify.
+bool is_refused_input(const std::string& line);
+
 }  // namespace touchstone::certify

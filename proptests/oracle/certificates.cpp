@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "audit/catalogue/operation.h"
 #include "oracle/certificates/check.h"
 
 namespace {
@@ -76,20 +77,35 @@ TEST_CASE("certificates: a claim with any one part taken away or replaced is ref
 }
 
 TEST_CASE("certificates: no other word is accepted in place of the truth's") {
-  const json words =
-      json::parse(R"(["above","on","below","left","right","inside","boundary","outside","off","crossing","parallel",
-                                     "same","disjoint","point","overlap","none"])");
+  json words = json::array();
+  for (const touchstone::audit::Operation* operation : touchstone::audit::catalogue()) {
+    for (const std::string& word : operation->words()) words.push_back(word);
+  }
+  std::size_t replaced = 0;
   for (const json& claim : claims("accepted_claims.jsonl")) {
-    for (const char* field : {"side", "location", "relation"}) {
-      if (!claim["truth"].contains(field)) continue;
-      for (const json& word : words) {
+    const json leaves = claim["truth"].flatten();
+    for (const auto& leaf : leaves.items()) {
+      const bool is_word = leaf.value().is_string() &&
+                           leaf.value().get<std::string>().find_first_not_of("-0123456789/") != std::string::npos;
+      const json others = is_word ? words : leaf.value().is_boolean() ? json{true, false} : json::array();
+      for (const json& other : others) {
         json broken = claim;
-        broken["truth"][field] = word;
+        broken["truth"][json::json_pointer(leaf.key())] = other;
         CAPTURE(broken.dump());
         CHECK((broken == claim) == !refuse(broken).has_value());
+        ++replaced;
       }
     }
   }
+  CHECK(replaced > 200);
+}
+
+TEST_CASE("certificates: a test vector of a refused input is told from a claim") {
+  CHECK(is_refused_input(R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"));
+  CHECK(!is_refused_input(R"({"op":"line_line","input":{},"truth":{},"certificate":{},"refused":"truth: x is missing"})"));
+  CHECK(!is_refused_input(R"({"op":"line_line","input":{},"certificate":{}})"));
+  CHECK(!is_refused_input("{"));
+  CHECK(!is_refused_input("[]"));
 }
 
 TEST_CASE("certificates: text that is not JSON and numbers that are not finite are refused") {

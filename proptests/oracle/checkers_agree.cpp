@@ -2,6 +2,7 @@
 #include <gmpxx.h>
 
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "oracle/certificates/check.h"
 #include "proptests/oracle/claims.h"
@@ -44,6 +45,17 @@ std::vector<json::json_pointer> leaves(const json& claim, const char* field) {
   return found;
 }
 
+/// Every kind of certificate, each once.
+json kinds_of(const std::vector<json>& claims) {
+  std::set<std::string> kinds;
+  for (const json& claim : claims) {
+    for (const auto& place : leaves(claim, "certificate")) {
+      if (place.back() == "kind") kinds.insert(claim[place].get<std::string>());
+    }
+  }
+  return kinds;
+}
+
 const json junk = {nullptr,  true,           -7,         2.5,      "",    "x",   "1/0", "0/5", "-0",  "+1",
                    "1e5",    " 1",           "1 ",       "0x1p+0", "nan", "inf", "0x",  "--",  "1/-", "0x.",
                    "0x1p-1", "0x1p99999999", "-0x1.8p3", 1e308};
@@ -75,6 +87,13 @@ std::string altered(Choices& choices, const std::string& text) {
 TEST_CASE("certificates: the Python checker judges the two files of claims as the C++ checker does") {
   CHECK(python_finds_nothing(script + std::string("oracle/certificates/accepted_claims.jsonl")));
   CHECK(python_finds_nothing(script + std::string("oracle/certificates/refused_claims.jsonl")));
+}
+
+TEST_CASE("certificates: both programs count refused inputs beside the certificates and find nothing in them") {
+  const LinesInFile vectors("vectors.jsonl", {R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"});
+  const LinesInFile broken("broken.jsonl", {R"({"op":"line_line","input":{}})"});
+  CHECK(python_finds_nothing("oracle/certificates/certify.py " + vectors.path()));
+  CHECK(!python_finds_nothing("oracle/certificates/certify.py " + broken.path()));
 }
 
 TEST_CASE("certificates: both checkers accept what the oracle claims") {
@@ -115,11 +134,9 @@ TEST_CASE("certificates: both checkers refuse every other truth, for the same re
 TEST_CASE("certificates: both checkers say the same of altered certificates and of junk in any place") {
   Shown shown;
   Choices choices = Choices::seeded(audit::seed_of(1, "altered", 0));
-  const json kinds = {"height",          "squares",      "exact",           "enclosure",   "displacement",
-                      "determinant",     "weights",      "transversal",     "level_lines", "same_line",
-                      "separating_line", "single_point", "supporting_line", "overlap",
-                      "repeated_neighbour", "common_line", "common_point", "both_sides", "one_side"};
-  for (const json& claim : drawn_claims("altered", 3)) {
+  const auto claims = drawn_claims("altered", 3);
+  const json kinds = kinds_of(claims);
+  for (const json& claim : claims) {
     for (const auto& place : leaves(claim, "certificate")) {
       json broken = claim;
       broken[place] =

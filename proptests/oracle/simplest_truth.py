@@ -3,11 +3,14 @@
 """A second truth: slower, shorter, in Python's fractions. What two shapes have in common is found by cutting the interval of
 the first one's parameter with half-planes; margins follow from their definition.
 
-usage: simplest_truth.py CLAIMS     one {"op", "input", "truth", "margin"} a line; every difference is printed
+usage: simplest_truth.py CLAIMS OPERATIONS
+CLAIMS: one {"op", "input", "truth", "margin"} a line; every difference is printed. OPERATIONS: one {"name", "words"} a line, what the
+catalogue has; each must have its second truth here, and each of its words must have been seen, or the reason stands in WITHOUT.
 """
 import json
 import sys
 from fractions import Fraction
+from math import isqrt
 
 ENDLESS = None
 if hasattr(sys, "set_int_max_str_digits"):
@@ -90,6 +93,36 @@ def explicit_line(q):
     return {"side": by_sign(height, "below", "on", "above")}, abs(height)
 
 
+def point_ground_plane(q):
+    height = number(q["point"][1])
+    return {"side": by_sign(height, "below", "on", "above")}, abs(height)
+
+
+class Root:
+    """A square root with a sign. Equal to it is what is exactly it; where no rational is, what is within 2^-60 units in the last place."""
+
+    def __init__(self, square, sign):
+        self.square, self.sign = square, sign
+
+    def __repr__(self):
+        return f"{self.sign} sqrt({self.square})"
+
+    def __eq__(self, said):
+        value, square = self.sign * Fraction(said), self.square
+        if all(isqrt(part) ** 2 == part for part in (square.numerator, square.denominator)):
+            return value * value == square and value >= 0
+        room = max(value / 2**112, Fraction(1, 2**1134))
+        return value > 0 and max(Fraction(0), value - room) ** 2 < square < (value + room) ** 2
+
+
+def point_plane(q):
+    normal, p = [number(n) for n in q["plane"]["normal"]], [number(n) for n in q["point"]]
+    height = sum(n * x for n, x in zip(normal, p)) + number(q["plane"]["offset"])
+    square = height * height / sum(n * n for n in normal)
+    return {"side": by_sign(height, "back", "on", "front"),
+            "signed_distance": Root(square, by_sign(height, -1, 0, 1))}, square
+
+
 def implicit_circle(q):
     (x, y), (a, b), r = point(q["point"]), point(q["circle"]["center"]), number(q["circle"]["radius"])
     power = x * x + y * y - 2 * a * x - 2 * b * y + a * a + b * b - r * r
@@ -154,10 +187,34 @@ def ray_segment(q):
 
 
 TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
-                                              line_line, segment_segment, ray_segment)}
+                                              line_line, segment_segment, ray_segment, point_ground_plane, point_plane)}
+# Operations that have no second truth here, and why.
+WITHOUT = {
+    "parametric_circle": "its answer is irrational; proptests/oracle/circular.cpp compares it with MPFR",
+}
 
 
-def main(path):
+def words_in(truth):
+    """Every word of an answer, at any depth."""
+    if isinstance(truth, dict):
+        return set().union(*map(words_in, truth.values()))
+    return {truth} if isinstance(truth, str) and truth.strip("-0123456789/") else set()
+
+
+def unseen(operations, seen):
+    """What is missing of the catalogue: operations without a truth here, words that no claim had."""
+    for operation in operations:
+        name = operation["name"]
+        if name in WITHOUT:
+            continue
+        if name not in TRUTHS:
+            yield f"{name}: no second truth, and no reason why (TRUTHS, WITHOUT)"
+        for word in operation["words"] or [""]:
+            if (name, word) not in seen:
+                yield f"{name}: no claim with the answer {word!r} was compared"
+
+
+def main(path, listed):
     seen, wrong = set(), 0
     with open(path, encoding="utf-8") as lines:
         for position, text in enumerate(lines, 1):
@@ -165,14 +222,15 @@ def main(path):
             if claim["op"] not in TRUTHS:
                 continue
             truth, margin = TRUTHS[claim["op"]](claim["input"])
-            seen.add((claim["op"], truth.get("relation") or truth.get("side") or truth.get("location")))
+            seen |= {(claim["op"], word) for word in words_in(truth) or {""}}
             if truth != claim["truth"] or (margin is not None and str(margin) != claim["margin"]):
                 wrong += 1
                 print(f"{path}:{position}: {truth}, margin {margin}, instead of {text[:600]}")
-    if len(seen) != 21:
-        print(f"only {len(seen)} of 21 answers were seen: {sorted(seen)}")
-    return 1 if wrong or len(seen) != 21 else 0
+    with open(listed, encoding="utf-8") as lines:
+        missing = list(unseen([json.loads(line) for line in lines], seen))
+    print(*missing, sep="\n")
+    return 1 if wrong or missing else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))
