@@ -54,9 +54,9 @@ Tally examined(const Operation& operation, int grid, const Shard& shard) {
       const std::string outcome = examination->outcome();
       count(of_reference, question, examination->judge_reference(), outcome, i, nullptr);
       count(of_robust, question, examination->judge_robust(), outcome, i, nullptr);
-    } catch (const InvalidInput&) {
-      ++of_reference.refused;
-      ++of_robust.refused;
+    } catch (const InvalidInput& refused) {
+      of_reference.refuse(refused.rule());
+      of_robust.refuse(refused.rule());
       const std::string mismatch = operation.refusal_mismatch(question);
       if (!mismatch.empty()) count(of_robust, question, {Verdict::invalid, 0, mismatch, 0}, "refused", i, nullptr);
     }

@@ -35,6 +35,10 @@ std::vector<const Operation*> all_named(const std::vector<std::string>& names) {
 int run_map(const std::vector<std::string>& names, const std::string& out_directory, bool binary32) {
   const std::vector<const Operation*> operations = all_named(names);
   const std::string directory = out_directory.empty() ? "." : out_directory;
+  const std::filesystem::path asked(directory);
+  if (asked.extension() == ".png" || asked.extension() == ".html") {
+    throw UsageError("--out " + directory + ": a directory; the files in it are named like the operations");
+  }
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw UsageError("--out " + directory + ": a directory that can be written");

@@ -28,6 +28,7 @@ class Families {
     if (family >= 2 * hard_.size()) return draw_derived(choices, derived_families[family - 2 * hard_.size()]);
     Question question = hard_[family % hard_.size()].draw(choices);
     scale(question, scale_exponent(choices));
+    keep_finite(question);
     if (family >= hard_.size()) nudge(question, choices);
     return question;
   }
@@ -54,6 +55,7 @@ class Families {
         [&](auto& list) { list.resize(list_length(choices)); });
     if constexpr (requires { Row::make_legal(question); }) Row::make_legal(question);
     if (derived.scaled) scale(question, scale_exponent(choices));
+    keep_finite(question);
     return question;
   }
 
@@ -64,6 +66,10 @@ class Families {
     } else {
       for_each_number(question, [&](double& number) { number = std::ldexp(number, exponent); });
     }
+  }
+
+  /// What grew beyond the range, here or in the row, is the greatest double.
+  static void keep_finite(Question& question) {
     for_each_number(question, [&](double& number) {
       if (!std::isfinite(number)) number = std::copysign(std::numeric_limits<double>::max(), number);
     });

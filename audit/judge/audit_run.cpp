@@ -77,9 +77,9 @@ class Worker {
     try {
       auto examination = operation_.examine(question);
       pending.push_back({family, index, std::move(question), std::move(examination)});
-    } catch (const InvalidInput&) {
-      ++asked_[family].refused;
-      ++robust_[family].refused;
+    } catch (const InvalidInput& refused) {
+      asked_[family].refuse(refused.rule());
+      robust_[family].refuse(refused.rule());
       const std::string mismatch = operation_.refusal_mismatch(question);
       if (!mismatch.empty()) count(robust_[family], question, {Verdict::invalid, 0, mismatch, 0}, "refused", index, nullptr);
     }

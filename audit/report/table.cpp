@@ -83,9 +83,12 @@ std::string counts(const Tally& tally) {
   }
   rows.push_back({});
   rows.push_back(row_of("all", sum_of(tally.operations)));
-  const std::uint64_t refused = sum_of(tally.operations).refused;
+  const Cell sum = sum_of(tally.operations);
+  std::string rules;
+  for (const auto& [rule, n] : sum.rules) rules += (rules.empty() ? " (" : ", ") + rule + ": " + grouped(n);
+  if (!rules.empty()) rules += ")";
   const std::string note =
-      refused == 0 ? "" : "drawn but outside the contract, so no cases: " + grouped(refused) + "\n";
+      sum.refused == 0 ? "" : "drawn but outside the contract, so no cases: " + grouped(sum.refused) + rules + "\n";
   return laid_out(rows) + "\n" + note;
 }
 

@@ -128,6 +128,11 @@ std::uint64_t Cell::findings() const {
   return sum;
 }
 
+void Cell::refuse(const std::string& rule) {
+  ++refused;
+  ++rules[rule.substr(0, rule.find(':'))];
+}
+
 void Cell::merge(const Cell& other) {
   for (std::size_t v = 0; v < verdict_count; ++v) {
     counts[v] += other.counts[v];
@@ -138,6 +143,7 @@ void Cell::merge(const Cell& other) {
   touches_closed += other.touches_closed;
   touches_open += other.touches_open;
   refused += other.refused;
+  for (const auto& [rule, n] : other.rules) rules[rule] += n;
 }
 
 bool smaller(const Question& a, const Question& b) {

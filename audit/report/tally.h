@@ -29,10 +29,12 @@ struct Cell {
   std::map<std::string, std::uint64_t> outcomes;                 ///< how often the truth was what
   std::uint64_t touches_closed = 0, touches_open = 0;  ///< touches answered as closed sets do, as open sets do
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
+  std::map<std::string, std::uint64_t> rules;          ///< how often which rule refused it, without particulars ("simple")
 
   std::uint64_t cases() const;
   std::uint64_t count(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
   std::uint64_t findings() const;  ///< cases whose verdict is a finding
+  void refuse(const std::string& rule);
   void merge(const Cell& other);
 };
 

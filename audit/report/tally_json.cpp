@@ -19,18 +19,20 @@ Json finding_json(const Operation& operation, const Finding& finding) {
 }
 
 Json cell_json(const Operation* operation, const std::string& family, const Cell& cell) {
-  Json counts = Json::object(), outcomes = Json::object(), smallest = Json::object();
+  Json counts = Json::object(), outcomes = Json::object(), smallest = Json::object(), rules = Json::object();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     counts[verdict_names[v]] = cell.counts[v];
     if (cell.smallest[v] && operation) smallest[verdict_names[v]] = finding_json(*operation, *cell.smallest[v]);
   }
   for (const auto& [outcome, n] : cell.outcomes) outcomes[outcome] = n;
+  for (const auto& [rule, n] : cell.rules) rules[rule] = n;
   return {{"family", family},
           {"cases", cell.cases()},
           {"counts", counts},
           {"outcomes", outcomes},
           {"touches", {{"closed", cell.touches_closed}, {"open", cell.touches_open}}},
           {"refused", cell.refused},
+          {"rules", rules},
           {"worst_ulps", written(cell.worst_ulps)},
           {"smallest", smallest}};
 }
@@ -125,6 +127,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   cell.touches_closed = place.at("touches").at("closed").count();
   cell.touches_open = place.at("touches").at("open").count();
   cell.refused = place.at("refused").count();
+  place.at("rules").each_member([&](const std::string& key, const Place& n) { cell.rules[key] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();
   if (place.at("cases").count() != cell.cases()) throw InvalidInput(place.at("cases").path, "sum of the counts");
   return {place.at("family").text(), cell};

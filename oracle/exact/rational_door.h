@@ -14,9 +14,12 @@ inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
 
 inline void admit(const std::string&, const oracle::Rational&) {}
 
-/// Where no overload below has a rule, every shape is legal.
-template <template <class> class Shape>
-void admit(const std::string&, const Shape<oracle::Rational>&) {}
+// Shapes that are legal wherever their numbers are. A shape without an overload does not compile: its rules must not be forgotten.
+inline void admit(const std::string&, const Point2<oracle::Rational>&) {}
+inline void admit(const std::string&, const Vector2<oracle::Rational>&) {}
+inline void admit(const std::string&, const Segment2<oracle::Rational>&) {}
+inline void admit(const std::string&, const Point3<oracle::Rational>&) {}
+inline void admit(const std::string&, const Vector3<oracle::Rational>&) {}
 
 inline void admit(const std::string& field, const Line2<oracle::Rational>& l) {
   if (l.p == l.q) throw InvalidInput(field, "two distinct points");

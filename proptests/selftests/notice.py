@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Whether the property suite alone, the vectors alone and fuzzing alone notice each planted bug: notice.py PLANTED.json
-PROGRAMS VECTORS MATRIX. Writes the matrix to the file MATRIX too. Exit code 1 if a bug is missed, or if something cries
+PROGRAMS VECTORS MATRIX [--only OPERATION]. Writes the matrix to the file MATRIX too. Exit code 1 if a bug is missed, or if something cries
 wolf while no bug is on."""
+import argparse
 import concurrent.futures
 import json
 import os
@@ -62,25 +63,28 @@ def missed(bug, results):
     return [way for way, (noticed, _) in zip(WAYS, results) if not noticed and way not in bug.get("blind", [])]
 
 
-def line(number, bug, results):
+def line(bug, results):
     unseen = missed(bug, results)
     cells = "".join(f"{('%.1f s' % seconds if noticed else 'MISSED' if way in unseen else 'known gap'):>12}"
                     for way, (noticed, seconds) in zip(WAYS, results))
-    return f"{number:>3} {bug['operation']:<18}{cells}  {bug['what']}"
+    return f"{bug['id']:<26}{cells}  {bug['what']}"
 
 
-def main(listed, programs, vectors, matrix):
-    bugs = json.load(open(listed))
+def main(listed, programs, vectors, matrix, only=None):
+    bugs = list(enumerate(json.load(open(listed)), 1))
+    bugs = [(number, bug) for number, bug in bugs if only in (None, bug["operation"])]
+    if not bugs:
+        sys.exit(f"no planted bugs of {only}")
     notice = Notice(pathlib.Path(programs).resolve(), pathlib.Path(vectors))
     ways = (notice.properties, notice.by_vectors, notice.fuzzing)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        operations = sorted({bug["operation"] for bug in bugs})
+        operations = sorted({bug["operation"] for _, bug in bugs})
         calm = {op: [pool.submit(way, op, 0) for way in ways] for op in operations}
-        found = [[pool.submit(way, bug["operation"], number) for way in ways] for number, bug in enumerate(bugs, 1)]
+        found = [[pool.submit(way, bug["operation"], number) for way in ways] for number, bug in bugs]
         lines = [f"planted bugs, and the time until each way alone noticed them\n"
-                 f"{'':<22}" + "".join(f"{way:>12}" for way in WAYS)]
+                 f"{'':<26}" + "".join(f"{way:>12}" for way in WAYS)]
         rows = [[cell.result() for cell in row] for row in found]
-        lines += [line(number, bug, row) for number, (bug, row) in enumerate(zip(bugs, rows), 1)]
+        lines += [line(bug, row) for (_, bug), row in zip(bugs, rows)]
         wolf = [op for op in operations if any(cell.result()[0] for cell in calm[op])]
     noticed = sum(seen for row in rows for seen, _ in row)
     lines.append(f"{len(bugs)} bugs, {noticed} of {3 * len(bugs)} times noticed; without a bug: "
@@ -89,8 +93,12 @@ def main(listed, programs, vectors, matrix):
     print(text)
     pathlib.Path(matrix).parent.mkdir(parents=True, exist_ok=True)
     pathlib.Path(matrix).write_text(text)
-    return 1 if wolf or any(missed(bug, row) for bug, row in zip(bugs, rows)) else 0
+    return 1 if wolf or any(missed(bug, row) for (_, bug), row in zip(bugs, rows)) else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("listed", "programs", "vectors", "matrix"):
+        arguments.add_argument(name)
+    arguments.add_argument("--only", metavar="OPERATION", help="the bugs of one operation")
+    sys.exit(main(**vars(arguments.parse_args())))
