@@ -186,11 +186,44 @@ def ray_segment(q):
     return {"relation": "point", "t": str(interval[0]), "point": written(first)}, margin
 
 
+def turn(ring, i):
+    """To which side the ring turns at vertex i: > 0 is left."""
+    a, b, c = ring[i - 1], ring[i], ring[(i + 1) % len(ring)]
+    return cross(minus(b, a), minus(c, b))
+
+
+def crosses_itself(ring):
+    """Whether two edges, which are no points, have in common what is not the one vertex that neighbours share."""
+    edges = [(p, ring[(i + 1) % len(ring)]) for i, p in enumerate(ring)]
+    for j, (c, d) in enumerate(edges):
+        for i, (a, b) in enumerate(edges[:j]):
+            shared = [p for p, joined in ((c, j == i + 1), (a, (j + 1) % len(ring) == i)) if joined]
+            interval = in_common(a, minus(b, a), Fraction(1), (c, d))
+            if interval and not all(at(a, t, minus(b, a)) in shared for t in interval):
+                return True
+    return False
+
+
+def polygon_convexity(q):
+    ring = [point(p) for p in q["polygon"]]
+    turns = [turn(ring, i) for i in range(len(ring))]
+    flat = all(cross(minus(p, ring[0]), minus(r, ring[0])) == 0 for p in ring for r in ring)
+    degenerate = flat or any(p == ring[i - 1] for i, p in enumerate(ring))
+    if degenerate or crosses_itself(ring):
+        return {"class": "degenerate" if degenerate else "not_simple", "strict": False, "orientation": "none"}, None
+    convex = min(turns) >= 0 or max(turns) <= 0
+    lowest = turns[min(range(len(ring)), key=lambda i: ring[i])]  # the ring turns there as it turns as a whole
+    return {"class": "convex" if convex else "concave", "strict": convex and 0 not in turns,
+            "orientation": "ccw" if lowest > 0 else "cw"}, None
+
+
 TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
-                                              line_line, segment_segment, ray_segment, point_ground_plane, point_plane)}
+                                              line_line, segment_segment, ray_segment, polygon_convexity, point_ground_plane,
+                                              point_plane)}
 # Operations that have no second truth here, and why.
 WITHOUT = {
     "parametric_circle": "its answer is irrational; proptests/oracle/circular.cpp compares it with MPFR",
+    "interior_angles": "its answers are irrational; the checkers of certificates enclose them by series of their own",
 }
 
 
