@@ -10,6 +10,7 @@
 #include "audit/catalogue/lines/point_on_segment.h"
 #include "audit/catalogue/lines/ray_segment.h"
 #include "audit/catalogue/lines/segment_segment.h"
+#include "audit/catalogue/polygons/polygon_polygon.h"
 #include "audit/catalogue/planes/point_ground_plane.h"
 #include "audit/catalogue/planes/point_plane.h"
 #include "audit/catalogue/polygons/interior_angles.h"
@@ -30,6 +31,7 @@ struct RowList {
 using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
                      rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
                      rows::polygon_convexity, rows::polygon_convexity_interior_angles, rows::interior_angles,
+                     rows::polygon_polygon,
                      rows::point_ground_plane, rows::point_plane>;
 
 /// visit.template operator()<Row>() for every row.

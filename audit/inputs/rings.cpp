@@ -111,7 +111,7 @@ Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices) {
 Polygon2d with_spike(Polygon2d ring, Choices& choices) {
   const std::size_t i = choices.below(ring.size());
   const Point2d p = ring[i];
-  const double x = integer(choices, 20), y = integer(choices, 20);
+  const double x = size(choices), y = integer(choices, 20);
   ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i + 1), {{p.x + x, p.y + y}, p});
   return ring;
 }

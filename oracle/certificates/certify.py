@@ -15,6 +15,7 @@ import sys
 import certify_circle
 import certify_convexity
 import certify_lines
+import certify_overlap
 import certify_planes
 from certify_reading import Claim, Refusal, expect
 
@@ -23,7 +24,7 @@ if hasattr(sys, "set_int_max_str_digits"):
 
 CHECKS = {
     name.removeprefix("check_"): check
-    for module in (certify_lines, certify_circle, certify_convexity, certify_planes)
+    for module in (certify_lines, certify_circle, certify_convexity, certify_overlap, certify_planes)
     for name, check in vars(module).items()
     if name.startswith("check_")
 }

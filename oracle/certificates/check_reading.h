@@ -91,6 +91,7 @@ using Checks = std::map<std::string, Check>;
 Checks checks_of_lines();
 Checks checks_of_circles();
 Checks checks_of_convexity();
+Checks checks_of_overlap();
 Checks checks_of_planes();
 
 }  // namespace touchstone::certify

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -46,6 +47,13 @@ Reached reached_by(const Operation& operation, std::size_t family) {
   return reached;
 }
 
+/// "polygon[3]: simple: its edge must not meet edge 5" -> "simple: its edge must not meet edge"
+std::string rule_of(const std::string& refusal) {
+  std::string rule = refusal.substr(refusal.find(": ") + 2);
+  while (!rule.empty() && (std::isdigit(static_cast<unsigned char>(rule.back())) != 0 || rule.back() == ' ')) rule.pop_back();
+  return rule;
+}
+
 bool is_hard_case(const Operation& operation, const std::string& family) {
   const auto& names = operation.families();
   return std::find(names.begin(), names.end(), family + "+ulp") != names.end();
@@ -70,9 +78,11 @@ EACH_OPERATION("every outcome is reached, and every family asks what it is meant
       ledger[name].push_back(outcome);
     }
     for (const std::string& refusal : reached.refusals) CHECK(refusal.find("finite number") == std::string::npos);
-    // A family without a legal question is one that breaks a rule of its shape on purpose: always the same one, and only there.
+    // A family without a legal question is one that breaks a rule of its shape on purpose: always the same one.
     if (reached.outcomes.empty()) {
-      CHECK(reached.refusals.size() == 1);
+      std::set<std::string> rules;
+      for (const std::string& refusal : reached.refusals) rules.insert(rule_of(refusal));
+      CHECK(rules.size() == 1);
       CHECK(is_hard_case(operation, name));
     }
   }

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polygons/polygon_polygon.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "geometry/door.h"
+#include "robust/kernel/control_word.h"
+#include "robust/lines/orientation.h"
+#include "robust/rings/simple.h"
+
+namespace touchstone::robust {
+namespace {
+
+// Two simple polygons have a common interior point exactly if one of these holds, since the boundaries are connected:
+//   - two edges cross in the interior of both;
+//   - in a vertex of one that lies on the boundary of the other, the two angles (open cones of interior points near the vertex) overlap;
+//   - the boundaries have no common point, and a vertex of one lies inside the other.
+// For if a boundary runs inside the other polygon and the boundaries meet somewhere, then it leaves some common point towards that inside,
+// and next to it lie interior points of both. So every decision is a turn of three input vertices: no point is ever constructed.
+class Meeting {
+ public:
+  Meeting(const Polygon2d& a, const Polygon2d& b, Stage& decided) : decided_(decided), a_(counter_clockwise(a)), b_(counter_clockwise(b)) {}
+
+  Contact contact() {
+    bool touch = false;
+    for (std::size_t i = 0; i < a_.size(); ++i) {
+      for (std::size_t j = 0; j < b_.size(); ++j) {
+        if (apart(a_[i], a_.next(i), b_[j], b_.next(j))) continue;
+        const Contact found = edges(i, j);
+        if (found == Contact::overlapping) return found;
+        touch = touch || found == Contact::touching;
+      }
+    }
+    if (touch) return Contact::touching;
+    return inside(a_[0], b_) || inside(b_[0], a_) ? Contact::overlapping : Contact::disjoint;
+  }
+
+ private:
+  int turn(const Point2d& p, const Point2d& q, const Point2d& r) {
+    Stage stage;
+    const Side side = orientation(p, q, r, stage);
+    decided_ = std::max(decided_, stage);
+    return 1 - static_cast<int>(side);
+  }
+
+  static bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
+
+  /// The first vertex in lexicographic order is convex.
+  Polygon2d counter_clockwise(Polygon2d ring) {
+    const auto first = std::min_element(ring.vertices.begin(), ring.vertices.end(), before);
+    const auto i = static_cast<std::size_t>(first - ring.vertices.begin());
+    if (turn(ring.previous(i), ring[i], ring.next(i)) < 0) std::reverse(ring.vertices.begin(), ring.vertices.end());
+    return ring;
+  }
+
+  static bool apart(const Point2d& p, const Point2d& q, const Point2d& r, const Point2d& s) {
+    return std::max(p.x, q.x) < std::min(r.x, s.x) || std::max(r.x, s.x) < std::min(p.x, q.x) ||
+           std::max(p.y, q.y) < std::min(r.y, s.y) || std::max(r.y, s.y) < std::min(p.y, q.y);
+  }
+
+  /// p lies on the line of q and r.
+  static bool between(const Point2d& q, const Point2d& p, const Point2d& r) { return !before(p, std::min(q, r, before)) && !before(std::max(q, r, before), p); }
+
+  /// What edge i of a and edge j of b have in common, as far as they tell: contacts in vertices are looked at by the edges that start there.
+  Contact edges(std::size_t i, std::size_t j) {
+    const Point2d &p = a_[i], &q = a_.next(i), &r = b_[j], &s = b_.next(j);
+    const int pr = turn(p, q, r), ps = turn(p, q, s);
+    if (pr * ps > 0) return Contact::disjoint;
+    const int rp = turn(r, s, p), rq = turn(r, s, q);
+    if (rp * rq > 0) return Contact::disjoint;
+    if (pr * ps < 0 && rp * rq < 0) return Contact::overlapping;
+    bool touch = false;
+    if (rp == 0 && between(r, p, s)) {
+      if (cones_overlap(p, angle_of(a_, i), angle_at(b_, j, p))) return Contact::overlapping;
+      touch = true;
+    }
+    if (pr == 0 && between(p, r, q)) {
+      if (cones_overlap(r, angle_of(b_, j), angle_at(a_, i, r))) return Contact::overlapping;
+      touch = true;
+    }
+    touch = touch || (rq == 0 && between(r, q, s)) || (ps == 0 && between(p, s, q));
+    return touch ? Contact::touching : Contact::disjoint;
+  }
+
+  /// The interior near an apex: counter-clockwise from the direction of `from` to that of `to`.
+  struct Angle {
+    Point2d from, to;
+  };
+  static Angle angle_of(const Polygon2d& ring, std::size_t i) { return {ring.next(i), ring.previous(i)}; }
+  /// p lies on edge i, perhaps in one of its ends.
+  static Angle angle_at(const Polygon2d& ring, std::size_t i, const Point2d& p) {
+    if (p == ring[i]) return angle_of(ring, i);
+    const std::size_t end = i + 1 == ring.size() ? 0 : i + 1;
+    if (p == ring[end]) return angle_of(ring, end);
+    return {ring[end], ring[i]};
+  }
+
+  bool same_direction(const Point2d& apex, const Point2d& p, const Point2d& q) {
+    return turn(apex, p, q) == 0 && before(apex, p) == before(apex, q);
+  }
+
+  /// p lies in the half-open cone of the angle: towards `from` or inside.
+  bool in_cone(const Point2d& apex, const Angle& angle, const Point2d& p) {
+    if (same_direction(apex, angle.from, p)) return true;
+    const int opening = turn(apex, angle.from, angle.to);
+    if (opening > 0) return turn(apex, angle.from, p) > 0 && turn(apex, p, angle.to) > 0;
+    if (opening == 0) return turn(apex, angle.from, p) > 0;
+    if (same_direction(apex, angle.to, p)) return false;
+    return !(turn(apex, angle.to, p) > 0 && turn(apex, p, angle.from) > 0);
+  }
+
+  /// Two open arcs overlap exactly if one of them begins in the other or where the other begins.
+  bool cones_overlap(const Point2d& apex, const Angle& one, const Angle& other) {
+    return in_cone(apex, other, one.from) || in_cone(apex, one, other.from);
+  }
+
+  /// Even-odd, for a point that is not on the boundary: edges that cross the horizontal line through p to the right of p.
+  bool inside(const Point2d& p, const Polygon2d& ring) {
+    bool odd = false;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2d &r = ring[i], &s = ring.next(i);
+      if ((r.y > p.y) == (s.y > p.y)) continue;
+      odd ^= turn(r, s, p) == (s.y > r.y ? 1 : -1);
+    }
+    return odd;
+  }
+
+  Stage& decided_;
+  Polygon2d a_, b_;
+};
+
+void admit(const char* field, const Polygon2d& polygon) {
+  door::admit(field, polygon);
+  if (const auto defect = ring_defect(polygon)) door::refuse(field, *defect);
+}
+
+}  // namespace
+
+Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b, Stage& decided) {
+  admit("a", a), admit("b", b);
+  const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
+  decided = Stage::filter;
+  return Meeting(a, b, decided).contact();
+}
+
+Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b) {
+  Stage ignored;
+  return polygon_polygon(a, b, ignored);
+}
+
+}  // namespace touchstone::robust
