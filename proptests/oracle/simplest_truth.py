@@ -217,9 +217,68 @@ def polygon_convexity(q):
             "orientation": "ccw" if lowest > 0 else "cw"}, None
 
 
+def doubled_area(ring):
+    return sum((cross(p, q) for p, q in zip(ring, ring[1:] + ring[:1])), Fraction(0))
+
+
+def turn(p, q, r):
+    return cross(minus(q, p), minus(r, p))
+
+
+def triangles(ring):
+    """Ears cut off one by one; flat vertices are left out."""
+    ring = ring if doubled_area(ring) > 0 else ring[::-1]
+    while len(ring) > 2:
+        for i, q in enumerate(ring):
+            p, r = ring[i - 1], ring[(i + 1) % len(ring)]
+            others = [v for v in ring if v not in (p, q, r)]
+            inside = any(turn(p, q, v) >= 0 and turn(q, r, v) >= 0 and turn(r, p, v) >= 0 for v in others)
+            if turn(p, q, r) == 0 or (turn(p, q, r) > 0 and not inside):
+                if turn(p, q, r) > 0:
+                    yield [p, q, r]
+                ring = ring[:i] + ring[i + 1 :]
+                break
+
+
+def clipped(ring, p, q):
+    """The part of a convex ring to the left of p -> q."""
+    kept = []
+    for v, w in zip(ring, ring[1:] + ring[:1]):
+        before, after = turn(p, q, v), turn(p, q, w)
+        if before >= 0:
+            kept.append(v)
+        if before * after < 0:
+            kept.append(at(v, before / (before - after), minus(w, v)))
+    return kept
+
+
+def overlap(s, t):
+    for i in range(3):
+        s = clipped(s, t[i], t[(i + 1) % 3])
+    return len(s) > 2 and doubled_area(s) > 0
+
+
+def squared_distance(p, a, b):
+    u = minus(b, a)
+    t = min(max(dot(minus(p, a), u) / dot(u, u), Fraction(0)), Fraction(1))
+    w = minus(p, at(a, t, u))
+    return dot(w, w)
+
+
+def polygon_polygon(given):
+    """The triangles of one clipped to those of the other; without a common area only a vertex on an edge can be a contact."""
+    a, b = ([point(p) for p in given[name]] for name in "ab")
+    margin = min(
+        squared_distance(v, p, q) for one, other in ((a, b), (b, a)) for v in one for p, q in zip(other, other[1:] + other[:1])
+    )
+    if any(overlap(s, t) for s in triangles(a) for t in triangles(b)):
+        return {"contact": "overlapping"}, margin
+    return {"contact": "touching" if margin == 0 else "disjoint"}, margin
+
+
 TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
-                                              line_line, segment_segment, ray_segment, polygon_convexity, point_ground_plane,
-                                              point_plane)}
+                                              line_line, segment_segment, ray_segment, polygon_convexity, polygon_polygon,
+                                              point_ground_plane, point_plane)}
 # Operations that have no second truth here, and why.
 WITHOUT = {
     "parametric_circle": "its answer is irrational; proptests/oracle/circular.cpp compares it with MPFR",
