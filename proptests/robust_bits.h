@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/catalogue/catalogue.h"
+#include "audit/catalogue/row.h"
 #include "audit/codec/flat.h"
 #include "proptests/environment.h"
 
@@ -60,15 +60,6 @@ AnswerBits robust_bits(const audit::Question& question, std::size_t environment)
   } catch (const InvalidInput& refused) {
     bits.refused = refused.what();
   }
-  return bits;
-}
-
-/// The same for an operation of the catalogue.
-inline AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
-  AnswerBits bits;
-  audit::for_each_row([&]<class Row>() {
-    if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
-  });
   return bits;
 }
 

@@ -4,7 +4,7 @@
 #include "oracle/lines/segment_segment.h"
 #include "proptests/agreement/certified.h"
 #include "proptests/each_operation.h"
-#include "proptests/robust_bits.h"
+#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {

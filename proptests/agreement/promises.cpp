@@ -2,7 +2,7 @@
 #include "audit/judge/examination_of.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/robust_bits.h"
+#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/robust_bits.h"
+#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/robust_bits.h"
+#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
+#include "audit/catalogue/lines/explicit_line.h"
 #include "proptests/laws.h"
+#include "robust/lines/orientation.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/lines/implicit_circle.h"
 #include "proptests/laws.h"
 
 namespace touchstone::proptests {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/planes/point_ground_plane.h"
 #include "proptests/forward_error.h"
+#include "robust/lines/explicit_line.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numeric>
 
+#include "audit/catalogue/polygons/polygon_convexity.h"
+#include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "audit/cli/commands.h"
 #include "audit/inputs/rings.h"
 #include "proptests/forward_error.h"
