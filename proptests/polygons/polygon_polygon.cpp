@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
+#include "audit/catalogue/polygons/polygon_polygon.h"
 #include "proptests/laws.h"
 
 namespace touchstone::proptests {
