@@ -40,6 +40,7 @@ struct Card {
   /// The operation whose question this is, answered by another formula of the deck: this one is named "<operation>_<method>", has a
   /// reference of its own and the operation's robust and oracle, and is asked of no engine.
   const char* method_of = "";
+  bool formula_answers_less = false;  ///< the slide's formula leaves out numbers that the operation answers, and is judged on the others
 };
 
 /// A question of any operation, its types forgotten: its numbers in canonical order (a list is preceded by its length).

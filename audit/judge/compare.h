@@ -50,26 +50,27 @@ void compare(const Exactly& truth, const Answer& answer, bool complete, bool bin
   }
 }
 
-/// Whether a formula run in exact arithmetic gave the truth: words equal, numbers defined and the same.
+/// Whether a formula run in exact arithmetic gave the truth: words equal, numbers defined and the same. `complete` as above.
 template <class Exactly, class Answer>
-bool same_as_truth(const Exactly& truth, const Answer& answer) {
+bool same_as_truth(const Exactly& truth, const Answer& answer, bool complete = true) {
   if constexpr (Enumeration<Answer> || Plain<Answer>) {
     return truth == answer;
   } else if constexpr (is_vector<Answer>) {
     bool same = truth.size() == answer.size();
-    for (std::size_t i = 0; same && i < truth.size(); ++i) same = same_as_truth(truth[i], answer[i]);
+    for (std::size_t i = 0; same && i < truth.size(); ++i) same = same_as_truth(truth[i], answer[i], complete);
     return same;
   } else if constexpr (Composite<Answer>) {
     bool same = true;
     std::apply(
         [&](const auto&... t) {
-          std::apply([&](const auto&... a) { ((same = same && same_as_truth(truth.*t.pointer, answer.*a.pointer)), ...); },
+          std::apply([&](const auto&... a) { ((same = same && same_as_truth(truth.*t.pointer, answer.*a.pointer, complete)), ...); },
                      Described<Answer>::members);
         },
         Described<Exactly>::members);
     return same;
   } else if constexpr (is_optional<Answer>) {
-    return truth.has_value() == answer.has_value() && (!truth || same_as_truth(*truth, *answer));
+    if (!answer) return !truth || !complete;
+    return truth.has_value() && same_as_truth(*truth, *answer, complete);
   } else {
     return answer.defined() && (answer.value() == truth || nearest(answer.value()) == nearest(truth));
   }

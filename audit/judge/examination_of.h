@@ -128,7 +128,7 @@ class ExaminationOf final : public Examination {
     if constexpr (requires { Row::fault(question_, answer); }) {
       return Row::fault(question_, answer).empty();
     } else {
-      return same_as_truth(truth_.answer, answer);
+      return same_as_truth(truth_.answer, answer, !Row::card().formula_answers_less);
     }
   }
 
@@ -142,7 +142,7 @@ class ExaminationOf final : public Examination {
   template <class Real>
   Judgement judge_formula() const {
     const auto answer = run<Real>();
-    const Comparison found = compared(answer, true, std::is_same_v<Real, float>);
+    const Comparison found = compared(answer, !Row::card().formula_answers_less, std::is_same_v<Real, float>);
     Judgement judgement{Verdict::agree, found.ulps, ""};
     if (!found.decision) {
       judgement.verdict = right_in_exact_arithmetic(run<Exact>()) ? Verdict::rounding : Verdict::algorithm;
@@ -150,7 +150,7 @@ class ExaminationOf final : public Examination {
       judgement.verdict = Verdict::invalid;
       judgement.remark = "NaN or infinity where the truth is finite";
     } else if (found.ulps > Row::card().ulps) {
-      judgement.verdict = Verdict::inexact;
+      judgement.verdict = right_in_exact_arithmetic(run<Exact>()) ? Verdict::inexact : Verdict::algorithm;
     }
     judgement.touch_reading = touch_reading(word_of(answer));
     return judgement;
