@@ -14,6 +14,8 @@ namespace {
 constexpr int version = 1;
 constexpr std::size_t most_of_a_family = 24, most_alike = 6;
 constexpr std::uint64_t drawn_of_a_family = 600;
+/// Of questions whose answers are numbers: hundreds of digits, times the coordinates of a vector of space, are no use to a reader.
+constexpr std::size_t longest_measure = 2300;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 
@@ -95,8 +97,10 @@ std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t 
       Choices choices = case_choices(operation, family, seed, i);
       const Question question = operation.draw(choices, family);
       if (seen[likeness(operation, question)]++ >= most_alike) continue;
+      std::string line = one_line(vector_line(operation, operation.families()[family], question));
+      if (operation.card().kind == Kind::measure && line.size() > longest_measure) continue;
       ++kept;
-      lines.push_back(one_line(vector_line(operation, operation.families()[family], question)));
+      lines.push_back(std::move(line));
     }
   }
   return lines;
