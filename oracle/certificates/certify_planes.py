@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of points, polygons and planes in space: one function an operation, as in check_planes.cpp."""
 
-from certify_reading import expect
+from certify_reading import exact_value, expect, only
 from certify_rounding import expect_rounds_alike
-from certify_space import dot, plane, point_in_space
+from certify_space import dot, exact_triple, plane, point_in_space, polygon_in_space, triple
 
 
 def sign(value):
@@ -33,6 +33,40 @@ def check_point_ground_plane(claim):
     expect(claim.word("side") == side, "truth: side is wrong")
 
 
+def newell_sum(ring):
+    total = [0, 0, 0]
+    for p, q in zip(ring, ring[1:] + ring[:1]):
+        for axis in range(3):
+            b, c = (axis + 1) % 3, (axis + 2) % 3
+            total[axis] += p[b] * q[c] - p[c] * q[b]
+    return tuple(total)
+
+
+def check_polygon_normal(claim):
+    claim.inputs("polygon")
+    normal = newell_sum(polygon_in_space(claim.input["polygon"], "polygon"))
+    length = dot(normal, normal)
+    if claim.word("class") == "degenerate":
+        claim.answers("class"), claim.expect_kind("no_area"), claim.facts()
+        expect(length == 0, "truth: class is wrong")
+        return
+    expect(claim.word("class") == "proper" and length != 0, "truth: class is wrong")
+    claim.answers("class", "normal", "unit")
+    expect(exact_triple(claim.truth["normal"], "truth.normal") == normal, "truth: normal is wrong")
+    unit = exact_triple(claim.truth["unit"], "truth.unit")
+    if claim.kind() != "enclosure":
+        claim.expect_kind("root"), claim.facts()
+        for part, whole in zip(unit, normal):
+            expect_root("unit", part, whole, length)
+        return
+    claim.facts("low", "high")
+    for part, whole, low, high in zip(unit, normal, triple(claim, "low"), triple(claim, "high")):
+        if whole == 0:
+            expect(part == 0, "truth: unit is wrong")
+        else:
+            expect_root_enclosed("unit", part, low, high, whole, length)
+
+
 def check_point_plane(claim):
     claim.inputs("plane", "point"), claim.answers("side", "signed_distance")
     normal, offset = plane(claim.input["plane"], "plane")
@@ -47,3 +81,29 @@ def check_point_plane(claim):
     else:
         claim.expect_kind("root"), claim.facts()
         expect_root("signed_distance", distance, height, length)
+
+
+def check_point_plane_toi(claim):
+    claim.inputs("plane", "start", "end"), claim.answers("option_1", "option_2")
+    normal, offset = plane(claim.input["plane"], "plane")
+    start, end = point_in_space(claim.input["start"], "start"), point_in_space(claim.input["end"], "end")
+    claim.expect_kind("heights"), claim.facts("heights")
+    e0, e1 = claim.pair("heights")
+    expect((e0, e1) == (dot(normal, start) + offset, dot(normal, end) + offset), "certificate: the heights are wrong")
+
+    def hits(option):
+        answer, what = claim.truth[option], "truth." + option
+        timed = isinstance(answer, dict) and "t" in answer
+        only(answer, what, ["relation", "t", "point"] if timed else ["relation"])
+        expect(answer["relation"] in ("hit", "never"), what + ": relation is wrong")
+        return answer["relation"] == "hit", timed
+
+    expect(hits("option_1") == (e1 <= 0, False), "truth: option_1 is wrong")
+    hit = e0 <= 0 or e1 <= 0
+    expect(hits("option_2") == (hit, hit), "truth: option_2 is wrong")
+    if hit:
+        t = exact_value(claim.truth["option_2"]["t"], "truth.option_2.t")
+        first = t == 0 if e0 <= 0 else 0 < t <= 1 and e0 + t * (e1 - e0) == 0
+        expect(first, "truth: t is wrong")
+        point = exact_triple(claim.truth["option_2"]["point"], "truth.option_2.point")
+        expect(point == tuple(p + t * (q - p) for p, q in zip(start, end)), "truth: point is not at t")

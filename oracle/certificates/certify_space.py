@@ -20,6 +20,11 @@ def plane(value, what):
     return normal, offset
 
 
+def polygon_in_space(value, what):
+    expect(isinstance(value, list) and len(value) >= 3, what + ": at least 3 vertices")
+    return [point_in_space(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)]
+
+
 def exact_triple(value, what):
     return tuple(exact_value(n, f"{what}[{axis}]") for axis, n in enumerate(list_of_three(value, what)))
 

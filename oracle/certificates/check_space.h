@@ -14,6 +14,10 @@ struct Triple {
 };
 
 inline bool operator==(const Triple& p, const Triple& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
+inline Triple operator-(const Triple& p, const Triple& q) { return {Rational(p.x - q.x), Rational(p.y - q.y), Rational(p.z - q.z)}; }
+inline Triple along(const Triple& from, const Rational& t, const Triple& step) {
+  return {Rational(from.x + t * step.x), Rational(from.y + t * step.y), Rational(from.z + t * step.z)};
+}
 inline Rational dot(const Triple& p, const Triple& q) { return Rational(p.x * q.x + p.y * q.y + p.z * q.z); }
 
 /// The points p with normal . p + offset = 0.
@@ -26,6 +30,7 @@ struct Plane {
 /// Input, by the field's name; `what` is how the field is called in a refusal.
 Triple point_in_space(const json& value, const std::string& what);
 Plane plane(const json& value, const std::string& what);
+std::vector<Triple> polygon_in_space(const json& value, const std::string& what);
 
 /// Exact values of the truth and of the certificate.
 Triple exact_triple(const json& value, const std::string& what);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/planes/point_plane_toi.h"
+
+#include "robust/kernel/legal_space.h"
+#include "robust/kernel/plane.h"
+#include "robust/kernel/plane_terms.h"
+
+namespace touchstone::robust {
+namespace {
+
+using kernel::Int128;
+
+/// -0.0 is 0, whatever the environment makes of it.
+double positive_zero(double x) { return door::zero(x) ? 0.0 : x; }
+
+FirstHit<double> at_start(const Point3d& start) {
+  return {HitRelation::hit, 0.0, Point3d{positive_zero(start.x), positive_zero(start.y), positive_zero(start.z)}};
+}
+
+const FirstHit<double> no_hit{HitRelation::never, std::nullopt, std::nullopt};
+
+StepTest at_end(int sign) { return {sign <= 0 ? HitRelation::hit : HitRelation::never}; }
+
+/// (e0 end - e1 start) / (e0 - e1): the weights of both ends.
+template <class Second, class Integer>
+double between(const Second& e0, const Second& e1, const Integer& start, const Integer& end, int exponent) {
+  using kernel::multiply;
+  return kernel::round_quotient(multiply(e0, end) + multiply(Second(-e1), start), Second(e0 - e1), exponent);
+}
+
+/// The ends of the step as integers on one power of two: x, y, z of start, then of end.
+template <class Second, class Numbers>
+PointPlaneToi<double> answer_of(const Second& e0, const Second& e1, const Point3d& start, const Numbers& ends) {
+  if (kernel::sign_of(e0) <= 0) return {at_end(kernel::sign_of(e1)), at_start(start)};
+  if (kernel::sign_of(e1) > 0) return {at_end(1), no_hit};
+  const auto coordinate = [&](std::size_t axis) { return between(e0, e1, ends.at[axis], ends.at[axis + 3], ends.exponent); };
+  return {at_end(kernel::sign_of(e1)),
+          {HitRelation::hit, kernel::round_quotient(e0, Second(e0 - e1)), Point3d{coordinate(0), coordinate(1), coordinate(2)}}};
+}
+
+/// The same number in units of 2^exponent; empty if that is not below 2^124, so that differences and their products with a lattice fit.
+std::optional<Int128> in_units(const kernel::Scaled<Int128>& x, int exponent) {
+  const int shift = x.n == 0 ? 0 : x.exponent - exponent;
+  if (kernel::bit_width(kernel::magnitude_of(x.n)) + shift > 124) return std::nullopt;
+  return x.n * (Int128{1} << shift);
+}
+
+void admit(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+  if (kernel::legal(plane) && kernel::legal(start) && kernel::legal(end)) return;
+  door::admit("plane", plane), door::admit("start", start), door::admit("end", end);
+}
+
+}  // namespace
+
+std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+  const filters::Sign first = filters::plane(plane, start), last = filters::plane(plane, end);
+  if (first == filters::Sign::unknown || last == filters::Sign::unknown) return std::nullopt;
+  const int sign = last == filters::Sign::positive ? 1 : -1;
+  if (first == filters::Sign::negative) return PointPlaneToi<double>{at_end(sign), at_start(start)};
+  if (last == filters::Sign::positive) return PointPlaneToi<double>{at_end(sign), no_hit};
+  return std::nullopt;
+}
+
+std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+  const auto first = kernel::lattice_sum(kernel::height_over(plane, start)), last = kernel::lattice_sum(kernel::height_over(plane, end));
+  const auto ends = kernel::lattice_of(start.x, start.y, start.z, end.x, end.y, end.z);
+  if (!first || !last || !ends) return std::nullopt;
+  const int exponent = std::min(first->exponent, last->exponent);
+  const auto e0 = in_units(*first, exponent), e1 = in_units(*last, exponent);
+  if (!e0 || !e1) return std::nullopt;
+  return answer_of(*e0, *e1, start, *ends);
+}
+
+PointPlaneToi<double> point_plane_toi_exact(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+  auto first = kernel::exact_sum(kernel::height_over(plane, start)), last = kernel::exact_sum(kernel::height_over(plane, end));
+  const int exponent = std::min(first.exponent, last.exponent);
+  first.n <<= static_cast<unsigned long>(first.exponent - exponent);
+  last.n <<= static_cast<unsigned long>(last.exponent - exponent);
+  return answer_of(first.n, last.n, start, kernel::integers_of(start.x, start.y, start.z, end.x, end.y, end.z));
+}
+
+PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = point_plane_toi_filter(plane, start, end)) return *answer;
+  admit(plane, start, end);
+  decided = Stage::lattice;
+  if (const auto answer = point_plane_toi_lattice(plane, start, end)) return *answer;
+  decided = Stage::exact;
+  return point_plane_toi_exact(plane, start, end);
+}
+
+PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+  Stage ignored;
+  return point_plane_toi(plane, start, end, ignored);
+}
+
+}  // namespace touchstone::robust
