@@ -221,7 +221,7 @@ def doubled_area(ring):
     return sum((cross(p, q) for p, q in zip(ring, ring[1:] + ring[:1])), Fraction(0))
 
 
-def turn(p, q, r):
+def side(p, q, r):
     return cross(minus(q, p), minus(r, p))
 
 
@@ -232,9 +232,9 @@ def triangles(ring):
         for i, q in enumerate(ring):
             p, r = ring[i - 1], ring[(i + 1) % len(ring)]
             others = [v for v in ring if v not in (p, q, r)]
-            inside = any(turn(p, q, v) >= 0 and turn(q, r, v) >= 0 and turn(r, p, v) >= 0 for v in others)
-            if turn(p, q, r) == 0 or (turn(p, q, r) > 0 and not inside):
-                if turn(p, q, r) > 0:
+            inside = any(side(p, q, v) >= 0 and side(q, r, v) >= 0 and side(r, p, v) >= 0 for v in others)
+            if side(p, q, r) == 0 or (side(p, q, r) > 0 and not inside):
+                if side(p, q, r) > 0:
                     yield [p, q, r]
                 ring = ring[:i] + ring[i + 1 :]
                 break
@@ -244,7 +244,7 @@ def clipped(ring, p, q):
     """The part of a convex ring to the left of p -> q."""
     kept = []
     for v, w in zip(ring, ring[1:] + ring[:1]):
-        before, after = turn(p, q, v), turn(p, q, w)
+        before, after = side(p, q, v), side(p, q, w)
         if before >= 0:
             kept.append(v)
         if before * after < 0:
@@ -258,18 +258,11 @@ def overlap(s, t):
     return len(s) > 2 and doubled_area(s) > 0
 
 
-def squared_distance(p, a, b):
-    u = minus(b, a)
-    t = min(max(dot(minus(p, a), u) / dot(u, u), Fraction(0)), Fraction(1))
-    w = minus(p, at(a, t, u))
-    return dot(w, w)
-
-
 def polygon_polygon(given):
     """The triangles of one clipped to those of the other; without a common area only a vertex on an edge can be a contact."""
     a, b = ([point(p) for p in given[name]] for name in "ab")
     margin = min(
-        squared_distance(v, p, q) for one, other in ((a, b), (b, a)) for v in one for p, q in zip(other, other[1:] + other[:1])
+        squared_distance(v, p, minus(q, p), Fraction(1)) for one, other in ((a, b), (b, a)) for v in one for p, q in zip(other, other[1:] + other[:1])
     )
     if any(overlap(s, t) for s in triangles(a) for t in triangles(b)):
         return {"contact": "overlapping"}, margin
