@@ -10,14 +10,15 @@
 #include "audit/catalogue/lines/point_on_segment.h"
 #include "audit/catalogue/lines/ray_segment.h"
 #include "audit/catalogue/lines/segment_segment.h"
-#include "audit/catalogue/polygons/polygon_polygon.h"
 #include "audit/catalogue/planes/point_ground_plane.h"
 #include "audit/catalogue/planes/point_plane.h"
 #include "audit/catalogue/planes/point_plane_toi.h"
 #include "audit/catalogue/planes/polygon_normal.h"
 #include "audit/catalogue/polygons/interior_angles.h"
+#include "audit/catalogue/polygons/point_in_polygon.h"
 #include "audit/catalogue/polygons/polygon_convexity.h"
 #include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
+#include "audit/catalogue/polygons/polygon_polygon.h"
 
 namespace touchstone::audit {
 
@@ -34,7 +35,7 @@ using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametri
                      rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
                      rows::polygon_convexity, rows::polygon_convexity_interior_angles, rows::interior_angles,
                      rows::polygon_polygon,
-                     rows::point_ground_plane, rows::point_plane, rows::polygon_normal, rows::point_plane_toi>;
+                     rows::point_ground_plane, rows::point_plane, rows::polygon_normal, rows::point_plane_toi, rows::point_in_polygon>;
 
 /// visit.template operator()<Row>() for every row.
 template <class Visit>

@@ -92,6 +92,7 @@ Checks checks_of_lines();
 Checks checks_of_circles();
 Checks checks_of_convexity();
 Checks checks_of_overlap();
+Checks checks_of_polygons();
 Checks checks_of_planes();
 
 }  // namespace touchstone::certify

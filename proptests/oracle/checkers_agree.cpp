@@ -35,12 +35,13 @@ struct Shown {
 
 json one_of(Choices& choices, const json& list) { return list[choices.below(list.size())]; }
 
-/// The pointers of all leaves below one field.
+/// The pointers of all leaves below one field; an empty list is none.
 std::vector<json::json_pointer> leaves(const json& claim, const char* field) {
   std::vector<json::json_pointer> found;
   const json flat = claim[field].flatten();
   for (const auto& leaf : flat.items()) {
-    if (!leaf.key().empty()) found.push_back(json::json_pointer("/" + std::string(field) + leaf.key()));
+    if (leaf.key().empty() || leaf.value().is_null()) continue;
+    found.push_back(json::json_pointer("/" + std::string(field) + leaf.key()));
   }
   return found;
 }

@@ -269,9 +269,18 @@ def polygon_polygon(given):
     return {"contact": "touching" if margin == 0 else "disjoint"}, margin
 
 
+def point_in_polygon(q):
+    """By a ray upwards: it passes the edges that have one end strictly to the right of it."""
+    ring, p = [minus(point(vertex), point(q["point"])) for vertex in q["polygon"]], (Fraction(0), Fraction(0))
+    edges = list(zip(ring, ring[1:] + ring[:1]))
+    margin = min(squared_distance(p, a, minus(b, a), Fraction(1)) for a, b in edges)
+    inside = sum((a[0] > 0) != (b[0] > 0) and (cross(a, b) > 0) == (a[0] > 0) for a, b in edges) % 2 == 1
+    return {"location": "boundary" if margin == 0 else "inside" if inside else "outside"}, margin
+
+
 TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
-                                              line_line, segment_segment, ray_segment, polygon_convexity, polygon_polygon,
-                                              point_ground_plane, point_plane)}
+                                              line_line, segment_segment, ray_segment, polygon_convexity, point_in_polygon,
+                                              polygon_polygon, point_ground_plane, point_plane)}
 # Operations that have no second truth here, and why.
 WITHOUT = {
     "parametric_circle": "its answer is irrational; proptests/oracle/circular.cpp compares it with MPFR",

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What certify.py checks of polygons: one function an operation, as in check_polygons.cpp."""
+
+from certify_lines import along, cross, minus, within
+from certify_reading import expect, point, polygon
+from certify_rings import edge, side, vertex
+
+
+def expect_crossings(claim, ring, p):
+    claim.facts("direction", "edges", "t")
+    direction, edges, parameters = claim.pair("direction"), claim.list("edges"), claim.list("t")
+    expect(len(edges) == len(parameters), "certificate: a parameter for each edge")
+    around = [minus(v, p) for v in ring]
+    expect(all(cross(direction, v) != 0 for v in around), "certificate: the direction does not miss every vertex")
+    listed = set()
+    for index, t in zip(edges, parameters):
+        i = vertex(index, ring)
+        expect(i not in listed, "certificate: an edge is listed twice")
+        listed.add(i)
+        on_line = side(edge(ring, i), along(p, t, direction)) == 0
+        expect(t > 0 and on_line, "certificate: a parameter is wrong")
+    for i in range(len(ring)):
+        a, b = edge(around, i)
+        start, end = cross(direction, a) > 0, cross(direction, b) > 0
+        crossed = start != end and cross(a, b) != 0 and (cross(a, b) > 0) == end
+        expect(crossed == (i in listed), "certificate: not the edges that the ray crosses")
+    expect(claim.word("location") == ("inside" if len(listed) % 2 else "outside"), "truth: location is wrong")
+
+
+def check_point_in_polygon(claim):
+    claim.inputs("polygon", "point"), claim.answers("location")
+    ring, p = polygon(claim.input["polygon"], "polygon"), point(claim.input["point"], "point")
+    if claim.kind() == "crossings":
+        expect_crossings(claim, ring, p)
+        return
+    claim.expect_kind("on_edge"), claim.facts("edge", "t")
+    a, b = edge(ring, vertex(claim.single("edge"), ring))
+    t = claim.single("t")
+    expect(within(t) and p == along(a, t, minus(b, a)), "certificate: the point is not there on the edge")
+    expect(claim.word("location") == "boundary", "truth: location is wrong")

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <set>
+#include <string>
+
+#include "oracle/certificates/check_rings.h"
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+
+/// The listed edges are those that the ray from the point in that direction crosses, at t: no vertex is on its line, so that an edge
+/// with its ends on different sides of the line meets it in one point, which is ahead or behind.
+void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
+  claim.facts({"direction", "edges", "t"});
+  const Pair direction = claim.pair("direction");
+  const std::vector<Rational> edges = claim.list("edges"), t = claim.list("t");
+  expect(edges.size() == t.size(), "certificate: a parameter for each edge");
+  for (const Pair& v : ring) {
+    expect(sgn(cross(direction, v - p)) != 0, "certificate: the direction does not miss every vertex");
+  }
+  std::set<std::size_t> listed;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const std::size_t i = vertex(edges[k], ring);
+    expect(listed.insert(i).second, "certificate: an edge is listed twice");
+    expect(sgn(t[k]) > 0 && side(edge(ring, i), along(p, t[k], direction)) == 0, "certificate: a parameter is wrong");
+  }
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Pair a = edge(ring, i).a - p, b = edge(ring, i).b - p;
+    const int from = sgn(cross(direction, a)), to = sgn(cross(direction, b));
+    const bool crossed = from != to && sgn(cross(a, b)) == to;
+    expect(crossed == (listed.count(i) == 1), "certificate: not the edges that the ray crosses");
+  }
+  expect(claim.word("location") == (listed.size() % 2 == 1 ? "inside" : "outside"), "truth: location is wrong");
+}
+
+void check_point_in_polygon(const Claim& claim) {
+  claim.inputs({"polygon", "point"}), claim.answers({"location"});
+  const Ring ring = polygon(claim.input["polygon"], "polygon");
+  const Pair p = point(claim.input["point"], "point");
+  if (claim.kind() == "crossings") return check_crossings(claim, ring, p);
+  expect(claim.kind() == "on_edge", wrong_kind), claim.facts({"edge", "t"});
+  const Ends e = edge(ring, vertex(claim.single("edge"), ring));
+  const Rational t = claim.single("t");
+  expect(sgn(t) >= 0 && t <= 1 && p == along(e.a, t, e.b - e.a), "certificate: the point is not there on the edge");
+  expect(claim.word("location") == "boundary", "truth: location is wrong");
+}
+
+}  // namespace
+
+Checks checks_of_polygons() {
+  return {{"point_in_polygon", check_point_in_polygon}};
+}
+
+}  // namespace touchstone::certify

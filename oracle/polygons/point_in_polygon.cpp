@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polygons/point_in_polygon.h"
+
+#include <optional>
+#include <stdexcept>
+
+#include "oracle/exact/common_points.h"
+#include "oracle/exact/rational_door.h"
+#include "oracle/rings/whole.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Ring = Polygon2<Integer>;
+
+Vector2<Integer> place(const Point2<Integer>& p) { return {p.x, p.y}; }
+
+/// The polygon in integers as the point sees it: the point at the origin.
+struct Around {
+  Ring ring;
+  Rational unit;
+};
+
+template <class Number>
+Around admitted(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  door::admit("polygon", polygon), door::admit("point", point);
+  Polygon2<Number> all = polygon;
+  all.vertices.push_back(point);
+  WholeRing whole(all);
+  const Point2<Integer> origin = whole.ring.vertices.back();
+  whole.ring.vertices.pop_back();
+  for (Point2<Integer>& p : whole.ring.vertices) p = {Integer(p.x - origin.x), Integer(p.y - origin.y)};
+  return {std::move(whole.ring), std::move(whole.unit)};
+}
+
+/// The first edge that holds the origin.
+std::optional<std::size_t> edge_through_origin(const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vector2<Integer> a = place(ring[i]), b = place(ring.next(i));
+    if (sgn(cross(a, b)) == 0 && sgn(dot(a, b)) <= 0) return i;
+  }
+  return std::nullopt;
+}
+
+/// A ray from the origin that misses every vertex, backwards too; and on which side of it each vertex lies.
+struct Ray {
+  Vector2<Integer> direction;
+  std::vector<Integer> sides;
+};
+
+/// The first of (1, 1), (1, 2), (1, 3) ... that misses, or a quarter turn from these: each vertex rules out one at most.
+Ray missing_ray(const Ring& ring, bool quarter_turn) {
+  for (long slope = 1;; ++slope) {
+    Ray ray{quarter_turn ? Vector2<Integer>{-slope, 1} : Vector2<Integer>{1, slope}, {}};
+    for (const Point2<Integer>& vertex : ring.vertices) {
+      ray.sides.push_back(cross(ray.direction, place(vertex)));
+      if (sgn(ray.sides.back()) == 0) break;
+    }
+    if (sgn(ray.sides.back()) != 0) return ray;
+  }
+}
+
+/// Where a ray meets an edge that has one end on either side of its line: at t direction.
+struct Crossing {
+  std::size_t edge;
+  Fraction<Integer> t;
+};
+
+std::vector<Crossing> crossings(const Ring& ring, const Ray& ray) {
+  std::vector<Crossing> found;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Integer &a = ray.sides[i], &b = ray.sides[i + 1 == ring.size() ? 0 : i + 1];
+    if (sgn(a) == sgn(b)) continue;
+    const Fraction<Integer> t{cross(place(ring[i]), place(ring.next(i))), Integer(b - a)};
+    if (sgn(t.numerator) == sgn(t.denominator)) found.push_back({i, t});
+  }
+  return found;
+}
+
+Location by_parity(const Ring& ring, const Ray& ray) {
+  return crossings(ring, ray).size() % 2 == 1 ? Location::inside : Location::outside;
+}
+
+Rational least_squared_distance(const Ring& ring) {
+  std::optional<Rational> least;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const auto found = squared_distance<Integer>({0, 0}, {ring[i], ring.next(i)}, Extent::segment);
+    Rational distance = quotient(found.numerator, found.denominator);
+    if (!least || distance < *least) least = std::move(distance);
+  }
+  return *least;
+}
+
+template <class Number>
+Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  const auto [ring, unit] = admitted(polygon, point);
+  if (edge_through_origin(ring)) return {Location::boundary, Rational(0)};
+  const Location found = by_parity(ring, missing_ray(ring, false));
+  if (by_parity(ring, missing_ray(ring, true)) != found) throw std::logic_error("point_in_polygon: two rays disagree");
+  return {found, Rational(least_squared_distance(ring) * unit * unit)};
+}
+
+}  // namespace
+
+Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point) { return truth_of(polygon, point); }
+
+template <Exact Number>
+Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  return truth_of(polygon, point);
+}
+template Truth<Location> point_in_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
+
+Location point_in_polygon_location(const Polygon2d& polygon, const Point2d& point) {
+  return location_by_winding<Integer>(admitted(polygon, point).ring);
+}
+
+Certificate point_in_polygon_certificate(const Polygon2d& polygon, const Point2d& point) {
+  const auto [ring, unit] = admitted(polygon, point);
+  if (const auto edge = edge_through_origin(ring)) {
+    const Vector2<Integer> a = place(ring[*edge]), v = ring.next(*edge) - ring[*edge];
+    const Integer length = dot(v, v), along = -dot(a, v);
+    const Rational t = sgn(length) == 0 ? Rational(0) : quotient(along, length);
+    return {"on_edge", {{"edge", {Rational(*edge)}}, {"t", {t}}}};
+  }
+  const Ray ray = missing_ray(ring, false);
+  std::vector<Rational> edges, parameters;
+  for (const Crossing& crossing : crossings(ring, ray)) {
+    edges.emplace_back(crossing.edge);
+    parameters.push_back(rational(crossing.t));
+  }
+  const std::vector<Rational> direction{Rational(ray.direction.x * unit), Rational(ray.direction.y * unit)};
+  return {"crossings", {{"direction", direction}, {"edges", edges}, {"t", parameters}}};
+}
+
+}  // namespace touchstone::oracle
