@@ -14,11 +14,13 @@
 #include "audit/catalogue/planes/point_plane.h"
 #include "audit/catalogue/planes/point_plane_toi.h"
 #include "audit/catalogue/planes/polygon_normal.h"
+#include "audit/catalogue/polygons/convex_partition.h"
 #include "audit/catalogue/polygons/interior_angles.h"
 #include "audit/catalogue/polygons/point_in_polygon.h"
 #include "audit/catalogue/polygons/polygon_convexity.h"
 #include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "audit/catalogue/polygons/polygon_polygon.h"
+#include "audit/catalogue/polygons/triangulate_polygon.h"
 
 namespace touchstone::audit {
 
@@ -34,8 +36,8 @@ struct RowList {
 using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
                      rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
                      rows::polygon_convexity, rows::polygon_convexity_interior_angles, rows::interior_angles,
-                     rows::polygon_polygon,
-                     rows::point_ground_plane, rows::point_plane, rows::polygon_normal, rows::point_plane_toi, rows::point_in_polygon>;
+                     rows::triangulate_polygon, rows::convex_partition, rows::point_in_polygon, rows::polygon_polygon,
+                     rows::point_ground_plane, rows::polygon_normal, rows::point_plane, rows::point_plane_toi>;
 
 /// visit.template operator()<Row>() for every row.
 template <class Visit>

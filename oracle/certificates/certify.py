@@ -18,6 +18,7 @@ import certify_lines
 import certify_overlap
 import certify_planes
 import certify_polygons
+import certify_triangulation
 from certify_reading import Claim, Refusal, expect
 
 if hasattr(sys, "set_int_max_str_digits"):
@@ -25,7 +26,7 @@ if hasattr(sys, "set_int_max_str_digits"):
 
 CHECKS = {
     name.removeprefix("check_"): check
-    for module in (certify_lines, certify_circle, certify_convexity, certify_overlap, certify_polygons, certify_planes)
+    for module in (certify_lines, certify_circle, certify_convexity, certify_overlap, certify_polygons, certify_planes, certify_triangulation)
     for name, check in vars(module).items()
     if name.startswith("check_")
 }

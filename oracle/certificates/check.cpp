@@ -12,7 +12,7 @@ namespace {
 const Checks& all_checks() {
   static const Checks all = [] {
     Checks merged;
-    for (Checks (*of_a_file)() : {checks_of_lines, checks_of_circles, checks_of_convexity, checks_of_overlap, checks_of_polygons, checks_of_planes}) merged.merge(of_a_file());
+    for (Checks (*of_a_file)() : {checks_of_lines, checks_of_circles, checks_of_convexity, checks_of_overlap, checks_of_polygons, checks_of_planes, checks_of_triangulation}) merged.merge(of_a_file());
     return merged;
   }();
   return all;

@@ -94,5 +94,6 @@ Checks checks_of_convexity();
 Checks checks_of_overlap();
 Checks checks_of_polygons();
 Checks checks_of_planes();
+Checks checks_of_triangulation();
 
 }  // namespace touchstone::certify

@@ -117,6 +117,13 @@ TEST_CASE("certificates: both checkers refuse every other truth, for the same re
         CHECK(!shown.accepts(broken));
         continue;
       }
+      if (claim[place].is_number_unsigned()) {  // a place in a list
+        json broken = claim;
+        broken[place] = claim[place].get<unsigned>() + 1 + choices.below(3);
+        CAPTURE(broken.dump());
+        CHECK(!shown.accepts(broken));
+      }
+      if (!claim[place].is_string()) continue;
       const std::string value = claim[place];
       if (value.find_first_not_of("-0123456789/") != std::string::npos) continue;
       const std::string other = altered(choices, value);

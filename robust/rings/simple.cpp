@@ -8,6 +8,7 @@
 
 #include "robust/kernel/control_word.h"
 #include "robust/lines/segment_segment.h"
+#include "robust/rings/sweep.h"
 
 namespace touchstone::robust {
 namespace {
@@ -22,9 +23,10 @@ Box box_of(const Segment2d& s) {
   return {left, right, bottom, top};
 }
 
-class Sweep {
+/// Every pair of edges whose boxes meet, for the first defect of all.
+class Pairs {
  public:
-  explicit Sweep(const Polygon2d& ring) : ring_(ring), order_(ring.size()) {
+  explicit Pairs(const Polygon2d& ring) : ring_(ring), order_(ring.size()) {
     boxes_.reserve(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) boxes_.push_back(box_of(edge(i)));
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -65,7 +67,8 @@ std::optional<door::RingDefect> ring_defect(const Polygon2d& ring) {
     if (door::same(ring[i].x, ring.next(i).x) && door::same(ring[i].y, ring.next(i).y)) return door::RingDefect{i, i};
   }
   const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
-  return Sweep(ring).first_defect();
+  if (simple_by_sweep(ring)) return std::nullopt;
+  return Pairs(ring).first_defect();
 }
 
 }  // namespace touchstone::robust

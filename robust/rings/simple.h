@@ -7,8 +7,8 @@
 
 namespace touchstone::robust {
 
-/// The first defect of a ring of finite vertices, exactly; empty: the ring is simple. The edges are swept by their least x, so that only
-/// those are compared whose boxes meet: near-linear unless many long edges lie side by side.
+/// The first defect of a ring of finite vertices, exactly; empty: the ring is simple, which a sweep tells in time n log n. The first
+/// defect of a ring that is not is found by comparing all edges whose boxes meet.
 std::optional<door::RingDefect> ring_defect(const Polygon2d& ring);
 
 }  // namespace touchstone::robust

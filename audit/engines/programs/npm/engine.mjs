@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Audits packages from npm: node engine.mjs robust-segment-intersect | robust-orientation | robust-predicates
+// Audits packages from npm: node engine.mjs robust-segment-intersect | robust-orientation | robust-predicates | earcut
 import { createRequire } from "node:module";
 import { createInterface } from "node:readline";
 
@@ -24,13 +24,19 @@ const packages = {
     const { orient2d } = require("robust-predicates");
     return { orientation: ({ p0, p1, p }) => side(-orient2d(...p0, ...p1, ...p)) };
   },
+  // A flat list of corners, counter-clockwise where y points up.
+  earcut: async () => {
+    const { default: earcut } = await import("earcut");
+    const threes = (list) => Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
+    return { triangulate_polygon: ({ polygon }) => ({ triangles: threes(earcut(polygon.flat())) }) };
+  },
 };
 
 if (!(name in packages)) {
   console.error(`usage: node engine.mjs ${Object.keys(packages).join(" | ")}`);
   process.exit(2);
 }
-const operations = packages[name]();
+const operations = await packages[name]();
 const version = require("./package.json").dependencies[name];
 const say = (line) => process.stdout.write(JSON.stringify(line) + "\n");
 

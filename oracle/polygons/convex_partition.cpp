@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polygons/convex_partition.h"
+
+#include <algorithm>
+
+namespace touchstone::oracle {
+namespace {
+
+bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    if (ring.turn(piece[i], piece[(i + 1) % piece.size()], piece[(i + 2) % piece.size()]) < 0) return false;
+  }
+  return true;
+}
+
+/// The two pieces as one, if they have an edge in common; empty if not.
+std::vector<Index> merged(const std::vector<Index>& a, const std::vector<Index>& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto at = std::find(b.begin(), b.end(), a[(i + 1) % a.size()]);
+    if (at == b.end() || (at + 1 == b.end() ? b.front() : *(at + 1)) != a[i]) continue;
+    std::vector<Index> one = a, other = b;  // a: from i + 1 round to i; b: from i round to i + 1
+    std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>((i + 1) % a.size()), one.end());
+    std::rotate(other.begin(), other.begin() + (at - b.begin() + 1) % static_cast<std::ptrdiff_t>(b.size()), other.end());
+    one.insert(one.end(), other.begin() + 1, other.end() - 1);
+    return one;
+  }
+  return {};
+}
+
+/// Until no two pieces can be merged. A diagonal that is needed once stays needed, because angles only grow.
+IndexLists partition(const WholeRing& ring) {
+  IndexLists pieces = triangulated(ring);
+  for (bool merging = true; merging;) {
+    merging = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      for (std::size_t k = i + 1; k < pieces.size(); ++k) {
+        std::vector<Index> both = merged(pieces[i], pieces[k]);
+        if (both.empty() || !convex(ring, both)) continue;
+        pieces[i] = std::move(both);
+        pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(k--));
+        merging = true;
+      }
+    }
+  }
+  return pieces;
+}
+
+template <class Number>
+Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
+  admit_simple(polygon);
+  const WholeRing ring(polygon);
+  return {partition(ring), least_turn(ring)};
+}
+
+std::size_t reflex_vertices(const WholeRing& ring) {
+  const int direction = sgn(ring.area());
+  std::size_t count = 0;
+  for (Index i = 0; i < ring.size(); ++i) count += ring.turn(ring.before(i), i, ring.after(i)) * direction < 0;
+  return count;
+}
+
+}  // namespace
+
+Truth<IndexLists> convex_partition(const Polygon2d& polygon) { return truth(polygon); }
+
+template <Exact Number>
+Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
+  return truth(polygon);
+}
+template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
+
+Certificate convex_partition_certificate(const Polygon2d& polygon) {
+  const WholeRing ring(polygon);
+  return {"pieces", {{"doubled_area", {ring.actual_area(abs(ring.area()))}}}};
+}
+
+std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
+  if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1) return "more than 2 r + 1 pieces for r reflex vertices";
+  return partition_fault(polygon, pieces);
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "oracle/certificates/certificate.h"
+#include "oracle/rings/triangulation.h"
+
+namespace touchstone::oracle {
+
+/// Truth: one partition of many: triangles from cutting diagonal by diagonal, each merged into the first piece that stays convex. Margin:
+/// the least size of twice the area of three consecutive vertices, which is 0 where one is flat: how far the vertices are from changing
+/// between convex and reflex.
+Truth<IndexLists> convex_partition(const Polygon2d& polygon);
+template <Exact Number>
+Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon);
+Certificate convex_partition_certificate(const Polygon2d& polygon);
+
+/// What is wrong with a partition of a simple polygon into convex pieces; "" if it is right, ours or not.
+std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polygons/triangulate_polygon.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
+  admit_simple(polygon);
+  const WholeRing ring(polygon);
+  return {triangulated(ring), least_turn(ring)};
+}
+
+}  // namespace
+
+Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon) { return truth(polygon); }
+
+template <Exact Number>
+Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
+  return truth(polygon);
+}
+template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
+
+Certificate triangulate_polygon_certificate(const Polygon2d& polygon) {
+  const WholeRing ring(polygon);
+  return {"pieces", {{"doubled_area", {ring.actual_area(abs(ring.area()))}}}};
+}
+
+std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles) {
+  for (const auto& triangle : triangles) {
+    if (triangle.size() != 3) return "not three vertices in a triangle";
+  }
+  // A vertex in the middle of a side takes half a turn away from the angles of the corners, and so one triangle from the count.
+  if (triangles.size() + 2 != polygon.size()) return "not n - 2 triangles";
+  return partition_fault(polygon, triangles);
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "oracle/certificates/certificate.h"
+#include "oracle/rings/triangulation.h"
+
+namespace touchstone::oracle {
+
+/// Truth: one triangulation of many, diagonal by diagonal on integers. Margin: the least size of twice the area of three consecutive vertices,
+/// which is 0 where one is flat: how far the vertices are from changing between convex and reflex.
+Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon);
+template <Exact Number>
+Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon);
+Certificate triangulate_polygon_certificate(const Polygon2d& polygon);
+
+/// What is wrong with a triangulation of a simple polygon; "" if it is right, ours or not.
+std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/rings/triangulation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "oracle/exact/rational_door.h"
+#include "oracle/rings/simple.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+void admit(const Polygon2<Number>& polygon) {
+  door::admit("polygon", polygon);
+  if (const auto defect = ring_defect(polygon)) door::refuse("polygon", *defect);
+}
+
+}  // namespace
+
+WholeRing::WholeRing(const Polygon2d& ring) {
+  int least = 4096;
+  const auto lower = [&](const Dyadic& part) {
+    if (part.mantissa != 0) least = std::min(least, part.exponent + std::countr_zero(static_cast<std::uint64_t>(part.mantissa)));
+  };
+  for (const Point2d& p : ring.vertices) lower(decode(p.x)), lower(decode(p.y));
+  const auto whole = [&](double number) {
+    Integer result(static_cast<long>(decode(number).mantissa));
+    const int up = decode(number).exponent - least;
+    if (up >= 0) {
+      result <<= static_cast<mp_bitcnt_t>(up);
+    } else {
+      result >>= static_cast<mp_bitcnt_t>(-up);  // only zeros leave
+    }
+    return result;
+  };
+  for (const Point2d& p : ring.vertices) points_.push_back({whole(p.x), whole(p.y)});
+  unit_ = scaled(Rational(1), least == 4096 ? 0 : least);
+}
+
+WholeRing::WholeRing(const Polygon2<Rational>& ring) {
+  Integer denominator(1);
+  for (const auto& p : ring.vertices) {
+    for (const Rational* number : {&p.x, &p.y}) mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number->get_den_mpz_t());
+  }
+  const auto whole = [&](const Rational& number) { return Integer(number.get_num() * (denominator / number.get_den())); };
+  for (const auto& p : ring.vertices) points_.push_back({whole(p.x), whole(p.y)});
+  unit_ = Rational(Integer(1), denominator);
+}
+
+Integer WholeRing::area(const std::vector<Index>& piece) const {
+  Integer sum;
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Point2<Integer>&p = points_[piece[i]], &q = points_[piece[(i + 1) % piece.size()]];
+    sum += p.x * q.y - p.y * q.x;
+  }
+  return sum;
+}
+
+Integer WholeRing::area() const {
+  std::vector<Index> all(size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return area(all);
+}
+
+Rational WholeRing::actual_area(const Integer& value) const { return Rational(Rational(value) * unit_ * unit_); }
+
+void admit_simple(const Polygon2d& polygon) { admit(polygon); }
+void admit_simple(const Polygon2<Rational>& polygon) { admit(polygon); }
+
+std::vector<Index> counter_clockwise(const WholeRing& ring) {
+  std::vector<Index> all(ring.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  if (sgn(ring.area()) < 0) std::reverse(all.begin(), all.end());
+  return all;
+}
+
+/// A ring of more than three vertices has a diagonal at its first vertex v in the order of the plane, where it turns left. With u and w
+/// before and after v: uw if the closed triangle uvw holds no other vertex, else vz to the one held that is farthest from uw on v's side,
+/// because no edge can reach into the part of the triangle beyond z without ending there.
+IndexLists triangulated(const WholeRing& ring) {
+  IndexLists triangles, rings{counter_clockwise(ring)};
+  while (!rings.empty()) {
+    std::vector<Index> now = std::move(rings.back());
+    rings.pop_back();
+    const auto first = std::min_element(now.begin(), now.end(), [&](Index i, Index j) {
+      return ring[i].x < ring[j].x || (ring[i].x == ring[j].x && ring[i].y < ring[j].y);
+    });
+    std::rotate(now.begin(), first, now.end());
+    const Index v = now[0], w = now[1], u = now.back();
+    std::size_t farthest = 0;
+    Integer height;
+    for (std::size_t i = 2; i + 1 < now.size(); ++i) {
+      const Index z = now[i];
+      if (ring.turn(u, v, z) < 0 || ring.turn(v, w, z) < 0) continue;
+      Integer above = ring.area(w, u, z);
+      if (sgn(above) < 0 || (farthest != 0 && above <= height)) continue;
+      farthest = i, height = std::move(above);
+    }
+    if (farthest == 0) {
+      triangles.push_back({u, v, w});
+      now.erase(now.begin());
+      if (now.size() > 2) rings.push_back(std::move(now));
+      continue;
+    }
+    const auto z = now.begin() + static_cast<std::ptrdiff_t>(farthest);
+    std::vector<Index> rest(z, now.end());
+    rest.push_back(v);
+    rings.emplace_back(now.begin(), z + 1);
+    rings.push_back(std::move(rest));
+  }
+  return triangles;
+}
+
+Rational least_turn(const WholeRing& ring) {
+  Integer least = abs(ring.area(ring.before(0), 0, ring.after(0)));
+  for (Index i = 1; i < ring.size(); ++i) least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));
+  return ring.actual_area(least);
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polygons/triangulate_polygon.h"
+
+#include "geometry/door.h"
+#include "robust/kernel/control_word.h"
+#include "robust/rings/simple.h"
+#include "robust/rings/sweep.h"
+
+namespace touchstone::robust {
+
+std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon, Stage& decided) {
+  door::admit("polygon", polygon);
+  {
+    const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
+    if (auto triangles = triangulated_by_sweep(polygon, decided)) return *std::move(triangles);
+  }
+  door::refuse("polygon", ring_defect(polygon).value());
+}
+
+std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon) {
+  Stage ignored;
+  return triangulate_polygon(polygon, ignored);
+}
+
+}  // namespace touchstone::robust
