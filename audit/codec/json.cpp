@@ -14,8 +14,7 @@ namespace {
 constexpr char typed_number_mark = '\x01';
 constexpr long most_decimal_exponent = 5000;
 
-bool starts_number(char c) { return c == '-' || (c >= '0' && c <= '9'); }
-bool continues_number(char c) { return starts_number(c) || c == '+' || c == '.' || c == 'e' || c == 'E'; }
+bool starts_number(char c) { return c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'); }
 
 /// Every number outside a string becomes a marked string; what is between marks is checked when it is read.
 std::string with_marked_numbers(const std::string& text) {
@@ -30,9 +29,9 @@ std::string with_marked_numbers(const std::string& text) {
       in_string = !in_string;
       result += c;
     } else if (!in_string && (starts_number(c) || c == 'N' || c == 'I')) {
-      // NaN and Infinity are no JSON, but the complaint about them should name their field.
+      // NaN, Infinity, 0x1 or +1 are no JSON, but the complaint about them should name their field.
       result += "\"\\u0001";
-      while (i < text.size() && (continues_number(text[i]) || std::isalpha(static_cast<unsigned char>(text[i])) != 0)) result += text[i++];
+      while (i < text.size() && (starts_number(text[i]) || std::isalpha(static_cast<unsigned char>(text[i])) != 0)) result += text[i++];
       --i;
       result += '"';
     } else {
@@ -132,6 +131,8 @@ bool is_typed_number(const Json& value) {
          value.get_ref<const std::string&>()[0] == typed_number_mark;
 }
 
+std::string typed_text(const Json& value) { return value.get_ref<const std::string&>().substr(1); }
+
 double read_double(const Json& value, const std::string& field) {
   if (value.is_string()) {
     const std::string& text = value.get_ref<const std::string&>();
@@ -141,11 +142,13 @@ double read_double(const Json& value, const std::string& field) {
 }
 
 double read_answer_number(const Json& value, const std::string& field) {
+  if (value.is_null()) throw InvalidInput(field, R"(number, not null (JSON has no NaN or infinity; send "nan", "inf", "-inf"))");
   if (value.is_string()) {
-    const std::string& text = value.get_ref<const std::string&>();
-    if (text == "nan") return std::nan("");
-    if (text == "inf") return HUGE_VAL;
-    if (text == "-inf") return -HUGE_VAL;
+    const std::string text = is_typed_number(value) ? typed_text(value) : value.get<std::string>();
+    const bool bare = is_typed_number(value);
+    if (text == (bare ? "NaN" : "nan")) return std::nan("");
+    if (text == (bare ? "Infinity" : "inf")) return HUGE_VAL;
+    if (text == (bare ? "-Infinity" : "-inf")) return -HUGE_VAL;
   }
   try {
     return nearest(number_token(value, field), field);

@@ -20,10 +20,13 @@ using Json = nlohmann::ordered_json;
 Json parse_line(const std::string& text);
 
 bool is_typed_number(const Json& value);
+/// Its characters as they were typed, a number or not.
+std::string typed_text(const Json& value);
 
 /// The double nearest to what was typed: a decimal or a hexadecimal float string. Throws InvalidInput naming the field.
 double read_double(const Json& value, const std::string& field);
-/// The same, and "nan", "inf", "-inf" are let through: an engine may answer them.
+/// The same, and "nan", "inf", "-inf" are let through, the bare words NaN, Infinity, -Infinity, and decimals beyond the
+/// greatest double: an engine may answer them.
 double read_answer_number(const Json& value, const std::string& field);
 /// What was typed as an exact rational, before any rounding.
 mpq_class read_exact(const Json& value, const std::string& field);

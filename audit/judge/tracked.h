@@ -33,19 +33,21 @@ class Tracked {
   friend Tracked operator-(const Tracked& a, const Tracked& b) {
     return kept_undefined(a, b, sum(a, b, a.value_ - b.value_, -b.value_));
   }
-  friend Tracked operator-(const Tracked& a) { return Tracked(-a.value_, a.error_); }
+  friend Tracked operator-(const Tracked& a) {
+    return a.undefined_ ? undefined(-a.value_) : Tracked(-a.value_, a.error_);
+  }
 
   friend Tracked operator*(const Tracked& a, const Tracked& b) {
-    if (a.is_undefined() || b.is_undefined()) return undefined();
     const Float product = a.value_ * b.value_;
+    if (a.undefined_ || b.undefined_) return undefined(product);
     const double propagated = plus(times(size(a), b.error_), times(plus(size(b), b.error_), a.error_));
     return Tracked(product, plus(propagated, product_rounding(a.value_, b.value_, product)));
   }
 
   friend Tracked operator/(const Tracked& a, const Tracked& b) {
-    if (a.is_undefined() || b.is_undefined()) return undefined();
     const Float quotient = a.value_ / b.value_;
-    if (a.value_ == 0 && a.error_ == 0 && b.value_ == 0 && b.error_ == 0) return undefined();
+    if (a.undefined_ || b.undefined_) return undefined(quotient);
+    if (a.error_ == 0 && b.value_ == 0 && b.error_ == 0) return undefined(quotient);
     const double least_divisor = down(size(b) - b.error_);
     if (!(least_divisor > 0) || !std::isfinite(quotient)) return Tracked(quotient, infinite);
     const double propagated = over(plus(a.error_, times(magnitude(quotient), b.error_)), least_divisor);
@@ -68,8 +70,8 @@ class Tracked {
 
   /// The root is rounded correctly; an error e of the argument a moves it by at most e / sqrt(a - e).
   friend Tracked sqrt(const Tracked& a) {
-    if (a.is_undefined()) return undefined();
     const Float root = std::sqrt(a.value_);
+    if (a.undefined_) return undefined(root);
     const bool exact = std::fma(root, root, -a.value_) == 0 && (magnitude(a.value_) > safe_product || a.value_ == 0);
     if (exact && a.error_ == 0) return Tracked(root);
     const double least = down(size(a) - a.error_);
@@ -82,7 +84,7 @@ class Tracked {
   /// An error e of the argument a moves the arc cosine by at most e / sqrt(1 - (|a| + e)^2); near the ends by at most pi sqrt(e / 2),
   /// since 1 - cos x >= 2 x^2 / pi^2. Beyond 1 it is undefined, and whether the argument is beyond is a comparison.
   friend Tracked acos(const Tracked& a) {
-    if (a.is_undefined()) return undefined();
+    if (a.undefined_) return undefined(std::acos(a.value_));
     const double most = plus(size(a), a.error_);
     if (most > 1 && a.error_ > 0) doubtful() = true;
     const Float angle = std::acos(a.value_);
@@ -101,14 +103,15 @@ class Tracked {
 
   Tracked(Float value, double error) : value_(value), error_(std::isfinite(value) && error == error ? error : infinite) {}
 
-  /// 0 / 0 without any rounding before it: undefined in exact arithmetic too, so no comparison with it is in doubt.
-  static Tracked undefined() {
-    Tracked result(std::numeric_limits<Float>::quiet_NaN());
+  /// x / 0 without any rounding before it, and what is computed from it: undefined in exact arithmetic too, so no
+  /// comparison with it is in doubt. The value is what Float makes of it, a NaN or an infinity at first.
+  static Tracked undefined(Float value) {
+    Tracked result(value, infinite);
+    result.undefined_ = true;
     return result;
   }
-  bool is_undefined() const { return value_ != value_ && error_ == 0; }
   static Tracked kept_undefined(const Tracked& a, const Tracked& b, const Tracked& result) {
-    return a.is_undefined() || b.is_undefined() ? undefined() : result;
+    return a.undefined_ || b.undefined_ ? undefined(result.value_) : result;
   }
 
   static double magnitude(Float x) { return std::fabs(static_cast<double>(x)); }
@@ -139,12 +142,13 @@ class Tracked {
   }
 
   static Tracked library(Float result, const Tracked& argument) {
+    if (argument.undefined_) return undefined(result);
     const bool exact = argument.value_ == 0 && argument.error_ == 0;
     return Tracked(result, exact ? 0 : plus(argument.error_, 4 * half_ulp(result)));
   }
 
   static void settled(const Tracked& a, const Tracked& b) {
-    if (a.is_undefined() || b.is_undefined()) return;
+    if (a.undefined_ || b.undefined_) return;
     const double gap = std::fabs(static_cast<double>(a.value_) - static_cast<double>(b.value_));
     const double error = plus(a.error_, b.error_);
     if (error > 0 && !(down(gap) > error)) doubtful() = true;
@@ -153,6 +157,7 @@ class Tracked {
 
   Float value_ = 0;
   double error_ = 0;
+  bool undefined_ = false;
 };
 
 }  // namespace touchstone::audit

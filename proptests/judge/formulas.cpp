@@ -233,6 +233,9 @@ TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no ot
   CHECK_FALSE(doubtful([&] { return ten_tenths != T(2.0); }));
   CHECK_FALSE(doubtful([&] { return T(1.0) == T(1.0); }));           // both exact
   CHECK_FALSE(doubtful([&] { return T(0.0) / T(0.0) <= T(1.0); }));  // undefined in exact arithmetic too
+  CHECK_FALSE(doubtful([&] { return T(1.0) / T(0.0) <= T(1.0); }));
+  CHECK_FALSE(doubtful([&] { return T(3.0) * (T(1.0) / T(0.0)) + T(0.1) * T(0.1) > T(1.0); }));
+  CHECK(doubtful([&] { return T(1.0) / (ten_tenths - T(1.0)) > T(1.0); }));  // the divisor is 0 by rounding
   CHECK(doubtful([&] { return T(1e308) * T(10.0) > T(0.0); }));
   CHECK((T(0.0) / T(0.0)).value() != 0);
   T::doubtful() = false;

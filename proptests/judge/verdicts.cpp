@@ -45,6 +45,29 @@ TEST_CASE("verdicts: a decision is right, wrong by algorithm, or wrong where the
   CHECK(near.says(R"({"side":"left"})") == "rounding");
 }
 
+TEST_CASE("verdicts: where the formula divides by an exact 0, nothing was rounded") {
+  const Case apart{"point_on_segment", R"({"point":[1,1],"segment":[[0,0],[0,0]]})"},
+      inside{"point_on_segment", R"({"point":[0,1],"segment":[[0,0],[0,2]]})"};
+  CHECK(apart.says(R"({"relation":"off"})") == "agree");
+  CHECK(apart.says(R"({"relation":"on"})") == "algorithm");
+  CHECK(inside.says(R"({"relation":"off"})") == "algorithm");
+}
+
+TEST_CASE("verdicts: words that are no JSON numbers lose the answer they stand in and nothing else") {
+  const Case at{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})"};
+  for (const char* numbers : {"[NaN,10]", "[7,Infinity]", "[-Infinity,10]", "[-1e999,10]", R"(["nan",10])"}) {
+    const Judgement judged = at.judge(R"({"point":)" + std::string(numbers) + "}");
+    CHECK(name_of(judged.verdict) == std::string("invalid"));
+    CHECK(judged.remark == "NaN or infinity where the truth is finite");
+  }
+  for (const char* numbers : {"[0x10,1]", "[01,1]", "[1.5.2,1]", "[--1,1]", "[+1,1]", "[.5,1]", "[Nan,1]"}) {
+    const Judgement judged = at.judge(R"({"point":)" + std::string(numbers) + "}");
+    CHECK(name_of(judged.verdict) == std::string("invalid"));
+    CHECK(judged.remark == "answer.point[0]: number");
+  }
+  CHECK_THAT(at.judge(R"({"point":[null,1]})").remark, Catch::Contains(R"(send "nan")"));
+}
+
 TEST_CASE("verdicts: a declared tolerance forgives what lies within it, and nothing else") {
   // The margin is an area, 2^-54 = 5.6e-17; the greatest coordinate is 10.
   const auto with = [](double tolerance) {
