@@ -48,10 +48,12 @@ class Worker {
       } else {
         const Reply reply = replies.empty() ? Reply{Reply::Kind::unsupported, nullptr, ""} : replies[i];
         if (!reply.asked && stop_) continue;
-        auto& smallest = asked_[p.family].smallest[static_cast<std::size_t>(Verdict::invalid)];
-        const auto seen_to_fail = smallest;
-        count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index, reply.answer);
-        if (!reply.asked) smallest = seen_to_fail;
+        if (reply.asked) {
+          count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index, reply.answer);
+        } else {
+          ++asked_[p.family].not_asked;
+          asked_[p.family].given_up = reply.remark;
+        }
       }
       count(robust_[p.family], p.question, p.examination->judge_robust(), outcome, p.index, nullptr);
     }
@@ -136,6 +138,14 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
   }
 }
 
+void require_an_operation(const Engine& engine, const AuditOptions& options) {
+  const auto has = [&](const Operation* operation) { return engine.supports(operation->name()); };
+  if (std::any_of(options.operations.begin(), options.operations.end(), has)) return;
+  std::string asked;
+  for (const Operation* operation : options.operations) asked += (asked.empty() ? "" : ", ") + operation->name();
+  throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
+}
+
 std::vector<std::size_t> chosen_families(const Operation& operation, const std::vector<std::string>& names) {
   std::vector<std::size_t> chosen;
   const auto& all = operation.families();
@@ -151,8 +161,10 @@ void count(Cell& cell, const Question& question, const Judgement& judgement, con
   const auto v = static_cast<std::size_t>(judgement.verdict);
   ++cell.counts[v];
   ++cell.outcomes[outcome];
-  if (judgement.touch_reading > 0) ++cell.touches_closed;
-  if (judgement.touch_reading < 0) ++cell.touches_open;
+  // A decision that rounding may have taken, or none at all, says nothing about the convention.
+  const bool meant = judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::invalid;
+  if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
+  if (meant && judgement.touch_reading < 0) ++cell.touches_open;
   if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }
@@ -171,6 +183,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   if (options.engine) {
     for (auto& engine : engines) engine = options.engine();
   }
+  if (options.engine) require_an_operation(*engines[0], options);
   Tally tally;
   tally.declaration = options.engine ? engines[0]->declaration() : reference_declaration;
   tally.seed = options.seed;

@@ -82,11 +82,11 @@ std::string figure(const Operation& operation, const Finding& finding) {
 }
 
 std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement,
-                     const char* style = "") {
+                     Speaker speaker, const char* style = "") {
   std::string text = "<tr class=\"" + std::string(style) + "\"><th scope=\"row\">" + escaped(who) + "</th><td>" +
                      code(answer) + "</td><td>";
   if (judgement) {
-    text += badge(judgement->verdict);
+    text += badge(judgement->verdict, speaker);
     if (judgement->ulps > 0 && std::isfinite(judgement->ulps))
       text += " <span class=\"small quiet\">" + ulps_in_words(judgement->ulps) + " off</span>";
   }
@@ -96,17 +96,17 @@ std::string said_row(const std::string& who, const std::string& answer, const Ju
 std::string what_was_said(const Examination& question, const Finding& finding, const Declaration& declaration,
                           Speaker speaker, bool exact_in_float) {
   std::string text = "<table class=\"said\"><tbody>";
-  text += said_row("truth, exact", one_line(readable(question.truth())), nullptr, "truth");
+  text += said_row("truth, exact", one_line(readable(question.truth())), nullptr, speaker, "truth");
   if (speaker == Speaker::foreign) {
     text += said_row(declaration.engine, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)),
-                     &finding.judgement);
+                     &finding.judgement, speaker);
   }
   const Judgement in_double = question.judge_reference(false), in_float = question.judge_reference(true),
                   exact = question.judge_robust();
-  text += said_row("the formula in double", one_line(question.reference(false)), &in_double);
+  text += said_row("the formula in double", one_line(question.reference(false)), &in_double, Speaker::reference);
   text += said_row(exact_in_float ? "the formula in float" : "the formula in float, the input rounded to float first",
-                   one_line(question.reference(true)), &in_float);
-  text += said_row("robust", one_line(question.robust()), &exact);
+                   one_line(question.reference(true)), &in_float, Speaker::reference);
+  text += said_row("robust", one_line(question.robust()), &exact, Speaker::robust);
   return text + "</tbody></table>";
 }
 
@@ -131,8 +131,8 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   const Finding& finding = *smallest.finding;
   const std::string verdict = name_of(finding.judgement.verdict);
   std::string text = fmt::format("<section class=\"card\" id=\"{0}{1}\"><h3>{2} {3}</h3><p>{4}</p>",
-                                 speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict),
-                                 escaped(counted(count, "case")), escaped(why(finding, &operation, speaker)));
+                                 speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict, speaker),
+                                 escaped(counted(count, "case")), escaped(why(finding, &operation, speaker, declaration.binary32)));
   text += "<div class=\"seen\">" + figure(operation, finding);
   std::string margin, proof;
   try {
@@ -152,7 +152,7 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   fact("input", code(one_line(operation.print(finding.question))));
   fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
   fact("found in", escaped(fmt::format("family {}, case {}", smallest.family, finding.index)));
-  text += "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again:</p><pre class=\"repeat\">" +
+  text += "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone where it is not installed):</p><pre class=\"repeat\">" +
           escaped(repeat_command(operation, finding.question)) + "</pre>";
   return text + proof + "</section>";
 }

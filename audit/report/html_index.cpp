@@ -43,12 +43,13 @@ std::string tile(const std::string& style, std::uint64_t n, const std::string& w
 }
 
 std::string tiles(const Tally& tally, const Cell& sum) {
-  std::string text = "<div class=\"tiles\">" + tile("", sum.cases(), "answers judged");
+  std::string text = "<div class=\"tiles\">" + tile("", sum.cases() - sum.count(Verdict::unsupported), "answers judged");
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
     const bool always = verdict == Verdict::agree || verdict == Verdict::rounding || verdict == Verdict::algorithm;
     if (always || sum.counts[v] > 0) text += tile(verdict_names[v], sum.counts[v], verdict_names[v]);
   }
+  if (sum.not_asked > 0) text += tile("", sum.not_asked, "not asked");
   if (!tally.robust.empty()) {
     const Cell robust = sum_of(tally.robust);
     text += tile("", robust.cases() - robust.count(Verdict::agree), "wrong by robust");
@@ -75,14 +76,22 @@ std::string operations_table(const Tally& tally) {
   return text + "</tbody></table></div>";
 }
 
-std::string legend() {
+/// The words of the pages that a reader may not know.
+std::string glossary() {
+  return "<p class=\"small quiet\" style=\"margin:14px 0 0\">The slide is the textbook formula of an operation, deck p. the "
+         "page of the lecture deck that it stands on (<em>Collision handling: detection and response</em>, CSE 3541, M. "
+         "Boggus); an ulp is one unit in the last place of a number, and a family named +ulp holds the inputs of the "
+         "family before it with one coordinate moved by a few ulps.</p>";
+}
+
+std::string legend(Speaker speaker) {
   std::string text = "<div class=\"card\"><dl class=\"legend\">";
   for (std::size_t v = 0; v < verdict_count; ++v) {
     text += fmt::format(
         "<dt><span class=\"swatch {0} hatch\" style=\"background-color:var(--c)\"></span>{0}</dt><dd>{1}</dd>",
-        verdict_names[v], escaped(meaning(static_cast<Verdict>(v))));
+        verdict_names[v], escaped(meaning(static_cast<Verdict>(v), speaker)));
   }
-  return text + "</dl></div>";
+  return text + "</dl>" + glossary() + "</div>";
 }
 
 /// A foreign engine is not always at hand when the report is written; then the maps are those of the slide's formula.
@@ -166,7 +175,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps) {
                      "</h1><p class=\"lead\">" + escaped(lead(tally)) + "</p><p class=\"quiet\">" +
                      escaped(conditions(tally)) + "</p></header><main>";
   body += tiles(tally, sum) + "<h2>By operation</h2>" + operations_table(tally);
-  body += "<h2>What the verdicts mean</h2>" + legend();
+  body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration));
   if (!maps.empty()) body += "<h2>" + gallery_heading(tally, maps) + "</h2>" + gallery(maps);
   body += conventions(tally) + "<h2>By family of inputs</h2>" + whole_table(tally) + command(tally);
   return page(

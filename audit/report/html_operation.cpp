@@ -63,6 +63,7 @@ std::string summary(const Tally& tally, std::size_t operation) {
     text += "<p style=\"margin-top:14px\"><strong>robust</strong>, the same questions: " + escaped(summary_of(same)) +
             ".</p>" + verdict_bar(same, true);
   }
+  if (total.not_asked > 0) text += "<p style=\"margin-top:14px\">" + escaped(not_asked_in_words(total)) + ".</p>";
   if (tally.operations[operation].inconsistent_convention()) {
     text +=
         "<p style=\"margin-top:14px\"><strong>Inconsistent convention</strong>: where shapes only touch, it answers as "

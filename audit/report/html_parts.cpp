@@ -58,8 +58,9 @@ std::string code(const std::string& text) {
   return "<code>" + breakable + "</code>";
 }
 
-std::string badge(Verdict verdict) {
-  return fmt::format("<span class=\"badge {0}\" title=\"{1}\">{0}</span>", name_of(verdict), escaped(meaning(verdict)));
+std::string badge(Verdict verdict, Speaker speaker) {
+  return fmt::format("<span class=\"badge {0}\" title=\"{1}\">{0}</span>", name_of(verdict),
+                     escaped(meaning(verdict, speaker)));
 }
 
 std::string swatch(const std::string& colour) { return "<span class=\"swatch\" style=\"--c:" + colour + "\"></span>"; }

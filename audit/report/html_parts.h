@@ -16,7 +16,7 @@ std::string page(const std::string& title, const std::string& body);
 
 std::string code(const std::string& text);
 /// The name of a verdict with its colour.
-std::string badge(Verdict verdict);
+std::string badge(Verdict verdict, Speaker speaker);
 std::string swatch(const std::string& colour);
 
 /// Shares of the verdicts as one horizontal bar, its numbers said to screen readers.

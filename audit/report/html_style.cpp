@@ -31,9 +31,9 @@ h1{font-size:30px;line-height:1.2;margin:2px 0 8px;letter-spacing:-.01em}
 h2{font-size:20px;margin:36px 0 10px}h3{font-size:16px;margin:0 0 6px}h4{font-size:14px;margin:0 0 6px;font-weight:600}
 p{margin:0 0 12px;max-width:78ch}.lead{font-size:17px}.quiet{color:var(--quiet)}.small{font-size:13.5px}
 .card{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:18px 20px;margin:0 0 18px}
-.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(128px,1fr));gap:10px;margin:20px 0 8px}
+.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(176px,1fr));gap:10px;margin:20px 0 8px}
 .tile{background:var(--paper);border:1px solid var(--line);border-left:5px solid var(--c,var(--faint));border-radius:8px;padding:9px 12px}
-.tile b{display:block;font-size:24px;line-height:1.25;font-variant-numeric:tabular-nums;font-weight:650}
+.tile b{display:block;font-size:20px;white-space:nowrap;line-height:1.25;font-variant-numeric:tabular-nums;font-weight:650}
 .tile span{color:var(--quiet);font-size:13px}
 .bar{display:flex;height:16px;border-radius:4px;overflow:hidden;background:var(--line);gap:1px}
 .bar i{display:block;background-color:var(--c);min-width:2px}
@@ -73,7 +73,8 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
 @media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}.seen figure{overflow-x:auto}.fig{max-width:none}}
-@media print{body{background:#fff;font-size:11pt}nav,.screen{display:none}.card,figure,.tile,tr{break-inside:avoid}.card{border-color:#bbb}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h2{break-after:avoid}}
+@media print{body{background:#fff;font-size:11pt}nav,.screen{display:none}main,header,footer{max-width:none;padding:0}figure,.tile,tr,.maps>div,.gallery a,pre,dl.legend{break-inside:avoid}h3{break-after:avoid}.card{border-color:#bbb;padding:12px 14px}.scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}.said,.said th{font-size:8pt}td.wide{min-width:90px}.bar.thin{min-width:40px}code,pre{font-size:8.5pt}.seen .said{flex-basis:300px}
+details::details-content{content-visibility:visible;block-size:auto}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h2{break-after:avoid}}
 )css";
 
 std::string verdict_variables() {

@@ -87,9 +87,13 @@ std::string counts(const Tally& tally) {
   std::string rules;
   for (const auto& [rule, n] : sum.rules) rules += (rules.empty() ? " (" : ", ") + rule + ": " + grouped(n);
   if (!rules.empty()) rules += ")";
-  const std::string note =
+  std::string notes =
       sum.refused == 0 ? "" : "drawn but outside the contract, so no cases: " + grouped(sum.refused) + rules + "\n";
-  return laid_out(rows) + "\n" + note;
+  for (const OperationTally& operation : tally.operations) {
+    const Cell total = operation.total();
+    if (total.not_asked > 0) notes += operation.operation + ": " + not_asked_in_words(total) + "\n";
+  }
+  return laid_out(rows) + "\n" + notes;
 }
 
 std::string robust_line(const Tally& tally) {
@@ -116,7 +120,7 @@ std::string wrapped(const std::string& prose, std::size_t indent) {
 }
 
 std::string one_finding(const OperationTally& tally, Verdict verdict, const Smallest& smallest, Speaker speaker,
-                        const std::string& name) {
+                        bool binary32, const std::string& name) {
   const Finding& finding = *smallest.finding;
   const Operation* operation = find_operation(tally.operation);
   std::string text =
@@ -135,19 +139,20 @@ std::string one_finding(const OperationTally& tally, Verdict verdict, const Smal
     line("truth", std::string("refused: ") + refused.what());
   }
   line(name, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)));
-  line("why", wrapped(why(finding, operation, speaker), 12));
+  line("why", wrapped(why(finding, operation, speaker, binary32), 12));
   line("repeat", repeat_command(*operation, finding.question));
   return text;
 }
 
-std::string findings(const std::vector<OperationTally>& tallies, Speaker speaker, const std::string& name) {
+std::string findings(const std::vector<OperationTally>& tallies, Speaker speaker, bool binary32,
+                     const std::string& name) {
   std::string text;
   for (const OperationTally& tally : tallies) {
     for (std::size_t v = 1; v < verdict_count; ++v) {
       const auto verdict = static_cast<Verdict>(v);
       const Smallest smallest = smallest_of(tally, verdict);
       if (smallest.finding && verdict != Verdict::unsupported)
-        text += one_finding(tally, verdict, smallest, speaker, name);
+        text += one_finding(tally, verdict, smallest, speaker, binary32, name);
     }
   }
   return text;
@@ -169,8 +174,8 @@ std::string conventions(const std::vector<OperationTally>& tallies, const std::s
 std::string text_table(const Tally& tally) {
   const std::string engine = speaker_of(tally.declaration) == Speaker::reference ? "reference" : "engine";
   return heading(tally) + counts(tally) + robust_line(tally) +
-         findings(tally.operations, speaker_of(tally.declaration), engine) +
-         findings(tally.robust, Speaker::robust, "robust") + conventions(tally.operations, engine) +
+         findings(tally.operations, speaker_of(tally.declaration), tally.declaration.binary32, engine) +
+         findings(tally.robust, Speaker::robust, false, "robust") + conventions(tally.operations, engine) +
          conventions(tally.robust, "robust") + "\n" + closing_sentence(tally);
 }
 

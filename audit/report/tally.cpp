@@ -143,6 +143,8 @@ void Cell::merge(const Cell& other) {
   touches_closed += other.touches_closed;
   touches_open += other.touches_open;
   refused += other.refused;
+  not_asked += other.not_asked;
+  if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;
   for (const auto& [rule, n] : other.rules) rules[rule] += n;
 }
 
@@ -167,7 +169,10 @@ bool OperationTally::inconsistent_convention() const {
 }
 
 bool Tally::has_findings() const {
-  const auto found = [](const OperationTally& t) { return t.total().findings() > 0 || t.inconsistent_convention(); };
+  const auto found = [](const OperationTally& t) {
+    const Cell total = t.total();
+    return total.findings() > 0 || total.not_asked > 0 || t.inconsistent_convention();
+  };
   return std::any_of(operations.begin(), operations.end(), found) || std::any_of(robust.begin(), robust.end(), found);
 }
 

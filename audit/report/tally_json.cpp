@@ -26,7 +26,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
   }
   for (const auto& [outcome, n] : cell.outcomes) outcomes[outcome] = n;
   for (const auto& [rule, n] : cell.rules) rules[rule] = n;
-  return {{"family", family},
+  Json result = {{"family", family},
           {"cases", cell.cases()},
           {"counts", counts},
           {"outcomes", outcomes},
@@ -35,6 +35,8 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
           {"rules", rules},
           {"worst_ulps", written(cell.worst_ulps)},
           {"smallest", smallest}};
+  if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
+  return result;
 }
 
 Json operations_json(const std::vector<OperationTally>& tallies) {
@@ -129,6 +131,10 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   cell.refused = place.at("refused").count();
   place.at("rules").each_member([&](const std::string& key, const Place& n) { cell.rules[key] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();
+  if (place.value.contains("not_asked")) {
+    cell.not_asked = place.at("not_asked").count();
+    cell.given_up = place.at("given_up").text();
+  }
   if (place.at("cases").count() != cell.cases()) throw InvalidInput(place.at("cases").path, "sum of the counts");
   return {place.at("family").text(), cell};
 }
@@ -186,7 +192,12 @@ Tally read_tally(const std::string& text) {
   tally.cases = file.at("cases").count();
   tally.grid.size = file.at("grid").at("size").count();
   tally.grid.shards = file.at("grid").at("shards").count();
-  file.at("grid").at("done").each([&](const Place& shard) { tally.grid.done.push_back(shard.count()); });
+  file.at("grid").at("done").each([&](const Place& shard) {
+    const std::uint64_t index = shard.count();
+    if (index < 1 || index > tally.grid.shards) throw InvalidInput(shard.path, "one of the shards, counted from 1");
+    if (!tally.grid.done.empty() && index <= tally.grid.done.back()) throw InvalidInput(shard.path, "ascending");
+    tally.grid.done.push_back(index);
+  });
   tally.interrupted = file.at("interrupted").flag();
   tally.operations = read_operations(file.at("operations"));
   tally.robust = read_operations(file.at("robust"));

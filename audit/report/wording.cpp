@@ -17,8 +17,17 @@ bool is_exact_value(const std::string& text) {
          std::count(text.begin(), text.end(), '/') <= 1;
 }
 
+/// What an engine typed where a number may stand: the number, or its characters if they are none.
+Json number_or_text(const Json& typed) {
+  try {
+    return written(read_answer_number(typed, "answer"));
+  } catch (const InvalidInput&) {
+    return typed_text(typed);
+  }
+}
+
 Json rewritten(const Json& answer, bool abbreviate) {
-  if (is_typed_number(answer)) return written(read_answer_number(answer, "answer"));
+  if (is_typed_number(answer)) return number_or_text(answer);
   if (answer.is_string() && abbreviate) {
     const std::string& text = answer.get_ref<const std::string&>();
     if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text), 48, 20);
@@ -42,7 +51,45 @@ bool mentions_nan(const Json& answer) {
          std::any_of(answer.begin(), answer.end(), [](const Json& part) { return mentions_nan(part); });
 }
 
-std::string why_algorithm(const Finding& finding, Speaker speaker) {
+/// Whether the slide's formula in the engine's own number type decides rightly; empty where that cannot be asked.
+std::optional<bool> formula_is_right(const Finding& finding, const Operation* operation, bool binary32) {
+  if (!operation) return std::nullopt;
+  try {
+    const Verdict verdict = operation->examine(finding.question)->judge_reference(binary32).verdict;
+    return verdict != Verdict::rounding && verdict != Verdict::algorithm && verdict != Verdict::invalid;
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether a number of the answer is not 0 where the exact one is: a distance in ulps says nothing there.
+bool misses_a_zero(const Json& answer, const Json& truth) {
+  if (!truth.is_structured()) return truth == "0" && answer != 0;
+  if (answer.type() != truth.type()) return false;
+  if (truth.is_array()) {
+    for (std::size_t i = 0; i < truth.size() && i < answer.size(); ++i) {
+      if (misses_a_zero(answer[i], truth[i])) return true;
+    }
+    return false;
+  }
+  for (const auto& [key, value] : truth.items()) {
+    if (answer.contains(key) && misses_a_zero(answer[key], value)) return true;
+  }
+  return false;
+}
+
+bool misses_a_zero(const Finding& finding, const Operation* operation) {
+  if (!operation) return false;
+  try {
+    const auto examination = operation->examine(finding.question);
+    return misses_a_zero(finding.answer.is_null() ? examination->reference() : plain(finding.answer),
+                         examination->truth());
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+std::string why_algorithm(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (speaker) {
     case Speaker::reference:
       return std::string(
@@ -54,8 +101,10 @@ std::string why_algorithm(const Finding& finding, Speaker speaker) {
     case Speaker::foreign:
       break;
   }
-  return "In the engine's own number type the slide's formula is certain of its decision on this input; the engine's "
-         "method decides otherwise.";
+  const auto right = formula_is_right(finding, operation, binary32);
+  return std::string("The slide's formula, evaluated in the engine's own number type, is certain of its decision here") +
+         (!right ? "" : *right ? ", which is right" : ", which is wrong too") +
+         ": the method is the presumed cause. The engine's own formula was not seen.";
 }
 
 std::string why_rounding(Speaker speaker) {
@@ -64,9 +113,8 @@ std::string why_rounding(Speaker speaker) {
            "results "
            "changed the decision.";
   }
-  return "What decides is smaller than the rounding errors of the slide's formula in the engine's own number type: "
-         "without "
-         "exact arithmetic or an error bound nothing certain can be said on this input.";
+  return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this input: "
+         "rounding is the presumed cause. The engine's own formula was not seen.";
 }
 
 }  // namespace
@@ -88,7 +136,10 @@ std::string share(std::uint64_t part, std::uint64_t whole) {
   return fmt::format("{:.{}f}%", percent, percent < 1 || percent > 99 ? 2 : 1);
 }
 
-std::string ulps_in_words(double ulps) { return fmt::format("{:.3g}", ulps) + (ulps == 1 ? " ulp" : " ulps"); }
+std::string ulps_in_words(double ulps) {
+  if (ulps >= 0x1p990) return "more than 1e298 ulps";  // where the judge stops counting
+  return fmt::format("{:.3g}", ulps) + (ulps == 1 ? " ulp" : " ulps");
+}
 
 std::string subject(const Declaration& declaration) {
   return (declaration.engine.empty() ? "reference" : declaration.engine) +
@@ -107,14 +158,17 @@ std::string boundary_word(Declaration::Boundary boundary) {
   return "unspecified";
 }
 
-std::string meaning(Verdict verdict) {
+std::string meaning(Verdict verdict, Speaker speaker) {
+  const bool foreign = speaker == Speaker::foreign;
   switch (verdict) {
     case Verdict::agree:
       return "right decision, every number within the stated bound";
     case Verdict::rounding:
-      return "wrong decision; the same formula in exact arithmetic is right";
+      return foreign ? "wrong decision where the slide's formula in the engine's number type cannot be sure of its own"
+                     : "wrong decision; the same formula in exact arithmetic is right";
     case Verdict::algorithm:
-      return "wrong decision, or undefined, even in exact arithmetic";
+      return foreign ? "wrong decision where the slide's formula in the engine's number type is certain of its own"
+                     : "wrong decision, or undefined, even in exact arithmetic";
     case Verdict::inexact:
       return "right decision, a number further off than the stated bound";
     case Verdict::convention:
@@ -133,16 +187,23 @@ Speaker speaker_of(const Declaration& declaration) {
   return declaration.engine.empty() || declaration.engine == "reference" ? Speaker::reference : Speaker::foreign;
 }
 
-std::string why(const Finding& finding, const Operation* operation, Speaker speaker) {
+std::string not_asked_in_words(const Cell& cell) {
+  return counted(cell.not_asked, "question") + " not asked: the engine was " + cell.given_up;
+}
+
+std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
     case Verdict::rounding:
       return why_rounding(speaker);
     case Verdict::algorithm:
-      return why_algorithm(finding, speaker);
+      return why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {
       const std::string off = ulps_in_words(finding.judgement.ulps);
       if (speaker == Speaker::robust)
         return "The decision is right, but a number is " + off + " from the correctly rounded one.";
+      if (finding.judgement.ulps >= 0x1p52 && misses_a_zero(finding, operation)) {
+        return "The decision is right, but a number is not 0 where the exact value is 0.";
+      }
       if (finding.judgement.ulps >= 0x1p52) {
         return "The decision is right, but a number has no correct digit: it is " + off + " from the exact value.";
       }
@@ -236,6 +297,7 @@ std::string summary_of(const Cell& sum) {
   name(sum.count(Verdict::convention), "by another convention");
   name(sum.count(Verdict::tolerance), "within tolerance");
   name(unsupported, "not supported");
+  name(sum.not_asked, "not asked");
   return text;
 }
 

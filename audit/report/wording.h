@@ -19,21 +19,22 @@ std::string counted(std::uint64_t n, const std::string& noun);
 /// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not whole.
 std::string share(std::uint64_t part, std::uint64_t whole);
 
-/// A distance in units in the last place: "0.5", "12.3", "4.5e+15".
+/// A distance in units in the last place: "0.5 ulps", "4.5e+15 ulps", "more than 1e298 ulps".
 std::string ulps_in_words(double ulps);
 
 /// "reference (binary64)"
 std::string subject(const Declaration& declaration);
 std::string boundary_word(Declaration::Boundary boundary);
 
-/// What a verdict means, in a few words.
-std::string meaning(Verdict verdict);
-
 /// Whose answer it is: "by rounding" is decided, and so explained, differently for each.
 enum class Speaker { reference, robust, foreign };
 Speaker speaker_of(const Declaration& declaration);
-/// Why an answer was given this verdict, in one or two plain sentences.
-std::string why(const Finding& finding, const Operation* operation, Speaker speaker);
+/// What a verdict means, in a few words.
+std::string meaning(Verdict verdict, Speaker speaker);
+/// Why an answer was given this verdict, in one or two plain sentences. binary32: the engine's number type.
+std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32);
+/// "12,345 questions not asked: the engine was given up after ..."
+std::string not_asked_in_words(const Cell& cell);
 
 /// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most` characters.
 std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);

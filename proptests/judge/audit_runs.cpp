@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "audit/judge/audit_run.h"
+#include "audit/report/table.h"
 #include "audit/report/tally_json.h"
 
 namespace touchstone::audit {
@@ -166,17 +167,25 @@ TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupp
   const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
   REQUIRE(failed);
   CHECK(failed->judgement.remark == "fell over");
-  const Cell silent = Run{.operation = "ray_segment", .answer = right}.tally().operations[0].total();
-  CHECK(silent.count(Verdict::unsupported) == silent.cases());
+  CHECK_THROWS_AS((Run{.operation = "ray_segment", .answer = right}.tally()), EngineError);  // it has nothing that was asked
 }
 
-TEST_CASE("audit_runs: what was never asked is counted, but is not shown as a failure") {
+TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong answer") {
   const auto given_up_on_small = [](const Question& q, const Examination&) -> Json {
     if (std::fabs(q.numbers[0]) < 3) return {{"not asked", true}};
     return {{"failure", "fell over"}};
   };
   const Cell cell = Run{.families = {"grid"}, .answer = given_up_on_small}.tally().operations[0].total();
   CHECK(cell.count(Verdict::invalid) == cell.cases());
+  CHECK(cell.not_asked > 0);
+  CHECK(cell.cases() + cell.not_asked == 3000);
+  CHECK(cell.given_up == "given up");
+  const Tally none = Run{.families = {"grid"}, .answer = [](const Question&, const Examination&) -> Json { return {{"not asked", true}}; }}.tally();
+  CHECK(none.operations[0].total().cases() == 0);
+  CHECK(none.has_findings());
+  CHECK_THAT(text_table(none), Catch::Contains("0 of 0 answers wrong; 3,000 not asked") &&
+                                   Catch::Contains("orientation: 3,000 questions not asked: the engine was given up"));
+  CHECK(tally_json(read_tally(tally_json(none))) == tally_json(none));
   const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
   REQUIRE(failed);
   CHECK(failed->judgement.remark == "fell over");

@@ -31,15 +31,20 @@ std::string refusal(Tally into, const Tally& other) {
 TEST_CASE("tallies: a cell counts verdicts, outcomes, touches, and keeps the smallest finding and the worst number") {
   Cell cell;
   count(cell, {{7, 7}}, {Verdict::agree, 0.5, "", 1}, "point", 0, nullptr);
-  count(cell, {{5, 5}}, {Verdict::rounding, 0, "", -1}, "point", 1, "five");
+  count(cell, {{5, 5}}, {Verdict::rounding, 0, "", 0}, "point", 1, "five");
   count(cell, {{1, 0}}, {Verdict::rounding, 0, "", 0}, "on", 2, "one");
   count(cell, {{123, 456}}, {Verdict::rounding, 900, "", 0}, "on", 3, "long");
   count(cell, {{9, 9}}, {Verdict::inexact, 40, "", 0}, "on", 4, nullptr);
   count(cell, {{9, 9}}, {Verdict::unsupported, 0, "", 0}, "on", 5, nullptr);
-  CHECK(cell.cases() == 6);
-  CHECK(cell.count(Verdict::rounding) == 3);
-  CHECK(cell.findings() == 4);
-  CHECK(cell.outcomes == std::map<std::string, std::uint64_t>{{"point", 2}, {"on", 4}});
+  CHECK(cell.touches_open == 0);
+  // By rounding or without a legal answer no touch was treated in any way.
+  count(cell, {{9, 9}}, {Verdict::rounding, 0, "", -1}, "on", 6, nullptr);
+  count(cell, {{9, 9}}, {Verdict::invalid, 0, "", 1}, "on", 7, nullptr);
+  count(cell, {{9, 9}}, {Verdict::convention, 0, "", -1}, "on", 8, nullptr);
+  CHECK(cell.cases() == 9);
+  CHECK(cell.count(Verdict::rounding) == 4);
+  CHECK(cell.findings() == 6);
+  CHECK(cell.outcomes == std::map<std::string, std::uint64_t>{{"point", 2}, {"on", 7}});
   CHECK(cell.touches_closed == 1);
   CHECK(cell.touches_open == 1);
   CHECK(cell.worst_ulps == 40);  // of right decisions only
@@ -162,6 +167,23 @@ TEST_CASE("tallies: what counts the same cases, and what is of another engine or
 TEST_CASE("tallies: a file of a tally reads back to the same bytes") {
   const std::string text = tally_json(audited(7, "segment_segment", 2000));
   CHECK(tally_json(read_tally(text)) == text);
+}
+
+TEST_CASE("tallies: a shard that the cut does not have is refused") {
+  Tally tally = audited(1, "orientation", 10);
+  const auto said = [&](std::vector<std::uint64_t> done) {
+    tally.grid = {2, 3, std::move(done)};
+    try {
+      read_tally(tally_json(tally));
+      return std::string("read");
+    } catch (const InvalidInput& refused) {
+      return std::string(refused.what());
+    }
+  };
+  CHECK(said({1, 3}) == "read");
+  CHECK(said({4}) == "grid.done[0]: one of the shards, counted from 1");
+  CHECK(said({0}) == "grid.done[0]: one of the shards, counted from 1");
+  CHECK(said({2, 2}) == "grid.done[1]: ascending");
 }
 
 }  // namespace touchstone::audit
