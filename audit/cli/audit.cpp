@@ -4,7 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <fstream>
+#include <filesystem>
 #include <mutex>
 #include <thread>
 
@@ -14,12 +14,13 @@
 #include "audit/report/html.h"
 #include "audit/report/table.h"
 #include "audit/report/tally_json.h"
+#include "audit/report/wording.h"
 
 namespace touchstone::audit {
 namespace {
 
-std::atomic<bool> interrupted{false};
-extern "C" void on_interrupt(int) { interrupted = true; }
+std::atomic<bool> stopped{false};
+extern "C" void on_interrupt(int) { stopped = true; }
 
 /// One line on a terminal, rewritten at most ten times a second; nothing elsewhere.
 class Progress {
@@ -54,9 +55,39 @@ void require_known_families(const AuditOptions& options) {
   }
 }
 
-void write_file(const std::string& file, const std::string& text) {
-  std::ofstream opened(file);
-  if (!(opened << text << std::flush)) throw UsageError("--json " + file + ": a file that can be written");
+/// The directory of the report is made, and can be written into, before the first question.
+void require_directory(const std::string& directory) {
+  if (directory.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory, error) || ::access(directory.c_str(), W_OK) != 0) {
+    throw UsageError("--report " + directory + ": a directory that can be written");
+  }
+}
+
+/// SIGINT and SIGTERM end the asking instead of the program, for as long as this lives.
+class Interruptible {
+ public:
+  Interruptible() : by_key_(std::signal(SIGINT, on_interrupt)), by_others_(std::signal(SIGTERM, on_interrupt)) {}
+  ~Interruptible() {
+    std::signal(SIGINT, by_key_);
+    std::signal(SIGTERM, by_others_);
+  }
+
+ private:
+  void (*by_key_)(int);
+  void (*by_others_)(int);
+};
+
+int exit_code(const Tally& tally, std::ostream& err) {
+  if (tally.interrupted) {
+    err << "touchstone: interrupted; what had been counted until then is what was written\n";
+    return interrupted;
+  }
+  if (tally.has_findings()) return findings;
+  if (sum_of(tally.operations).cases() > 0) return nothing_found;
+  err << "touchstone: nothing was judged: no question of these families is within the contract of these operations\n";
+  return bad_usage;
 }
 
 }  // namespace
@@ -70,25 +101,33 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   options.seconds = command.seconds;
   options.jobs = command.jobs > 0 ? command.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   require_known_families(options);
+  require_writable("--json", command.json_file);
+  require_directory(command.report_directory);
   if (!command.engine.empty()) {
-    options.engine = [&command] { return pipe_engine(command.engine, command.timeout, &interrupted); };
+    options.engine = [&command] { return pipe_engine(command.engine, command.timeout, &stopped); };
   }
-  const auto previous = std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
   Tally tally;
-  {
+  try {
+    const Interruptible until_counted;
     Progress progress(err);
-    tally = run_audit(options, interrupted, [&](const std::string& name, std::uint64_t done) { progress(name, done, command.cases); });
+    tally = run_audit(options, stopped, [&](const std::string& name, std::uint64_t done) { progress(name, done, command.cases); });
+  } catch (const EngineError&) {
+    if (!stopped) throw;  // interrupted before the engine had said its first line
+    tally.interrupted = true;
+    tally.declaration.engine = command.engine;
   }
-  std::signal(SIGINT, previous);
   out << text_table(tally) << std::flush;
-  if (!command.json_file.empty()) write_file(command.json_file, tally_json(tally));
+  write_file("--json", command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
-    const std::unique_ptr<Engine> for_maps = options.engine ? options.engine() : nullptr;
-    write_report(tally, command.report_directory, for_maps.get());
+    const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
+    try {
+      write_report(tally, command.report_directory, for_maps.get());
+    } catch (const std::runtime_error& failed) {
+      throw UsageError(std::string("--report ") + failed.what());
+    }
     out << "report: " << command.report_directory << "/index.html\n";
   }
-  return tally.has_findings() ? findings : nothing_found;
+  return exit_code(tally, err);
 }
 
 }  // namespace touchstone::audit

@@ -39,7 +39,7 @@ int vectors_write_command(const std::string& directory, std::uint64_t seed, std:
 int vectors_check_command(const std::string& directory, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
 
-/// Throws UsageError naming what is not known and what is.
+/// Throws UsageError naming what is not known and what is. A name given twice counts once.
 const Operation& operation_named(const std::string& name);
 std::vector<const Operation*> operations_named(const std::string& names);
 std::vector<std::string> split(const std::string& names);
@@ -48,6 +48,11 @@ std::vector<std::string> split(const std::string& names);
 /// cannot be opened. Returns the number of lines that are not blank.
 template <class Visit>
 std::uint64_t each_line(const std::string& file, const Visit& visit);
+
+/// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to do.
+/// Throws UsageError naming the option.
+void require_writable(const std::string& option, const std::string& file);
+void write_file(const std::string& option, const std::string& file, const std::string& text);
 
 /// What stands before every complaint about a line.
 std::string place(const std::string& file, std::uint64_t line);

@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <fstream>
 
 #include "audit/cli/commands.h"
 #include "audit/cli/program.h"
 #include "audit/judge/audit_run.h"
 #include "audit/report/table.h"
 #include "audit/report/tally_json.h"
+#include "audit/report/wording.h"
 
 namespace touchstone::audit {
 namespace {
@@ -85,7 +85,7 @@ int decisions_only(const Operation& operation, int grid, const Shard& shard, con
   line["hash"] = fmt::format("{:016x}", count->hash);
   if (count->wrong > 0) line["first_wrong"] = operation.print(operation.on_grid(grid, count->first_wrong));
   out << one_line(line) << '\n';
-  if (!json_file.empty()) std::ofstream(json_file) << one_line(line) << '\n';
+  write_file("--json", json_file, one_line(line) + "\n");
   return count->wrong > 0 ? findings : nothing_found;
 }
 
@@ -117,17 +117,21 @@ Json merged_decisions(std::vector<Json> parts) {
 }  // namespace
 
 int exhaust_command(const std::string& name, int grid, const std::string& shard_text, const std::string& json_file, bool decisions,
-                    std::ostream& out, std::ostream&) {
+                    std::ostream& out, std::ostream& err) {
   const Operation& operation = operation_named(name);
   const Shard shard = parsed(shard_text);
+  require_writable("--json", json_file);
   if (decisions) return decisions_only(operation, grid, shard, json_file, out);
   const Tally tally = examined(operation, grid, shard);
   out << text_table(tally);
-  if (!json_file.empty()) std::ofstream(json_file) << tally_json(tally);
-  return tally.has_findings() ? findings : nothing_found;
+  write_file("--json", json_file, tally_json(tally));
+  if (tally.has_findings()) return findings;
+  if (shard.of > 1 || sum_of(tally.operations).cases() > 0) return nothing_found;  // a shard of many may be empty
+  err << "touchstone: nothing was judged: no configuration on this grid is within the contract\n";
+  return bad_usage;
 }
 
-int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream&) {
+int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err) {
   std::vector<Json> decisions;
   std::optional<Tally> sum;
   for (const std::string& file : files) {
@@ -138,8 +142,12 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
         decisions.push_back(line);
         return;
       }
-      const Tally part = read_tally(text);
-      sum ? sum->merge(part) : static_cast<void>(sum = std::move(part));
+      try {
+        const Tally part = read_tally(text);
+        sum ? sum->merge(part) : static_cast<void>(sum = std::move(part));
+      } catch (const InvalidInput& refused) {
+        throw UsageError(file + ": line " + std::to_string(number) + ": " + refused.what());
+      }
     });
   }
   if (!decisions.empty()) {
@@ -150,7 +158,8 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
   if (!sum) throw UsageError("merge: at least one result of exhaust --json or audit --json");
   out << text_table(*sum);
   if (sum->grid.size > 0 && sum->grid.done.size() < sum->grid.shards) {
-    out << fmt::format("{} of {} shards are missing\n", sum->grid.shards - sum->grid.done.size(), sum->grid.shards);
+    err << fmt::format("touchstone: merge: {} of {} shards are missing\n", sum->grid.shards - sum->grid.done.size(), sum->grid.shards);
+    return bad_usage;
   }
   return sum->has_findings() ? findings : nothing_found;
 }

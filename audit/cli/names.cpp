@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <fstream>
+
 #include "audit/cli/commands.h"
 
 namespace touchstone::audit {
@@ -23,9 +26,22 @@ const Operation& operation_named(const std::string& name) {
 std::vector<const Operation*> operations_named(const std::string& names) {
   if (names == "all") return catalogue();
   std::vector<const Operation*> operations;
-  for (const std::string& name : split(names)) operations.push_back(&operation_named(name));
+  for (const std::string& name : split(names)) {
+    const Operation* operation = &operation_named(name);
+    if (std::find(operations.begin(), operations.end(), operation) == operations.end()) operations.push_back(operation);
+  }
   if (operations.empty()) throw UsageError("--ops: at least one operation, or all");
   return operations;
+}
+
+void require_writable(const std::string& option, const std::string& file) {
+  if (!file.empty() && !std::ofstream(file, std::ios::app)) throw UsageError(option + " " + file + ": a file that can be written");
+}
+
+void write_file(const std::string& option, const std::string& file, const std::string& text) {
+  if (file.empty()) return;
+  std::ofstream opened(file);
+  if (!(opened << text << std::flush)) throw UsageError(option + " " + file + ": a file that can be written");
 }
 
 std::string place(const std::string& file, std::uint64_t line) {

@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 
+#include "audit/catalogue/answer_shape.h"
+#include "audit/catalogue/catalogue.h"
 #include "audit/cli/commands.h"
 #include "audit/cli/program.h"
 
@@ -23,6 +26,8 @@ std::string joined(const std::vector<const char*>& words) {
 
 int ops_command(bool json, std::ostream& out) {
   if (!json) out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input", "question");
+  std::map<std::string, Json> answers;
+  for_each_row([&]<class Row>() { answers[Row::card().name] = answer_shape<Row>(); });
   Json list = Json::array();
   for (const Operation* operation : catalogue()) {
     const Card& card = operation->card();
@@ -40,6 +45,7 @@ int ops_command(bool json, std::ostream& out) {
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);
     entry["question"] = card.question;
+    entry["answer"] = answers.at(card.name);
     entry["families"] = operation->families();
     list.push_back(std::move(entry));
   }

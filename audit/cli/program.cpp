@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/cli/program.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <iostream>
 
 #include "audit/cli/commands.h"
@@ -18,6 +21,21 @@ const CLI::Validator positive(
       return CLI::detail::lexical_cast(text, value) && value > 0 ? std::string() : text + ": a number greater than 0";
     },
     "POSITIVE");
+
+/// A whole number in a range; CLI11 alone would take what it cannot hold for no number at all.
+CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
+  const std::string rule = fmt::format("a whole number from {} to {}", least, most);
+  return CLI::Validator(
+      [=](std::string& text) {
+        std::uint64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool right = error == std::errc() && stop == end && value >= least && value <= most;
+        return right ? std::string() : text + ": " + rule;
+      },
+      "WHOLE");
+}
+const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, 1'000'000'000'000), any_jobs = whole(1, 1024);
 
 /// A command and what runs it once the line is parsed.
 using Action = std::function<int()>;
@@ -44,11 +62,11 @@ void add_audit(CLI::App& program, Action& action) {
   auto options = std::make_shared<AuditCommand>();
   command->add_option("--engine", options->engine, "Command that answers questions over pipes (default: the slides' formulas in double)");
   command->add_option("--ops", options->operations, "Operations with commas, or all");
-  command->add_option("--cases", options->cases, "Questions per operation")->check(positive);
+  command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
   command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive);
-  command->add_option("--seed", options->seed, "Same seed, same questions");
+  command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
   command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
-  command->add_option("--jobs", options->jobs, "Threads, each with an engine of its own")->check(positive);
+  command->add_option("--jobs", options->jobs, "Threads, each with an engine of its own")->check(any_jobs);
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_option("--json", options->json_file, "Write the result to this file");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
@@ -81,7 +99,7 @@ void add_vectors(CLI::App& program, Action& action) {
   auto seed = std::make_shared<std::uint64_t>(1);
   auto* write = command->add_subcommand("write", "Writes them into a directory");
   write->add_option("directory", *directory)->required();
-  write->add_option("--seed", *seed);
+  write->add_option("--seed", *seed)->check(any_seed);
   write->callback([=, &action] { action = [=] { return vectors_write_command(*directory, *seed, std::cout, std::cerr); }; });
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   check->add_option("directory", *directory)->required();
@@ -111,6 +129,15 @@ void add_map(CLI::App& program, Action& action) {
   });
 }
 
+void require_command(const CLI::App& program, const std::string& name) {
+  std::string known;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == name) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw UsageError(name + ": no command; one of " + known);
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
@@ -120,6 +147,7 @@ int run_program(int argc, const char* const* argv) {
   Action action;
   for (auto* add : {add_ops, add_ask, add_audit, add_exhaust, add_vectors, add_certify, add_map}) add(program, action);
   try {
+    if (argc > 1 && argv[1][0] != '-') require_command(program, argv[1]);
     program.parse(argc, argv);
     return action();
   } catch (const CLI::Success& shown) {

@@ -4,9 +4,10 @@
 namespace touchstone::audit {
 
 /// The program `touchstone`: parses the command line and runs one command. Returns the exit code: 0 nothing found,
-/// 1 findings, 2 wrong usage or bad input (one line on stderr), 3 the engine could not be run.
+/// 1 findings, 2 wrong usage, bad input, or nothing to judge (one line on stderr), 3 the engine could not be run or has
+/// none of the operations, 130 interrupted (what was counted until then is kept).
 int run_program(int argc, const char* const* argv);
 
-enum ExitCode { nothing_found = 0, findings = 1, bad_usage = 2, engine_failed = 3 };
+enum ExitCode { nothing_found = 0, findings = 1, bad_usage = 2, engine_failed = 3, interrupted = 130 };
 
 }  // namespace touchstone::audit
