@@ -29,4 +29,4 @@ sys.stdin.readline()
 say({"engine": "textbook in Python", "ops": list(operations), "boundary": "closed"})
 for line in sys.stdin:
     question = json.loads(line, parse_int=float)  # 1 is the double 1.0, not an integer
-    say({"id": int(question["id"]), "answer": operations[question["op"]](**question["input"])})
+    say({"id": question["id"], "answer": operations[question["op"]](**question["input"])})

@@ -75,8 +75,16 @@ std::optional<Json> ask_engine(Engine& engine, const Question& question) {
   return std::apply([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
 }
 
+template <class Engine, class List>
+inline constexpr bool has_any_of = false;
+template <class Engine, class... AllRows>
+inline constexpr bool has_any_of<Engine, RowList<AllRows...>> =
+    ((has_operation<Engine, AllRows, double> || has_operation<Engine, AllRows, float>) || ...);
+
 template <class Engine>
 Served served(Engine& engine) {
+  static_assert(has_any_of<Engine, Rows>,
+                "the engine has no member function of the name and arguments of an operation (touchstone ops)");
   Served all;
   all.hello.declaration = declaration_of<Engine>();
   for_each_row([&]<class Row>() {

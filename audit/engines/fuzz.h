@@ -8,8 +8,16 @@
 
 namespace touchstone::audit {
 
+/// Whether a verdict stops the fuzzing: a finding, or one of the verdicts that the environment names with commas.
+inline bool stops_fuzzing(Verdict verdict) {
+  static const char* const only = std::getenv("TOUCHSTONE_FUZZ_ONLY");
+  if (only == nullptr || *only == 0) return is_finding(verdict);
+  const std::string names = "," + std::string(only) + ",", name = "," + std::string(name_of(verdict)) + ",";
+  return verdict != Verdict::agree && names.find(name) != std::string::npos;
+}
+
 /// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it.
-/// Aborts with one line where the engine's answer is a finding. A crash of the engine is libFuzzer's to report.
+/// Aborts with one line where the engine's answer is a finding (with TOUCHSTONE_FUZZ_ONLY=algorithm,invalid: one of these). A crash of the engine is libFuzzer's to report.
 template <class Engine, class Row>
 int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   static Engine engine{};
@@ -36,7 +44,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   } catch (const std::exception& thrown) {
     judgement = {Verdict::invalid, 0, thrown.what()};
   }
-  if (!is_finding(judgement.verdict)) return 0;
+  if (!stops_fuzzing(judgement.verdict)) return 0;
   std::fprintf(stderr, "%s: %s (%s%s%s) on %s: it says %s, the truth is %s\n", declaration.engine.c_str(),
                operation.card().name, name_of(judgement.verdict), judgement.remark.empty() ? "" : ": ",
                judgement.remark.c_str(), one_line(operation.print_hexadecimal(question)).c_str(),

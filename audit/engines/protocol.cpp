@@ -2,7 +2,7 @@
 #include "audit/engines/protocol.h"
 
 #include <array>
-#include <charconv>
+#include <cmath>
 
 #include "audit/engines/process.h"
 
@@ -23,12 +23,10 @@ std::size_t word_index(const Json& value, const char* field, const std::array<co
 }
 
 std::uint64_t read_id(const Json& id) {
-  std::uint64_t value = 0;
+  // A language with one number type, or one told to read every number as a double, says 262.0.
   if (is_typed_number(id)) {
-    const std::string& text = id.get_ref<const std::string&>();
-    const char *first = text.data() + 1, *end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(first, end, value);
-    if (error == std::errc() && stop == end) return value;
+    const double value = read_double(id, "id");
+    if (value >= 0 && value <= 0x1p53 && value == std::trunc(value)) return static_cast<std::uint64_t>(value);
   }
   throw InvalidInput("id", "the number of a question");
 }
@@ -51,7 +49,7 @@ Hello read_hello(const std::string& line) {
   };
   Hello hello;
   if (!json.contains("engine")) throw InvalidInput("engine", "missing");
-  hello.declaration.engine = text_of(json["engine"], "engine");
+  hello.declaration.engine = excerpt(text_of(json["engine"], "engine"), 200);
   if (!json.contains("ops")) throw InvalidInput("ops", "missing");
   if (!json["ops"].is_array()) throw InvalidInput("ops", "array");
   for (const Json& name : json["ops"]) hello.operations.insert(text_of(name, "ops"));

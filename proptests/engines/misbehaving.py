@@ -71,6 +71,7 @@ misbehave = {
     "answers_at_length": lambda q: say({**echo(q), "why": "because " * 2000}),
     "swaps": swaps,
     "answers_in_pieces": answers_in_pieces,
+    "counts_in_floats": lambda q: say({**echo(q), "id": float(q["id"])}),
     "dies_after_ten": dies_after_ten,
     "complains_at_length": complains_at_length,
     "stops_reading": stops_reading,

@@ -94,6 +94,13 @@ TEST_CASE("pipe: long answers and many questions do not wait for each other") {
   require_lost_by("answers_at_length", {}, "", 0);
 }
 
+TEST_CASE("pipe: an id that comes back as a float is the same id") { require_lost_by("counts_in_floats", {}, "", 0); }
+
+TEST_CASE("pipe: control bytes in an engine's name are not shown") {
+  const PipeEngine engine(R"(printf '{"engine":"e\\u001b[31m\\u0007 2","ops":["orientation"]}\n'; cat)", PipeLimits{});
+  REQUIRE(engine.declaration().engine == "e [31m  2");
+}
+
 TEST_CASE("pipe: numbers arrive as the doubles that they are") {
   Engineered with("prints_hexadecimal");
   std::vector<Question> questions;
