@@ -61,8 +61,8 @@ TEST_CASE("triangulate_polygon: rings that are not simple are refused by the fir
 
 TEST_CASE("triangulate_polygon: the latest stage is that of the hardest decision") {
   CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {0.3, 1}}}) == Stage::lattice);                // flat
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0.3, 1}}}) == Stage::exact);        // flat, 1074 places apart
+  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {3, 1}}}) == Stage::lattice);            // flat
+  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {3, 1}}}) == Stage::exact);        // flat, 1074 places apart
 }
 
 TEST_CASE("triangulate_polygon: a comb of 20,000 vertices, upright and lying") {
