@@ -7,7 +7,7 @@ namespace {
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
   admit_simple(polygon);
-  const WholeRing ring(polygon);
+  const WholePolygon ring(polygon);
   return {triangulated(ring), least_turn(ring)};
 }
 
@@ -22,7 +22,7 @@ Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
 template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
 
 Certificate triangulate_polygon_certificate(const Polygon2d& polygon) {
-  const WholeRing ring(polygon);
+  const WholePolygon ring(polygon);
   return {"pieces", {{"doubled_area", {ring.actual_area(abs(ring.area()))}}}};
 }
 

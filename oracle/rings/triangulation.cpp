@@ -20,7 +20,7 @@ void admit(const Polygon2<Number>& polygon) {
 
 }  // namespace
 
-WholeRing::WholeRing(const Polygon2d& ring) {
+WholePolygon::WholePolygon(const Polygon2d& ring) {
   int least = 4096;
   const auto lower = [&](const Dyadic& part) {
     if (part.mantissa != 0) least = std::min(least, part.exponent + std::countr_zero(static_cast<std::uint64_t>(part.mantissa)));
@@ -40,7 +40,7 @@ WholeRing::WholeRing(const Polygon2d& ring) {
   unit_ = scaled(Rational(1), least == 4096 ? 0 : least);
 }
 
-WholeRing::WholeRing(const Polygon2<Rational>& ring) {
+WholePolygon::WholePolygon(const Polygon2<Rational>& ring) {
   Integer denominator(1);
   for (const auto& p : ring.vertices) {
     for (const Rational* number : {&p.x, &p.y}) mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number->get_den_mpz_t());
@@ -50,7 +50,7 @@ WholeRing::WholeRing(const Polygon2<Rational>& ring) {
   unit_ = Rational(Integer(1), denominator);
 }
 
-Integer WholeRing::area(const std::vector<Index>& piece) const {
+Integer WholePolygon::area(const std::vector<Index>& piece) const {
   Integer sum;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Point2<Integer>&p = points_[piece[i]], &q = points_[piece[(i + 1) % piece.size()]];
@@ -59,18 +59,18 @@ Integer WholeRing::area(const std::vector<Index>& piece) const {
   return sum;
 }
 
-Integer WholeRing::area() const {
+Integer WholePolygon::area() const {
   std::vector<Index> all(size());
   std::iota(all.begin(), all.end(), Index{0});
   return area(all);
 }
 
-Rational WholeRing::actual_area(const Integer& value) const { return Rational(Rational(value) * unit_ * unit_); }
+Rational WholePolygon::actual_area(const Integer& value) const { return Rational(Rational(value) * unit_ * unit_); }
 
 void admit_simple(const Polygon2d& polygon) { admit(polygon); }
 void admit_simple(const Polygon2<Rational>& polygon) { admit(polygon); }
 
-std::vector<Index> counter_clockwise(const WholeRing& ring) {
+std::vector<Index> counter_clockwise(const WholePolygon& ring) {
   std::vector<Index> all(ring.size());
   std::iota(all.begin(), all.end(), Index{0});
   if (sgn(ring.area()) < 0) std::reverse(all.begin(), all.end());
@@ -80,7 +80,7 @@ std::vector<Index> counter_clockwise(const WholeRing& ring) {
 /// A ring of more than three vertices has a diagonal at its first vertex v in the order of the plane, where it turns left. With u and w
 /// before and after v: uw if the closed triangle uvw holds no other vertex, else vz to the one held that is farthest from uw on v's side,
 /// because no edge can reach into the part of the triangle beyond z without ending there.
-IndexLists triangulated(const WholeRing& ring) {
+IndexLists triangulated(const WholePolygon& ring) {
   IndexLists triangles, rings{counter_clockwise(ring)};
   while (!rings.empty()) {
     std::vector<Index> now = std::move(rings.back());
@@ -114,7 +114,7 @@ IndexLists triangulated(const WholeRing& ring) {
   return triangles;
 }
 
-Rational least_turn(const WholeRing& ring) {
+Rational least_turn(const WholePolygon& ring) {
   Integer least = abs(ring.area(ring.before(0), 0, ring.after(0)));
   for (Index i = 1; i < ring.size(); ++i) least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));
   return ring.actual_area(least);

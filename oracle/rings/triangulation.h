@@ -14,10 +14,10 @@ namespace touchstone::oracle {
 using IndexLists = std::vector<std::vector<Index>>;
 
 /// A ring in integers, each times one positive unit.
-class WholeRing {
+class WholePolygon {
  public:
-  explicit WholeRing(const Polygon2d& ring);
-  explicit WholeRing(const Polygon2<Rational>& ring);
+  explicit WholePolygon(const Polygon2d& ring);
+  explicit WholePolygon(const Polygon2<Rational>& ring);
 
   Index size() const { return static_cast<Index>(points_.size()); }
   const Point2<Integer>& operator[](Index i) const { return points_[i]; }
@@ -44,13 +44,13 @@ void admit_simple(const Polygon2d& polygon);
 void admit_simple(const Polygon2<Rational>& polygon);
 
 /// The ring's vertices counter-clockwise.
-std::vector<Index> counter_clockwise(const WholeRing& ring);
+std::vector<Index> counter_clockwise(const WholePolygon& ring);
 
 /// A triangulation of a simple ring, diagonal by diagonal.
-IndexLists triangulated(const WholeRing& ring);
+IndexLists triangulated(const WholePolygon& ring);
 
 /// The least size of twice the area of three consecutive vertices, in squares of the unit of the input.
-Rational least_turn(const WholeRing& ring);
+Rational least_turn(const WholePolygon& ring);
 
 /// What is wrong with the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals; "" if it is right.
 std::string partition_fault(const Polygon2d& polygon, const IndexLists& pieces);
