@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/planes/polygon_normal.h"
 #include "proptests/space_laws.h"
+#include "robust/planes/point_plane.h"
 
 namespace touchstone::proptests {
 namespace {
