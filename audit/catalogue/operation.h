@@ -41,6 +41,7 @@ struct Card {
   /// reference of its own and the operation's robust and oracle, and is asked of no engine.
   const char* method_of = "";
   bool formula_answers_less = false;  ///< the slide's formula leaves out numbers that the operation answers, and is judged on the others
+  std::size_t longest_vector = 0;     ///< test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none)
 };
 
 /// A question of any operation, its types forgotten: its numbers in canonical order (a list is preceded by its length).

@@ -14,8 +14,6 @@ namespace {
 constexpr int version = 1;
 constexpr std::size_t most_of_a_family = 24, most_alike = 6;
 constexpr std::uint64_t drawn_of_a_family = 600;
-/// Of questions whose answers are numbers: hundreds of digits, times the coordinates of a vector of space, are no use to a reader.
-constexpr std::size_t longest_measure = 2300;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 
@@ -90,6 +88,7 @@ std::string other_complaint(const Operation& operation, const Json& line, const 
 
 std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t seed) {
   std::vector<std::string> lines;
+  const std::size_t longest = operation.card().longest_vector;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     std::map<std::string, std::size_t> seen;
     std::size_t kept = 0;
@@ -98,7 +97,7 @@ std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t 
       const Question question = operation.draw(choices, family);
       if (seen[likeness(operation, question)]++ >= most_alike) continue;
       std::string line = one_line(vector_line(operation, operation.families()[family], question));
-      if (operation.card().kind == Kind::measure && line.size() > longest_measure) continue;
+      if (longest != 0 && line.size() > longest) continue;
       ++kept;
       lines.push_back(std::move(line));
     }

@@ -23,7 +23,8 @@ struct point_plane {
                            .kind = Kind::measure,
                            .fields = {"plane", "point"},
                            .ulps = 13,
-                           .margin_degree = 2};
+                           .margin_degree = 2,
+                           .longest_vector = 2300};
     return card;
   }
 

@@ -24,7 +24,8 @@ struct point_plane_toi {
                            .kind = Kind::measure,
                            .fields = {"plane", "start", "end"},
                            .ulps = 17,
-                           .margin_degree = 2};
+                           .margin_degree = 2,
+                           .longest_vector = 2300};
     return card;
   }
 

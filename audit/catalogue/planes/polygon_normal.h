@@ -26,7 +26,8 @@ struct polygon_normal {
                            .ulps = 22,
                            .margin_degree = 2,
                            .list_length = 4,
-                           .formula_answers_less = true};
+                           .formula_answers_less = true,
+                           .longest_vector = 2300};
     return card;
   }
 
