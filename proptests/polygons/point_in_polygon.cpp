@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/polygons/point_in_polygon.h"
 #include "proptests/forward_error.h"
+#include "robust/lines/orientation.h"
+#include "robust/lines/point_on_segment.h"
 
 namespace touchstone::proptests {
 namespace {
