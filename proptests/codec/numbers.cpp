@@ -118,7 +118,8 @@ TEST_CASE("numbers: NaN and infinities name their field") {
 TEST_CASE("numbers: what is no number is refused as one") {
   for (const char* typed : {"01",       "1.",      "1e",          "1e+",  "--1",     "1-2",   "0x1",    "true",
                             "null",     "[]",      "{}",          "\"\"", "\"abc\"", "\"1\"", "\"0x\"", "\"-0x\"",
-                            "\"0x1p\"", "\"0xg\"", "\"0x1p+1 \"", "-",    "1.5.5",   "NaNs"}) {
+                            "\"0x1p\"", "\"0xg\"", "\"0x1p+1 \"", "-",    "1.5.5",   "NaNs",
+                            "+1",       ".5"}) {
     INFO(typed);
     CHECK(refused_double(typed) == "x: number");
   }
@@ -142,8 +143,7 @@ TEST_CASE("lines: a key given twice and what is no JSON are refused") {
   CHECK(refused(R"({"a":1,"a":2})") == "a: given once");
   CHECK(refused(R"({"a":{"b":1,"c":[{"b":2}],"b":3}})") == "b: given once");
   CHECK(refused(R"([{"a":1},{"a":2}])") == "read");
-  for (const char* text : {"", "{", "[1,2", R"({"a":})", "{'a':1}", "nonsense", R"({"a":1} x)", R"({"a":1,})",
-                           R"({"a":+1})", R"({"a":.5})"}) {
+  for (const char* text : {"", "{", "[1,2", R"({"a":})", "{'a':1}", "nonsense", R"({"a":1} x)", R"({"a":1,})"}) {
     INFO(text);
     CHECK(refused(text) == "line: one JSON object");
   }

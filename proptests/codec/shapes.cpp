@@ -123,18 +123,25 @@ EACH_OPERATION("a field that is not known is named") {
       });
 }
 
-EACH_OPERATION("an array of another size, and what is no array, is refused by its path") {
-  const auto refused = [&](const Json& document, const std::string& path) {
-    CHECK(refusal(operation, document) == path + ": array of 2");  // every list so far is a pair
+/// In these documents lists of points have at least three; a point of space holds numbers, a segment two points.
+bool is_list(const Json& array) { return array.size() > 2 && array[0].is_array(); }
+
+EACH_OPERATION("an array of another size, and what is no array, is refused by its path; a list may have any length") {
+  std::string rule;
+  const auto change_by = [&rule](const std::function<void(Json&)>& change, bool to_an_array) {
+    return [&rule, change, to_an_array](Json& value) {
+      if (!value.is_array()) return false;
+      rule = is_list(value) ? to_an_array ? "read" : ": array" : ": array of " + std::to_string(value.size());
+      return change(value), true;
+    };
   };
-  with_each_changed(
-      operation, [](Json& value) { return value.is_array() ? (value.push_back(value[0]), true) : false; }, refused);
-  with_each_changed(
-      operation, [](Json& value) { return value.is_array() ? (value.erase(1), true) : false; }, refused);
-  with_each_changed(
-      operation, [](Json& value) { return value.is_array() ? (value = Json::array(), true) : false; }, refused);
-  with_each_changed(
-      operation, [](Json& value) { return value.is_array() ? (value = 7, true) : false; }, refused);
+  const auto refused = [&](const Json& document, const std::string& path) {
+    CHECK(refusal(operation, document) == (rule == "read" ? rule : path + rule));
+  };
+  with_each_changed(operation, change_by([](Json& value) { value.push_back(Json(value[0])); }, true), refused);
+  with_each_changed(operation, change_by([](Json& value) { value.erase(1); }, true), refused);
+  with_each_changed(operation, change_by([](Json& value) { value = Json::array(); }, true), refused);
+  with_each_changed(operation, change_by([](Json& value) { value = 7; }, false), refused);
 }
 
 EACH_OPERATION("what should be a number is refused by its path, wherever it stands") {
