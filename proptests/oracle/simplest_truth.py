@@ -123,6 +123,19 @@ def point_plane(q):
             "signed_distance": Root(square, by_sign(height, -1, 0, 1))}, square
 
 
+def point_plane_toi(q):
+    """Where the height over the plane, linear in t, is not positive: the interval [0, 1] cut."""
+    normal = [number(n) for n in q["plane"]["normal"]]
+    start, end = ([number(n) for n in q[name]] for name in ("start", "end"))
+    first, last = (sum(n * x for n, x in zip(normal, p)) + number(q["plane"]["offset"]) for p in (start, end))
+    behind = cut((Fraction(0), Fraction(1)), first - last, -first)
+    truth = {"option_1": {"relation": "hit" if last <= 0 else "never"}, "option_2": {"relation": "never"}}
+    if behind is not None:
+        t = behind[0]
+        truth["option_2"] = {"relation": "hit", "t": str(t), "point": [str(a + t * (b - a)) for a, b in zip(start, end)]}
+    return truth, None
+
+
 def implicit_circle(q):
     (x, y), (a, b), r = point(q["point"]), point(q["circle"]["center"]), number(q["circle"]["radius"])
     power = x * x + y * y - 2 * a * x - 2 * b * y + a * a + b * b - r * r
@@ -280,9 +293,10 @@ def point_in_polygon(q):
 
 TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
                                               line_line, segment_segment, ray_segment, polygon_convexity, point_in_polygon,
-                                              polygon_polygon, point_ground_plane, point_plane)}
+                                              polygon_polygon, point_ground_plane, point_plane, point_plane_toi)}
 # Operations that have no second truth here, and why.
 WITHOUT = {
+    "polygon_normal": "its unit vector is irrational; the checkers of certificates compare its squares",
     "parametric_circle": "its answer is irrational; proptests/oracle/circular.cpp compares it with MPFR",
     "interior_angles": "its answers are irrational; the checkers of certificates enclose them by series of their own",
     "triangulate_polygon": "many answers are right; certify_triangulation.py proves each in fractions",
