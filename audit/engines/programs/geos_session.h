@@ -3,10 +3,13 @@
 
 #include <geos_c.h>
 
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "geometry/polygons.h"
 #include "geometry/thin_shapes.h"
 
 namespace touchstone {
@@ -44,13 +47,32 @@ class GeosSession {
     const double ends[] = {s.a.x, s.a.y, s.b.x, s.b.y};
     return owned(GEOSGeom_createLineString_r(context(), made(GEOSCoordSeq_copyFromBuffer_r(context(), ends, 2, 0, 0))));
   }
-  /// A line string of length zero is invalid, and what follows for invalid geometries is not promised.
+  Geometry polygon(const Polygon2d& ring) const {
+    std::vector<double> corners;
+    for (std::size_t i = 0; i <= ring.size(); ++i) {
+      const Point2d& p = ring[i % ring.size()];
+      corners.insert(corners.end(), {p.x, p.y});
+    }
+    const auto size = static_cast<unsigned>(ring.size() + 1);
+    auto* sequence = made(GEOSCoordSeq_copyFromBuffer_r(context(), corners.data(), size, 0, 0));
+    auto* shell = made(GEOSGeom_createLinearRing_r(context(), sequence));
+    return owned(GEOSGeom_createPolygon_r(context(), shell, nullptr, 0));
+  }
+  /// A line string of length zero and a ring that meets itself are invalid, and what follows for invalid geometries is
+  /// not promised.
   bool valid(const Geometry& geometry) const { return checked(GEOSisValid_r(context(), geometry.get())); }
 
-  Point2d vertex(const Geometry& geometry, int i) const {
+  /// The dimensions of what interiors, boundaries and exteriors share: nine characters.
+  std::string relate(const Geometry& a, const Geometry& b) const {
+    const std::unique_ptr<char, std::function<void(char*)>> matrix(made(GEOSRelate_r(context(), a.get(), b.get())),
+                                                                   [this](char* text) { GEOSFree_r(context(), text); });
+    return matrix.get();
+  }
+
+  Point2d vertex(const GEOSGeometry* geometry, int i) const {
     Point2d p{};
-    GEOSCoordSeq_getXY_r(context(), made(GEOSGeom_getCoordSeq_r(context(), geometry.get())), static_cast<unsigned>(i),
-                         &p.x, &p.y);
+    GEOSCoordSeq_getXY_r(context(), made(GEOSGeom_getCoordSeq_r(context(), geometry)), static_cast<unsigned>(i), &p.x,
+                         &p.y);
     return p;
   }
 
