@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Audits packages from npm: node engine.mjs robust-segment-intersect | robust-orientation | robust-predicates | earcut
+// Audits packages from npm: node engine.mjs NAME, a name of `packages` below.
 import { createRequire } from "node:module";
 import { createInterface } from "node:readline";
+import { of_the_same_area, simple } from "./exact.mjs";
 
 const require = createRequire(import.meta.url);
 const name = process.argv[2];
@@ -9,6 +10,10 @@ const name = process.argv[2];
 /** Where a number's sign lies, for packages that answer with a signed area. */
 const side = (left) => ({ side: left > 0 ? "left" : left < 0 ? "right" : "on" });
 
+const geojson = (ring) => ({ type: "Polygon", coordinates: [[...ring, ring[0]]] });
+
+/** What each has: its operations, which answer undefined where the documentation excludes the input; `boundary`, if it
+ * is not closed. */
 const packages = {
   "robust-segment-intersect": () => {
     const intersect = require("robust-segment-intersect");
@@ -24,11 +29,46 @@ const packages = {
     const { orient2d } = require("robust-predicates");
     return { orientation: ({ p0, p1, p }) => side(-orient2d(...p0, ...p1, ...p)) };
   },
-  // A flat list of corners, counter-clockwise where y points up.
+  // Documented: true or false, by a ray, not numerically robust. Nothing is said of points on an edge.
+  "point-in-polygon": () => {
+    const inside = require("point-in-polygon");
+    return { boundary: "unspecified", point_in_polygon: ({ polygon, point }) => inside(point, polygon) };
+  },
+  // Documented for simple polygons: -1 inside, 0 on the boundary, 1 outside.
+  "robust-point-in-polygon": () => {
+    const locate = require("robust-point-in-polygon");
+    const words = ["inside", "boundary", "outside"];
+    const answer = (ring, point) => ({ location: words[locate(ring, point) + 1] });
+    return { point_in_polygon: ({ polygon, point }) => (simple(polygon) ? answer(polygon, point) : undefined) };
+  },
+  // The last position of a GeoJSON ring is its first.
+  "@turf/boolean-point-in-polygon": () => {
+    const { booleanPointInPolygon } = require("@turf/boolean-point-in-polygon");
+    const within = (point, ring, ignoreBoundary) => booleanPointInPolygon(point, geojson(ring), { ignoreBoundary });
+    return {
+      point_in_polygon: ({ polygon, point }) => ({
+        location: within(point, polygon, true) ? "inside" : within(point, polygon, false) ? "boundary" : "outside",
+      }),
+    };
+  },
+  "@turf/boolean-touches": () => {
+    const { booleanDisjoint } = require("@turf/boolean-disjoint");
+    const { booleanTouches } = require("@turf/boolean-touches");
+    const contact = (a, b) => (booleanDisjoint(a, b) ? "disjoint" : booleanTouches(a, b) ? "touching" : "overlapping");
+    return { polygon_polygon: ({ a, b }) => ({ contact: contact(geojson(a), geojson(b)) }) };
+  },
+  // A flat list of corners, counter-clockwise where y points up. Documented as not conforming: a vertex may lie inside
+  // an edge of a triangle, so an answer of fewer triangles that has the polygon's area is not judged.
   earcut: async () => {
     const { default: earcut } = await import("earcut");
     const threes = (list) => Array.from({ length: list.length / 3 }, (_, i) => list.slice(3 * i, 3 * i + 3));
-    return { triangulate_polygon: ({ polygon }) => ({ triangles: threes(earcut(polygon.flat())) }) };
+    return {
+      triangulate_polygon: ({ polygon }) => {
+        const triangles = threes(earcut(polygon.flat()));
+        const conforming = triangles.length === polygon.length - 2 || !of_the_same_area(polygon, triangles);
+        return conforming ? { triangles } : undefined;
+      },
+    };
   },
 };
 
@@ -36,7 +76,7 @@ if (!(name in packages)) {
   console.error(`usage: node engine.mjs ${Object.keys(packages).join(" | ")}`);
   process.exit(2);
 }
-const operations = await packages[name]();
+const { boundary = "closed", ...operations } = await packages[name]();
 const version = require("./package.json").dependencies[name];
 const say = (line) => process.stdout.write(JSON.stringify(line) + "\n");
 
@@ -44,12 +84,13 @@ let greeted = false;
 for await (const line of createInterface({ input: process.stdin })) {
   if (!greeted) {
     greeted = true;
-    say({ engine: `${name} ${version}`, ops: Object.keys(operations), number: "binary64", boundary: "closed", tolerance: 0 });
+    say({ engine: `${name} ${version}`, ops: Object.keys(operations), number: "binary64", boundary, tolerance: 0 });
     continue;
   }
   const { id, op, input } = JSON.parse(line);
   try {
-    say(op in operations ? { id, answer: operations[op](input) } : { id, unsupported: true });
+    const answer = operations[op]?.(input);
+    say(answer === undefined ? { id, unsupported: true } : { id, answer });
   } catch (error) {
     say({ id, error: String(error) });
   }
