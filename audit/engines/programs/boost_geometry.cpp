@@ -14,8 +14,8 @@ namespace bg = boost::geometry;
 using namespace touchstone;
 
 /// Boost.Geometry's geometries are closed: `intersects` and `covered_by` count ends and touches, `within` does not. No
-/// tolerance is documented. A segment whose ends are equal and a ring that repeats a point, has a spike or meets itself
-/// are invalid by its own is_valid, and for invalid input nothing is promised.
+/// tolerance is documented. A segment whose ends are equal and a ring that has a spike or crosses itself are invalid by
+/// its own is_valid, and for invalid input nothing is promised.
 struct BoostGeometry {
   static constexpr const char* name = "Boost.Geometry " BOOST_LIB_VERSION;
   static constexpr auto boundary = Boundary::closed;
