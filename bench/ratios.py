@@ -127,6 +127,11 @@ def goals(lines, oracle):
     for op in ["orientation", "segment_segment"]:
         for data, bound in [("near_degenerate", 3), ("small_integer_grid", 1), ("scale_2^1012", 1), ("scale_2^-1074", 1)]:
             ratio(f"{op}, {data}: Epick / robust", f"{op}/{data}", "epick", "robust", bound, 1)
+    for size in [16, 1000]:
+        group = f"point_in_polygon_{size}"
+        ratio(f"{group}, random: robust / naive", f"{group}/random", "robust", "naive", 1.1, -1)
+        for data in SETS:
+            ratio(f"{group}, {data}: Epick / robust", f"{group}/{data}", "epick", "robust", 1, 1)
     for grid in [3, 4, 10]:
         rate(f"segment_segment, exhaustive on the {grid}-grid, million a second", f"segment_segment/grid_{grid}",
              "exhaust", 20)
@@ -157,14 +162,15 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     timed = {}
-    for name in ["lines", "oracle"]:
+    for name in ["lines", "polygons", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         for group in groups(program, options.ops):
             print(group, file=sys.stderr)
             timed[name][group] = Times(program, group, options.repetitions)
-    report = "\n\n".join([circumstances(options.build), goals(timed["lines"], timed["oracle"]),
-                          decisions(timed["lines"]), answers(timed["lines"]), truths(timed["oracle"]),
+    decided = timed["lines"] | timed["polygons"]
+    report = "\n\n".join([circumstances(options.build), goals(decided, timed["oracle"]),
+                          decisions(decided), answers(timed["lines"]), truths(timed["oracle"]),
                           exhausted(timed["oracle"])])
     print(report)
     if options.write:

@@ -92,6 +92,15 @@ struct RingDefect {
   throw InvalidInput(vertex, "simple: its edge must not meet edge " + std::to_string(defect.second));
 }
 
+/// Why a polygon is not convex, in this order: an edge of length zero; all vertices on one line; a RingDefect; the first vertex at which
+/// the ring turns against its direction.
+[[noreturn]] inline void refuse_flat(const std::string& field) {
+  throw InvalidInput(field, "convex: vertices on one line have no inside");
+}
+[[noreturn]] inline void refuse_reflex(const std::string& field, std::size_t vertex) {
+  throw InvalidInput(field + "[" + std::to_string(vertex) + "]", "convex: the ring must not turn against its direction");
+}
+
 inline void admit(const std::string& field, const Polygon2d& polygon) { admit_ring(field, polygon.vertices); }
 inline void admit(const std::string& field, const Polygon3d& polygon) { admit_ring(field, polygon.vertices); }
 

@@ -16,6 +16,7 @@
 #include "audit/catalogue/planes/polygon_normal.h"
 #include "audit/catalogue/polygons/convex_partition.h"
 #include "audit/catalogue/polygons/interior_angles.h"
+#include "audit/catalogue/polygons/point_in_convex_polygon.h"
 #include "audit/catalogue/polygons/point_in_polygon.h"
 #include "audit/catalogue/polygons/polygon_convexity.h"
 #include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
@@ -37,7 +38,7 @@ using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametri
                      rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
                      rows::polygon_convexity, rows::polygon_convexity_interior_angles, rows::interior_angles,
                      rows::triangulate_polygon, rows::convex_partition, rows::point_in_polygon, rows::polygon_polygon,
-                     rows::point_ground_plane, rows::polygon_normal, rows::point_plane, rows::point_plane_toi>;
+                     rows::point_in_convex_polygon, rows::point_ground_plane, rows::polygon_normal, rows::point_plane, rows::point_plane_toi>;
 
 /// visit.template operator()<Row>() for every row.
 template <class Visit>

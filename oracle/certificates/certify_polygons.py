@@ -3,7 +3,7 @@
 
 from certify_lines import along, cross, minus, within
 from certify_reading import expect, point, polygon
-from certify_rings import edge, side, vertex
+from certify_rings import edge, expect_simple, side, vertex
 
 
 def expect_crossings(claim, ring, p):
@@ -38,3 +38,32 @@ def check_point_in_polygon(claim):
     t = claim.single("t")
     expect(within(t) and p == along(a, t, minus(b, a)), "certificate: the point is not there on the edge")
     expect(claim.word("location") == "boundary", "truth: location is wrong")
+
+
+def expect_convex(ring):
+    expect_simple(ring)
+    sides = {side(edge(ring, i), v) for i in range(len(ring)) for v in ring}
+    expect(not {-1, 1} <= sides, "truth: the polygon is not convex")
+
+
+def check_point_in_convex_polygon(claim):
+    claim.inputs("polygon", "point"), claim.answers("location")
+    ring, p = polygon(claim.input["polygon"], "polygon"), point(claim.input["point"], "point")
+    expect_convex(ring)
+    if claim.kind() == "separating_edge":
+        claim.facts("edge")
+        e = edge(ring, vertex(claim.single("edge"), ring))
+        beyond = side(e, p) != 0 and all(side(e, v) * side(e, p) <= 0 for v in ring)
+        expect(beyond, "certificate: the edge does not separate")
+        expect(claim.word("location") == "outside", "truth: location is wrong")
+        return
+    claim.expect_kind("barycentric"), claim.facts("corners", "weights")
+    corners, weights = claim.list("corners"), claim.list("weights")
+    expect(len(corners) == len(weights) == 3, "certificate: three corners and their weights")
+    combination = (0, 0)
+    for corner, weight in zip(corners, weights):
+        expect(weight >= 0, "certificate: a weight is negative")
+        combination = along(combination, weight, ring[vertex(corner, ring)])
+    expect(sum(weights) == 1 and combination == p, "certificate: the weights give another point")
+    on = any(side(edge(ring, i), p) == 0 for i in range(len(ring)))
+    expect(claim.word("location") == ("boundary" if on else "inside"), "truth: location is wrong")

@@ -46,10 +46,50 @@ void check_point_in_polygon(const Claim& claim) {
   expect(claim.word("location") == "boundary", "truth: location is wrong");
 }
 
+/// Simple, and every vertex on one side of every edge's line.
+void expect_convex(const Ring& ring) {
+  expect_simple(ring);
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (const Pair& v : ring) left = left || side(edge(ring, i), v) > 0, right = right || side(edge(ring, i), v) < 0;
+  }
+  expect(!(left && right), "truth: the polygon is not convex");
+}
+
+void check_point_in_convex_polygon(const Claim& claim) {
+  claim.inputs({"polygon", "point"}), claim.answers({"location"});
+  const Ring ring = polygon(claim.input["polygon"], "polygon");
+  const Pair p = point(claim.input["point"], "point");
+  expect_convex(ring);
+  if (claim.kind() == "separating_edge") {
+    claim.facts({"edge"});
+    const Ends e = edge(ring, vertex(claim.single("edge"), ring));
+    bool beyond = side(e, p) != 0;
+    for (const Pair& v : ring) beyond = beyond && side(e, v) * side(e, p) <= 0;
+    expect(beyond, "certificate: the edge does not separate");
+    expect(claim.word("location") == "outside", "truth: location is wrong");
+    return;
+  }
+  expect(claim.kind() == "barycentric", wrong_kind), claim.facts({"corners", "weights"});
+  const std::vector<Rational> corners = claim.list("corners"), weights = claim.list("weights");
+  expect(corners.size() == 3 && weights.size() == 3, "certificate: three corners and their weights");
+  Rational sum;
+  Pair combination;
+  for (std::size_t k = 0; k < 3; ++k) {
+    expect(sgn(weights[k]) >= 0, "certificate: a weight is negative");
+    sum += weights[k];
+    combination = along(combination, weights[k], ring[vertex(corners[k], ring)]);
+  }
+  expect(sum == 1 && combination == p, "certificate: the weights give another point");
+  bool on = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) on = on || side(edge(ring, i), p) == 0;
+  expect(claim.word("location") == (on ? "boundary" : "inside"), "truth: location is wrong");
+}
+
 }  // namespace
 
 Checks checks_of_polygons() {
-  return {{"point_in_polygon", check_point_in_polygon}};
+  return {{"point_in_polygon", check_point_in_polygon}, {"point_in_convex_polygon", check_point_in_convex_polygon}};
 }
 
 }  // namespace touchstone::certify

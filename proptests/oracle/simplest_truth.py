@@ -291,9 +291,14 @@ def point_in_polygon(q):
     return {"location": "boundary" if margin == 0 else "inside" if inside else "outside"}, margin
 
 
+def point_in_convex_polygon(q):
+    return point_in_polygon(q)
+
+
 TRUTHS = {truth.__name__: truth for truth in (explicit_line, implicit_circle, line_point_at, orientation, point_on_segment,
                                               line_line, segment_segment, ray_segment, polygon_convexity, point_in_polygon,
-                                              polygon_polygon, point_ground_plane, point_plane, point_plane_toi)}
+                                              point_in_convex_polygon, polygon_polygon, point_ground_plane, point_plane,
+                                              point_plane_toi)}
 # Operations that have no second truth here, and why.
 WITHOUT = {
     "polygon_normal": "its unit vector is irrational; the checkers of certificates compare its squares",

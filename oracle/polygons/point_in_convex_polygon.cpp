@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polygons/point_in_convex_polygon.h"
+
+#include <array>
+#include <optional>
+
+#include "oracle/exact/common_points.h"
+#include "oracle/exact/rational_door.h"
+#include "oracle/rings/simple.h"
+#include "oracle/rings/whole.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// The ring, with the point as one more vertex behind the last.
+struct Whole {
+  Polygon2<Integer> ring;
+  Point2<Integer> point;
+  Rational unit;
+};
+
+int turn_at(const Polygon2<Integer>& ring, std::size_t i) {
+  return sgn(WholeRing::turn(ring.previous(i), ring[i], ring.next(i)));
+}
+
+/// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
+template <class Number>
+void admit_convex(const Polygon2<Number>& polygon, const Polygon2<Integer>& ring) {
+  const auto defect = ring_defect(polygon);
+  if (defect && defect->first == defect->second) door::refuse("polygon", *defect);
+  bool turns = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) turns = turns || turn_at(ring, i) != 0;  // neighbours differ
+  if (!turns) door::refuse_flat("polygon");
+  if (defect) door::refuse("polygon", *defect);
+  Integer area(0);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += WholeRing::turn(ring[0], ring[i], ring[i + 1]);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (turn_at(ring, i) * sgn(area) < 0) door::refuse_reflex("polygon", i);
+  }
+}
+
+template <class Number>
+Whole admitted(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  door::admit("polygon", polygon), door::admit("point", point);
+  admit_convex(polygon, WholeRing(polygon).ring);
+  Polygon2<Number> all = polygon;
+  all.vertices.push_back(point);
+  WholeRing whole(all);
+  const Point2<Integer> p = whole.ring.vertices.back();
+  whole.ring.vertices.pop_back();
+  return {std::move(whole.ring), p, std::move(whole.unit)};
+}
+
+/// A triangle (0, i, i + 1) of some area, and the point's weights in it times twice that area: the areas of the triangles that the
+/// point makes with its edges, positive on the inside.
+struct Triangle {
+  std::size_t i;
+  std::array<Integer, 3> areas;
+  bool holds() const { return sgn(areas[0]) >= 0 && sgn(areas[1]) >= 0 && sgn(areas[2]) >= 0; }
+};
+
+std::vector<Triangle> fan(const Whole& w) {
+  std::vector<Triangle> made;
+  for (std::size_t i = 1; i + 1 < w.ring.size(); ++i) {
+    const Point2<Integer>&a = w.ring[0], &b = w.ring[i], &c = w.ring[i + 1];
+    const int side = sgn(WholeRing::turn(a, b, c));
+    if (side == 0) continue;  // flat vertices beside vertex 0
+    const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) { return Integer(side * WholeRing::turn(q, r, w.point)); };
+    made.push_back({i, {area(b, c), area(c, a), area(a, b)}});
+  }
+  return made;
+}
+
+struct Found {
+  Location location;
+  std::optional<Triangle> triangle;
+};
+
+/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, but for the first side of
+/// the first triangle and the last of the last.
+Found located(const Whole& w) {
+  const std::vector<Triangle> triangles = fan(w);
+  for (const Triangle& t : triangles) {
+    if (!t.holds()) continue;
+    const bool first = t.i == triangles.front().i, last = t.i == triangles.back().i;
+    const bool on = sgn(t.areas[0]) == 0 || (last && sgn(t.areas[1]) == 0) || (first && sgn(t.areas[2]) == 0);
+    // On a diagonal the point is inside, unless it is an end of it.
+    const bool at_vertex_0 = sgn(t.areas[1]) == 0 && sgn(t.areas[2]) == 0;
+    return {on || at_vertex_0 ? Location::boundary : Location::inside, t};
+  }
+  return {Location::outside, std::nullopt};
+}
+
+template <class Number>
+Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  const Whole w = admitted(polygon, point);
+  const Location location = located(w).location;
+  if (location == Location::boundary) return {location, Rational(0)};
+  std::optional<Rational> least;
+  for (std::size_t i = 0; i < w.ring.size(); ++i) {
+    const auto found = squared_distance<Integer>(w.point, {w.ring[i], w.ring.next(i)}, Extent::segment);
+    Rational distance = quotient(found.numerator, found.denominator);
+    if (!least || distance < *least) least = std::move(distance);
+  }
+  return {location, Rational(*least * w.unit * w.unit)};
+}
+
+}  // namespace
+
+Truth<Location> point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point) { return truth_of(polygon, point); }
+
+template <Exact Number>
+Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  return truth_of(polygon, point);
+}
+template Truth<Location> point_in_convex_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
+
+Certificate point_in_convex_polygon_certificate(const Polygon2d& polygon, const Point2d& point) {
+  const Whole w = admitted(polygon, point);
+  if (const auto triangle = located(w).triangle) {
+    const auto& [a, b, c] = triangle->areas;
+    const Integer sum = a + b + c;
+    const std::vector<Rational> corners{Rational(0), Rational(triangle->i), Rational(triangle->i + 1)};
+    return {"barycentric", {{"corners", corners}, {"weights", {quotient(a, sum), quotient(b, sum), quotient(c, sum)}}}};
+  }
+  for (std::size_t i = 0;; ++i) {
+    const Point2<Integer>&a = w.ring[i], &b = w.ring.next(i);
+    bool separates = true;
+    for (const Point2<Integer>& v : w.ring.vertices) {
+      separates = separates && sgn(WholeRing::turn(a, b, v)) * sgn(WholeRing::turn(a, b, w.point)) <= 0;
+    }
+    if (separates && sgn(WholeRing::turn(a, b, w.point)) != 0) return {"separating_edge", {{"edge", {Rational(i)}}}};
+  }
+}
+
+}  // namespace touchstone::oracle
