@@ -41,6 +41,31 @@ file(GLOB_RECURSE audit_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/audit/*.
 set(certify_sources ${oracle_sources})
 list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
 list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
+
+# Every check_NAME.cpp with a function checks_of_NAME is in the table of the checker.
+set(declared "")
+set(listed "")
+foreach(source ${certify_sources})
+  file(STRINGS ${source} found REGEX "^Checks checks_of_[a-z_]+\\(\\)" LIMIT_COUNT 1)
+  if(found)
+    string(REGEX MATCH "checks_of_[a-z_]+" found "${found}")
+    string(APPEND declared "Checks ${found}();\n")
+    list(APPEND listed ${found})
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+  endif()
+endforeach()
+list(JOIN listed ", " listed)
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/certify/check_files.h @ONLY CONTENT [[
+#include "oracle/certificates/check_reading.h"
+
+namespace touchstone::certify {
+
+@declared@
+constexpr Checks (*checks_of_all_files[])() = {@listed@};
+
+}  // namespace touchstone::certify
+]])
+
 list(FILTER audit_sources EXCLUDE REGEX "/audit/(cli/main\\.cpp|engines/programs/)")
 
 # audit/catalogue/CHAPTER/OP.h -> a translation unit that makes the operation of this row: adding one compiles one.
@@ -76,6 +101,7 @@ touchstone_links(oracle PUBLIC touchstone_geometry GMP::gmpxx)
 touchstone_links(oracle PRIVATE MPFR::mpfr)
 touchstone_links(certify PUBLIC nlohmann_json::nlohmann_json)
 touchstone_links(certify PRIVATE GMP::gmpxx)
+target_include_directories(touchstone_certify PRIVATE ${PROJECT_BINARY_DIR}/certify)
 touchstone_links(audit PUBLIC touchstone_reference touchstone_robust touchstone_oracle touchstone_certify MPFR::mpfr
                  nlohmann_json::nlohmann_json)
 touchstone_links(audit PRIVATE fmt::fmt PNG::PNG)

@@ -84,16 +84,15 @@ def operation_files(tree, operations):
 
 
 def claimed(tree, file):
-    """The operations of a file of claims."""
+    """Whether a file holds a true claim, and a false one."""
     text = (tree.root / file).read_text(encoding="utf-8") if (tree.root / file).is_file() else ""
-    return {json.loads(line).get("op") for line in text.splitlines() if line.strip()}
+    kinds = {"refused" in json.loads(line) for line in text.splitlines() if line.strip()}
+    return False in kinds, True in kinds
 
 
 def evidence(tree, operations):
     """What an operation needs beside its files, room by room."""
-    planted_file, certify = "proptests/selftests/planted.json", "oracle/certificates/"
-    planted = json.loads((tree.root / planted_file).read_text(encoding="utf-8"))
-    claims = {file: claimed(tree, certify + file) for file in ("accepted_claims.jsonl", "refused_claims.jsonl")}
+    certify = "oracle/certificates/"
     readme = (tree.root / "README.md").read_text(encoding="utf-8")
     checks = {suffix: "".join(text for name, text in tree.text.items() if name.startswith(certify) and name.endswith(suffix))
               for suffix in (".cpp", ".py")}
@@ -106,16 +105,18 @@ def evidence(tree, operations):
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
         if not corpus.is_dir() or not any(corpus.iterdir()):
             yield f"fuzz/corpus/{name}: missing or empty (./dev seeds {name})"
-        bugs = sum(bug["operation"] == name for bug in planted)
+        planted = f"proptests/selftests/planted/{name}.json"
+        bugs = len(json.loads((tree.root / planted).read_text(encoding="utf-8"))) if (tree.root / planted).is_file() else 0
         if bugs < FEWEST_PLANTED:
-            yield f"{planted_file}: {bugs} bugs of {name}, fewer than {FEWEST_PLANTED}"
+            yield f"{planted}: {bugs} bugs of {name}, fewer than {FEWEST_PLANTED}"
         if not re.search(rf'\{{\s*"{name}"\s*,\s*check_', checks[".cpp"]):
             yield f"{certify}check_*.cpp: no check of {name} in the table of a file"
         if not re.search(rf"^def check_{name}\(", checks[".py"], re.MULTILINE):
             yield f"{certify}certify_*.py: no function check_{name}"
-        for file, known in claims.items():
-            if name not in known:
-                yield f"{certify}{file}: no claim of {name}"
+        claims = f"{certify}claims/{name}.jsonl"
+        for held, sort in zip(claimed(tree, claims), ("true", "false")):
+            if not held:
+                yield f"{claims}: no {sort} claim of {name}"
         if not re.search(rf"^\|.*`{name}`.*\|", readme, re.MULTILINE):
             yield f"README.md: no row names `{name}`"
 
@@ -188,6 +189,7 @@ def faults(root, operations):
 
 
 CLAIM = '{"op":"touch"}\n'
+FALSE_CLAIM = '{"op":"touch","refused":"truth: side is wrong"}\n'
 
 
 def right_tree():
@@ -202,10 +204,10 @@ def right_tree():
     files["audit/cli/main.cpp"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
     files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
     files["fuzz/driver/replay_main.cpp"] = '#include "audit/cli/main.cpp"\n'
-    files["vectors/touch.jsonl"] = files["oracle/certificates/accepted_claims.jsonl"] = CLAIM
-    files["oracle/certificates/refused_claims.jsonl"] = CLAIM
+    files["vectors/touch.jsonl"] = CLAIM
+    files["oracle/certificates/claims/touch.jsonl"] = CLAIM + FALSE_CLAIM
     files["fuzz/corpus/touch/seed"] = "seed"
-    files["proptests/selftests/planted.json"] = json.dumps(6 * [{"operation": "touch"}])
+    files["proptests/selftests/planted/touch.json"] = json.dumps(6 * [{}])
     files["oracle/certificates/check_lines.cpp"] = 'Checks checks_of_lines() { return {{"touch", check_touch}}; }\n'
     files["oracle/certificates/certify_lines.py"] = "def check_touch(claim):\n    pass\n"
     files["README.md"] = "| `meet`, `touch` | do they touch? |\n"
@@ -238,11 +240,13 @@ PLANTED = [
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),
     ("fuzz/corpus/touch/seed", None, "fuzz/corpus/touch: missing"),
-    ("proptests/selftests/planted.json", json.dumps(5 * [{"operation": "touch"}]), "5 bugs of touch, fewer than 6"),
+    ("proptests/selftests/planted/touch.json", json.dumps(5 * [{}]), "5 bugs of touch, fewer than 6"),
     ("oracle/certificates/check_lines.cpp", '{{"touched", check_touched}}', "no check of touch in the table"),
     ("oracle/certificates/certify_lines.py", "def check_touched(claim):\n", "no function check_touch"),
-    ("oracle/certificates/accepted_claims.jsonl", CLAIM.replace("touch", "meet"), "accepted_claims.jsonl: no claim of touch"),
-    ("oracle/certificates/refused_claims.jsonl", None, "refused_claims.jsonl: no claim of touch"),
+    ("oracle/certificates/claims/touch.jsonl", FALSE_CLAIM, "claims/touch.jsonl: no true claim of touch"),
+    ("oracle/certificates/claims/touch.jsonl", CLAIM, "claims/touch.jsonl: no false claim of touch"),
+    ("oracle/certificates/claims/touch.jsonl", None, "claims/touch.jsonl: no true claim of touch"),
+    ("proptests/selftests/planted/touch.json", None, "0 bugs of touch, fewer than 6"),
     ("README.md", "| `touched` | does it? |\nof `touch`\n", "README.md: no row names `touch`"),
 ]
 

@@ -9,25 +9,21 @@ every refused line with its reason and then "N certificates, M refused"; test ve
 cannot be read. The same checks as the files check_*.cpp beside it, and the same reasons.
 """
 
+import importlib
 import json
+import pathlib
 import sys
 
-import certify_circle
-import certify_convexity
-import certify_lines
-import certify_overlap
-import certify_planes
-import certify_polygons
-import certify_triangulation
 from certify_reading import Claim, Refusal, expect
 
 if hasattr(sys, "set_int_max_str_digits"):
     sys.set_int_max_str_digits(0)
 
+# Every function check_OPERATION of a file certify_*.py beside this one.
 CHECKS = {
     name.removeprefix("check_"): check
-    for module in (certify_lines, certify_circle, certify_convexity, certify_overlap, certify_polygons, certify_planes, certify_triangulation)
-    for name, check in vars(module).items()
+    for path in sorted(pathlib.Path(__file__).resolve().parent.glob("certify_*.py"))
+    for name, check in vars(importlib.import_module(path.stem)).items()
     if name.startswith("check_")
 }
 

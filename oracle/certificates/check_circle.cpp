@@ -133,7 +133,7 @@ void check_parametric_circle(const Claim& claim) {
 
 }  // namespace
 
-Checks checks_of_circles() {
+Checks checks_of_circle() {
   return {{"parametric_circle", check_parametric_circle}};
 }
 

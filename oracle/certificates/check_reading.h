@@ -85,15 +85,7 @@ struct Claim {
 
 /// Returns where the certificate proves the truth and throws Refusal otherwise.
 using Check = void (*)(const Claim&);
-/// By operation.
+/// By operation. A file check_NAME.cpp ends with `Checks checks_of_NAME()`: the build makes the table of all from that line.
 using Checks = std::map<std::string, Check>;
-
-Checks checks_of_lines();
-Checks checks_of_circles();
-Checks checks_of_convexity();
-Checks checks_of_overlap();
-Checks checks_of_polygons();
-Checks checks_of_planes();
-Checks checks_of_triangulation();
 
 }  // namespace touchstone::certify

@@ -115,6 +115,8 @@ void check_convex_partition(const Claim& claim) {
 
 }  // namespace
 
-Checks checks_of_triangulation() { return {{"triangulate_polygon", check_triangulate_polygon}, {"convex_partition", check_convex_partition}}; }
+Checks checks_of_triangulation() {
+  return {{"triangulate_polygon", check_triangulate_polygon}, {"convex_partition", check_convex_partition}};
+}
 
 }  // namespace touchstone::certify

@@ -6,7 +6,7 @@
 namespace touchstone::oracle {
 namespace {
 
-bool convex(const WholePolygon& ring, const std::vector<Index>& piece) {
+bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     if (ring.turn(piece[i], piece[(i + 1) % piece.size()], piece[(i + 2) % piece.size()]) < 0) return false;
   }
@@ -28,7 +28,7 @@ std::vector<Index> merged(const std::vector<Index>& a, const std::vector<Index>&
 }
 
 /// Until no two pieces can be merged. A diagonal that is needed once stays needed, because angles only grow.
-IndexLists partition(const WholePolygon& ring) {
+IndexLists partition(const WholeRing& ring) {
   IndexLists pieces = triangulated(ring);
   for (bool merging = true; merging;) {
     merging = false;
@@ -48,14 +48,14 @@ IndexLists partition(const WholePolygon& ring) {
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
   admit_simple(polygon);
-  const WholePolygon ring(polygon);
+  const WholeRing ring(polygon);
   return {partition(ring), least_turn(ring)};
 }
 
-std::size_t reflex_vertices(const WholePolygon& ring) {
+std::size_t reflex_vertices(const WholeRing& ring) {
   const int direction = sgn(ring.area());
   std::size_t count = 0;
-  for (Index i = 0; i < ring.size(); ++i) count += ring.turn(ring.before(i), i, ring.after(i)) * direction < 0;
+  for (Index i = 0; i < ring.size(); ++i) count += ring.turn_at(i) * direction < 0;
   return count;
 }
 
@@ -70,12 +70,12 @@ Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
 
 Certificate convex_partition_certificate(const Polygon2d& polygon) {
-  const WholePolygon ring(polygon);
-  return {"pieces", {{"doubled_area", {ring.actual_area(abs(ring.area()))}}}};
+  const WholeRing ring(polygon);
+  return {"pieces", {{"doubled_area", {ring.actual_area(Rational(abs(ring.area())))}}}};
 }
 
 std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
-  if (pieces.size() > 2 * reflex_vertices(WholePolygon(polygon)) + 1) return "more than 2 r + 1 pieces for r reflex vertices";
+  if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1) return "more than 2 r + 1 pieces for r reflex vertices";
   return partition_fault(polygon, pieces);
 }
 

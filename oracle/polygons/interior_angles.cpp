@@ -38,12 +38,11 @@ std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
   door::admit("polygon", polygon);
   if (const auto defect = ring_defect(polygon)) door::refuse("polygon", *defect);
   const WholeRing r(polygon);
-  Integer area(0);
-  for (std::size_t i = 0; i < r.size(); ++i) area += r[i].x * r.ring.next(i).y - r[i].y * r.ring.next(i).x;
+  const int winding = sgn(r.area());
   std::vector<AngleBetween> angles;
   for (std::size_t i = 0; i < r.size(); ++i) {
     const Vector2<Integer> out = r.ring.next(i) - r[i], back = r.ring.previous(i) - r[i];
-    const Integer turn(cross(out, back) * sgn(area));
+    const Integer turn(cross(out, back) * winding);
     angles.push_back(enclosed(dot(out, back), turn));
   }
   return angles;

@@ -19,30 +19,25 @@ struct Whole {
   Rational unit;
 };
 
-int turn_at(const Polygon2<Integer>& ring, std::size_t i) {
-  return sgn(WholeRing::turn(ring.previous(i), ring[i], ring.next(i)));
-}
-
 /// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
 template <class Number>
-void admit_convex(const Polygon2<Number>& polygon, const Polygon2<Integer>& ring) {
+void admit_convex(const Polygon2<Number>& polygon, const WholeRing& ring) {
   const auto defect = ring_defect(polygon);
   if (defect && defect->first == defect->second) door::refuse("polygon", *defect);
   bool turns = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) turns = turns || turn_at(ring, i) != 0;  // neighbours differ
+  for (Index i = 0; i < ring.size(); ++i) turns = turns || ring.turn_at(i) != 0;  // neighbours differ
   if (!turns) door::refuse_flat("polygon");
   if (defect) door::refuse("polygon", *defect);
-  Integer area(0);
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += WholeRing::turn(ring[0], ring[i], ring[i + 1]);
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (turn_at(ring, i) * sgn(area) < 0) door::refuse_reflex("polygon", i);
+  const int winding = sgn(ring.area());
+  for (Index i = 0; i < ring.size(); ++i) {
+    if (ring.turn_at(i) * winding < 0) door::refuse_reflex("polygon", i);
   }
 }
 
 template <class Number>
 Whole admitted(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   door::admit("polygon", polygon), door::admit("point", point);
-  admit_convex(polygon, WholeRing(polygon).ring);
+  admit_convex(polygon, WholeRing(polygon));
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
   WholeRing whole(all);
@@ -63,9 +58,9 @@ std::vector<Triangle> fan(const Whole& w) {
   std::vector<Triangle> made;
   for (std::size_t i = 1; i + 1 < w.ring.size(); ++i) {
     const Point2<Integer>&a = w.ring[0], &b = w.ring[i], &c = w.ring[i + 1];
-    const int side = sgn(WholeRing::turn(a, b, c));
+    const int side = sgn(WholeRing::area(a, b, c));
     if (side == 0) continue;  // flat vertices beside vertex 0
-    const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) { return Integer(side * WholeRing::turn(q, r, w.point)); };
+    const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) { return Integer(side * WholeRing::area(q, r, w.point)); };
     made.push_back({i, {area(b, c), area(c, a), area(a, b)}});
   }
   return made;
@@ -127,9 +122,9 @@ Certificate point_in_convex_polygon_certificate(const Polygon2d& polygon, const 
     const Point2<Integer>&a = w.ring[i], &b = w.ring.next(i);
     bool separates = true;
     for (const Point2<Integer>& v : w.ring.vertices) {
-      separates = separates && sgn(WholeRing::turn(a, b, v)) * sgn(WholeRing::turn(a, b, w.point)) <= 0;
+      separates = separates && sgn(WholeRing::area(a, b, v)) * sgn(WholeRing::area(a, b, w.point)) <= 0;
     }
-    if (separates && sgn(WholeRing::turn(a, b, w.point)) != 0) return {"separating_edge", {{"edge", {Rational(i)}}}};
+    if (separates && sgn(WholeRing::area(a, b, w.point)) != 0) return {"separating_edge", {{"edge", {Rational(i)}}}};
   }
 }
 

@@ -26,21 +26,21 @@ std::optional<std::size_t> repeated_neighbour(const WholeRing& r) {
 
 /// Neighbours differ.
 bool on_one_line(const WholeRing& r) {
-  for (std::size_t i = 2; i < r.size(); ++i) {
-    if (sgn(WholeRing::turn(r[0], r[1], r[i])) != 0) return false;
+  for (Index i = 2; i < r.size(); ++i) {
+    if (r.turn(0, 1, i) != 0) return false;
   }
   return true;
 }
 
 /// An edge and two vertices strictly on different sides of its line.
 struct Straddled {
-  std::size_t edge, left, right;
+  Index edge, left, right;
 };
 std::optional<Straddled> straddled(const WholeRing& r) {
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    std::optional<std::size_t> left, right;
-    for (std::size_t j = 0; j < r.size(); ++j) {
-      const int side = sgn(WholeRing::turn(r[i], r.ring.next(i), r[j]));
+  for (Index i = 0; i < r.size(); ++i) {
+    std::optional<Index> left, right;
+    for (Index j = 0; j < r.size(); ++j) {
+      const int side = r.turn(i, r.after(i), j);
       if (side > 0) left = j;
       if (side < 0) right = j;
     }
@@ -49,26 +49,18 @@ std::optional<Straddled> straddled(const WholeRing& r) {
   return std::nullopt;
 }
 
-Integer doubled_area(const WholeRing& r) {
-  Integer sum(0);
-  for (std::size_t i = 0; i < r.size(); ++i) sum += r[i].x * r.ring.next(i).y - r[i].y * r.ring.next(i).x;
-  return sum;
-}
-
-Integer turn_at(const WholeRing& r, std::size_t i) { return WholeRing::turn(r.ring.previous(i), r[i], r.ring.next(i)); }
-
 /// In squared units; the ring is simple.
 Rational room(const WholeRing& r, bool convex, int winding) {
   std::optional<Rational> clearance, greatest_dent;
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    const Integer turn = turn_at(r, i);
+  for (Index i = 0; i < r.size(); ++i) {
+    const Integer turn = r.area(r.before(i), i, r.after(i));
     const Vector2<Integer> base = r.ring.next(i) - r.ring.previous(i);
     // Neighbours of a simple ring's vertex may coincide no more than it may be a spike: the base is not 0.
     const Rational height = quotient(Integer(turn * turn), dot(base, base));
     if (convex) clearance = clearance ? std::min(*clearance, height) : height;
     if (sgn(turn) * winding < 0) greatest_dent = greatest_dent ? std::max(*greatest_dent, height) : height;
-    for (std::size_t j = 0; j < r.size(); ++j) {
-      if (j == i || (j + 1) % r.size() == i) continue;
+    for (Index j = 0; j < r.size(); ++j) {
+      if (j == i || r.after(j) == i) continue;
       const auto away = squared_distance(r[i], r.edge(j), Extent::segment);
       const Rational distance = quotient(away.numerator, away.denominator);
       clearance = clearance ? std::min(*clearance, distance) : distance;
@@ -94,14 +86,13 @@ Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
   door::admit("polygon", polygon);
   const WholeRing r(polygon);
   if (repeated_neighbour(r) || on_one_line(r)) return {degenerate, Rational(0)};
-  const auto actual = [&](const Rational& squared) { return Rational(squared * r.unit * r.unit); };
-  if (ring_defect(polygon)) return {not_simple, actual(depth(r))};
+  if (ring_defect(polygon)) return {not_simple, r.actual_area(depth(r))};
   const bool convex = !straddled(r);
-  const int winding = sgn(doubled_area(r));
+  const int winding = sgn(r.area());
   bool strict = convex;
-  for (std::size_t i = 0; i < r.size(); ++i) strict = strict && sgn(turn_at(r, i)) != 0;
+  for (Index i = 0; i < r.size(); ++i) strict = strict && r.turn_at(i) != 0;
   return {{convex ? PolygonClass::convex : PolygonClass::concave, strict, winding > 0 ? Winding::ccw : Winding::cw},
-          actual(room(r, convex, winding))};
+          r.actual_area(room(r, convex, winding))};
 }
 
 /// Where point p stands on a segment that holds it.
@@ -152,7 +143,7 @@ Certificate polygon_convexity_certificate(const Polygon2d& polygon) {
   if (const auto found = straddled(r)) {
     return {"both_sides", {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
   }
-  return {"one_side", {{"doubled_area", {Rational(doubled_area(r) * r.unit * r.unit)}}}};
+  return {"one_side", {{"doubled_area", {r.actual_area(Rational(r.area()))}}}};
 }
 
 }  // namespace touchstone::oracle

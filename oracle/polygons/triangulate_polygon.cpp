@@ -7,7 +7,7 @@ namespace {
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
   admit_simple(polygon);
-  const WholePolygon ring(polygon);
+  const WholeRing ring(polygon);
   return {triangulated(ring), least_turn(ring)};
 }
 
@@ -22,8 +22,8 @@ Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
 template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
 
 Certificate triangulate_polygon_certificate(const Polygon2d& polygon) {
-  const WholePolygon ring(polygon);
-  return {"pieces", {{"doubled_area", {ring.actual_area(abs(ring.area()))}}}};
+  const WholeRing ring(polygon);
+  return {"pieces", {{"doubled_area", {ring.actual_area(Rational(abs(ring.area())))}}}};
 }
 
 std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles) {

@@ -14,7 +14,7 @@ namespace {
 
 std::string named(const char* what, std::size_t i) { return what + (" " + std::to_string(i)); }
 
-std::string indices_fault(const WholePolygon& ring, const IndexLists& pieces) {
+std::string indices_fault(const WholeRing& ring, const IndexLists& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (pieces[i].size() < 3) return named("fewer than three vertices in piece", i);
     for (const Index k : pieces[i]) {
@@ -27,7 +27,7 @@ std::string indices_fault(const WholePolygon& ring, const IndexLists& pieces) {
 
 /// Every vertex on the left of every edge or on it, and not all on one line. (Then each edge lies on the hull's boundary in its
 /// direction, and different vertices cannot go round twice.)
-bool convex(const WholePolygon& ring, const std::vector<Index>& piece) {
+bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Index p = piece[i], q = piece[(i + 1) % piece.size()];
     bool beside = false;
@@ -42,7 +42,7 @@ bool convex(const WholePolygon& ring, const std::vector<Index>& piece) {
 }
 
 /// Whether an edge of a has all of b on its right or on it: with convex pieces, whether it keeps their interiors apart.
-bool parted(const WholePolygon& ring, const std::vector<Index>& a, const std::vector<Index>& b) {
+bool parted(const WholeRing& ring, const std::vector<Index>& a, const std::vector<Index>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Index p = a[i], q = a[(i + 1) % a.size()];
     if (std::all_of(b.begin(), b.end(), [&](Index r) { return ring.turn(p, q, r) <= 0; })) return true;
@@ -50,7 +50,7 @@ bool parted(const WholePolygon& ring, const std::vector<Index>& a, const std::ve
   return false;
 }
 
-bool on_segment(const WholePolygon& ring, Index a, Index b, Index p) {
+bool on_segment(const WholeRing& ring, Index a, Index b, Index p) {
   const auto &s = ring[a], &t = ring[b], &r = ring[p];
   return ring.turn(a, b, p) == 0 && std::min(s.x, t.x) <= r.x && r.x <= std::max(s.x, t.x) && std::min(s.y, t.y) <= r.y &&
          r.y <= std::max(s.y, t.y);
@@ -58,7 +58,7 @@ bool on_segment(const WholePolygon& ring, Index a, Index b, Index p) {
 
 /// Whether the open segment from vertex a to vertex b, no edge, lies inside the ring, which is simple: it starts within the angle at a, and
 /// no edge that does not end in a or b comes near it, nor does a neighbour of a or b lie on it.
-bool diagonal(const WholePolygon& ring, Index a, Index b, bool counter_clockwise) {
+bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
   const Index next = counter_clockwise ? ring.after(a) : ring.before(a), last = counter_clockwise ? ring.before(a) : ring.after(a);
   const bool left_of_next = ring.turn(a, next, b) > 0, right_of_last = ring.turn(a, last, b) < 0;
   if (ring.turn(last, a, next) > 0 ? !(left_of_next && right_of_last) : !(left_of_next || right_of_last)) return false;
@@ -71,7 +71,7 @@ bool diagonal(const WholePolygon& ring, Index a, Index b, bool counter_clockwise
   return true;
 }
 
-std::string edges_fault(const WholePolygon& ring, const IndexLists& pieces, bool counter_clockwise) {
+std::string edges_fault(const WholeRing& ring, const IndexLists& pieces, bool counter_clockwise) {
   std::set<std::pair<Index, Index>> inside;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t k = 0; k < pieces[i].size(); ++k) {
@@ -88,7 +88,7 @@ std::string edges_fault(const WholePolygon& ring, const IndexLists& pieces, bool
 }  // namespace
 
 std::string partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
-  const WholePolygon ring(polygon);
+  const WholeRing ring(polygon);
   const std::string indices = indices_fault(ring, pieces);
   if (!indices.empty()) return indices;
   Integer area;

@@ -20,57 +20,10 @@ void admit(const Polygon2<Number>& polygon) {
 
 }  // namespace
 
-WholePolygon::WholePolygon(const Polygon2d& ring) {
-  int least = 4096;
-  const auto lower = [&](const Dyadic& part) {
-    if (part.mantissa != 0) least = std::min(least, part.exponent + std::countr_zero(static_cast<std::uint64_t>(part.mantissa)));
-  };
-  for (const Point2d& p : ring.vertices) lower(decode(p.x)), lower(decode(p.y));
-  const auto whole = [&](double number) {
-    Integer result(static_cast<long>(decode(number).mantissa));
-    const int up = decode(number).exponent - least;
-    if (up >= 0) {
-      result <<= static_cast<mp_bitcnt_t>(up);
-    } else {
-      result >>= static_cast<mp_bitcnt_t>(-up);  // only zeros leave
-    }
-    return result;
-  };
-  for (const Point2d& p : ring.vertices) points_.push_back({whole(p.x), whole(p.y)});
-  unit_ = scaled(Rational(1), least == 4096 ? 0 : least);
-}
-
-WholePolygon::WholePolygon(const Polygon2<Rational>& ring) {
-  Integer denominator(1);
-  for (const auto& p : ring.vertices) {
-    for (const Rational* number : {&p.x, &p.y}) mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number->get_den_mpz_t());
-  }
-  const auto whole = [&](const Rational& number) { return Integer(number.get_num() * (denominator / number.get_den())); };
-  for (const auto& p : ring.vertices) points_.push_back({whole(p.x), whole(p.y)});
-  unit_ = Rational(Integer(1), denominator);
-}
-
-Integer WholePolygon::area(const std::vector<Index>& piece) const {
-  Integer sum;
-  for (std::size_t i = 0; i < piece.size(); ++i) {
-    const Point2<Integer>&p = points_[piece[i]], &q = points_[piece[(i + 1) % piece.size()]];
-    sum += p.x * q.y - p.y * q.x;
-  }
-  return sum;
-}
-
-Integer WholePolygon::area() const {
-  std::vector<Index> all(size());
-  std::iota(all.begin(), all.end(), Index{0});
-  return area(all);
-}
-
-Rational WholePolygon::actual_area(const Integer& value) const { return Rational(Rational(value) * unit_ * unit_); }
-
 void admit_simple(const Polygon2d& polygon) { admit(polygon); }
 void admit_simple(const Polygon2<Rational>& polygon) { admit(polygon); }
 
-std::vector<Index> counter_clockwise(const WholePolygon& ring) {
+std::vector<Index> counter_clockwise(const WholeRing& ring) {
   std::vector<Index> all(ring.size());
   std::iota(all.begin(), all.end(), Index{0});
   if (sgn(ring.area()) < 0) std::reverse(all.begin(), all.end());
@@ -80,7 +33,7 @@ std::vector<Index> counter_clockwise(const WholePolygon& ring) {
 /// A ring of more than three vertices has a diagonal at its first vertex v in the order of the plane, where it turns left. With u and w
 /// before and after v: uw if the closed triangle uvw holds no other vertex, else vz to the one held that is farthest from uw on v's side,
 /// because no edge can reach into the part of the triangle beyond z without ending there.
-IndexLists triangulated(const WholePolygon& ring) {
+IndexLists triangulated(const WholeRing& ring) {
   IndexLists triangles, rings{counter_clockwise(ring)};
   while (!rings.empty()) {
     std::vector<Index> now = std::move(rings.back());
@@ -114,10 +67,10 @@ IndexLists triangulated(const WholePolygon& ring) {
   return triangles;
 }
 
-Rational least_turn(const WholePolygon& ring) {
+Rational least_turn(const WholeRing& ring) {
   Integer least = abs(ring.area(ring.before(0), 0, ring.after(0)));
   for (Index i = 1; i < ring.size(); ++i) least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));
-  return ring.actual_area(least);
+  return ring.actual_area(Rational(least));
 }
 
 }  // namespace touchstone::oracle

@@ -1,40 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "geometry/thin_shapes.h"
 #include "geometry/polygons.h"
+#include "geometry/thin_shapes.h"
 #include "oracle/exact/decode.h"
 
 namespace touchstone::oracle {
 
-/// A ring in integers times one positive unit. Signs and ratios are those of the ring itself; an area is multiplied by unit^2.
-struct WholeRing {
-  Polygon2<Integer> ring;
-  Rational unit;
+/// A ring in integers times one positive unit. Signs and ratios are those of the ring itself.
+class WholeRing {
+ public:
+  explicit WholeRing(const Polygon2d& polygon);
+  explicit WholeRing(const Polygon2<Rational>& polygon);
 
-  template <class Number>
-  explicit WholeRing(const Polygon2<Number>& polygon) {
-    Integer denominator(1);
-    std::vector<Point2<Rational>> points;
-    for (const auto& p : polygon.vertices) {
-      points.push_back({exact(p.x), exact(p.y)});
-      mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), points.back().x.get_den_mpz_t());
-      mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), points.back().y.get_den_mpz_t());
-    }
-    const auto whole = [&](const Rational& x) { return Integer(x.get_num() * (denominator / x.get_den())); };
-    for (const auto& p : points) ring.vertices.push_back({whole(p.x), whole(p.y)});
-    unit = Rational(Integer(1), denominator);
-  }
-
-  std::size_t size() const { return ring.size(); }
+  Index size() const { return static_cast<Index>(ring.size()); }
   const Point2<Integer>& operator[](std::size_t i) const { return ring[i]; }
   Segment2<Integer> edge(std::size_t i) const { return {ring[i], ring.next(i)}; }
-  /// The turn from p -> q to q -> r: twice the area of that triangle.
-  static Integer turn(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
-    return cross(q - p, r - p);
-  }
+  Index after(Index i) const { return i + 1 == size() ? 0 : i + 1; }
+  Index before(Index i) const { return i == 0 ? size() - 1 : i - 1; }
+
+  /// Twice the area of the triangle of three vertices, positive where it turns left, in squares of the unit; and its sign, which is
+  /// had faster.
+  static Integer area(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r);
+  Integer area(Index i, Index j, Index k) const { return area(ring[i], ring[j], ring[k]); }
+  int turn(Index i, Index j, Index k) const;
+  int turn_at(Index i) const { return turn(before(i), i, after(i)); }
+
+  /// Twice the area, positive counter-clockwise, of the ring through these vertices; of the whole ring.
+  Integer area(const std::vector<Index>& piece) const;
+  Integer area() const;
+
+  /// What a value in squared units is.
+  Rational actual_area(const Rational& value) const { return Rational(value * unit * unit); }
+
+  Polygon2<Integer> ring;
+  Rational unit;
+  /// The same integers where all fit 61 bits, so that Int128 holds a difference of two products of differences; else empty.
+  std::vector<Point2<std::int64_t>> words;
+
+ private:
+  void find_words();
 };
 
 }  // namespace touchstone::oracle

@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Copies robust/ and plants bugs in the copy: instrument.py PLANTED.json SOURCE_ROOT OUT
+"""Copies robust/ and plants bugs in the copy: instrument.py SOURCE_ROOT OUT
 
 Each bug replaces one expression by (TOUCHSTONE_PLANTED(n) ? (bug) : (expression)), n its place in the list from 1; the
 environment variable TOUCHSTONE_PLANTED=n turns one of them on when the program starts. An expression that is not found
 exactly once stops the build: the list must follow the code."""
 import collections
-import json
 import pathlib
 import sys
+
+from planted import listed
 
 
 def planted(text, place, bugs):
@@ -22,9 +23,9 @@ def planted(text, place, bugs):
     return text.replace(within, within.replace(find, expression))
 
 
-def main(listed, source, out):
+def main(source, out):
     places = collections.defaultdict(list)
-    for number, bug in enumerate(json.load(open(listed)), 1):
+    for number, bug in listed():
         places[bug["file"], bug["find"], bug.get("within")].append((number, bug))
     texts = {path.relative_to(source).as_posix(): path.read_text()
              for path in sorted((source / "robust").rglob("*")) if path.suffix in (".h", ".cpp")}
@@ -39,4 +40,4 @@ def main(listed, source, out):
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]))
+    main(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]))

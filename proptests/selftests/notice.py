@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the property suite alone, the vectors alone and fuzzing alone notice each planted bug: notice.py PLANTED.json
-PROGRAMS VECTORS MATRIX [--only OPERATION]. Writes the matrix to the file MATRIX too. Exit code 1 if a bug is missed, or if something cries
-wolf while no bug is on."""
+"""Whether the property suite alone, the vectors alone and fuzzing alone notice each planted bug: notice.py PROGRAMS
+VECTORS MATRIX [--only OPERATION]. Writes the matrix to the file MATRIX too. Exit code 1 if a bug is missed, or if something
+cries wolf while no bug is on."""
 import argparse
 import concurrent.futures
-import json
 import os
 import pathlib
 import shutil
@@ -13,6 +12,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+from planted import listed
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SECONDS = 60  # that fuzzing may take; it usually needs less than one
@@ -70,9 +71,8 @@ def line(bug, results):
     return f"{bug['id']:<26}{cells}  {bug['what']}"
 
 
-def main(listed, programs, vectors, matrix, only=None):
-    bugs = list(enumerate(json.load(open(listed)), 1))
-    bugs = [(number, bug) for number, bug in bugs if only in (None, bug["operation"])]
+def main(programs, vectors, matrix, only=None):
+    bugs = [(number, bug) for number, bug in listed() if only in (None, bug["operation"])]
     if not bugs:
         sys.exit(f"no planted bugs of {only}")
     notice = Notice(pathlib.Path(programs).resolve(), pathlib.Path(vectors))
@@ -98,7 +98,7 @@ def main(listed, programs, vectors, matrix, only=None):
 
 if __name__ == "__main__":
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("listed", "programs", "vectors", "matrix"):
+    for name in ("programs", "vectors", "matrix"):
         arguments.add_argument(name)
     arguments.add_argument("--only", metavar="OPERATION", help="the bugs of one operation")
     sys.exit(main(**vars(arguments.parse_args())))
