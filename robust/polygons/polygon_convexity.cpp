@@ -17,7 +17,6 @@ bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.
 /// What one walk round the ring finds.
 struct Walk {
   std::size_t left = 0, right = 0;  ///< turns
-  std::size_t reversals = 0;        ///< vertices where the ring turns back on itself
   std::size_t flips = 0;            ///< edges that lead up after one that leads down, or the other way (lexicographically)
   Side at_first = Side::on;         ///< the turn at the vertex that is lexicographically first
   Stage decided = Stage::filter;
@@ -31,10 +30,8 @@ Walk walk(const Polygon2d& ring) {
     Stage decided;
     const Side side = orientation(ring.previous(i), ring[i], ring.next(i), decided);
     found.decided = std::max(found.decided, decided);
-    const bool flip = before(ring.previous(i), ring[i]) != before(ring[i], ring.next(i));
-    found.flips += flip;
+    found.flips += before(ring.previous(i), ring[i]) != before(ring[i], ring.next(i));
     found.left += side == Side::left, found.right += side == Side::right;
-    found.reversals += side == Side::on && flip;
     if (i == 0 || before(ring[i], ring[first])) first = i, found.at_first = side;
   }
   return found;
@@ -59,11 +56,12 @@ PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided) {
   decided = found.decided;
   // Neighbours differ, so vertices on one line with those before them are all on the first edge's line.
   if (found.left == 0 && found.right == 0) return degenerate;
-  if (found.reversals > 0) return not_simple;
   const bool both = found.left > 0 && found.right > 0;
   if (!both) {
-    // The edges' directions go round one way, never by half a turn, so each time round they flip twice. Once round: convex (the
-    // ring's support function is that of a convex polygon). A simple ring goes round once (Hopf's Umlaufsatz), so others cross.
+    // The edges' directions go round one way and flip twice each time round. Once round: convex (the ring's support function is that of
+    // a convex polygon). A simple ring goes round once (Hopf's Umlaufsatz), so others cross. A ring that turns back on itself is not simple
+    // and flips more often: if it went up once and down once and turned back at the top, both ways would bend to the same side of
+    // that last edge's line, and could not start in one point unless both are that line.
     if (found.flips != 2) return not_simple;
     const bool strict = found.left + found.right == polygon.size();
     return {PolygonClass::convex, strict, found.left > 0 ? Winding::ccw : Winding::cw};

@@ -106,7 +106,6 @@ class Meeting {
     if (same_direction(apex, angle.from, p)) return true;
     const int opening = turn(apex, angle.from, angle.to);
     if (opening > 0) return turn(apex, angle.from, p) > 0 && turn(apex, p, angle.to) > 0;
-    if (opening == 0) return turn(apex, angle.from, p) > 0;
     if (same_direction(apex, angle.to, p)) return false;
     return !(turn(apex, angle.to, p) > 0 && turn(apex, p, angle.from) > 0);
   }

@@ -125,6 +125,26 @@ struct point_in_polygon {
            const std::size_t i = c.below(ring.size());
            return {ring, along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i])};
          }},
+        {"hair_beside_edge",
+         [](Choices& c) -> Question {
+           // Seen from the point the edge has coordinates of 50 bits and an area of about 40: the signs of rounded products are chance.
+           const Point2d p = lattice_point(c);
+           const double many = 1 + static_cast<double>(c.below(1024));
+           const Vector2d off = lattice_direction(c, 20), edge{many * off.x + 1, many * off.y};
+           const auto steps = [&c] { return 1 + static_cast<double>(c.below(1 << 20)); };
+           const double side = c.below(2) == 1 ? 1 : -1;
+           return {turned({{along(p, -steps(), edge) + side * off, along(p, steps(), edge) + side * off, p + lattice_direction(c, 50)}}, c), p};
+         }},
+        {"level_and_in_line",
+         [](Choices& c) -> Question {
+           // Level with the last of the first sixteen vertices, which robust takes together, and in line with some edge of a saw.
+           const std::uint64_t teeth = 2 + c.below(3), length = 5 + c.below(8);
+           Polygon2d ring;
+           for (std::uint64_t i = 0; i < teeth * length; ++i) ring.vertices.push_back({static_cast<double>(3 * i), static_cast<double>(i % length)});
+           ring.vertices.push_back({static_cast<double>(3 * teeth * length), -1000});
+           const Point2d level = ring[c.below(2) == 1 && ring.size() > 15 ? 15 : c.below(ring.size() - 1)], in_line = ring[c.below(teeth) * length];
+           return {ring, {in_line.x + 3 * (level.y - in_line.y), level.y}};
+         }},
         {"many_vertices",
          [](Choices& c) -> Question {
            const bool very_many = c.one_in(64);

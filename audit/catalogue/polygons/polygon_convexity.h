@@ -44,6 +44,12 @@ struct polygon_convexity {
            Polygon2d ring = with_flat_vertex(simple_ring(c), c);
            return turned(c.below(2) == 0 ? ring : with_flat_vertex(ring, c), c);
          }},
+        {"flat_on_the_left",
+         [](Choices& c) -> Question {
+           // The first vertices from the left are on one line, and the middle one may come first.
+           const double height = 2 + static_cast<double>(c.below(20)), width = 2 + std::fabs(integer(c, 20)), dent = static_cast<double>(c.below(2));
+           return turned({{{0, 1}, {0, 0}, {width, 0}, {width - dent, 1}, {width, height}, {0, height}}}, c);
+         }},
         {"nearly_flat",
          [](Choices& c) -> Question {
            // The cross product at the second vertex is -1, 0 or 1, of products far beyond 2^53.

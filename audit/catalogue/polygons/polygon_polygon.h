@@ -59,7 +59,7 @@ struct polygon_polygon {
            const Polygon2d outer = turned(convex_ring(c), c);
            Polygon2d inner;
            for (std::size_t i = 0; i < outer.size(); ++i) inner.vertices.push_back(with_flat_middle(outer, i));
-           return {outer, turned(inner, c)};
+           return c.below(2) == 1 ? Question{turned(inner, c), outer} : Question{outer, turned(inner, c)};
          }},
         {"nested_sharing_a_vertex",
          [](Choices& c) -> Question {
