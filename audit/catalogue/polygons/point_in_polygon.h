@@ -127,13 +127,13 @@ struct point_in_polygon {
          }},
         {"hair_beside_edge",
          [](Choices& c) -> Question {
-           // Seen from the point the edge has coordinates of 50 bits and an area of about 40: the signs of rounded products are chance.
-           const Point2d p = lattice_point(c);
-           const double many = 1 + static_cast<double>(c.below(1024));
-           const Vector2d off = lattice_direction(c, 20), edge{many * off.x + 1, many * off.y};
-           const auto steps = [&c] { return 1 + static_cast<double>(c.below(1 << 20)); };
-           const double side = c.below(2) == 1 ? 1 : -1;
-           return {turned({{along(p, -steps(), edge) + side * off, along(p, steps(), edge) + side * off, p + lattice_direction(c, 50)}}, c), p};
+           // The ends seen from the point need more bits than a double has, and so they turn to the wrong side as often as not.
+           const auto sized = [&c](std::uint64_t size) { return static_cast<double>(size + c.below(size)); };
+           const Vector2d edge{sized(1 << 29), c.below(2) == 1 ? sized(1 << 29) : -sized(1 << 29)};
+           const Point2d origin{0, 0}, beside = along(origin, 0x1p-30, edge);
+           const double off = 0x1p-11 * (c.below(2) == 1 ? 1 : -1) * static_cast<double>(1 + c.below(8));
+           return {turned({{along(origin, -sized(1 << 20), edge), along(origin, sized(1 << 20), edge), origin + lattice_direction(c, 50)}}, c),
+                   {beside.x, beside.y + off}};
          }},
         {"level_and_in_line",
          [](Choices& c) -> Question {
