@@ -44,6 +44,19 @@ def dies_after_ten(question):
         sys.exit(0)
 
 
+def answers_for_the_dead(question):
+    """Dies of it; started anew, it first answers the question that was put to its predecessor last."""
+    if question["id"] == echo(question)["answer"] + 1:
+        os.kill(os.getpid(), signal.SIGSEGV)
+    say({"id": question["id"] - 1, "answer": -1})
+    say(echo(question))
+
+
+def leaves_half_a_line(question):
+    os.write(1, b'{"id":')
+    sys.exit(1)
+
+
 def complains_at_length(question):
     sys.stderr.write("x" * 300000 + "\n")
     say(echo(question))
@@ -73,6 +86,8 @@ misbehave = {
     "answers_in_pieces": answers_in_pieces,
     "counts_in_floats": lambda q: say({**echo(q), "id": float(q["id"])}),
     "dies_after_ten": dies_after_ten,
+    "answers_for_the_dead": answers_for_the_dead,
+    "leaves_half_a_line": leaves_half_a_line,
     "complains_at_length": complains_at_length,
     "stops_reading": stops_reading,
     "prints_hexadecimal": lambda q: say({"id": q["id"], "answer": float(q["input"]["p"][0]).hex()}),

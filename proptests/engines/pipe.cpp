@@ -146,6 +146,14 @@ TEST_CASE("pipe: an answer with the id of no question loses its question") {
   require_lost_by("invents_an_id 5", {5}, "was not asked", 2);
 }
 
+TEST_CASE("pipe: an engine started anew may not answer what was put to its predecessor") {
+  require_lost_by("answers_for_the_dead 13", {13}, "was not asked: id 2", 2);
+}
+
+TEST_CASE("pipe: half a line of an engine that died is no part of its successor's first line") {
+  require_lost_by("leaves_half_a_line 5", {5}, "exit code 1", 2);
+}
+
 TEST_CASE("pipe: a second answer to a question takes the first one back") {
   require_lost_by("answers_twice 3 250 599", {3, 250, 599}, "answered twice", 0);
 }
