@@ -1,25 +1,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "audit/engines/adapter.h"
 
 namespace touchstone::audit {
 
-/// Whether a verdict stops the fuzzing: a finding, or one of the verdicts that the environment names with commas.
-inline bool stops_fuzzing(Verdict verdict) {
-  static const char* const only = std::getenv("TOUCHSTONE_FUZZ_ONLY");
-  if (only == nullptr || *only == 0) return is_finding(verdict);
-  const std::string names = "," + std::string(only) + ",", name = "," + std::string(name_of(verdict)) + ",";
-  return verdict != Verdict::agree && names.find(name) != std::string::npos;
-}
+/// Which verdicts stop the fuzzing: those named, with commas between them; without a name the findings. Throws InvalidInput
+/// where a name is that of no verdict, or agree: such a name would never stop anything.
+class StoppingVerdicts {
+ public:
+  explicit StoppingVerdicts(const char* names) {
+    std::stringstream list(names == nullptr ? "" : names);
+    for (std::string name; std::getline(list, name, ',');) {
+      const auto found = std::find(verdict_names.begin() + 1, verdict_names.end(), name);
+      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts with commas, not " + name);
+      named_.push_back(static_cast<Verdict>(found - verdict_names.begin()));
+    }
+  }
+  bool contain(Verdict verdict) const {
+    return named_.empty() ? is_finding(verdict) : std::find(named_.begin(), named_.end(), verdict) != named_.end();
+  }
+  /// As the environment names them; the program ends where it names none that exist.
+  static StoppingVerdicts of_environment() {
+    try {
+      return StoppingVerdicts(std::getenv("TOUCHSTONE_FUZZ_ONLY"));
+    } catch (const InvalidInput& wrong) {
+      std::fprintf(stderr, "%s\n", wrong.what());
+      std::_Exit(2);
+    }
+  }
 
-/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it.
-/// Aborts with one line where the engine's answer is a finding (with TOUCHSTONE_FUZZ_ONLY=algorithm,invalid: one of these). A crash of the engine is libFuzzer's to report.
+ private:
+  std::vector<Verdict> named_;
+};
+
+/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it. Aborts
+/// with one line where the verdict on the engine's answer is among those that stop (TOUCHSTONE_FUZZ_ONLY=algorithm,invalid).
+/// A crash of the engine is libFuzzer's to report.
 template <class Engine, class Row>
 int fuzz_engine(const unsigned char* bytes, std::size_t size) {
+  static const StoppingVerdicts stopping = StoppingVerdicts::of_environment();
   static Engine engine{};
   static const Declaration declaration = declaration_of<Engine>();
   static const Operation& operation = *find_operation(Row::card().name);
@@ -44,7 +71,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   } catch (const std::exception& thrown) {
     judgement = {Verdict::invalid, 0, thrown.what()};
   }
-  if (!stops_fuzzing(judgement.verdict)) return 0;
+  if (!stopping.contain(judgement.verdict)) return 0;
   std::fprintf(stderr, "%s: %s (%s%s%s) on %s: it says %s, the truth is %s\n", declaration.engine.c_str(),
                operation.card().name, name_of(judgement.verdict), judgement.remark.empty() ? "" : ": ",
                judgement.remark.c_str(), one_line(operation.print_hexadecimal(question)).c_str(),

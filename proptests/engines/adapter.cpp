@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/engines/adapter.h"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <stdexcept>
 
 #include "audit/engines/fuzz.h"
@@ -51,6 +55,63 @@ std::string said(const std::string& operation, const std::string& input) {
   const ServedOperation& asked = all.operations.at(operation);
   const auto answer = asked.answer(asked.operation.parse(parse_line(input)));
   return answer ? one_line(*answer) : "unsupported";
+}
+
+struct Leftist {
+  static constexpr const char* name = "leftist";
+  static constexpr auto boundary = Boundary::closed;
+  Side orientation(Point2d, Point2d, Point2d) { return Side::left; }
+};
+
+struct Thrower {
+  static constexpr const char* name = "thrower";
+  Side orientation(Point2d, Point2d, Point2d) { throw std::runtime_error("out of cheese"); }
+};
+
+/// How a process ends that fuzzes the engine with TOUCHSTONE_FUZZ_ONLY set (unset where nullptr), and what it complains.
+struct Fuzzed {
+  int status = 0;
+  std::string complaint;
+};
+template <class Engine>
+Fuzzed fuzzed_with(const char* only) {
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGABRT, SIG_DFL);  // Catch's would report a failed test
+    dup2(ends[1], 2);
+    only == nullptr ? unsetenv("TOUCHSTONE_FUZZ_ONLY") : setenv("TOUCHSTONE_FUZZ_ONLY", only, 1);
+    for (unsigned i = 0; i < 2000; ++i) {
+      const unsigned char bytes[] = {static_cast<unsigned char>(i), static_cast<unsigned char>(i >> 2), 7, 3};
+      fuzz_engine<Engine, rows::orientation>(bytes, sizeof bytes);
+    }
+    _exit(0);
+  }
+  close(ends[1]);
+  Fuzzed fuzzed;
+  char bytes[4096];
+  for (ssize_t n; (n = read(ends[0], bytes, sizeof bytes)) > 0;) fuzzed.complaint.append(bytes, n);
+  close(ends[0]);
+  waitpid(child, &fuzzed.status, 0);
+  return fuzzed;
+}
+
+template <class Engine>
+void require_stopped(const char* only, const char* words) {
+  const Fuzzed fuzzed = fuzzed_with<Engine>(only);
+  INFO(fuzzed.complaint);
+  REQUIRE(WIFSIGNALED(fuzzed.status));
+  REQUIRE(WTERMSIG(fuzzed.status) == SIGABRT);
+  REQUIRE_THAT(fuzzed.complaint, Catch::Contains(words));
+}
+
+template <class Engine>
+void require_undisturbed(const char* only) {
+  const Fuzzed fuzzed = fuzzed_with<Engine>(only);
+  INFO(fuzzed.complaint);
+  REQUIRE(fuzzed.status == 0);
+  REQUIRE(fuzzed.complaint.empty());
 }
 
 const char* const segments = R"({"a":[[0.1,0],[2,0]],"b":[[1,0],[3,0]]})";
@@ -106,5 +167,29 @@ TEST_CASE("adapter: a fuzz target lets right answers and unsupported questions p
                                    static_cast<unsigned char>(i >> 3), 5, 6};
     REQUIRE((fuzz_engine<Right, rows::orientation>(bytes, sizeof bytes)) == 0);
     REQUIRE((fuzz_engine<Right, rows::segment_segment>(bytes, sizeof bytes)) == -1);
+  }
+}
+
+TEST_CASE("adapter: a fuzz target aborts on a finding with the verdict, the input, the answer and the truth") {
+  require_stopped<Leftist>(nullptr, "leftist: orientation (");
+  require_stopped<Leftist>("", R"(it says {"side":"left"}, the truth is {"side":")");
+  require_stopped<Thrower>(nullptr, R"(thrower: orientation (invalid: out of cheese) on {"p0":["-)");
+}
+
+TEST_CASE("adapter: TOUCHSTONE_FUZZ_ONLY names the verdicts that abort") {
+  require_stopped<Leftist>("algorithm", "leftist: orientation (algorithm)");
+  require_stopped<Leftist>("rounding", "leftist: orientation (rounding)");
+  require_stopped<Leftist>("invalid,algorithm", "leftist: orientation (algorithm)");
+  require_undisturbed<Leftist>("invalid");
+  require_undisturbed<Thrower>("rounding,algorithm,inexact,unsupported");
+}
+
+TEST_CASE("adapter: a name in TOUCHSTONE_FUZZ_ONLY that would never abort is refused") {
+  for (const char* only : {"agree", "algoritm", "algorithm, invalid", "algorithm,,invalid"}) {
+    const Fuzzed fuzzed = fuzzed_with<Leftist>(only);
+    INFO(only << ": " << fuzzed.complaint);
+    REQUIRE(WIFEXITED(fuzzed.status));
+    REQUIRE(WEXITSTATUS(fuzzed.status) == 2);
+    REQUIRE_THAT(fuzzed.complaint, Catch::StartsWith("TOUCHSTONE_FUZZ_ONLY: verdicts with commas"));
   }
 }
