@@ -92,4 +92,16 @@ if(NOT TOUCHSTONE_COVERAGE)
   add_test(NAME install/my_engine_audits COMMAND ${PROJECT_BINARY_DIR}/consumers/my_engine/my_engine --cases 1000 --seed 1)
   set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
                                                            "my engine 1.0.*segment_segment")
+  # Its fuzz target: any bytes are a question, and it answers all; libFuzzer soon finds an answer that is wrong.
+  set(fuzz_my_engine ${PROJECT_BINARY_DIR}/consumers/my_engine/fuzz_my_engine)
+  add_test(NAME install/my_engine_replays COMMAND ${fuzz_my_engine} ${PROJECT_SOURCE_DIR}/examples/my_engine/fuzz.cpp)
+  set_tests_properties(install/my_engine_replays PROPERTIES DEPENDS install/my_engine ENVIRONMENT
+                                                            TOUCHSTONE_FUZZ_ONLY=invalid)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    add_test(NAME install/my_engine_fuzzes
+             COMMAND ${fuzz_my_engine} -seed=1 -max_len=640 -runs=200000 -artifact_prefix=${PROJECT_BINARY_DIR}/consumers/)
+    set_tests_properties(
+      install/my_engine_fuzzes PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
+                                          "my engine 1.0: segment_segment \\((rounding|algorithm)\\) on .* the truth is")
+  endif()
 endif()

@@ -12,15 +12,16 @@
 
 namespace touchstone::audit {
 
-/// Which verdicts stop the fuzzing: those named, with commas between them; without a name the findings. Throws InvalidInput
-/// where a name is that of no verdict, or agree: such a name would never stop anything.
+/// Which verdicts stop the fuzzing: those named, with commas between them; without a name the findings. Throws
+/// InvalidInput where a name is that of no verdict, or agree: such a name would never stop anything.
 class StoppingVerdicts {
  public:
   explicit StoppingVerdicts(const char* names) {
     std::stringstream list(names == nullptr ? "" : names);
     for (std::string name; std::getline(list, name, ',');) {
       const auto found = std::find(verdict_names.begin() + 1, verdict_names.end(), name);
-      if (found == verdict_names.end()) throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts with commas, not " + name);
+      if (found == verdict_names.end())
+        throw InvalidInput("TOUCHSTONE_FUZZ_ONLY", "verdicts with commas, not " + name);
       named_.push_back(static_cast<Verdict>(found - verdict_names.begin()));
     }
   }
@@ -41,9 +42,9 @@ class StoppingVerdicts {
   std::vector<Verdict> named_;
 };
 
-/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it. Aborts
-/// with one line where the verdict on the engine's answer is among those that stop (TOUCHSTONE_FUZZ_ONLY=algorithm,invalid).
-/// A crash of the engine is libFuzzer's to report.
+/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it.
+/// Aborts with one line where the verdict on the engine's answer is among those that stop: the findings, or with
+/// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid these alone. A crash of the engine is libFuzzer's to report.
 template <class Engine, class Row>
 int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   static const StoppingVerdicts stopping = StoppingVerdicts::of_environment();

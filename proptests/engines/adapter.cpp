@@ -68,7 +68,7 @@ struct Thrower {
   Side orientation(Point2d, Point2d, Point2d) { throw std::runtime_error("out of cheese"); }
 };
 
-/// How a process ends that fuzzes the engine with TOUCHSTONE_FUZZ_ONLY set (unset where nullptr), and what it complains.
+/// How a process ends that fuzzes the engine with TOUCHSTONE_FUZZ_ONLY set (unset where nullptr), and its complaints.
 struct Fuzzed {
   int status = 0;
   std::string complaint;
