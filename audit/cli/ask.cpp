@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/cli/commands.h"
 #include "audit/cli/program.h"
+#include "audit/engines/engine.h"
+#include "audit/judge/audit_run.h"
+#include "audit/report/wording.h"
 
 namespace touchstone::audit {
 namespace {
@@ -34,6 +37,22 @@ Json certificate_json(const oracle::Certificate& certificate) {
   return result;
 }
 
+std::unique_ptr<Engine> engine_of(const AskCommand& command, const Operation& operation) {
+  if (command.engine.empty()) return nullptr;
+  std::unique_ptr<Engine> engine = pipe_engine(command.engine, command.timeout);
+  if (engine->supports(operation.name())) return engine;
+  throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name());
+}
+
+Json said_by(Engine& engine, const Operation& operation, const Question& question) {
+  const Reply reply = engine.ask(operation, {question})[0];
+  const Judgement judgement = judged(reply, *operation.examine(question), engine.declaration());
+  Json result = Json::object();
+  result["name"] = engine.declaration().engine;
+  result.update(verdict_json(judgement, plain(reply.answer)));
+  return result;
+}
+
 }  // namespace
 
 Json truth_of_decimals(const Operation& operation, const Json& printed) {
@@ -63,8 +82,10 @@ Json explained(const Operation& operation, const Question& question) {
   return line;
 }
 
-int ask_command(const std::string& name, const std::string& file, bool as_typed, std::ostream& out, std::ostream& err) {
-  const Operation& operation = operation_named(name);
+int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
+  const Operation& operation = operation_named(command.operation);
+  const std::unique_ptr<Engine> engine = engine_of(command, operation);
+  const std::string& file = command.file;
   bool refused_any = false;
   const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
     Json error = Json::object();
@@ -77,8 +98,11 @@ int ask_command(const std::string& name, const std::string& file, bool as_typed,
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
     try {
       const Json input = parse_line(text);
-      Json line = explained(operation, operation.parse(input));
-      if (as_typed) {
+      Question question = operation.parse(input);
+      if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
+      Json line = explained(operation, question);
+      if (engine) line["engine"] = said_by(*engine, operation, question);
+      if (command.as_typed) {
         line["as_typed"] = Json::object();
         line["as_typed"]["truth"] = operation.truth_as_typed(input);
       }

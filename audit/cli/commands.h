@@ -29,8 +29,15 @@ struct AuditCommand {
   std::string json_file, report_directory;
 };
 
+struct AskCommand {
+  std::string operation, file = "-";
+  bool as_typed = false;
+  std::string engine;  ///< command of an engine that is asked as well; empty: none
+  double timeout = 5;
+};
+
 int ops_command(bool json, std::ostream& out);
-int ask_command(const std::string& operation, const std::string& file, bool as_typed, std::ostream& out, std::ostream& err);
+int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);
 int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
 int exhaust_command(const std::string& operation, int grid, const std::string& shard, const std::string& json_file,
                     bool decisions, std::ostream& out, std::ostream& err);

@@ -49,12 +49,13 @@ void add_ops(CLI::App& program, Action& action) {
 
 void add_ask(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("ask", "Truth, certificate, robust and reference for one JSON input a line");
-  auto operation = std::make_shared<std::string>(), file = std::make_shared<std::string>("-");
-  auto as_typed = std::make_shared<bool>(false);
-  command->add_option("operation", *operation, "Name of the operation")->required();
-  command->add_option("file", *file, "JSON lines; - is standard input");
-  command->add_flag("--as-typed", *as_typed, "Also the truth for the decimals as they were typed");
-  command->callback([=, &action] { action = [=] { return ask_command(*operation, *file, *as_typed, std::cout, std::cerr); }; });
+  auto options = std::make_shared<AskCommand>();
+  command->add_option("operation", options->operation, "Name of the operation")->required();
+  command->add_option("file", options->file, "JSON lines; - is standard input");
+  command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
+  command->add_option("--engine", options->engine, "Also the answer of this command, and the verdict on it");
+  command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
+  command->callback([=, &action] { action = [=] { return ask_command(*options, std::cout, std::cerr); }; });
 }
 
 void add_audit(CLI::App& program, Action& action) {

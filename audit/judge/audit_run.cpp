@@ -16,14 +16,6 @@ constexpr std::uint64_t batch_size = 1024;
 /// Our reference in double, as if it were somebody's engine.
 const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
 
-Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
-  switch (reply.kind) {
-    case Reply::Kind::unsupported: return {Verdict::unsupported, 0, "", 0};
-    case Reply::Kind::failed: return {Verdict::invalid, 0, reply.remark, 0};
-    default: return examination.judge_engine(reply.answer, declaration);
-  }
-}
-
 /// One job: a share of the batches of one operation.
 class Worker {
  public:
@@ -156,6 +148,17 @@ std::vector<std::size_t> chosen_families(const Operation& operation, const std::
 }
 
 }  // namespace
+
+Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
+  switch (reply.kind) {
+    case Reply::Kind::unsupported:
+      return {Verdict::unsupported, 0, "", 0};
+    case Reply::Kind::failed:
+      return {Verdict::invalid, 0, reply.remark, 0};
+    default:
+      return examination.judge_engine(reply.answer, declaration);
+  }
+}
 
 void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index, const Json& answer) {
   const auto v = static_cast<std::size_t>(judgement.verdict);

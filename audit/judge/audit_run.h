@@ -25,6 +25,9 @@ struct AuditOptions {
 Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&, std::uint64_t)>& progress);
 
+/// The verdict on what an engine replied to a question.
+Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
+
 /// Counts one judged case into a cell and keeps the question if it is the smallest of its verdict.
 void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index,
            const Json& answer);

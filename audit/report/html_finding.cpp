@@ -152,8 +152,11 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   fact("input", code(one_line(operation.print(finding.question))));
   fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
   fact("found in", escaped(fmt::format("family {}, case {}", smallest.family, finding.index)));
-  text += "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone where it is not installed):</p><pre class=\"repeat\">" +
-          escaped(repeat_command(operation, finding.question)) + "</pre>";
+  const std::string whose = speaker == Speaker::foreign ? ", CMD the command of the engine" : "";
+  text += "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone "
+          "where it is not installed" +
+          whose + "):</p><pre class=\"repeat\">" + escaped(repeat_command(operation, finding.question, speaker)) +
+          "</pre>";
   return text + proof + "</section>";
 }
 

@@ -140,7 +140,7 @@ std::string one_finding(const OperationTally& tally, Verdict verdict, const Smal
   }
   line(name, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)));
   line("why", wrapped(why(finding, operation, speaker, binary32), 12));
-  line("repeat", repeat_command(*operation, finding.question));
+  line("repeat", repeat_command(*operation, finding.question, speaker));
   return text;
 }
 

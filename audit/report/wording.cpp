@@ -258,8 +258,9 @@ std::string word_in(const Json& answer) {
   return "value";
 }
 
-std::string repeat_command(const Operation& operation, const Question& question) {
-  return "echo '" + one_line(operation.print(question)) + "' | touchstone ask " + operation.name() + " -";
+std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker) {
+  return "echo '" + one_line(operation.print(question)) + "' | touchstone ask " + operation.name() +
+         (speaker == Speaker::foreign ? " --engine CMD" : " -");
 }
 
 Smallest smallest_of(const OperationTally& tally, Verdict verdict) {

@@ -46,8 +46,9 @@ Json plain(const Json& answer);
 /// The first word in an answer ("left", "overlap"), or "value".
 std::string word_in(const Json& answer);
 
-/// The shell line that asks a question again; the input as decimals that read back exactly.
-std::string repeat_command(const Operation& operation, const Question& question);
+/// The shell line that asks a question again, a foreign engine (CMD is its command) as well; the input as decimals that
+/// read back exactly.
+std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker);
 
 /// The smallest finding of a verdict over all families, with its family; nullptr where there is none.
 struct Smallest {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "audit/engines/engine.h"
+
+/// The engines that the documentation shows: each works as it stands there.
+namespace touchstone::audit {
+namespace {
+
+std::string text_of(const std::string& file) {
+  std::ifstream in(file);
+  REQUIRE(in);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+/// The first block of code in a language.
+std::string block_of(const std::string& file, const std::string& language) {
+  const std::string text = text_of(file), fence = "```" + language + "\n";
+  const std::size_t begin = text.find(fence);
+  REQUIRE(begin != std::string::npos);
+  return text.substr(begin + fence.size(), text.find("```\n", begin + fence.size()) - begin - fence.size());
+}
+
+void require_answers(const std::string& command, const std::vector<std::string>& operations) {
+  const auto engine = pipe_engine(command, 60);
+  for (const Operation* operation : catalogue()) {
+    const auto found = std::find(operations.begin(), operations.end(), operation->name());
+    INFO(operation->name());
+    REQUIRE(engine->supports(operation->name()) == (found != operations.end()));
+  }
+  REQUIRE(engine->declaration().boundary == Declaration::Boundary::closed);
+  const auto replies =
+      engine->ask(*find_operation("segment_segment"), {{{0, 0, 2, 2, 0, 2, 2, 0}}, {{0, 0, 2, 2, 3, 2, 4, 0}}});
+  REQUIRE(replies[0].kind == Reply::Kind::answered);
+  REQUIRE(replies[0].answer == true);
+  REQUIRE(replies[1].answer == false);
+  // -1 in exact arithmetic, 0 in doubles: a question's integers are doubles.
+  const Operation& orientation = *find_operation("orientation");
+  if (engine->supports("orientation")) {
+    const auto side = engine->ask(orientation, {{{0, 0, 134217729, 134217728, 134217728, 134217727}}});
+    REQUIRE(side[0].answer["side"] == "on");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("documented: the engines of examples/ answer") {
+  require_answers("python3 examples/engine.py", {"orientation", "segment_segment"});
+}
+
+TEST_CASE("documented: the engine that README.md shows answers when it is copied") {
+  const auto copy = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_readme_engine.py");
+  std::ofstream(copy) << block_of("README.md", "python");
+  require_answers("python3 " + copy.string(), {"segment_segment"});
+  std::filesystem::remove(copy);
+}
+
+TEST_CASE("documented: docs/engines.md shows examples/engine.py") {
+  const std::string example = text_of("examples/engine.py");
+  REQUIRE(block_of("docs/engines.md", "python") == example.substr(example.find("import json")));
+}
+
+}  // namespace touchstone::audit
