@@ -30,6 +30,7 @@ std::string bar_of(const std::array<std::uint64_t, verdict_count>& counts, bool 
 }
 
 std::string said_in_words(const MapClass& entry, bool words_only) {
+  if (entry.said.empty()) return entry.verdict == Verdict::agree ? "correct" : name_of(entry.verdict);
   if (!words_only)
     return entry.verdict == Verdict::agree ? entry.said : std::string(name_of(entry.verdict)) + ": " + entry.said;
   if (entry.verdict == Verdict::agree) return "correct: " + entry.said;
@@ -52,9 +53,9 @@ std::string page(const std::string& title, const std::string& body) {
 }
 
 std::string code(const std::string& text) {
-  // A line may break after a comma: JSON on one line has no spaces.
+  // A line may break after a comma or a colon: JSON on one line has no spaces.
   std::string breakable;
-  for (const char c : escaped(text)) (breakable += c) += c == ',' ? "<wbr>" : "";
+  for (const char c : escaped(text)) (breakable += c) += c == ',' || c == ':' ? "<wbr>" : "";
   return "<code>" + breakable + "</code>";
 }
 

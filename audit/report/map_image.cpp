@@ -21,20 +21,27 @@ double step_above(double number, bool binary32) {
   return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
 }
 
-/// The names of the numbers of an input in canonical order: the paths of the leaves of its JSON.
-void list_paths(const Json& json, const std::string& path, std::vector<std::string>& paths) {
-  if (!json.is_structured()) {
-    paths.push_back(path);
-    return;
+/// Where two inputs of one shape differ: the path of the first number that is not the same, as "polygon[3][0]".
+std::string path_of_difference(const Json& a, const Json& b, const std::string& path = "") {
+  if (!a.is_structured()) return a == b ? "" : path;
+  std::string found;
+  for (std::size_t i = 0; a.is_array() && i < a.size() && found.empty(); ++i) {
+    found = path_of_difference(a[i], b[i], path + "[" + std::to_string(i) + "]");
   }
-  std::size_t i = 0;
-  for (const auto& [key, value] : json.items()) {
-    list_paths(value,
-               json.is_array() ? path + "[" + std::to_string(i++) + "]"
-               : path.empty()  ? key
-                               : path + "." + key,
-               paths);
+  if (a.is_array()) return found;
+  for (const auto& [key, value] : a.items()) {
+    found = path_of_difference(value, b[key], path.empty() ? key : path + "." + key);
+    if (!found.empty()) break;
   }
+  return found;
+}
+
+/// The name of a number of the map's centre, found by moving it: beside coordinates a question may hold lengths of
+/// lists.
+std::string field_of(const Operation& operation, const Question& centre, std::size_t number, double step) {
+  Question moved = centre;
+  moved.numbers[number] += step;
+  return path_of_difference(operation.print(centre), operation.print(moved));
 }
 
 /// What one implementation did at one pixel. Answers that are numbers alone are shown by how far they are off.
@@ -61,9 +68,15 @@ Shade shade_of_distance(const Judgement& judgement) {
           decade};
 }
 
+/// Of an answer that is one of many right ones, and of one whose numbers are not those that were asked for, the verdict
+/// says all.
 template <class Answer>
-Shade shade_of(const Judgement& judgement, const std::string& outcome, const Answer& answer) {
-  if (outcome == "value") return shade_of_distance(judgement);
+Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome, const Answer& answer) {
+  if (outcome == "value") {
+    const bool measured = judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact;
+    return measured && kind != Kind::checked && kind != Kind::covering ? shade_of_distance(judgement)
+                                                                       : Shade{judgement.verdict, ""};
+  }
   const bool decided = judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact;
   return {judgement.verdict, decided ? outcome : word_in(answer())};
 }
@@ -90,7 +103,8 @@ void ask_engine(const Operation& operation, const MapGrid& grid,
     const Reply& reply = replies[next++];
     if (reply.kind == Reply::Kind::answered) {
       const Judgement judgement = examination->judge_engine(reply.answer, engine.declaration());
-      shades.push_back(shade_of(judgement, examination->outcome(), [&] { return plain(reply.answer); }));
+      shades.push_back(
+          shade_of(operation.card().kind, judgement, examination->outcome(), [&] { return plain(reply.answer); }));
     } else {
       shades.push_back({reply.kind == Reply::Kind::failed ? Verdict::invalid : Verdict::unsupported, "no answer"});
     }
@@ -113,6 +127,8 @@ std::map<std::string, std::size_t> ranks_of(const std::map<std::string, std::uin
 Colour colour_in_map(const Shade& shade, std::map<std::string, std::size_t>& ranks) {
   if (shade.refused) return {255, 255, 255};
   if (shade.decade != Shade::words_only) return distance_colour(shade.verdict, shade.decade);
+  if (shade.said.empty())
+    return shade.verdict == Verdict::agree ? map_colour(shade.verdict, 0) : colour_of(shade.verdict);
   return map_colour(shade.verdict, ranks.emplace(shade.said, ranks.size()).first->second);
 }
 
@@ -156,10 +172,8 @@ MapGrid map_grid(const Operation& operation, bool binary32) {
   grid.axes = operation.map_axes();
   grid.step = {step_above(grid.centre.numbers[grid.axes.first], binary32),
                step_above(grid.centre.numbers[grid.axes.second], binary32)};
-  std::vector<std::string> paths;
-  list_paths(operation.print(grid.centre), "", paths);
-  paths.resize(grid.centre.numbers.size());
-  grid.fields = {paths[grid.axes.first], paths[grid.axes.second]};
+  grid.fields = {field_of(operation, grid.centre, grid.axes.first, grid.step.first),
+                 field_of(operation, grid.centre, grid.axes.second, grid.step.second)};
   return grid;
 }
 
@@ -170,6 +184,7 @@ std::vector<FailureMap> failure_maps(const Operation& operation, bool binary32, 
   ours.binary32 = binary32;
   std::vector<Plate> plates{{subject(ours), {}}, {"robust", {}}};
   if (engine && engine->supports(operation.name())) plates.push_back({subject(engine->declaration()), {}});
+  const Kind kind = operation.card().kind;
   std::map<std::string, std::uint64_t> outcomes;
   for (int row = 0; row < MapGrid::side; ++row) {
     std::vector<std::unique_ptr<Examination>> examinations;
@@ -180,8 +195,8 @@ std::vector<FailureMap> failure_maps(const Operation& operation, bool binary32, 
         const std::string outcome = question.outcome();
         if (outcome != "value") ++outcomes[outcome];
         plates[0].shades.push_back(
-            shade_of(question.judge_reference(binary32), outcome, [&] { return question.reference(binary32); }));
-        plates[1].shades.push_back(shade_of(question.judge_robust(), outcome, [&] { return question.robust(); }));
+            shade_of(kind, question.judge_reference(binary32), outcome, [&] { return question.reference(binary32); }));
+        plates[1].shades.push_back(shade_of(kind, question.judge_robust(), outcome, [&] { return question.robust(); }));
       } catch (const InvalidInput&) {
         examinations.push_back(nullptr);
         for (Plate& plate : {std::ref(plates[0]), std::ref(plates[1])})

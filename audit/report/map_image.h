@@ -26,7 +26,7 @@ MapGrid map_grid(const Operation& operation, bool binary32 = false);
 /// Answers that a map shows in one colour.
 struct MapClass {
   Verdict verdict = Verdict::agree;
-  std::string said;  ///< the word of the answer, or how far a number is off
+  std::string said;  ///< the word of the answer, or how far a number is off; empty where the verdict says all
   std::uint64_t count = 0;
   Colour colour{};
 };

@@ -28,12 +28,28 @@ std::optional<mpq_class> beside(const ExactPoint& p, const ExactPoint& a, const 
   return mpq_class(area * area / length);
 }
 
+std::optional<Gap> gap_to(const ExactPoint& a, const ExactPoint& b, const Stretch& stretch, const ExactPoint& p,
+                          const Viewport& view) {
+  const auto units = beside(p, a, b, stretch);
+  const auto pixels = beside(view.exactly(p), view.exactly(a), view.exactly(b), stretch);
+  if (!units || !pixels) return std::nullopt;
+  return Gap{*pixels, *units};
+}
+
 std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewport& view) {
   const std::vector<ExactPoint> ends = vertices_of(figure);
   switch (figure.kind) {
     case Figure::Kind::point:
-    case Figure::Kind::polygon:
       return std::nullopt;
+    case Figure::Kind::polygon: {
+      // Touching one edge is no reason to overlook the gap to another; the edges that end in p itself have none.
+      std::optional<Gap> least;
+      for (std::size_t i = 0; i < ends.size(); ++i) {
+        const auto gap = gap_to(ends[i], ends[(i + 1) % ends.size()], {false, false}, p, view);
+        if (gap && sgn(gap->units) != 0 && (!least || gap->pixels < least->pixels)) least = gap;
+      }
+      return least;
+    }
     case Figure::Kind::circle: {
       const mpq_class r = exact_point(figure.numbers[2], 0).x;
       if (sgn(r) == 0) return std::nullopt;
@@ -48,10 +64,7 @@ std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewp
     case Figure::Kind::line: {
       const Stretch stretch{figure.kind == Figure::Kind::line,
                             figure.kind == Figure::Kind::line || figure.kind == Figure::Kind::ray};
-      const auto units = beside(p, ends[0], ends[1], stretch);
-      const auto pixels = beside(view.exactly(p), view.exactly(ends[0]), view.exactly(ends[1]), stretch);
-      if (!units || !pixels) return std::nullopt;
-      return Gap{*pixels, *units};
+      return gap_to(ends[0], ends[1], stretch, p, view);
     }
   }
   return std::nullopt;
@@ -86,7 +99,7 @@ std::optional<NearMiss> narrowest_gap(const Scene& scene, const Viewport& view) 
       for (const Figure& other : scene.figures) {
         // What was answered is held against the truth as well.
         if (other.answer && !figure.said) continue;
-        if (&other != &figure) {
+        if (&other != &figure || figure.kind == Figure::Kind::polygon) {
           if (const auto gap = gap_to(other, vertices[i], view)) offer(figure, i, *gap);
         }
         if (other.kind == Figure::Kind::circle && other.numbers[2] != 0) continue;

@@ -11,6 +11,8 @@
 #include "audit/judge/audit_run.h"
 #include "audit/judge/ulps.h"
 #include "audit/report/html.h"
+#include "audit/report/palette.h"
+#include "audit/report/svg.h"
 #include "audit/report/tally_json.h"
 #include "audit/report/wording.h"
 
@@ -171,6 +173,55 @@ TEST_CASE("reports: the worst distance is the same number in every shard and eve
   tally.operations.push_back({"line_point_at", {{"grid", near}}});
   const Tally again = read_tally(tally_json(tally));
   CHECK(again.operations.at(0).families.at(0).second.worst_ulps == 0x1p990);
+}
+
+TEST_CASE("reports: a failure map names the two numbers that it moves") {
+  for (const Operation* operation : catalogue()) {
+    if (operation->map_centre().numbers.empty()) continue;
+    const MapGrid grid = map_grid(*operation);
+    INFO(operation->name() << ": " << grid.fields.first << ", " << grid.fields.second);
+    REQUIRE(grid.fields.first != grid.fields.second);
+    for (const auto& [field, column, row] : {std::tuple(grid.fields.first, 200, MapGrid::side / 2 - 1),
+                                             std::tuple(grid.fields.second, MapGrid::side / 2, 7)}) {
+      // "a.b[0][1]" as the pointer /a/b/0/1
+      std::string pointer = "/";
+      for (const char c : field) pointer += c == '.' || c == '[' ? "/" : c == ']' ? "" : std::string(1, c);
+      const Json::json_pointer place(pointer);
+      Json centre = operation->print(grid.centre), moved = operation->print(grid.at(column, row));
+      REQUIRE(centre.contains(place));
+      REQUIRE(centre[place] != moved[place]);
+      moved[place] = centre[place];
+      REQUIRE(moved == centre);
+    }
+  }
+}
+
+TEST_CASE("reports: a map of answers of which many are right speaks of no ulps") {
+  const auto maps = failure_maps(*find_operation("triangulate_polygon"));
+  REQUIRE(maps[0].counts[static_cast<std::size_t>(Verdict::rounding)] > 0);
+  for (const FailureMap& map : maps) {
+    for (const MapClass& entry : map.classes) {
+      CHECK(entry.said.empty());
+      if (entry.verdict == Verdict::rounding) CHECK(entry.colour == colour_of(Verdict::rounding));
+    }
+  }
+  const auto measured = failure_maps(*find_operation("line_point_at"));
+  CHECK(measured[1].classes.at(0).said == "correctly rounded");
+}
+
+TEST_CASE("reports: a point a hair beside an edge of a polygon is seen in a second frame") {
+  Scene scene;
+  scene.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
+  scene.figures.push_back({Figure::Kind::point, "point", {1, 1}});
+  CHECK(scene_svg(scene, "apart").find("gap") == std::string::npos);
+  scene.figures[1].numbers = {1, 0};
+  CHECK(scene_svg(scene, "on").find("gap") == std::string::npos);
+  scene.figures[1].numbers = {1, 0x1p-30};
+  CHECK(scene_svg(scene, "beside").find("around point, ") != std::string::npos);
+  scene.figures.pop_back();
+  // A spike that nearly reaches the opposite edge.
+  scene.figures[0].numbers = {0, 0, 4, 0, 4, 4, 2, 0x1p-30, 0, 4};
+  CHECK(scene_svg(scene, "spike").find("around polygon, ") != std::string::npos);
 }
 
 }  // namespace touchstone::audit
