@@ -14,14 +14,23 @@
 namespace touchstone::audit {
 namespace {
 
-/// A note "ta = p/q", the number shortened where it is long.
+/// A note such as "ta = p/q" or "angles: [...]", exact values shortened where they are long.
 std::string in_short(const std::string& note) {
-  constexpr std::size_t longest = 90;
+  constexpr std::size_t longest = 160;
   const std::size_t equals = note.find(" = ");
-  const std::string shorter =
-      equals == std::string::npos
-          ? note
-          : note.substr(0, equals + 3) + readable(Json(note.substr(equals + 3))).get<std::string>();
+  std::string shorter;
+  if (equals != std::string::npos) {
+    shorter = note.substr(0, equals + 3) + readable(Json(note.substr(equals + 3))).get<std::string>();
+  } else {
+    for (std::size_t at = 0; at < note.size();) {
+      const std::size_t open = note.find('"', at);
+      const std::size_t close = open == std::string::npos ? open : note.find('"', open + 1);
+      shorter += note.substr(at, open - at);
+      if (close == std::string::npos) break;
+      shorter += readable(Json(note.substr(open + 1, close - open - 1))).get<std::string>();
+      at = close + 1;
+    }
+  }
   return shorter.size() > longest ? shorter.substr(0, longest) + " \u2026" : shorter;
 }
 

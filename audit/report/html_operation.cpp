@@ -102,6 +102,7 @@ std::string findings(const Tally& tally, const OperationTally& here, const Opera
 }
 
 std::string by_family(const OperationTally& tally) {
+  const std::uint64_t refused = tally.total().refused;
   std::string text =
       "<div class=\"card scroll\"><table><thead><tr><th scope=\"col\">family</th><th scope=\"col\" "
       "class=\"text\"></th>" +
@@ -111,19 +112,22 @@ std::string by_family(const OperationTally& tally) {
             "</tr>";
   }
   return text + "<tr class=\"total\"><th scope=\"row\">all</th><td></td>" + verdict_numbers(tally.total()) +
-         "</tr></tbody></table></div>";
+         "</tr></tbody></table>" +
+         (refused == 0
+              ? ""
+              : "<p class=\"small quiet\">Drawn but outside the contract, so no cases: " + grouped(refused) + ".</p>") +
+         "</div>";
 }
 
 std::string outcomes(const Cell& total) {
-  if (total.outcomes.empty()) return "";
+  // Where the truth has no words there is nothing to tell apart.
+  if (total.outcomes.empty() || (total.outcomes.size() == 1 && total.outcomes.begin()->first == "value")) return "";
   std::string text =
-      "<div class=\"card\"><p class=\"quiet\">How often the truth was what. A family that never reaches an answer "
+      "<h2>What the truth was</h2><div class=\"card\"><p class=\"quiet\">How often the truth was what. A family that "
+      "never reaches an answer "
       "tests nothing about it.</p><ul class=\"chips\">";
   for (const auto& [outcome, n] : total.outcomes) text += "<li>" + escaped(outcome) + " " + grouped(n) + "</li>";
-  text += "</ul>";
-  if (total.refused > 0)
-    text += "<p class=\"small quiet\">Drawn but outside the contract, so no cases: " + grouped(total.refused) + ".</p>";
-  return text + "</div>";
+  return text + "</ul></div>";
 }
 
 }  // namespace
@@ -137,7 +141,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" +
             map_section(*known, tally.declaration.binary32, maps) + "</div>";
   }
-  body += "<h2>By family of inputs</h2>" + by_family(here) + "<h2>What the truth was</h2>" + outcomes(here.total());
+  body += "<h2>By family of inputs</h2>" + by_family(here) + outcomes(here.total());
   return page("touchstone: " + here.operation, body + "</main><footer></footer>");
 }
 

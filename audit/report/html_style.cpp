@@ -60,21 +60,34 @@ pre.repeat{user-select:all}
 .facts{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
 .facts dt{color:var(--quiet)}.facts dd{margin:0;min-width:0}
 .facts dd code{display:inline-block}
-figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{color:var(--quiet);font-size:13.5px}
+figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{color:var(--quiet);font-size:13.5px;overflow-wrap:anywhere}
 .said{margin:8px 0 4px}.said td,.said th{white-space:normal;vertical-align:top}.said td:nth-child(2){text-align:left}
-.said td:nth-child(2) code{overflow-wrap:anywhere}.said tr.truth th{color:var(--truth)}
+.said td:nth-child(2) code{overflow-wrap:break-word}.said tr.truth th{color:var(--truth)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .maps{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:24px}
 .maps img{image-rendering:pixelated}.maps img,.gallery img{width:100%;height:auto;display:block;border:1px solid var(--line);background:#fff}
 .maps ul{list-style:none;margin:10px 0 0;padding:0;font-size:14px}
 .maps li{display:flex;gap:4px;align-items:baseline}.maps li b{margin-left:auto;font-weight:500;font-variant-numeric:tabular-nums}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}
-.gallery a{text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
+.gallery a{min-width:0;overflow-wrap:anywhere;text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
 .chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
-@media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}.seen figure{overflow-x:auto}.fig{max-width:none}}
-@media print{body{background:#fff;font-size:11pt}nav,.screen{display:none}main,header,footer{max-width:none;padding:0}figure,.tile,tr,.maps>div,.gallery a,pre,dl.legend{break-inside:avoid}h3{break-after:avoid}.card{border-color:#bbb;padding:12px 14px}.scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}.said,.said th{font-size:8pt}td.wide{min-width:90px}.bar.thin{min-width:40px}code,pre{font-size:8.5pt}.seen .said{flex-basis:300px}
-details::details-content{content-visibility:visible;block-size:auto}*{-webkit-print-color-adjust:exact;print-color-adjust:exact}h2{break-after:avoid}}
+@media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}.seen figure{overflow-x:auto}.fig{max-width:none}.said td:nth-child(2) code{overflow-wrap:anywhere}}
+@page{margin:13mm}
+@media print{
+body{background:#fff;font-size:10pt}nav,.screen{display:none}
+main,header,footer{max-width:none;padding:0}header{padding-top:0}h2{margin-top:24px}h2,h3,h4{break-after:avoid}
+*{-webkit-print-color-adjust:exact;print-color-adjust:exact}
+.card{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
+p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
+.card>h3,.card>h3+p,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
+.tiles{grid-template-columns:repeat(auto-fit,minmax(88px,1fr))}.tile b{font-size:15pt}
+.scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}td.wide{min-width:90px}.bar.thin{min-width:40px}
+.seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.wide){flex-basis:100%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
+.maps{grid-template-columns:repeat(3,1fr);gap:16px}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
+.gallery{grid-template-columns:repeat(3,1fr)}
+details::details-content{content-visibility:visible;block-size:auto}
+}
 )css";
 
 std::string verdict_variables() {

@@ -137,17 +137,22 @@ void circle(Drawing& drawing, const Figure& figure, const Viewport& view, const 
 
 void polygon(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style) {
   const std::vector<ExactPoint> vertices = vertices_of(figure);
-  std::vector<Pixel> places;
+  std::vector<Pixel> places, further;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const ExactPoint& next = vertices[(i + 1) % vertices.size()];
     const std::vector<Pixel> seen = clipped(view, vertices[i], next, {}, margin);
     if (!seen.empty()) {
       drawing.lines += path(style, course(seen[0], seen[1]));
       mark_drawn(drawing, seen[0], seen[1]);
-      places.push_back({(seen[0].x + seen[1].x) / 2, (seen[0].y + seen[1].y) / 2});
+      const auto part = [&seen](double t) {
+        return Pixel{seen[0].x + t * (seen[1].x - seen[0].x), seen[0].y + t * (seen[1].y - seen[0].y)};
+      };
+      places.push_back(part(0.5));
+      for (const double t : {0.3, 0.7, 0.15, 0.85}) further.push_back(part(t));
     }
     if (view.shows(vertices[i])) dot(drawing, view.at(vertices[i]), style, false);
   }
+  places.insert(places.end(), further.begin(), further.end());
   wish(drawing, figure, style, places);
 }
 

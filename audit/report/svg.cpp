@@ -144,9 +144,9 @@ std::string scene_svg(const Scene& given, const std::string& title, bool standal
   const double width = left_room + main_frame.width + (miss ? between_frames + inset_frame.width : 0) + right_room;
   const double height = top_room + main_frame.height + bottom_room;
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig{3}\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
       "width=\"{0}\" height=\"{1}\"><title>{2}</title>",
-      pixels(width), pixels(height), escaped(title));
+      pixels(width), pixels(height), escaped(title), miss ? " wide" : "");
   if (standalone) svg += "<style>" + figure_style() + "</style>";
   svg += fmt::format("<g transform=\"translate({} {})\">", pixels(left_room), pixels(top_room)) +
          framed(scene, whole, "") + ticks(whole) + caption(main_frame, stretch_in_words(whole)) + "</g>";
