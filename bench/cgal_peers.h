@@ -137,4 +137,33 @@ struct CgalPeer<audit::rows::ray_segment> {
   }
 };
 
+template <>
+struct CgalPeer<audit::rows::point_plane> {
+  static constexpr bool only_epeck = false;
+  template <class K>
+  static auto shapes(const Plane3d& plane, const Point3d& p) {
+    const Vector3d& n = plane.normal;
+    return std::tuple(typename K::Plane_3(n.x, n.y, n.z, plane.offset), typename K::Point_3(p.x, p.y, p.z));
+  }
+  template <class Plane, class Point>
+  static int decide(const Plane& plane, const Point& p) {
+    return static_cast<int>(plane.oriented_side(p));
+  }
+  static bool promised(const Plane3d&, const Point3d&) { return true; }
+};
+
+template <>
+struct CgalPeer<audit::rows::point_ground_plane> {
+  static constexpr bool only_epeck = false;
+  template <class K>
+  static auto shapes(const Point3d& p) {
+    return std::tuple(typename K::Plane_3(0, 1, 0, 0), typename K::Point_3(p.x, p.y, p.z));
+  }
+  template <class Plane, class Point>
+  static int decide(const Plane& plane, const Point& p) {
+    return static_cast<int>(plane.oriented_side(p));
+  }
+  static bool promised(const Point3d&) { return true; }
+};
+
 }  // namespace touchstone::bench

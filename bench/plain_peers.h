@@ -143,4 +143,31 @@ struct Decisions<audit::rows::ray_segment> {
   }
 };
 
+template <>
+struct Decisions<audit::rows::point_plane> {
+  static int ours(const Plane3d& plane, const Point3d& p) { return 1 - static_cast<int>(robust::point_plane_side(plane, p)); }
+  template <class Answer>
+  static int truth(const Answer& answer) {
+    return 1 - static_cast<int>(answer.side);
+  }
+  template <class Real>
+  static int naive(const Plane<Real>& plane, const Point3<Real>& p) {
+    const Vector3<Real>& n = plane.normal;
+    return sign(Real(n.x * p.x + n.y * p.y + n.z * p.z + plane.offset));
+  }
+};
+
+template <>
+struct Decisions<audit::rows::point_ground_plane> {
+  static int ours(const Point3d& p) { return 1 - static_cast<int>(robust::point_ground_plane(p)); }
+  template <class Answer>
+  static int truth(const Answer& side) {
+    return 1 - static_cast<int>(side);
+  }
+  template <class Real>
+  static int naive(const Point3<Real>& p) {
+    return sign(p.y);
+  }
+};
+
 }  // namespace touchstone::bench

@@ -15,11 +15,14 @@ import pathlib
 import platform
 import re
 import shlex
+import shutil
 import statistics
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+TRIANGULATION = "triangulate_polygon_10000"
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
 
@@ -105,6 +108,25 @@ def exhausted(timed):
     return table(["exhaustive", "grid", "million cases a second"], rows)
 
 
+def add_earcut(program, timed):
+    """earcut's times under node beside ours, where both are there."""
+    folder = ROOT / "build/npm"
+    if not timed or shutil.which("node") is None or not list(folder.glob("**/node_modules/earcut")):
+        return
+    with tempfile.NamedTemporaryFile(suffix=".json") as shapes:
+        subprocess.run([program, "--shapes", shapes.name], check=True)
+        done = subprocess.run(["node", ROOT / "bench/earcut.mjs", folder, shapes.name, "30"], capture_output=True, text=True, check=True)
+    for shape, nanoseconds in json.loads(done.stdout).items():
+        timed[f"{TRIANGULATION}/{shape}"].of["earcut"] = [nanoseconds]
+
+
+def triangulations(timed):
+    million = lambda t, name: "not here" if t.least(name) is None else written(t.least(name) / 1e6)
+    rows = [[group.split("/")[1], million(t, "robust"), million(t, "earcut"), written(t.ratio("robust", "earcut"))]
+            for group, t in timed.items()]
+    return table(["10,000 vertices", "robust ms", "earcut ms", "robust / earcut"], rows)
+
+
 def goals(lines, oracle):
     """(what, bound, sign, measured by least times, by medians): sign -1 for "at most"."""
     median = statistics.median
@@ -132,6 +154,10 @@ def goals(lines, oracle):
         ratio(f"{group}, random: robust / naive", f"{group}/random", "robust", "naive", 1.1, -1)
         for data in SETS:
             ratio(f"{group}, {data}: Epick / robust", f"{group}/{data}", "epick", "robust", 1, 1)
+    ratio("point_plane, random: robust / naive", "point_plane/random", "robust", "naive", 1.3, -1)
+    for group in lines:
+        if group.startswith(TRIANGULATION):
+            ratio(f"{group}: robust / earcut", group, "robust", "earcut", 1, -1)
     for grid in [3, 4, 10]:
         rate(f"segment_segment, exhaustive on the {grid}-grid, million a second", f"segment_segment/grid_{grid}",
              "exhaust", 20)
@@ -145,7 +171,7 @@ def goals(lines, oracle):
 def circumstances(build):
     """The compiler, its flags and the kind of processor."""
     commands = json.loads((build / "compile_commands.json").read_text())
-    command = shlex.split(next(c["command"] for c in commands if c["file"].endswith("bench/lines.cpp")))
+    command = shlex.split(next(c["command"] for c in commands if c["file"].endswith("bench/operations.cpp")))
     flags = " ".join(word for word in command if re.match(r"-(O|f|m|std|DNDEBUG)", word))
     compiler = next(word for word in command if re.search(r"(\+\+|clang|gcc)[^/]*$", word) and "ccache" not in word)
     version = subprocess.run([compiler, "--version"], capture_output=True, text=True).stdout.split("\n")[0]
@@ -162,15 +188,17 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     timed = {}
-    for name in ["lines", "polygons", "oracle"]:
+    for name in ["operations", "polygons", "triangulation", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         for group in groups(program, options.ops):
             print(group, file=sys.stderr)
             timed[name][group] = Times(program, group, options.repetitions)
-    decided = timed["lines"] | timed["polygons"]
-    report = "\n\n".join([circumstances(options.build), goals(decided, timed["oracle"]),
-                          decisions(decided), answers(timed["lines"]), truths(timed["oracle"]),
+    add_earcut(str(options.build / "bench/triangulation"), timed["triangulation"])
+    decided = timed["operations"] | timed["polygons"]
+    report = "\n\n".join([circumstances(options.build), goals(decided | timed["triangulation"], timed["oracle"]),
+                          decisions(decided), triangulations(timed["triangulation"]), answers(timed["operations"]),
+                          truths(timed["oracle"]),
                           exhausted(timed["oracle"])])
     print(report)
     if options.write:
