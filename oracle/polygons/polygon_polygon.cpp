@@ -6,16 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "oracle/exact/decode.h"
 #include "oracle/exact/rational_door.h"
+#include "oracle/exact/wide.h"
 #include "oracle/rings/simple.h"
+#include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
 namespace {
 
 using Point = Point2<Rational>;
-using Vector = Vector2<Rational>;
-using Edge = Segment2<Rational>;
+using Edge = Segment2<Integer>;
 
 /// Both rings in whole numbers of one unit.
 struct Rings {
@@ -32,47 +32,46 @@ void admit(const char* field, const Polygon2<Number>& ring) {
 template <class Number>
 Rings admitted(const Polygon2<Number>& a, const Polygon2<Number>& b) {
   admit("a", a), admit("b", b);
-  Integer denominator(1);
-  const auto divide = [&](const Rational& number) {
-    mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number.get_den_mpz_t());
-  };
-  for (const auto* ring : {&a, &b}) {
-    for (const auto& p : ring->vertices) divide(exact(p.x)), divide(exact(p.y));
-  }
-  const Rational units(denominator);
-  const auto edges = [&units](const Polygon2<Number>& ring) {
+  Polygon2<Number> both = a;
+  both.vertices.insert(both.vertices.end(), b.vertices.begin(), b.vertices.end());
+  const WholeRing whole(both);
+  const auto edges = [&whole](std::size_t first, std::size_t size) {
     std::vector<Edge> made;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto whole = [&](const auto& p) { return Point{Rational(exact(p.x) * units), Rational(exact(p.y) * units)}; };
-      made.push_back({whole(ring[i]), whole(ring.next(i))});
-    }
+    for (std::size_t i = 0; i < size; ++i) made.push_back({whole[first + i], whole[first + (i + 1) % size]});
     return made;
   };
-  return {edges(a), edges(b), Rational(1 / units)};
+  return {edges(0, a.size()), edges(a.size(), b.size()), whole.unit};
 }
 
-bool within(const Rational& number, const Rational& end, const Rational& other_end) {
+bool within(const Integer& number, const Integer& end, const Integer& other_end) {
   return std::min(end, other_end) <= number && number <= std::max(end, other_end);
 }
 
-bool lies_on(const Point& p, const Edge& e) {
-  return sgn(cross(Vector(e.b - e.a), Vector(p - e.a))) == 0 && within(p.x, e.a.x, e.b.x) && within(p.y, e.a.y, e.b.y);
+bool lies_on(const Point2<Integer>& p, const Edge& e) {
+  return sgn(cross(e.b - e.a, p - e.a)) == 0 && within(p.x, e.a.x, e.b.x) && within(p.y, e.a.y, e.b.y);
+}
+
+Point rational(const Point2<Integer>& p) { return {Rational(p.x), Rational(p.y)}; }
+
+bool apart(const Integer& p, const Integer& q, const Integer& r, const Integer& s) {
+  return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
 }
 
 /// A common point of two edges; the only one where their directions differ.
 std::optional<Point> common_point(const Edge& e, const Edge& f) {
-  if (std::max(e.a.x, e.b.x) < std::min(f.a.x, f.b.x) || std::max(f.a.x, f.b.x) < std::min(e.a.x, e.b.x)) return std::nullopt;
-  const Vector u = e.b - e.a, v = f.b - f.a, w = f.a - e.a;
-  const Rational area = cross(u, v);
+  if (apart(e.a.x, e.b.x, f.a.x, f.b.x) || apart(e.a.y, e.b.y, f.a.y, f.b.y)) return std::nullopt;
+  const Vector2<Integer> u = e.b - e.a, v = f.b - f.a, w = f.a - e.a;
+  const Integer area = cross(u, v);
   if (sgn(area) == 0) {
     for (const auto& [p, edge] : {std::pair(e.a, f), std::pair(e.b, f), std::pair(f.a, e), std::pair(f.b, e)}) {
-      if (lies_on(p, edge)) return p;
+      if (lies_on(p, edge)) return rational(p);
     }
     return std::nullopt;
   }
-  const Rational s = cross(w, v) / area, t = cross(w, u) / area;
-  if (!within(s, 0, 1) || !within(t, 0, 1)) return std::nullopt;
-  return e.a + s * u;
+  const Integer s = cross(w, v), t = cross(w, u);
+  if (!within(s, 0, area) || !within(t, 0, area)) return std::nullopt;
+  const Rational along = quotient(s, area);
+  return Point{Rational(e.a.x + along * u.x), Rational(e.a.y + along * u.y)};
 }
 
 struct Arrangement {
@@ -83,7 +82,7 @@ struct Arrangement {
 Arrangement arrangement_of(const std::vector<Edge>& a, const std::vector<Edge>& b) {
   Arrangement made;
   for (const auto* ring : {&a, &b}) {
-    for (const Edge& e : *ring) made.cuts.push_back(e.a.x);
+    for (const Edge& e : *ring) made.cuts.emplace_back(e.a.x);
   }
   for (const Edge& e : a) {
     for (const Edge& f : b) {
@@ -103,7 +102,7 @@ std::vector<Rational> heights(const std::vector<Edge>& ring, const Rational& x) 
   std::vector<Rational> found;
   for (const Edge& e : ring) {
     if ((e.a.x < x) == (e.b.x < x)) continue;
-    found.push_back(e.a.y + (x - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y));
+    found.push_back(e.a.y + (x - e.a.x) * quotient(Integer(e.b.y - e.a.y), Integer(e.b.x - e.a.x)));
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -144,13 +143,11 @@ Fraction squared_distance(const Point2<Integer>& p, const Segment2<Integer>& e) 
 }
 
 Rational margin_of(const Rings& rings) {
-  const auto whole = [](const Point& p) { return Point2<Integer>{p.x.get_num(), p.y.get_num()}; };
   std::optional<Fraction> least;
   for (const auto& [vertices, edges] : {std::pair(&rings.a, &rings.b), std::pair(&rings.b, &rings.a)}) {
     for (const Edge& edge : *edges) {
-      const Segment2<Integer> segment{whole(edge.a), whole(edge.b)};
       for (const Edge& vertex : *vertices) {
-        Fraction distance = squared_distance(whole(vertex.a), segment);
+        Fraction distance = squared_distance(vertex.a, edge);
         if (!least || distance < *least) least = std::move(distance);
       }
     }
