@@ -22,6 +22,11 @@ Polygon2d with_flat_vertices(Polygon2d ring, Choices& c) {
   return ring;
 }
 
+void exchange_two(Polygon2d& ring, Choices& c) {
+  const std::size_t one = c.below(ring.size()), other = c.below(ring.size());
+  std::swap(ring.vertices[one], ring.vertices[other]);
+}
+
 /// A rectangle, or one with a corner taken out, with every lattice point of its boundary as a vertex.
 Polygon2d lattice_boundary(Choices& c) {
   const auto a = static_cast<int>(1 + c.below(5)), b = static_cast<int>(1 + c.below(5));
@@ -107,12 +112,12 @@ Polygon2d defective(Choices& c) {
     }
     case 4: {
       Polygon2d ring = simple_ring(c);
-      std::swap(ring.vertices[c.below(ring.size())], ring.vertices[c.below(ring.size())]);
+      exchange_two(ring, c);
       return ring;
     }
     case 5: {  // a vertex on another edge
       Polygon2d ring = with_flat_vertices(simple_ring(c), c);
-      std::swap(ring.vertices[c.below(ring.size())], ring.vertices[c.below(ring.size())]);
+      exchange_two(ring, c);
       return ring;
     }
     default: return simple_ring(c);

@@ -79,7 +79,7 @@ class Families {
     std::size_t numbers = 0;
     for_each_number(question, [&](double&) { ++numbers; });
     const std::size_t which = choices.below(numbers);
-    const int ulps = (choices.below(2) == 1 ? -1 : 1) * (1 + static_cast<int>(choices.below(3)));
+    const int sign = choices.below(2) == 1 ? -1 : 1, ulps = sign * (1 + static_cast<int>(choices.below(3)));
     std::size_t i = 0;
     for_each_number(question, [&](double& number) {
       if (i++ == which) number = moved_by_ulps(number, ulps);

@@ -14,6 +14,16 @@ inline double small_integer(Choices& choices, int most = 8) {
   return k % 2 == 0 ? -k / 2 : (k + 1) / 2;
 }
 
+/// 1 to `most` times 2^k, 0 <= k < `exponents`, or 2^-k; both drawn, k second.
+inline double scaled_up(Choices& choices, std::uint64_t most, std::uint64_t exponents) {
+  const auto number = static_cast<double>(1 + choices.below(most));
+  return std::ldexp(number, static_cast<int>(choices.below(exponents)));
+}
+inline double scaled_down(Choices& choices, std::uint64_t most, std::uint64_t exponents) {
+  const auto number = static_cast<double>(1 + choices.below(most));
+  return std::ldexp(number, -static_cast<int>(choices.below(exponents)));
+}
+
 /// An integer of at most `bits` bits with sign; mostly a small one. bits <= 53.
 double integer(Choices& choices, int bits);
 

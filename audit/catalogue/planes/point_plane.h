@@ -58,7 +58,7 @@ struct point_plane {
          }},
         {"uneven_normal",
          [](Choices& c) -> Question {
-           const double small = std::ldexp(1 + static_cast<double>(c.below(8)), -static_cast<int>(c.below(300)));
+           const double small = scaled_down(c, 8, 300);
            const Point3d p = lattice_point_in_space(c);
            return {{{1 + static_cast<double>(c.below(8)), small, 0}, small_integer(c)}, p};
          }},

@@ -69,7 +69,7 @@ struct point_plane_toi {
          }},
         {"long_step",
          [](Choices& c) -> Question {
-           const double y = std::ldexp(1 + static_cast<double>(c.below(1 << 20)), static_cast<int>(c.below(40)));
+           const double y = scaled_up(c, 1 << 20, 40);
            const Vector3d n = lattice_normal(c);
            const Point3d start = lattice_point_in_space(c);
            return {{n, integer(c, 30)}, start, start + (-y) * n};

@@ -60,8 +60,8 @@ struct interior_angles {
         {"thin_beyond_doubles",
          [](Choices& c) -> Question {
            // Angles of about 2^-(j + k): from those that are doubles to those that round to 0.
-           const double wide = std::ldexp(1 + static_cast<double>(c.below(8)), static_cast<int>(c.below(1000)));
-           const double high = std::ldexp(1 + static_cast<double>(c.below(8)), -static_cast<int>(c.below(1050)));
+           const double wide = scaled_up(c, 8, 1000);
+           const double high = scaled_down(c, 8, 1050);
            return turned({{{0, 0}, {wide, 0}, {wide, high}}}, c);
          }},
         {"perhaps_not_simple",

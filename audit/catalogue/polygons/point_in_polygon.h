@@ -131,7 +131,7 @@ struct point_in_polygon {
            const auto sized = [&c](std::uint64_t size) { return static_cast<double>(size + c.below(size)); };
            const Vector2d edge{sized(1 << 29), c.below(2) == 1 ? sized(1 << 29) : -sized(1 << 29)};
            const Point2d origin{0, 0}, beside = along(origin, 0x1p-30, edge);
-           const double off = 0x1p-11 * (c.below(2) == 1 ? 1 : -1) * static_cast<double>(1 + c.below(8));
+           const double size = c.below(2) == 1 ? 0x1p-11 : -0x1p-11, off = size * static_cast<double>(1 + c.below(8));
            return {turned({{along(origin, -sized(1 << 20), edge), along(origin, sized(1 << 20), edge), origin + lattice_direction(c, 50)}}, c),
                    {beside.x, beside.y + off}};
          }},

@@ -36,14 +36,13 @@ struct polygon_polygon {
          }},
         {"shared_vertex",
          [](Choices& c) -> Question {
-           const Polygon2d a = simple_ring(c);
-           return {a, with_vertex_at(simple_ring(c), a[c.below(a.size())], c)};
+           const Polygon2d a = simple_ring(c), b = simple_ring(c);
+           return {a, with_vertex_at(b, a[c.below(a.size())], c)};
          }},
         {"vertex_on_edge",
          [](Choices& c) -> Question {
-           const Polygon2d a = simple_ring(c);
-           const Polygon2d flat = with_flat_vertex(a, c);
-           return {a, with_vertex_at(simple_ring(c), flat[c.below(flat.size())], c)};
+           const Polygon2d a = simple_ring(c), flat = with_flat_vertex(a, c), b = simple_ring(c);
+           return {a, with_vertex_at(b, flat[c.below(flat.size())], c)};
          }},
         {"common_edge",
          [](Choices& c) -> Question {
