@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "audit/catalogue/row.h"
+#include "audit/codec/flat.h"
 #include "audit/codec/walk.h"
 #include "audit/inputs/choices.h"
 #include "audit/inputs/numbers.h"
