@@ -116,10 +116,20 @@ Polygon2d with_spike(Polygon2d ring, Choices& choices) {
   return ring;
 }
 
+Point2d on_an_edge(const Polygon2d& ring, Choices& choices) {
+  const std::size_t i = choices.below(ring.size());
+  return ring[i] + static_cast<double>(choices.below(9)) / 8 * (ring.next(i) - ring[i]);
+}
+
+Point2d beside(const Point2d& p, Choices& choices) {
+  const double x = small_integer(choices, 2), y = small_integer(choices, 2);
+  return {p.x + x, p.y + y};
+}
+
 void untangle(Polygon2d& ring) {
   if (ring.size() < 3) return;
   for (int turns = 0; turns < 60; ++turns) {
-    const auto defect = oracle::ring_defect(ring);
+    const auto defect = oracle::ring_defect(oracle::WholeRing(ring));
     if (!defect || defect->first == defect->second) return;
     std::reverse(ring.vertices.begin() + static_cast<std::ptrdiff_t>(defect->first + 1),
                  ring.vertices.begin() + static_cast<std::ptrdiff_t>(defect->second + 1));

@@ -29,6 +29,12 @@ Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices);
 Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices);
 Polygon2d with_spike(Polygon2d ring, Choices& choices);
 
+/// A point of an edge, an end or an eighth of the way between: exactly there if the ring's numbers are integers of 40 bits.
+Point2d on_an_edge(const Polygon2d& ring, Choices& choices);
+
+/// p, or a point at most 2 beside it in each coordinate.
+Point2d beside(const Point2d& p, Choices& choices);
+
 /// The ring of these vertices with crossings undone by turning parts of it round, as far as 60 turns go.
 void untangle(Polygon2d& ring);
 

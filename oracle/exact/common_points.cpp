@@ -11,12 +11,14 @@ namespace {
 Wide as_product(Int128 value) { return product(value, 1); }
 const Integer& as_product(const Integer& value) { return value; }
 
+}  // namespace
+
 /// Lengths are not negative, so neither are these products.
-bool less(const SquaredLength<Integer>& p, const SquaredLength<Integer>& q) {
+bool operator<(const SquaredLength<Integer>& p, const SquaredLength<Integer>& q) {
   return Integer(p.numerator * q.denominator) < Integer(q.numerator * p.denominator);
 }
 
-bool less(const SquaredLength<Int128>& p, const SquaredLength<Int128>& q) {
+bool operator<(const SquaredLength<Int128>& p, const SquaredLength<Int128>& q) {
   if (p.denominator == q.denominator) return p.numerator < q.numerator;
   const auto times = [](const Wide& a, Int128 b, std::uint64_t(&result)[6]) {
     const auto b0 = static_cast<std::uint64_t>(b), b1 = static_cast<std::uint64_t>(b >> 64);
@@ -37,8 +39,6 @@ bool less(const SquaredLength<Int128>& p, const SquaredLength<Int128>& q) {
   times(p.numerator, q.denominator, one), times(q.numerator, p.denominator, other);
   return std::lexicographical_compare(std::rbegin(one), std::rend(one), std::rbegin(other), std::rend(other));
 }
-
-}  // namespace
 
 template <class Value>
 CommonPoints<Value>::CommonPoints(const Segment2<Value>& first_shape, Extent extent,
@@ -91,7 +91,7 @@ Rational least_end_distance(const Segment2<Value>& first, Extent extent, const S
   SquaredLength<Value> least = squared_distance(first.a, second, Extent::segment);
   const auto consider = [&](const Point2<Value>& end, const Segment2<Value>& shape, Extent reach) {
     SquaredLength<Value> other = squared_distance(end, shape, reach);
-    if (less(other, least)) least = std::move(other);
+    if (other < least) least = std::move(other);
   };
   if (extent == Extent::segment) consider(first.b, second, Extent::segment);
   consider(second.a, first, extent), consider(second.b, first, extent);

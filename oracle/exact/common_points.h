@@ -42,6 +42,9 @@ struct SquaredLength {
   Value denominator;
 };
 
+bool operator<(const SquaredLength<Integer>& a, const SquaredLength<Integer>& b);
+bool operator<(const SquaredLength<Int128>& a, const SquaredLength<Int128>& b);
+
 /// The squared distance of a point from a segment, or from the ray from its a through its b.
 template <class Value>
 SquaredLength<Value> squared_distance(const Point2<Value>& point, const Segment2<Value>& shape, Extent extent);

@@ -5,6 +5,15 @@
 
 namespace touchstone::oracle {
 
+/// By comparing alone, which is had much faster of long integers: one segment is left of the other, or below it.
+template <class Word>
+bool boxes_apart(const Segment2<Word>& a, const Segment2<Word>& b) {
+  const auto apart = [](const Word& p, const Word& q, const Word& r, const Word& s) {
+    return (p < q ? q : p) < (r < s ? r : s) || (r < s ? s : r) < (p < q ? p : q);
+  };
+  return apart(a.a.x, a.b.x, b.a.x, b.b.x) || apart(a.a.y, a.b.y, b.a.y, b.b.y);
+}
+
 /// The relation of two closed segments on integers by elimination: Cramer's rule for a(ta) = b(tb) where the directions
 /// differ, the order along the line where all four ends are collinear. No fraction is formed.
 ///

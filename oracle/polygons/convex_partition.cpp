@@ -47,8 +47,7 @@ IndexLists partition(const WholeRing& ring) {
 
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
-  admit_simple(polygon);
-  const WholeRing ring(polygon);
+  const WholeRing ring = simple_ring(polygon);
   return {partition(ring), least_turn(ring)};
 }
 

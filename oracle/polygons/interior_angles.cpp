@@ -36,8 +36,8 @@ AngleBetween enclosed(const Integer& x, const Integer& y) {
 template <class Number>
 std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
   door::admit("polygon", polygon);
-  if (const auto defect = ring_defect(polygon)) door::refuse("polygon", *defect);
   const WholeRing r(polygon);
+  if (const auto defect = ring_defect(r)) door::refuse("polygon", *defect);
   const int winding = sgn(r.area());
   std::vector<AngleBetween> angles;
   for (std::size_t i = 0; i < r.size(); ++i) {

@@ -20,9 +20,8 @@ struct Whole {
 };
 
 /// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
-template <class Number>
-void admit_convex(const Polygon2<Number>& polygon, const WholeRing& ring) {
-  const auto defect = ring_defect(polygon);
+void admit_convex(const WholeRing& ring) {
+  const auto defect = ring_defect(ring);
   if (defect && defect->first == defect->second) door::refuse("polygon", *defect);
   bool turns = false;
   for (Index i = 0; i < ring.size(); ++i) turns = turns || ring.turn_at(i) != 0;  // neighbours differ
@@ -37,7 +36,7 @@ void admit_convex(const Polygon2<Number>& polygon, const WholeRing& ring) {
 template <class Number>
 Whole admitted(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   door::admit("polygon", polygon), door::admit("point", point);
-  admit_convex(polygon, WholeRing(polygon));
+  admit_convex(WholeRing(polygon));
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
   WholeRing whole(all);

@@ -86,7 +86,7 @@ Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
   door::admit("polygon", polygon);
   const WholeRing r(polygon);
   if (repeated_neighbour(r) || on_one_line(r)) return {degenerate, Rational(0)};
-  if (ring_defect(polygon)) return {not_simple, r.actual_area(depth(r))};
+  if (ring_defect(r)) return {not_simple, r.actual_area(depth(r))};
   const bool convex = !straddled(r);
   const int winding = sgn(r.area());
   bool strict = convex;
@@ -139,7 +139,7 @@ Certificate polygon_convexity_certificate(const Polygon2d& polygon) {
     const Rational offset((-along.y * r[0].x + along.x * r[0].y) * r.unit);
     return {"common_line", {{"normal", {Rational(-along.y), Rational(along.x)}}, {"offset", {offset}}}};
   }
-  if (const auto defect = ring_defect(polygon)) return common_point(polygon, *defect);
+  if (const auto defect = ring_defect(r)) return common_point(polygon, *defect);
   if (const auto found = straddled(r)) {
     return {"both_sides", {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
   }

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/exact/common_points.h"
+#include "oracle/exact/elimination.h"
 #include "oracle/exact/rational_door.h"
-#include "oracle/exact/wide.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 
@@ -26,7 +27,7 @@ struct Rings {
 template <class Number>
 void admit(const char* field, const Polygon2<Number>& ring) {
   door::admit(field, ring);
-  if (const auto defect = ring_defect(ring)) door::refuse(field, *defect);
+  if (const auto defect = ring_defect(WholeRing(ring))) door::refuse(field, *defect);
 }
 
 template <class Number>
@@ -53,13 +54,9 @@ bool lies_on(const Point2<Integer>& p, const Edge& e) {
 
 Point rational(const Point2<Integer>& p) { return {Rational(p.x), Rational(p.y)}; }
 
-bool apart(const Integer& p, const Integer& q, const Integer& r, const Integer& s) {
-  return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
-}
-
 /// A common point of two edges; the only one where their directions differ.
 std::optional<Point> common_point(const Edge& e, const Edge& f) {
-  if (apart(e.a.x, e.b.x, f.a.x, f.b.x) || apart(e.a.y, e.b.y, f.a.y, f.b.y)) return std::nullopt;
+  if (boxes_apart(e, f)) return std::nullopt;
   const Vector2<Integer> u = e.b - e.a, v = f.b - f.a, w = f.a - e.a;
   const Integer area = cross(u, v);
   if (sgn(area) == 0) {
@@ -122,39 +119,17 @@ std::optional<Point> common_interior_point(const std::vector<Edge>& a, const std
   return std::nullopt;
 }
 
-/// numerator / denominator, not reduced.
-struct Fraction {
-  Integer numerator, denominator;
-};
-bool operator<(const Fraction& x, const Fraction& y) {
-  return x.numerator * y.denominator < y.numerator * x.denominator;
-}
-
-Fraction squared_distance(const Point2<Integer>& p, const Segment2<Integer>& e) {
-  const Vector2<Integer> u = e.b - e.a, w = p - e.a;
-  const Integer along = dot(w, u), length = dot(u, u);
-  if (sgn(along) <= 0) return {dot(w, w), 1};
-  if (along >= length) {
-    const Vector2<Integer> from_end = p - e.b;
-    return {dot(from_end, from_end), 1};
-  }
-  const Integer area = cross(u, w);
-  return {area * area, length};
-}
-
 Rational margin_of(const Rings& rings) {
-  std::optional<Fraction> least;
+  std::optional<SquaredLength<Integer>> least;
   for (const auto& [vertices, edges] : {std::pair(&rings.a, &rings.b), std::pair(&rings.b, &rings.a)}) {
     for (const Edge& edge : *edges) {
       for (const Edge& vertex : *vertices) {
-        Fraction distance = squared_distance(vertex.a, edge);
+        SquaredLength<Integer> distance = squared_distance(vertex.a, edge, Extent::segment);
         if (!least || distance < *least) least = std::move(distance);
       }
     }
   }
-  Rational margin(least->numerator, least->denominator);
-  margin.canonicalize();
-  return Rational(margin * rings.unit * rings.unit);
+  return Rational(quotient(least->numerator, least->denominator) * rings.unit * rings.unit);
 }
 
 template <class Number>

@@ -6,8 +6,7 @@ namespace {
 
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
-  admit_simple(polygon);
-  const WholeRing ring(polygon);
+  const WholeRing ring = simple_ring(polygon);
   return {triangulated(ring), least_turn(ring)};
 }
 

@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/rings/simple.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #include "oracle/exact/elimination.h"
-#include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
 namespace {
 
 using Word = std::int64_t;
-
-/// By comparing alone, which is had much faster of long integers: one edge is left of the other, or below it.
-bool boxes_apart(const Segment2<Integer>& a, const Segment2<Integer>& b) {
-  const auto before = [](const Integer& p, const Integer& q, const Integer& r, const Integer& s) {
-    return std::max(p, q) < std::min(r, s);
-  };
-  return before(a.a.x, a.b.x, b.a.x, b.b.x) || before(b.a.x, b.b.x, a.a.x, a.b.x) || before(a.a.y, a.b.y, b.a.y, b.b.y) ||
-         before(b.a.y, b.b.y, a.a.y, a.b.y);
-}
 
 SegmentRelation relation(const WholeRing& ring, Index i, Index j) {
   if (!ring.words.empty()) {
@@ -30,7 +19,9 @@ SegmentRelation relation(const WholeRing& ring, Index i, Index j) {
   return boxes_apart(a, b) ? SegmentRelation::disjoint : segment_segment_relation<Integer>(a, b);
 }
 
-std::optional<door::RingDefect> first_defect(const WholeRing& ring) {
+}  // namespace
+
+std::optional<door::RingDefect> ring_defect(const WholeRing& ring) {
   const Index n = ring.size();
   for (Index i = 0; i < n; ++i) {
     if (ring[i] == ring[ring.after(i)]) return door::RingDefect{i, i};
@@ -44,10 +35,5 @@ std::optional<door::RingDefect> first_defect(const WholeRing& ring) {
   }
   return std::nullopt;
 }
-
-}  // namespace
-
-std::optional<door::RingDefect> ring_defect(const Polygon2d& ring) { return first_defect(WholeRing(ring)); }
-std::optional<door::RingDefect> ring_defect(const Polygon2<Rational>& ring) { return first_defect(WholeRing(ring)); }
 
 }  // namespace touchstone::oracle

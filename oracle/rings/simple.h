@@ -4,12 +4,11 @@
 #include <optional>
 
 #include "geometry/door.h"
-#include "oracle/truth.h"
+#include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
 
 /// The first defect of a ring by definition: every pair of edges, asked for its common points. Empty: the ring is simple.
-std::optional<door::RingDefect> ring_defect(const Polygon2d& ring);
-std::optional<door::RingDefect> ring_defect(const Polygon2<Rational>& ring);
+std::optional<door::RingDefect> ring_defect(const WholeRing& ring);
 
 }  // namespace touchstone::oracle

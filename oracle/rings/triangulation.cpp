@@ -13,15 +13,17 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-void admit(const Polygon2<Number>& polygon) {
+WholeRing admitted(const Polygon2<Number>& polygon) {
   door::admit("polygon", polygon);
-  if (const auto defect = ring_defect(polygon)) door::refuse("polygon", *defect);
+  WholeRing ring(polygon);
+  if (const auto defect = ring_defect(ring)) door::refuse("polygon", *defect);
+  return ring;
 }
 
 }  // namespace
 
-void admit_simple(const Polygon2d& polygon) { admit(polygon); }
-void admit_simple(const Polygon2<Rational>& polygon) { admit(polygon); }
+WholeRing simple_ring(const Polygon2d& polygon) { return admitted(polygon); }
+WholeRing simple_ring(const Polygon2<Rational>& polygon) { return admitted(polygon); }
 
 std::vector<Index> counter_clockwise(const WholeRing& ring) {
   std::vector<Index> all(ring.size());

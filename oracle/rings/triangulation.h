@@ -13,9 +13,9 @@ namespace touchstone::oracle {
 /// Lists of places in a ring.
 using IndexLists = std::vector<std::vector<Index>>;
 
-/// Refuses what is not a simple polygon.
-void admit_simple(const Polygon2d& polygon);
-void admit_simple(const Polygon2<Rational>& polygon);
+/// The ring in integers; what is not a simple polygon is refused.
+WholeRing simple_ring(const Polygon2d& polygon);
+WholeRing simple_ring(const Polygon2<Rational>& polygon);
 
 /// The ring's vertices counter-clockwise.
 std::vector<Index> counter_clockwise(const WholeRing& ring);

@@ -128,17 +128,6 @@ struct point_in_convex_polygon {
 
   /// The point (12, 12), on the edge from (24, 24) to (0.5, 0.5), is moved.
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
-
- private:
-  static Point2d beside(const Point2d& p, Choices& c) {
-    const double x = small_integer(c, 2);
-    return {p.x + x, p.y + small_integer(c, 2)};
-  }
-  /// Both ends too. Exactly, if the ring's numbers are integers of 40 bits.
-  static Point2d on_an_edge(const Polygon2d& ring, Choices& c) {
-    const std::size_t i = c.below(ring.size());
-    return along(ring[i], static_cast<double>(c.below(9)) / 8, ring.next(i) - ring[i]);
-  }
 };
 
 }  // namespace touchstone::audit::rows

@@ -179,19 +179,10 @@ struct point_in_polygon {
 
  private:
   static Point2d any_vertex(const Polygon2d& ring, Choices& c) { return ring[c.below(ring.size())]; }
-  static Point2d beside(const Point2d& p, Choices& c) {
-    const double x = small_integer(c, 2);
-    return {p.x + x, p.y + small_integer(c, 2)};
-  }
   /// At the same height; mostly on the left, where the ray meets what is there.
   static Point2d level_with(const Point2d& p, Choices& c) {
     const double size = std::fabs(integer(c, 24));
     return {c.one_in(4) ? p.x + size : p.x - size, p.y};
-  }
-  /// Both ends too. Exactly, if the ring's numbers are integers of 40 bits.
-  static Point2d on_an_edge(const Polygon2d& ring, Choices& c) {
-    const std::size_t i = c.below(ring.size());
-    return along(ring[i], static_cast<double>(c.below(9)) / 8, ring.next(i) - ring[i]);
   }
   /// Up and down from left to right, and back in two long edges; long with few choices.
   static Polygon2d wave(std::size_t vertices, Choices& c) {
