@@ -26,6 +26,7 @@ foreach(source ${targets})
   touchstone_own(fuzz_${name})
   target_link_libraries(fuzz_${name} PRIVATE touchstone_audit $<TARGET_NAME_IF_EXISTS:touchstone_fuzz_driver>
                         $<TARGET_NAME_IF_EXISTS:touchstone_fuzz_replay>)
+  touchstone_precompiled(fuzz_${name})
   target_link_options(fuzz_${name} PRIVATE $<$<BOOL:${TOUCHSTONE_LIBFUZZER}>:-fsanitize=fuzzer>)
   set_target_properties(fuzz_${name} PROPERTIES OUTPUT_NAME ${name}
                                                 RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/fuzz)

@@ -48,3 +48,18 @@ function(touchstone_own target)
   endif()
   target_link_options(${target} PRIVATE ${coverage_flags})
 endfunction()
+
+# touchstone_precompiled(target): the heavy third-party headers, precompiled once for all such targets of a directory. They are
+# programs compiled with the same flags.
+function(touchstone_precompiled target)
+  if(NOT TOUCHSTONE_PCH)
+    return()
+  endif()
+  get_property(first DIRECTORY PROPERTY touchstone_first_precompiled)
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    target_precompile_headers(${target} PRIVATE <nlohmann/json.hpp> <gmpxx.h>)
+    set_property(DIRECTORY PROPERTY touchstone_first_precompiled ${target})
+  endif()
+endfunction()

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <ostream>
+#include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "audit/catalogue/operation.h"
@@ -22,93 +24,18 @@ struct Drawn {
   Question question;
 };
 
-inline Drawn replayed(const Operation& operation, std::size_t family, std::vector<std::uint8_t> bytes) {
-  Choices choices = Choices::replayed(bytes);
-  Question question = operation.draw(choices, family);
-  return {&operation, family, std::move(bytes), std::move(question)};
-}
-
+Drawn replayed(const Operation& operation, std::size_t family, std::vector<std::uint8_t> bytes);
 /// The choices of a seed written down.
-inline Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed) {
-  Choices choices = Choices::seeded(seed, true);
-  Question question = operation.draw(choices, family);
-  return {&operation, family, choices.recorded(), std::move(question)};
-}
+Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed);
 
-/// Found by RapidCheck: the question in decimal and in hexadecimal, and the command that asks it again.
-inline void showValue(const Drawn& drawn, std::ostream& os) {
-  const std::string name = drawn.operation->name();
-  const std::string exact = audit::one_line(drawn.operation->print_hexadecimal(drawn.question));
-  os << name << ", family " << drawn.operation->families()[drawn.family] << '\n'
-     << audit::one_line(drawn.operation->print(drawn.question)) << '\n'
-     << exact << '\n'
-     << "echo '" << exact << "' | touchstone ask " << name << " -";
-}
-
-/// Shorter streams first, then those of smaller bytes.
-inline std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& bytes) {
-  std::vector<std::vector<std::uint8_t>> found;
-  for (std::size_t length = bytes.size(); length > 0; length /= 2) {
-    for (std::size_t at = 0; at + length <= bytes.size(); at += length) {
-      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at), last = first + static_cast<std::ptrdiff_t>(length);
-      std::vector<std::uint8_t> cut(bytes.begin(), first);
-      cut.insert(cut.end(), last, bytes.end());
-      found.push_back(std::move(cut));
-      if (std::all_of(first, last, [](std::uint8_t byte) { return byte == 0; })) continue;
-      std::vector<std::uint8_t> zeroed = bytes;
-      std::fill_n(zeroed.begin() + static_cast<std::ptrdiff_t>(at), length, std::uint8_t{0});
-      found.push_back(std::move(zeroed));
-    }
-  }
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const int lessened : {bytes[at] / 2, bytes[at] - 2, bytes[at] - 1}) {
-      if (lessened <= 0 || lessened >= bytes[at]) continue;
-      found.push_back(bytes);
-      found.back()[at] = static_cast<std::uint8_t>(lessened);
-    }
-  }
-  return found;
-}
-
-inline rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
-  return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& parent) {
-    std::vector<Drawn> smaller;
-    for (auto& bytes : simpler(parent.choices)) smaller.push_back(replayed(*parent.operation, parent.family, std::move(bytes)));
-    return rc::seq::fromContainer(std::move(smaller));
-  });
-}
+/// What is wrong with a question's answers; empty where nothing is.
+using Complaint = std::function<std::string(const Question&)>;
 
 /// How many cases one pick of RapidCheck drives.
 inline constexpr std::uint64_t batch = 64;
 
-/// A generator that asks `holds(question)` of a whole batch from one seed, and gives RapidCheck the first question of which it does
-/// not hold (or the last one): RapidCheck then judges that one question, and shrinks it. RapidCheck's own picks would be several
-/// times slower than the questions.
-template <class Holds>
-rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, Holds holds, std::uint64_t size = batch) {
-  return [&operation, family, holds, size](const rc::Random& random, int) {
-    const std::uint64_t seed = rc::Random(random).next();
-    std::uint64_t at = 0;
-    for (; at + 1 < size; ++at) {
-      Choices choices = Choices::seeded(audit::seed_of(seed, "", at));
-      if (!holds(operation.draw(choices, family))) break;
-    }
-    return shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
-  };
-}
-
 /// The property that `complaint(question)` is empty for every question of every family of an operation.
-template <class Complaint>
 void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
-           std::uint64_t size = batch) {
-  for (std::size_t family = 0; family < operation.families().size(); ++family) {
-    const auto holds = [&](const Question& question) { return complaint(question).empty(); };
-    property(operation.name() + ", " + operation.families()[family] + ": " + sentence, [&] {
-      const Drawn drawn = *questions(operation, family, holds, size);
-      const std::string said = complaint(drawn.question);
-      if (!said.empty()) RC_FAIL(said);
-    }, usual);
-  }
-}
+           std::uint64_t size = batch);
 
 }  // namespace touchstone::proptests

@@ -5,7 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "proptests/agreement/certified.h"
+#include "audit/catalogue/explained.h"
+#include "oracle/certificates/check.h"
 #include "proptests/forward_error.h"
 #include "proptests/polygons_from_elsewhere.h"
 

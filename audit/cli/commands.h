@@ -64,12 +64,6 @@ void write_file(const std::string& option, const std::string& file, const std::s
 /// What stands before every complaint about a line.
 std::string place(const std::string& file, std::uint64_t line);
 
-/// The truth for the decimals of an input that was printed, read as exact rationals; null where the operation has none.
-Json truth_of_decimals(const Operation& operation, const Json& printed);
-
-/// Everything `ask` says of one question.
-Json explained(const Operation& operation, const Question& question);
-
 }  // namespace touchstone::audit
 
 #include "audit/cli/each_line.h"

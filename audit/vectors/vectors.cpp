@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "audit/cli/commands.h"
+#include "audit/catalogue/explained.h"
 #include "audit/judge/audit_run.h"
 #include "audit/vectors/flags.h"
 #include "oracle/certificates/check.h"

@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "audit/catalogue/explained.h"
 #include "audit/catalogue/row.h"
 #include "audit/inputs/families.h"
 #include "audit/judge/compare.h"
 #include "fuzz/driver/target.h"
-#include "proptests/agreement/certified.h"
 #include "proptests/environment.h"
 
 namespace touchstone::fuzz {
@@ -58,7 +58,7 @@ class TargetOf final : public Target {
     if (hash / 512 % (decides_quickly ? 64 : 16) != 0) return "";
     const audit::Question question = flat(asked);
     const std::string broken = operation_.examine(question)->broken_promise();
-    return broken.empty() ? proptests::certificate_complaint(operation_, question) : broken;
+    return broken.empty() ? audit::certificate_complaint(operation_, question) : broken;
   }
 
   std::string shown(Bytes data) const override {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 
 #include "geometry/door.h"
 #include "oracle/truth.h"
@@ -12,14 +13,12 @@ namespace touchstone::door {
 inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
 inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
 
-inline void admit(const std::string&, const oracle::Rational&) {}
-
-// Shapes that are legal wherever their numbers are. A shape without an overload does not compile: its rules must not be forgotten.
-inline void admit(const std::string&, const Point2<oracle::Rational>&) {}
-inline void admit(const std::string&, const Vector2<oracle::Rational>&) {}
-inline void admit(const std::string&, const Segment2<oracle::Rational>&) {}
-inline void admit(const std::string&, const Point3<oracle::Rational>&) {}
-inline void admit(const std::string&, const Vector3<oracle::Rational>&) {}
+/// What is legal wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be forgotten.
+template <class Shape>
+concept AlwaysLegal = std::is_same_v<Shape, oracle::Rational> || std::is_same_v<Shape, Point2<oracle::Rational>> ||
+                      std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>>;
+template <AlwaysLegal Shape>
+void admit(const std::string&, const Shape&) {}
 
 inline void admit(const std::string& field, const Line2<oracle::Rational>& l) {
   if (l.p == l.q) throw InvalidInput(field, "two distinct points");

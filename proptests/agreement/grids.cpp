@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/explained.h"
 #include "audit/judge/compare.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/lines/segment_segment.h"
-#include "proptests/agreement/certified.h"
 #include "proptests/each_operation.h"
 #include "proptests/any_robust_bits.h"
 
@@ -44,7 +44,7 @@ void exhaust(const Operation& operation, int size, double first, std::uint64_t e
       const std::string broken = examination->broken_promise();
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
       if (index / step % every != 0) continue;
-      const std::string refused = certificate_complaint(operation, question);
+      const std::string refused = audit::certificate_complaint(operation, question);
       if (!refused.empty()) FAIL_CHECK(refused << ": " << shown());
     } catch (const InvalidInput&) {
       const std::string mismatch = operation.refusal_mismatch(question);

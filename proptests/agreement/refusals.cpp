@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <rapidcheck.h>
+
 #include <limits>
 
 #include "proptests/drawn.h"

@@ -46,6 +46,14 @@ std::vector<json::json_pointer> leaves(const json& claim, const char* field) {
   return found;
 }
 
+/// Of many places some, as far from one another as can be: what is wrong with one angle of a hundred is wrong with the others.
+std::vector<json::json_pointer> some_of(std::vector<json::json_pointer> places) {
+  constexpr std::size_t enough = 8;
+  for (std::size_t i = 0; i < enough && places.size() > enough; ++i) places[i] = places[i * places.size() / enough];
+  if (places.size() > enough) places.resize(enough);
+  return places;
+}
+
 /// Every kind of certificate, each once.
 json kinds_of(const std::vector<json>& claims) {
   std::set<std::string> kinds;
@@ -110,11 +118,11 @@ TEST_CASE("certificates: both checkers accept what the oracle claims") {
   CHECK(shown.said_in_python_too());
 }
 
-TEST_CASE("certificates: both checkers refuse every other truth, for the same reason") {
+TEST_CASE("certificates: both checkers refuse another truth, for the same reason") {
   Shown shown;
   Choices choices = Choices::seeded(audit::seed_of(1, "other truths", 0));
   for (const json& claim : drawn_claims("other truths", 6)) {
-    for (const auto& place : leaves(claim, "truth")) {
+    for (const auto& place : some_of(leaves(claim, "truth"))) {
       if (claim[place].is_boolean()) {
         json broken = claim;
         broken[place] = !claim[place].get<bool>();
@@ -152,7 +160,7 @@ TEST_CASE("certificates: both checkers say the same of altered certificates and 
   const auto claims = drawn_claims("altered", 3);
   const json kinds = kinds_of(claims);
   for (const json& claim : claims) {
-    for (const auto& place : leaves(claim, "certificate")) {
+    for (const auto& place : some_of(leaves(claim, "certificate"))) {
       json broken = claim;
       broken[place] =
           place.back() == "kind" ? one_of(choices, kinds).get<std::string>() : altered(choices, claim[place]);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numeric>
 
+#include "audit/catalogue/explained.h"
 #include "audit/catalogue/polygons/polygon_convexity.h"
 #include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
-#include "audit/cli/commands.h"
 #include "audit/inputs/rings.h"
 #include "proptests/forward_error.h"
 #include "robust/rings/simple.h"

@@ -71,17 +71,10 @@ class Meeting {
     const int rp = turn(r, s, p), rq = turn(r, s, q);
     if (rp * rq > 0) return Contact::disjoint;
     if (pr * ps < 0 && rp * rq < 0) return Contact::overlapping;
-    bool touch = false;
-    if (rp == 0 && between(r, p, s)) {
-      if (cones_overlap(p, angle_of(a_, i), angle_at(b_, j, p))) return Contact::overlapping;
-      touch = true;
-    }
-    if (pr == 0 && between(p, r, q)) {
-      if (cones_overlap(r, angle_of(b_, j), angle_at(a_, i, r))) return Contact::overlapping;
-      touch = true;
-    }
-    touch = touch || (rq == 0 && between(r, q, s)) || (ps == 0 && between(p, s, q));
-    return touch ? Contact::touching : Contact::disjoint;
+    // An end of one lies on the other, for their boxes meet.
+    const bool p_overlaps = rp == 0 && between(r, p, s) && cones_overlap(p, angle_of(a_, i), angle_at(b_, j, p));
+    const bool r_overlaps = pr == 0 && between(p, r, q) && cones_overlap(r, angle_of(b_, j), angle_at(a_, i, r));
+    return p_overlaps || r_overlaps ? Contact::overlapping : Contact::touching;
   }
 
   /// The interior near an apex: counter-clockwise from the direction of `from` to that of `to`.

@@ -49,7 +49,6 @@ class Sweep {
     const Sweep* sweep;
     bool operator()(const Cut& a, const Cut& b) const { return sweep->below(a.edge, b.edge); }
     bool operator()(const Cut& a, const Point2d& p) const { return sweep->side_of(a.edge, p) == Side::left; }
-    bool operator()(const Point2d& p, const Cut& a) const { return sweep->side_of(a.edge, p) == Side::right; }
   };
   using Status = std::set<Cut, Upwards>;
   using Place = Status::const_iterator;
@@ -73,15 +72,15 @@ class Sweep {
     return rank_[start_a] < rank_[start_b] ? side_of(a, ring_[start_b]) == Side::left : side_of(b, ring_[start_a]) == Side::right;
   }
 
+  /// Of two edges beside each other in the order, b above a. Edges of one vertex meet nowhere else: what begins on an edge, or in its
+  /// direction where it begins, was refused there.
   bool meet(Index a, Index b) const {
     const auto &p = ring_[a], &q = ring_[end(a)], &r = ring_[b], &s = ring_[end(b)];
-    if (std::max(p.y, q.y) < std::min(r.y, s.y) || std::max(r.y, s.y) < std::min(p.y, q.y)) return false;
-    const bool neighbours = end(a) == b || end(b) == a;
-    if (neighbours && side_of(a, end(a) == b ? s : r) != Side::on) return false;
+    if (std::max(p.y, q.y) < std::min(r.y, s.y) || end(a) == b || end(b) == a) return false;
     Stage decided;
     const SegmentRelation found = segment_segment_relation({p, q}, {r, s}, decided);
     latest_ = std::max(latest_, decided);
-    return found == SegmentRelation::overlap || (found == SegmentRelation::point && !neighbours);
+    return found != SegmentRelation::disjoint;
   }
 
   bool apart_from_below(Place place) const { return place == cut_.begin() || !meet(std::prev(place)->edge, place->edge); }
