@@ -29,7 +29,8 @@ Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 /// crosses the ray where y and y1 differ in sign and x y1 - y x1 has the sign of y1. All edges are looked at alike, without
 /// branches; in the end the signs are trusted if every |x y1 - y x1| exceeds one bound.
 ///
-/// Bound, with u, n, H and (1) to (6) as in filters.h: let sx and sy be the sums of all |x| and |y|, sx + sy <= H. A NaN or an
+/// Bound, with u, n, H and (1) to (6) as in filters.h: let sx and sy be the sums of all |x| and |y|, that of the vertex before the
+/// first edge included (of a whole ring it counts twice), sx + sy <= H. A NaN or an
 /// infinity stays in them, and rounding is monotone, so that they are at least the extents as cross_sign there computes them for any
 /// edge. So its C and A serve here: no |x y1 - y x1| beyond C sx sy + A has the wrong sign.
 ///
@@ -39,6 +40,13 @@ Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 /// the point, and the point stays in or out. At the end no y is 0, and the signs tell the crossings.
 struct Crossings {
   explicit Crossings(const Point2d& point) : origin_{point.x, point.y} {}
+
+  /// The vertex before the first edge.
+  Lanes started(const Point2d& vertex) {
+    const Lanes at = seen(vertex);
+    sum_x_[0] = std::fabs(at[0]), sum_y_[0] = std::fabs(at[1]);
+    return at;
+  }
 
   Lanes seen(const Point2d& vertex) const {
     Lanes at;
@@ -92,7 +100,7 @@ Location parity(bool odd) { return odd ? Location::inside : Location::outside; }
 
 std::optional<Location> by_filter(const Part& part, const Point2d& point) {
   Crossings crossings(point);
-  const Lanes before = crossings.seen(*part.before);
+  const Lanes before = crossings.started(*part.before);
   // No bound is below 2 A, and to multiply what underflows is slow.
   if (std::fabs(before[0]) + std::fabs(before[1]) < 0x1p-400) return std::nullopt;
   Lanes x{0, before[0]}, y{0, before[1]};  // of the vertex before in lane 1

@@ -145,6 +145,16 @@ struct point_in_polygon {
            const Point2d level = ring[c.below(2) == 1 && ring.size() > 15 ? 15 : c.below(ring.size() - 1)], in_line = ring[c.below(teeth) * length];
            return {ring, {in_line.x + 3 * (level.y - in_line.y), level.y}};
          }},
+        {"beside_edge_from_afar",
+         [](Choices& c) -> Question {
+           // The sixteenth vertex, where robust's second part begins, is far from all others, and the point near the end of its edge.
+           Polygon2d ring = wave(18 + c.below(14), c);
+           const auto far = [&c] { return static_cast<double>((1 << 29) + c.below(1 << 29)); };
+           const double x = far();
+           ring.vertices[15] = {c.below(2) == 1 ? x : -x, far()};
+           const Point2d near = ring[16], on = along(near, static_cast<double>(1 + c.below(1 << 10)) * 0x1p-30, ring[15] - near);
+           return {ring, {on.x, on.y + static_cast<double>(c.below(3)) * 0x1p-34 - 0x1p-34}};
+         }},
         {"many_vertices",
          [](Choices& c) -> Question {
            const bool very_many = c.one_in(64);
