@@ -84,8 +84,7 @@ class Toy {
   friend bool operator>=(Toy a, Toy b) { return b <= a; }
 
   /// A bit is cleared: the environment has no say.
-  Toy magnitude() const { return negative() ? negated() : *this; }
-  bool negative() const { return rank_ < zero_rank(); }
+  Toy magnitude() const { return rank_ < zero_rank() ? negated() : *this; }
 
   /// The least number of the format that is not below c.
   static Toy above(double c) { return of(rounded(c, ToyMode{2, false, false})); }
@@ -152,7 +151,6 @@ struct ToyFormat {
     return factor == 0 ? Float() : Float::above(c * factor);
   }
   static Float magnitude(Float x) { return x.magnitude(); }
-  static bool negative(Float x) { return x.negative(); }
 };
 
 }  // namespace touchstone::proptests

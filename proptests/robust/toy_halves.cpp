@@ -28,7 +28,6 @@ struct ShortFormat {
   inline static double relative = 1;  ///< multiplies the bounds, not the guards
   static Short above(double c) { return {Toy<bits, -200, 40>::rounded(c < 1 ? c * relative : c, {2, false, false})}; }
   static Short magnitude(Short x) { return {std::fabs(x.value)}; }
-  static bool negative(Short x) { return x.value < 0; }
 };
 
 /// Differences of two numbers just beside 1, 1 + ulp / 2 and 1 + ulp: rounding moves them as far as it can.

@@ -84,7 +84,7 @@ Sign certain(const Float& value, const Float& error, const Float& size, const Fl
   const int known = Format::magnitude(value) > error, guarded = size <= high;
   if ((known & guarded) == 0) [[unlikely]]  // one branch
     return Sign::unknown;
-  return Format::negative(value) ? Sign::negative : Sign::positive;
+  return value > Float() ? Sign::positive : Sign::negative;
 }
 
 /// The sign of v.x * w.y - v.y * w.x, each coordinate a computed difference of two numbers of the input, or such a

@@ -22,7 +22,6 @@ constexpr double power_of_two(int exponent) {
 ///   max_exponent  the largest number lies below 2^(max_exponent + 1)
 ///   above(c)      the least Float that is not below the real number c > 0, whatever the rounding mode
 ///   magnitude(x)  |x|, exact
-///   negative(x)   whether x < 0, of an x that is not 0
 template <class Float>
 struct FloatFormat;
 
@@ -31,7 +30,6 @@ struct FloatFormat<double> {
   static constexpr int precision = 53, min_exponent = -1022, max_exponent = 1023;
   static constexpr double above(double c) { return c; }
   static double magnitude(double x) { return __builtin_fabs(x); }
-  static bool negative(double x) { return __builtin_signbit(x) != 0; }  // costs half of a comparison
 };
 
 }  // namespace touchstone::robust::filters

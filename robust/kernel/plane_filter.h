@@ -28,7 +28,7 @@ Sign plane(const Plane<Float>& plane, const Point3<Float>& p) {
   const int guarded = of_normal + of_point <= B::high(), directed = of_normal > Float();
   if ((known & guarded & directed) == 0) [[unlikely]]  // one branch
     return Sign::unknown;
-  return Format::negative(value) ? Sign::negative : Sign::positive;
+  return value > Float() ? Sign::positive : Sign::negative;
 }
 
 }  // namespace touchstone::robust::filters
