@@ -12,8 +12,8 @@ const std::vector<const Operation*>& catalogue() {
   return operations;
 }
 
-Question Operation::on_grid(int size, std::uint64_t index) const {
-  Question question = zeros();
+Question Operation::on_grid(int size, std::uint64_t index, std::size_t list_length) const {
+  Question question = zeros(list_length);
   const std::vector<std::size_t> places = coordinates(question);
   for (std::size_t i = places.size(); i-- > 0; index /= static_cast<std::uint64_t>(size)) {
     question.numbers[places[i]] = static_cast<double>(index % static_cast<std::uint64_t>(size));
@@ -21,9 +21,9 @@ Question Operation::on_grid(int size, std::uint64_t index) const {
   return question;
 }
 
-std::optional<std::uint64_t> Operation::configurations(int size) const {
+std::optional<std::uint64_t> Operation::configurations(int size, std::size_t list_length) const {
   std::uint64_t total = 1;
-  for (std::size_t i = coordinates(zeros()).size(); i > 0; --i) {
+  for (std::size_t i = coordinates(zeros(list_length)).size(); i > 0; --i) {
     if (__builtin_mul_overflow(total, static_cast<std::uint64_t>(size), &total)) return std::nullopt;
   }
   return total;

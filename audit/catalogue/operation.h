@@ -97,8 +97,10 @@ class Operation {
   /// "x+ulp" is x with one coordinate moved by a few units in the last place.
   virtual const std::vector<std::string>& families() const = 0;
   virtual Question draw(Choices& choices, std::size_t family) const = 0;
-  /// Every number 0; every list as long as in exhaustive runs (`Card::list_length`).
-  virtual Question zeros() const = 0;
+  /// Every number 0; every list of that length.
+  virtual Question zeros(std::size_t list_length) const = 0;
+  /// Lists as long as in exhaustive runs.
+  Question zeros() const { return zeros(card().list_length); }
   /// Where the coordinates stand in `Question::numbers`: everything but the lengths of lists.
   virtual std::vector<std::size_t> coordinates(const Question& question) const = 0;
   /// Every number rounded to the nearest float.
@@ -116,12 +118,14 @@ class Operation {
   virtual Json truth_as_typed(const Json& input) const = 0;
 
   /// How many configurations such a grid has; empty beyond 2^64.
-  std::optional<std::uint64_t> configurations(int size) const;
+  std::optional<std::uint64_t> configurations(int size) const { return configurations(size, card().list_length); }
+  std::optional<std::uint64_t> configurations(int size, std::size_t list_length) const;
   /// Configurations `first` <= index < `last` of the grid on which every number runs over 0 .. size - 1 (the first number is
   /// the slowest). Empty where the operation has no such fast pair of decisions.
   virtual std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const = 0;
   /// The question of that index.
-  Question on_grid(int size, std::uint64_t index) const;
+  Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, card().list_length); }
+  Question on_grid(int size, std::uint64_t index, std::size_t list_length) const;
 
   /// The figure of a question and of the truth about it.
   virtual Scene scene(const Question& question) const = 0;

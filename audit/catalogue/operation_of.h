@@ -25,7 +25,7 @@ class OperationOf final : public Operation {
   }
   const std::vector<std::string>& families() const override { return families_.names(); }
   Question draw(Choices& choices, std::size_t family) const override { return flat(families_.draw(choices, family)); }
-  Question zeros() const override { return flat(audit::zeros<Asked>(Row::card().list_length)); }
+  Question zeros(std::size_t list_length) const override { return flat(audit::zeros<Asked>(list_length)); }
   std::vector<std::size_t> coordinates(const Question& question) const override { return coordinates_of(typed_of(question)); }
 
   Question in_binary32(const Question& question) const override {

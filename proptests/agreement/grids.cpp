@@ -26,14 +26,21 @@ std::string second_truth(const Operation& operation, const Question& question) {
   return word;
 }
 
-/// Every configuration of numbers first, first + 1, ... on a grid of that size (of more than 2^17 that many, spread evenly: `touchstone
-/// exhaust` asks the rest): robust, the oracle and the oracle's second method agree; each `every`-th certificate is checked too.
-void exhaust(const Operation& operation, int size, double first, std::uint64_t every) {
-  const std::uint64_t all = operation.configurations(size).value(), step = all / (1 << 17) + 1;
+/// What is asked of a grid: configurations of the numbers first, first + 1, ..., `size` of them; of more than `most` that many, spread
+/// evenly (`touchstone exhaust` asks the rest); each `every`-th certificate is checked too.
+struct Grid {
+  int size;
+  double first;
+  std::uint64_t most, every;
+};
+
+/// Robust, the oracle and the oracle's second method agree.
+void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
+  const std::uint64_t all = operation.configurations(grid.size, list_length).value(), step = all / grid.most + 1;
   std::uint64_t legal = 0;
   for (std::uint64_t index = 0; index < all; index += step) {
-    Question question = operation.on_grid(size, index);
-    for (const std::size_t place : operation.coordinates(question)) question.numbers[place] += first;
+    Question question = operation.on_grid(grid.size, index, list_length);
+    for (const std::size_t place : operation.coordinates(question)) question.numbers[place] += grid.first;
     const auto shown = [&] { return audit::one_line(operation.print(question)); };
     try {
       const auto examination = operation.examine(question);
@@ -43,7 +50,7 @@ void exhaust(const Operation& operation, int size, double first, std::uint64_t e
       if (!second.empty() && second != examination->outcome()) FAIL_CHECK("the oracle's two methods differ: " << shown());
       const std::string broken = examination->broken_promise();
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
-      if (index / step % every != 0) continue;
+      if (index / step % grid.every != 0) continue;
       const std::string refused = audit::certificate_complaint(operation, question);
       if (!refused.empty()) FAIL_CHECK(refused << ": " << shown());
     } catch (const InvalidInput&) {
@@ -57,8 +64,17 @@ void exhaust(const Operation& operation, int size, double first, std::uint64_t e
 }  // namespace
 
 // Without lists no operation has more than 8 numbers: 4^8 = 65536 configurations.
-EACH_OPERATION("every configuration of the numbers -1, 0, 1") { exhaust(operation, 3, -1, 3); }
-EACH_OPERATION("every configuration of the numbers 0, 1, 2, 3") { exhaust(operation, 4, 0, 64); }
+EACH_OPERATION("every configuration of the numbers -1, 0, 1") {
+  exhaust(operation, {.size = 3, .first = -1, .most = 1 << 17, .every = 3}, operation.card().list_length);
+}
+EACH_OPERATION("every configuration of the numbers 0, 1, 2, 3") {
+  exhaust(operation, {.size = 4, .first = 0, .most = 1 << 17, .every = 64}, operation.card().list_length);
+}
+EACH_OPERATION("configurations of the numbers -1, 0, 1 with one vertex more") {
+  if (const std::size_t usual = operation.card().list_length) {
+    exhaust(operation, {.size = 3, .first = -1, .most = 1 << 15, .every = 64}, usual + 1);
+  }
+}
 
 EACH_OPERATION("decisions counted at full speed are those of the full examination") {
   const auto whole = operation.count_decisions(3, 0, *operation.configurations(3));

@@ -15,7 +15,6 @@ import time
 
 from planted import listed
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 SECONDS = 60  # that fuzzing may take; it usually needs less than one
 CALM = 5  # and how long it has to stay silent without a bug
 
@@ -49,10 +48,9 @@ class Notice:
         return code != 0, seconds
 
     def fuzzing(self, operation, bug):
-        length = 80 if (ROOT / f"fuzz/lines/{operation}.cpp").exists() else 640  # bytes, as ./dev fuzz has them
         with tempfile.TemporaryDirectory() as folder:
-            command = [self.programs / f"planted_fuzz_{operation}", "-seed=1", f"-max_len={length}", "-len_control=0",
-                       f"-max_total_time={SECONDS if bug else CALM}", "-timeout=5", folder]
+            command = [self.programs / f"planted_fuzz_{operation}", "-seed=1", f"-max_total_time={SECONDS if bug else CALM}",
+                       "-timeout=5", folder]
             code, _, seconds = run(command, bug, SECONDS + 20, cwd=folder)
         return code != 0, seconds
 
