@@ -10,7 +10,6 @@ namespace {
 namespace filters = robust::filters;
 
 constexpr int low = -14, high = 7;
-/// At 6 bits the bound's relative factor is a power of two, which `Weakened` takes for an absolute term.
 using Five = Toy<5, low, high>;
 using Format = ToyFormat<Five, 5, low, high>;
 
@@ -43,13 +42,15 @@ Count ordinary() {
   return planes({full, some, some, window<Five>(31, -4)}, {full, some, {0.5, 17.0 / 32}, {}});
 }
 
-/// Where factors are subnormal and the others at the guard; where products underflow; at the guard and beyond it.
+/// Where factors are subnormal and the others at the guard; where products underflow; at the guard and beyond it; where the largest
+/// subnormal is read as zero beside the least normal number, which alone is left of the normal.
 Count extreme() {
   const std::vector<double> least = window<Five>(3, low - 5), large{0.5, 1.75, 2, 3.75}, small = window<Five>(2, low / 2 - 2);
   return planes({least, least, least, window<Five>(8, low - 4)}, {large, large, large, {}}) +
          planes({large, large, large, window<Five>(8, low - 4)}, {least, least, least, {}}) +
          planes({small, small, small, window<Five>(6, low - 5)}, {small, small, small, {}}) +
-         planes({{3, 4}, {-3.75, 4}, {-4, 2}, window<Five>(6, high - 2)}, {{3.75, 4, 8}, {4, 5}, {1, 4}, {}});
+         planes({{3, 4}, {-3.75, 4}, {-4, 2}, window<Five>(6, high - 2)}, {{3.75, 4, 8}, {4, 5}, {1, 4}, {}}) +
+         planes({{std::ldexp(15, low - 4)}, {std::ldexp(1, low)}, {0}, window<Five>(31, low - 3)}, {{2, 3.75}, {0}, {0}, {}});
 }
 
 /// Zero normals: whatever the offset, the filter knows nothing.
@@ -73,7 +74,7 @@ TEST_CASE("toy floats: no certain side of a plane is wrong") {
 
 TEST_CASE("toy floats: a bound of a plane that is too small is found out") {
   {
-    const Weakened<Format> weakened(1.0 / 16, 1);
+    const Weakened<Format> weakened(1.0 / 32, 1);
     Five::set({2, false, false});
     CHECK(ordinary().wrong > 0);
   }
