@@ -8,10 +8,12 @@
 
 #include "audit/catalogue/row.h"
 #include "audit/codec/flat.h"
-#include "proptests/environment.h"
+#include "audit/judge/environment.h"
 
 /// What robust answers in any environment, bit by bit.
 namespace touchstone::proptests {
+
+using audit::Environment, audit::environment_count, audit::environment_name, audit::in_environment;
 
 /// An answer as words: enumerators, presence of optional parts, numbers bit by bit. Never compares doubles.
 struct AnswerBits {

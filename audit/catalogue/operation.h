@@ -40,6 +40,7 @@ struct Card {
   /// The operation whose question this is, answered by another formula of the deck: this one is named "<operation>_<method>", has a
   /// reference of its own and the operation's robust and oracle, and is asked of no engine.
   const char* method_of = "";
+  bool is_method() const { return method_of[0] != 0; }
   bool formula_answers_less = false;  ///< the slide's formula leaves out numbers that the operation answers, and is judged on the others
   std::size_t longest_vector = 0;     ///< test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none)
 };
@@ -66,7 +67,9 @@ class Examination {
   virtual Json robust() const = 0;
 
   virtual Judgement judge_reference(bool binary32 = false) const = 0;
-  virtual Judgement judge_robust() const = 0;
+  /// In that floating-point environment (see audit/judge/environment.h).
+  virtual Judgement judge_robust(std::size_t environment) const = 0;
+  Judgement judge_robust() const { return judge_robust(0); }
   /// `answer`: the engine's "answer" value: an object with the operation's fields, or true / false.
   virtual Judgement judge_engine(const Json& answer, const Declaration& declaration) const = 0;
 
@@ -107,13 +110,16 @@ class Operation {
   virtual Question in_binary32(const Question& question) const = 0;
 
   virtual Question parse(const Json& input) const = 0;  ///< throws InvalidInput naming the field and the rule
+  /// The same; "nan", "inf" and "-inf" are let through, for robust and oracle to refuse.
+  virtual Question parse_any(const Json& input) const = 0;
   virtual Json print(const Question& question) const = 0;
   virtual Json print_hexadecimal(const Question& question) const = 0;
 
   /// Throws InvalidInput where the oracle refuses the question.
   virtual std::unique_ptr<Examination> examine(const Question& question) const = 0;
   /// Empty if robust and oracle both answer or both refuse with the same field and rule; else what differs.
-  virtual std::string refusal_mismatch(const Question& question) const = 0;
+  virtual std::string refusal_mismatch(const Question& question, std::size_t environment) const = 0;
+  std::string refusal_mismatch(const Question& question) const { return refusal_mismatch(question, 0); }
   /// Truth for the decimals as typed, read as exact rationals.
   virtual Json truth_as_typed(const Json& input) const = 0;
 

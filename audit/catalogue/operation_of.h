@@ -38,6 +38,7 @@ class OperationOf final : public Operation {
   }
 
   Question parse(const Json& input) const override { return flat(read_question<double>(input, read_double)); }
+  Question parse_any(const Json& input) const override { return flat(read_question<double>(input, read_answer_number)); }
   Json print(const Question& question) const override {
     return print_with(question, [](double number) { return written(number); });
   }
@@ -49,10 +50,11 @@ class OperationOf final : public Operation {
     return std::make_unique<ExaminationOf<Row>>(typed_of(question));
   }
 
-  std::string refusal_mismatch(const Question& question) const override {
+  using Operation::refusal_mismatch;
+  std::string refusal_mismatch(const Question& question, std::size_t environment) const override {
     const Asked asked = typed_of(question);
     const std::string by_oracle = refusal([&] { ask_oracle<Row>(asked); });
-    const std::string by_robust = refusal([&] { ask_robust<Row>(asked); });
+    const std::string by_robust = refusal([&] { in_environment(environment, asked, [](const Asked& q) { return ask_robust<Row>(q); }); });
     return by_oracle == by_robust ? "" : "oracle: " + by_oracle + "; robust: " + by_robust;
   }
 

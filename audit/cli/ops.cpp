@@ -41,7 +41,7 @@ int ops_command(bool json, std::ostream& out) {
     entry["chapter"] = card.chapter;
     entry["pages"] = card.pages;
     entry["fields"] = card.fields;
-    if (card.method_of[0] != 0) entry["method_of"] = card.method_of;
+    if (card.is_method()) entry["method_of"] = card.method_of;
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);
     entry["question"] = card.question;

@@ -22,7 +22,7 @@ int vectors_write_command(const std::string& directory, std::uint64_t seed, std:
   std::filesystem::create_directories(directory);
   write_text(std::filesystem::path(directory) / "schema.json", vector_schema().dump(1) + "\n");
   for (const Operation* operation : catalogue()) {
-    if (operation->card().method_of[0] != 0) continue;  // the vectors of the operation itself serve
+    if (operation->card().is_method()) continue;  // the vectors of the operation itself serve
     const std::vector<std::string> lines = vector_lines(*operation, seed);
     std::string text;
     for (const std::string& line : lines) text += line + "\n";

@@ -10,11 +10,16 @@
 namespace touchstone::audit {
 
 template <class Asked>
-std::vector<double> flattened(const Asked& asked) {
-  std::vector<double> numbers;
+void flatten(const Asked& asked, std::vector<double>& numbers) {
+  numbers.clear();
   walk(
       asked, [&](const auto& number) { numbers.push_back(static_cast<double>(number)); },
       [&](const auto& list) { numbers.push_back(static_cast<double>(list.size())); });
+}
+template <class Asked>
+std::vector<double> flattened(const Asked& asked) {
+  std::vector<double> numbers;
+  flatten(asked, numbers);
   return numbers;
 }
 

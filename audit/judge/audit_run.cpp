@@ -193,7 +193,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   tally.cases = options.cases;
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
-    if (families.empty() || (options.engine && operation->card().method_of[0] != 0)) continue;
+    if (families.empty() || (options.engine && operation->card().is_method())) continue;
     std::vector<Worker> workers;
     for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get(), stop);
     std::atomic<std::uint64_t> next{0};

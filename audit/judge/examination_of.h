@@ -6,6 +6,7 @@
 
 #include "audit/catalogue/row.h"
 #include "audit/judge/compare.h"
+#include "audit/judge/environment.h"
 #include "audit/judge/tolerated.h"
 #include "oracle/truth.h"
 
@@ -55,16 +56,18 @@ class ExaminationOf final : public Examination {
     return binary32 ? judge_formula<float>() : judge_formula<double>();
   }
 
-  Judgement judge_robust() const override {
+  using Examination::judge_robust;
+  Judgement judge_robust(std::size_t environment) const override {
     try {
-      const Comparison found = compared(ask_robust<Row>(question_), true, false);
+      const auto answer = in_environment(environment, question_, [](const Asked& q) { return ask_robust<Row>(q); });
+      const Comparison found = compared(answer, true, false);
       Judgement judgement{Verdict::agree, found.ulps, ""};
       // Whoever promises to be right for all finite doubles has only the algorithm to blame.
       if (!found.decision) judgement.verdict = Verdict::algorithm;
       else if (!found.finite) judgement.verdict = Verdict::invalid;
       else if (found.ulps > 0) judgement.verdict = Verdict::inexact;
       if constexpr (decides_alone<Row>) {
-        const auto word = decision_alone<Row>(question_);
+        const auto word = in_environment(environment, question_, [](const Asked& q) { return decision_alone<Row>(q); });
         if (word_in<std::remove_const_t<decltype(word)>>(truth_.answer) != word) return {Verdict::algorithm, 0, "the decision alone is " + word_of(word)};
       }
       return judgement;

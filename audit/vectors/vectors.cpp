@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/vectors/vectors.h"
 
+#include <array>
+#include <limits>
 #include <map>
 
 #include "audit/catalogue/explained.h"
 #include "audit/judge/audit_run.h"
+#include "audit/judge/environment.h"
 #include "audit/vectors/flags.h"
 #include "oracle/certificates/check.h"
 
@@ -13,6 +16,7 @@ namespace {
 
 constexpr int version = 1;
 constexpr std::size_t most_of_a_family = 24, most_alike = 6;
+constexpr const char* not_finite = "not_finite";  // beside the families, which hold no such numbers
 constexpr std::uint64_t drawn_of_a_family = 600;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
@@ -41,6 +45,16 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   return line;
 }
 
+/// Small integers, but for the number at a place.
+Question with_a_number_not_finite(const Operation& operation, const std::vector<std::size_t>& places, std::size_t bad) {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr std::array<double, 3> numbers{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+  Question question = operation.zeros();
+  for (const std::size_t place : places) question.numbers[place] = static_cast<double>(1 + place % 3);
+  question.numbers[places[bad]] = numbers[bad % numbers.size()];
+  return question;
+}
+
 /// What makes two vectors alike: the outcome and what the slide's formula makes of it.
 std::string likeness(const Operation& operation, const Question& question) {
   try {
@@ -54,10 +68,15 @@ std::string likeness(const Operation& operation, const Question& question) {
 /// Equal, in whatever order the fields of objects come.
 bool same(const Json& a, const Json& b) { return nlohmann::json(a) == nlohmann::json(b); }
 
+std::string in_words(std::size_t environment) { return environment == 0 ? "" : " (" + environment_name(environment) + ")"; }
+
+/// Robust is asked in every floating-point environment.
 std::string robust_complaint(const Operation& operation, const Json& line, const Question& question) {
   if (line.contains("refused")) {
-    const std::string mismatch = operation.refusal_mismatch(question);
-    if (!mismatch.empty()) return mismatch;
+    for (std::size_t environment = 0; environment < environment_count; ++environment) {
+      const std::string mismatch = operation.refusal_mismatch(question, environment);
+      if (!mismatch.empty()) return mismatch + in_words(environment);
+    }
     try {
       operation.examine(question);
     } catch (const InvalidInput& refused) {
@@ -67,7 +86,10 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
   }
   const auto examination = operation.examine(question);
   if (!same(without_marks(examination->truth()), line["truth"])) return "the oracle's truth is " + one_line(examination->truth());
-  if (examination->judge_robust().verdict != Verdict::agree) return "robust answers " + one_line(examination->robust());
+  for (std::size_t environment = 0; environment < environment_count; ++environment) {
+    if (examination->judge_robust(environment).verdict == Verdict::agree) continue;
+    return environment == 0 ? "robust answers " + one_line(examination->robust()) : "robust answers wrongly" + in_words(environment);
+  }
   return "";
 }
 
@@ -75,7 +97,7 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
 std::string other_complaint(const Operation& operation, const Json& line, const Question& question) {
   const std::string family = line.value("family", "");
   const auto& families = operation.families();
-  if (std::find(families.begin(), families.end(), family) == families.end()) return "family: one of the operation's families";
+  if (family != not_finite && std::find(families.begin(), families.end(), family) == families.end()) return "family: one of the operation's families";
   const Json written = vector_line(operation, family, question);
   for (const char* name : {"rounded", "margin", "flags", "as_typed"}) {
     const Json right = written.value(name, Json());
@@ -102,6 +124,10 @@ std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t 
       lines.push_back(std::move(line));
     }
   }
+  const std::vector<std::size_t> places = operation.coordinates(operation.zeros());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    lines.push_back(one_line(vector_line(operation, not_finite, with_a_number_not_finite(operation, places, i))));
+  }
   return lines;
 }
 
@@ -113,7 +139,8 @@ Json vector_schema() {
   schema["title"] = "touchstone test vector";
   schema["description"] =
       "One JSON object a line. Exact numbers are \"p/q\" or \"p\"; input numbers are the doubles that the decimals round to. "
-      "`rounded` is the truth with every number the nearest double, ties to even.";
+      "`rounded` is the truth with every number the nearest double, ties to even. In the family \"not_finite\" an input number is "
+      "\"inf\", \"-inf\" or \"nan\".";
   schema["type"] = "object";
   schema["required"] = {"touchstone", "op", "family", "input", "flags"};
   schema["oneOf"] = Json::array({Json{{"required", {"truth", "rounded", "margin", "certificate"}}}, Json{{"required", {"refused"}}}});
@@ -135,7 +162,7 @@ std::string vector_complaint(const std::string& text) {
     if (const auto reason = certify::refuse_text(text)) return *reason;
   }
   try {
-    const Question question = operation->parse(parse_line(text)["input"]);
+    const Question question = operation->parse_any(parse_line(text)["input"]);
     const std::string complaint = robust_complaint(*operation, line, question);
     return complaint.empty() ? other_complaint(*operation, line, question) : complaint;
   } catch (const std::exception& thrown) {

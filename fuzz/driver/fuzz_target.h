@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,8 +11,8 @@
 #include "audit/catalogue/row.h"
 #include "audit/inputs/families.h"
 #include "audit/judge/compare.h"
+#include "audit/judge/environment.h"
 #include "fuzz/driver/target.h"
-#include "proptests/environment.h"
 
 namespace touchstone::fuzz {
 
@@ -30,32 +32,32 @@ class TargetOf final : public Target {
   using Asked = typename Row::Question;
 
   /// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the rest together,
-  /// so that there only every 64th of those, elsewhere every 16th, has its certificate checked.
+  /// so that there only every 256th of those, elsewhere every 16th, has its certificate checked.
   std::string complaint(Bytes data) const override {
     const Asked asked = decoded(data);
     const std::uint64_t hash = scattered(data);
-    const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % proptests::environment_count;
+    const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % audit::environment_count;
     try {
       if constexpr (decides_quickly) {
         const auto truth = Row::decision::oracle(asked);
-        const auto answer = proptests::in_environment(environment, asked, [](const Asked& q) { return Row::decision::robust(q); });
-        if (answer != truth) return "robust and oracle decide differently (" + proptests::environment_name(environment) + ")";
+        const auto answer = audit::in_environment(environment, asked, [](const Asked& q) { return Row::decision::robust(q); });
+        if (answer != truth) return "robust and oracle decide differently (" + audit::environment_name(environment) + ")";
         if (hash / 32 % 16 != 0) return "";
       }
       const auto truth = audit::ask_oracle<Row>(asked);
-      const auto answer = proptests::in_environment(environment, asked, [](const Asked& q) { return audit::ask_robust<Row>(q); });
-      if (differ(asked, truth.answer, answer)) return "robust and oracle differ (" + proptests::environment_name(environment) + ")";
+      const auto answer = audit::in_environment(environment, asked, [](const Asked& q) { return audit::ask_robust<Row>(q); });
+      if (differ(asked, truth.answer, answer)) return "robust and oracle differ (" + audit::environment_name(environment) + ")";
       if constexpr (audit::decides_alone<Row> && !decides_quickly) {
-        const auto word = proptests::in_environment(environment, asked, [](const Asked& q) { return audit::decision_alone<Row>(q); });
+        const auto word = audit::in_environment(environment, asked, [](const Asked& q) { return audit::decision_alone<Row>(q); });
         if (audit::word_in<std::remove_const_t<decltype(word)>>(truth.answer) != word) {
-          return "the decision alone differs from the oracle's (" + proptests::environment_name(environment) + ")";
+          return "the decision alone differs from the oracle's (" + audit::environment_name(environment) + ")";
         }
       }
       feed_back(truth, asked);
     } catch (const InvalidInput&) {
       return operation_.refusal_mismatch(flat(asked));
     }
-    if (hash / 512 % (decides_quickly ? 64 : 16) != 0) return "";
+    if (hash / 512 % (decides_quickly ? 256 : 16) != 0) return "";
     const audit::Question question = flat(asked);
     const std::string broken = operation_.examine(question)->broken_promise();
     return broken.empty() ? audit::certificate_complaint(operation_, question) : broken;
@@ -68,7 +70,7 @@ class TargetOf final : public Target {
   }
 
   void decode(Bytes data, std::vector<double>& numbers) const override {
-    numbers = audit::flattened(decoded(data));
+    audit::flatten(decoded(data), numbers);
   }
 
   const Layout& layout(const std::vector<double>& numbers) const override {
@@ -103,9 +105,18 @@ class TargetOf final : public Target {
       audit::Choices choices = audit::Choices::replayed(rest);
       return families_.draw(choices, data[0]);
     }
-    std::vector<double> numbers((rest.size() + sizeof(double) - 1) / sizeof(double));
+    static thread_local std::vector<double> numbers;
+    numbers.assign((rest.size() + sizeof(double) - 1) / sizeof(double), 0);
     if (!rest.empty()) std::memcpy(numbers.data(), rest.data(), rest.size());
+    if (data[0] == finite_numbers_follow) {
+      for (double& number : numbers) number = std::isfinite(number) ? number : made_finite(number);
+    }
     return audit::unflattened<Asked>(numbers);
+  }
+
+  /// With the exponent of 1.
+  static double made_finite(double number) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & ~(std::uint64_t{1} << 62));
   }
 
   /// Where many answers are right, the checker says whether robust's is one.

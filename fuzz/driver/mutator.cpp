@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "audit/inputs/choices.h"
 #include "audit/inputs/numbers.h"
@@ -21,6 +23,7 @@ class Mutation {
 
   void apply() {
     if (layout_.coordinates.empty()) return grow_or_shrink();
+    if (choices_.below(128) == 0) return spoil();
     switch (choices_.below(layout_.lists.empty() ? 12 : 14)) {
       case 0: case 1: case 2: return nudge();
       case 3: case 4: return snap_to_line();
@@ -108,7 +111,14 @@ class Mutation {
 
   void flip_bits() {
     double& number = any_number();
-    number = std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ std::uint64_t{1} << choices_.below(64));
+    const auto flipped = std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ std::uint64_t{1} << choices_.below(64));
+    if (std::isfinite(flipped)) number = flipped;
+  }
+
+  void spoil() {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr double numbers[] = {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+    any_number() = numbers[choices_.below(3)];
   }
 
   Numbers& numbers_;
@@ -120,7 +130,8 @@ class Mutation {
 
 void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data) {
   data.resize(1 + numbers.size() * sizeof(double));
-  data[0] = numbers_follow;
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+  data[0] = finite ? finite_numbers_follow : any_numbers_follow;
   std::memcpy(data.data() + 1, numbers.data(), numbers.size() * sizeof(double));
 }
 
@@ -129,6 +140,7 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   if (choices.below(8) == 0) return false;
   static thread_local Numbers numbers;
   target().decode(data, numbers);
+  for (double& number : numbers) number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
   for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) Mutation(numbers, choices).apply();
   encode(numbers, result);
   return true;

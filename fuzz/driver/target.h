@@ -9,8 +9,9 @@
 
 /// What a fuzz target is to the driver: one operation of the catalogue, asked by bytes.
 ///
-/// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families (0xff is what we write) means that
-/// the rest are the numbers themselves, as raw little-endian doubles. Bytes that are missing are 0.
+/// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families means that the rest are the numbers
+/// themselves, as raw little-endian doubles, and 0xff that those of them which are not finite are made so: to be refused is quickly asked,
+/// and costs as much as ten answers. Bytes that are missing are 0.
 namespace touchstone::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;
@@ -47,7 +48,7 @@ class Target {
 /// The target of this program; TOUCHSTONE_FUZZ defines it.
 const Target& target();
 
-inline constexpr std::uint8_t numbers_follow = 0xff;
+inline constexpr std::uint8_t finite_numbers_follow = 0xff, any_numbers_follow = 0xfe;
 
 /// The bytes that mean these numbers.
 void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data);

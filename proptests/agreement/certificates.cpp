@@ -18,7 +18,7 @@ std::string complaint(const Operation& operation, const Question& question) {
 }  // namespace
 
 EACH_OPERATION("the checker accepts every certificate of the oracle") {
-  if (operation.card().method_of[0] != 0) return;  // the oracle is that of the operation
+  if (operation.card().is_method()) return;  // the oracle is that of the operation
   never(operation, "the certificate is accepted", [&](const Question& question) { return complaint(operation, question); }, 12, 8);
 }
 

@@ -62,6 +62,7 @@ bool is_hard_case(const Operation& operation, const std::string& family) {
 }  // namespace
 
 EACH_OPERATION("every outcome is reached, and every family asks what it is meant to ask") {
+  if (operation.card().is_method()) return;  // families and oracle are those of the operation
   std::set<std::string> missing = possible_outcomes(operation);
   const std::set<std::string> possible = missing;
   audit::Json ledger = audit::Json::object();

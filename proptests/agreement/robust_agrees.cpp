@@ -35,7 +35,7 @@ std::string complaint(const Operation& operation, const Question& question) {
 }  // namespace
 
 EACH_OPERATION("robust agrees with the oracle on every family, in every environment") {
-  if (operation.card().method_of[0] != 0) return;  // robust and oracle are those of the operation
+  if (operation.card().is_method()) return;  // robust and oracle are those of the operation
   never(operation, "robust agrees with the oracle", [&](const Question& question) { return complaint(operation, question); }, 32);
 }
 

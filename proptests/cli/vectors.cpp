@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <set>
 
 #include "audit/catalogue/operation.h"
 
@@ -38,7 +39,7 @@ TEST_CASE("vectors: a refusal of another field or rule, or of what is legal, is 
       ++refusals;
       CHECK(complaint(line).empty());
       Line other = line;
-      other["refused"]["rule"] = "finite number";
+      other["refused"]["rule"] = "another rule";
       CHECK(complaint(other) == "refused otherwise");
       other = line;
       other["refused"]["field"] = "elsewhere";
@@ -46,6 +47,19 @@ TEST_CASE("vectors: a refusal of another field or rule, or of what is legal, is 
     }
   }
   CHECK(refusals >= 10);
+}
+
+TEST_CASE("vectors: every operation has a vector for each of its numbers that is not finite") {
+  for (const Operation* operation : catalogue()) {
+    if (operation->card().is_method()) continue;
+    std::set<std::string> fields;
+    for (const Line& line : stored(operation->name())) {
+      if (line["family"] != "not_finite") continue;
+      CHECK(line["refused"]["rule"] == "finite number");
+      fields.insert(line["refused"]["field"]);
+    }
+    CHECK(fields.size() == operation->coordinates(operation->zeros()).size());
+  }
 }
 
 TEST_CASE("vectors: a truth that its certificate allows and that is not the oracle's is complained about") {

@@ -22,7 +22,7 @@ namespace touchstone::proptests {
 inline std::vector<nlohmann::json> drawn_claims(const char* stream, std::uint64_t each) {
   std::vector<nlohmann::json> claims;
   for (const audit::Operation* operation : audit::catalogue()) {
-    if (operation->card().method_of[0] != 0) continue;
+    if (operation->card().is_method()) continue;
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < each; ++i) {
         audit::Choices choices = audit::Choices::seeded(audit::seed_of(family, stream, i));

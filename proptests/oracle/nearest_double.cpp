@@ -9,13 +9,13 @@
 #include <limits>
 
 #include "audit/inputs/numbers.h"
+#include "audit/judge/environment.h"
 #include "oracle/exact/decode.h"
-#include "proptests/environment.h"
 
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using audit::Choices, audit::Environment, audit::environment_count;
 using oracle::Integer;
 using oracle::Rational;
 

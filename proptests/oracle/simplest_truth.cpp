@@ -12,7 +12,7 @@ const char* const script = "proptests/oracle/simplest_truth.py ";
 std::vector<std::string> listed_operations() {
   std::vector<std::string> lines;
   for (const audit::Operation* operation : audit::catalogue()) {
-    if (operation->card().method_of[0] != 0) continue;
+    if (operation->card().is_method()) continue;
     lines.push_back(nlohmann::json{{"name", operation->name()}, {"words", operation->words()}}.dump());
   }
   return lines;

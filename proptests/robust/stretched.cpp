@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "audit/inputs/choices.h"
+#include "audit/judge/environment.h"
 #include "geometry/invalid_input.h"
-#include "proptests/environment.h"
 #include "proptests/property.h"
 #include "robust/lines/explicit_line.h"
 #include "robust/lines/line_line.h"
@@ -20,7 +20,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using audit::Choices, audit::environment_count, audit::environment_name, audit::in_environment;
 
 /// Powers of two for the numbers along x and along y.
 struct Stretch {

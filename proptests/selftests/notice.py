@@ -17,12 +17,13 @@ from planted import listed
 
 SECONDS = 60  # that fuzzing may take; it usually needs less than one
 CALM = 5  # and how long it has to stay silent without a bug
+LONGEST = 600  # of the other ways, without a bug
 
 
 def run(command, bug, limit, cwd=None):
     """(exit code or None after `limit` seconds, stderr, seconds)"""
     started = time.monotonic()
-    environment = dict(os.environ, TOUCHSTONE_PLANTED=str(bug), TOUCHSTONE_CASES=os.environ.get("TOUCHSTONE_CASES", "1"))
+    environment = dict(os.environ, TOUCHSTONE_PLANTED=str(bug), TOUCHSTONE_CASES="1")
     try:
         done = subprocess.run(command, env=environment, cwd=cwd, timeout=limit, capture_output=True, text=True, errors="replace")
         code, said = done.returncode, done.stderr
@@ -32,22 +33,23 @@ def run(command, bug, limit, cwd=None):
 
 
 class Notice:
-    """The three ways of asking; each returns (noticed, seconds). A crash or a hang is noticed too."""
+    """The three ways of asking; each returns (noticed, seconds). A crash or a hang is noticed too: `limit` is what the way took without a
+    bug, and much more."""
 
     def __init__(self, programs, vectors):
         self.programs, self.vectors = programs, vectors
 
-    def properties(self, operation, bug):
-        code, _, seconds = run([self.programs / "planted_properties", f"{operation}:*", "--abort"], bug, 120)
+    def properties(self, operation, bug, limit):
+        code, _, seconds = run([self.programs / "planted_properties", f"{operation}:*", "--abort"], bug, limit)
         return code != 0, seconds
 
-    def by_vectors(self, operation, bug):
+    def by_vectors(self, operation, bug, limit):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copy(self.vectors / f"{operation}.jsonl", folder)
-            code, _, seconds = run([self.programs / "planted_vectors", "vectors", "check", folder], bug, 60)
+            code, _, seconds = run([self.programs / "planted_vectors", "vectors", "check", folder], bug, limit)
         return code != 0, seconds
 
-    def fuzzing(self, operation, bug):
+    def fuzzing(self, operation, bug, _):
         with tempfile.TemporaryDirectory() as folder:
             command = [self.programs / f"planted_fuzz_{operation}", "-seed=1", f"-max_total_time={SECONDS if bug else CALM}",
                        "-timeout=5", folder]
@@ -78,8 +80,12 @@ def main(programs, vectors, matrix, only=None):
     ways = (notice.properties, notice.by_vectors, notice.fuzzing)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
         operations = sorted({bug["operation"] for _, bug in bugs})
-        calm = {op: [pool.submit(way, op, 0) for way in ways] for op in operations}
-        found = [[pool.submit(way, bug["operation"], number) for way in ways] for number, bug in bugs]
+        calm = {op: [pool.submit(way, op, 0, LONGEST) for way in ways] for op in operations}
+
+        def with_bug(place, operation, number):
+            return ways[place](operation, number, 5 + 3 * calm[operation][place].result()[1])
+
+        found = [[pool.submit(with_bug, place, bug["operation"], number) for place in range(len(ways))] for number, bug in bugs]
         lines = [f"planted bugs, and the time until each way alone noticed them\n"
                  f"{'':<26}" + "".join(f"{way:>12}" for way in WAYS)]
         rows = [[cell.result() for cell in row] for row in found]
