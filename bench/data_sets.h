@@ -76,15 +76,9 @@ typename Row::Question drawn(DataSet set, audit::Choices& choices) {
     case DataSet::small_integer_grid:
       fill([](audit::Choices& c) { return static_cast<double>(c.below(8)); });
       return question;
-    case DataSet::random:
-      fill(audit::ordinary);
-      return question;
-    case DataSet::huge:
-      fill(audit::ordinary), scale<Row>(question, 1012);
-      return question;
-    case DataSet::tiny:
-      fill(audit::ordinary), scale<Row>(question, 52), scale<Row>(question, -1074);
-      return question;
+    case DataSet::random: fill(audit::ordinary); return question;
+    case DataSet::huge: fill(audit::ordinary), scale<Row>(question, 1012); return question;
+    case DataSet::tiny: fill(audit::ordinary), scale<Row>(question, 52), scale<Row>(question, -1074); return question;
   }
   return question;
 }

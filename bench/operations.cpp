@@ -38,10 +38,8 @@ struct Asked {
   static int rational(const QuestionOf<Row>& q) {
     return std::apply(
         [](const auto&... field) {
-          if constexpr (requires { Decisions<Row>::complete(field...); })
-            return Decisions<Row>::complete(field...);
-          else
-            return Decisions<Row>::naive(field...);
+          if constexpr (requires { Decisions<Row>::complete(field...); }) return Decisions<Row>::complete(field...);
+          else return Decisions<Row>::naive(field...);
         },
         audit::converted<mpq_class>(q, [](double number) { return mpq_class(number); }));
   }

@@ -145,7 +145,9 @@ struct Decisions<audit::rows::ray_segment> {
 
 template <>
 struct Decisions<audit::rows::point_plane> {
-  static int ours(const Plane3d& plane, const Point3d& p) { return 1 - static_cast<int>(robust::point_plane_side(plane, p)); }
+  static int ours(const Plane3d& plane, const Point3d& p) {
+    return 1 - static_cast<int>(robust::point_plane_side(plane, p));
+  }
   template <class Answer>
   static int truth(const Answer& answer) {
     return 1 - static_cast<int>(answer.side);

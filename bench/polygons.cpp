@@ -83,7 +83,8 @@ int usual(const Case& c) {
   const std::vector<Point2d>& v = c.polygon.vertices;
   bool inside = false;
   for (std::size_t i = 0, j = v.size() - 1; i < v.size(); j = i++) {
-    if ((v[i].y > p.y) != (v[j].y > p.y) && p.x < (v[j].x - v[i].x) * (p.y - v[i].y) / (v[j].y - v[i].y) + v[i].x) inside = !inside;
+    if ((v[i].y > p.y) != (v[j].y > p.y) && p.x < (v[j].x - v[i].x) * (p.y - v[i].y) / (v[j].y - v[i].y) + v[i].x)
+      inside = !inside;
   }
   return static_cast<int>(inside ? Location::inside : Location::outside);
 }
@@ -122,7 +123,9 @@ void time_all(benchmark::State& state, const Cases& cases, const Ask& ask) {
 
 void add(DataSet set, std::size_t size) {
   const std::string group = "point_in_polygon_" + std::to_string(size) + "/" + name_of(set) + "/";
-  const auto add_peer = [&](const char* peer, auto timed) { benchmark::RegisterBenchmark((group + peer).c_str(), timed); };
+  const auto add_peer = [&](const char* peer, auto timed) {
+    benchmark::RegisterBenchmark((group + peer).c_str(), timed);
+  };
   add_peer("naive", [=](benchmark::State& s) { time_all(s, cases_of(set, size), naive); });
   add_peer("usual", [=](benchmark::State& s) { time_all(s, cases_of(set, size), usual); });
   add_peer("robust", [=](benchmark::State& s) { time_all(s, cases_of(set, size), ours); });
@@ -147,8 +150,8 @@ bool verified() {
         wrong[0] += ours(cases[i]) != truth, wrong[1] += naive(cases[i]) != truth;
         wrong[2] += usual(cases[i]) != truth, wrong[3] += epick(cgal[i]) != truth;
       }
-      std::printf("%5zu %-20s wrong of %zu: robust %zu, naive %zu, usual %zu, Epick %zu\n", size, name_of(set), cases.size(),
-                  wrong[0], wrong[1], wrong[2], wrong[3]);
+      std::printf("%5zu %-20s wrong of %zu: robust %zu, naive %zu, usual %zu, Epick %zu\n", size, name_of(set),
+                  cases.size(), wrong[0], wrong[1], wrong[2], wrong[3]);
       wrong_of_ours += wrong[0];
     }
   }

@@ -62,12 +62,27 @@ std::vector<std::pair<std::string, Polygon2d>> shapes() {
   return {{"circle", round_about([] { return 1.0; })},
           {"star", round_about([&] { return 0.5 + random() / 2; })},
           {"spiral", there_and_back(spiral(0), spiral(0.4))},
-          {"stairs", there_and_back([&](std::size_t i) { return Point2d{x((i + 1) / 2), x(i / 2)}; },
-                                    [&](std::size_t i) { return Point2d{x((i + 1) / 2) - 3, x(i / 2) + 3}; })},
-          {"comb", there_and_back([&](std::size_t i) { return Point2d{x(i), -1}; },
-                                  [&](std::size_t i) { return Point2d{x(i), i % 2 == 1 ? 1 + 1000 * random() : 0}; })},
-          {"strip", there_and_back([&](std::size_t i) { return Point2d{x(i), 50 * random()}; },
-                                   [&](std::size_t i) { return Point2d{x(i), 51 + 50 * random()}; })}};
+          {"stairs", there_and_back(
+                         [&](std::size_t i) {
+                           return Point2d{x((i + 1) / 2), x(i / 2)};
+                         },
+                         [&](std::size_t i) {
+                           return Point2d{x((i + 1) / 2) - 3, x(i / 2) + 3};
+                         })},
+          {"comb", there_and_back(
+                       [&](std::size_t i) {
+                         return Point2d{x(i), -1};
+                       },
+                       [&](std::size_t i) {
+                         return Point2d{x(i), i % 2 == 1 ? 1 + 1000 * random() : 0};
+                       })},
+          {"strip", there_and_back(
+                        [&](std::size_t i) {
+                          return Point2d{x(i), 50 * random()};
+                        },
+                        [&](std::size_t i) {
+                          return Point2d{x(i), 51 + 50 * random()};
+                        })}};
 }
 
 void write_shapes(const char* file) {
@@ -96,10 +111,11 @@ int main(int argc, char** argv) {
   if (argc == 3 && std::strcmp(argv[1], "--shapes") == 0) return bench::write_shapes(argv[2]), 0;
   if (argc == 2 && std::strcmp(argv[1], "--verify") == 0) return bench::verified() ? 0 : 1;
   for (const auto& [name, ring] : bench::shapes()) {
-    benchmark::RegisterBenchmark(("triangulate_polygon_10000/" + name + "/robust").c_str(), [ring = ring](benchmark::State& state) {
-      for (auto _ : state) benchmark::DoNotOptimize(robust::triangulate_polygon(ring));
-      state.SetItemsProcessed(state.iterations());
-    });
+    benchmark::RegisterBenchmark(("triangulate_polygon_10000/" + name + "/robust").c_str(),
+                                 [ring = ring](benchmark::State& state) {
+                                   for (auto _ : state) benchmark::DoNotOptimize(robust::triangulate_polygon(ring));
+                                   state.SetItemsProcessed(state.iterations());
+                                 });
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -14,9 +14,7 @@
 /// returns. Numbers are looked at as bits, so the door holds in every floating-point environment and build type.
 namespace touchstone::door {
 
-inline bool finite(double value) {
-  return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff;
-}
+inline bool finite(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff; }
 
 /// -0.0 and 0.0 are zero; a subnormal is not, whatever the control word says.
 inline bool zero(double value) { return std::bit_cast<std::uint64_t>(value) << 1 == 0; }
@@ -28,12 +26,8 @@ inline bool same(double a, double b) {
 inline void admit(const std::string& field, double value) {
   if (!finite(value)) throw InvalidInput(field, "finite number");
 }
-inline void admit(const std::string& field, const Point2d& p) {
-  admit(field + "[0]", p.x), admit(field + "[1]", p.y);
-}
-inline void admit(const std::string& field, const Vector2d& v) {
-  admit(field + "[0]", v.x), admit(field + "[1]", v.y);
-}
+inline void admit(const std::string& field, const Point2d& p) { admit(field + "[0]", p.x), admit(field + "[1]", p.y); }
+inline void admit(const std::string& field, const Vector2d& v) { admit(field + "[0]", v.x), admit(field + "[1]", v.y); }
 inline void admit(const std::string& field, const Segment2d& s) {
   admit(field + "[0]", s.a), admit(field + "[1]", s.b);
 }
@@ -98,7 +92,8 @@ struct RingDefect {
   throw InvalidInput(field, "convex: vertices on one line have no inside");
 }
 [[noreturn]] inline void refuse_reflex(const std::string& field, std::size_t vertex) {
-  throw InvalidInput(field + "[" + std::to_string(vertex) + "]", "convex: the ring must not turn against its direction");
+  throw InvalidInput(field + "[" + std::to_string(vertex) + "]",
+                     "convex: the ring must not turn against its direction");
 }
 
 inline void admit(const std::string& field, const Polygon2d& polygon) { admit_ring(field, polygon.vertices); }

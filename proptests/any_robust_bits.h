@@ -8,7 +8,8 @@
 namespace touchstone::proptests {
 
 /// What robust answers in an environment.
-inline AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
+inline AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question,
+                              std::size_t environment) {
   AnswerBits bits;
   audit::for_each_row([&]<class Row>() {
     if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);

@@ -38,7 +38,8 @@ std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& 
   std::vector<std::vector<std::uint8_t>> found;
   for (std::size_t length = bytes.size(); length > 0; length /= 2) {
     for (std::size_t at = 0; at + length <= bytes.size(); at += length) {
-      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at), last = first + static_cast<std::ptrdiff_t>(length);
+      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                 last = first + static_cast<std::ptrdiff_t>(length);
       std::vector<std::uint8_t> cut(bytes.begin(), first);
       cut.insert(cut.end(), last, bytes.end());
       found.push_back(std::move(cut));
@@ -61,7 +62,8 @@ std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& 
 rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
   return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& parent) {
     std::vector<Drawn> smaller;
-    for (auto& bytes : simpler(parent.choices)) smaller.push_back(replayed(*parent.operation, parent.family, std::move(bytes)));
+    for (auto& bytes : simpler(parent.choices))
+      smaller.push_back(replayed(*parent.operation, parent.family, std::move(bytes)));
     return rc::seq::fromContainer(std::move(smaller));
   });
 }
@@ -69,7 +71,8 @@ rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
 /// A generator that asks for a complaint about a whole batch from one seed, and gives RapidCheck the first question about which
 /// there is one (or the last question): RapidCheck then judges that one question, and shrinks it. RapidCheck's own picks would be several
 /// times slower than the questions.
-rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const Complaint& complaint, std::uint64_t size) {
+rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const Complaint& complaint,
+                         std::uint64_t size) {
   return [&operation, family, &complaint, size](const rc::Random& random, int) {
     const std::uint64_t seed = rc::Random(random).next();
     std::uint64_t at = 0;
@@ -83,13 +86,17 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 
 }  // namespace
 
-void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual, std::uint64_t size) {
+void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
+           std::uint64_t size) {
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
-    property(operation.name() + ", " + operation.families()[family] + ": " + sentence, [&] {
-      const Drawn drawn = *questions(operation, family, complaint, size);
-      const std::string said = complaint(drawn.question);
-      if (!said.empty()) RC_FAIL(said);
-    }, usual);
+    property(
+        operation.name() + ", " + operation.families()[family] + ": " + sentence,
+        [&] {
+          const Drawn drawn = *questions(operation, family, complaint, size);
+          const std::string said = complaint(drawn.question);
+          if (!said.empty()) RC_FAIL(said);
+        },
+        usual);
   }
 }
 

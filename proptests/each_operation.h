@@ -38,7 +38,8 @@ class EachOperation {
 /// EACH_OPERATION("answers as the oracle does") { ... operation ... }
 #define EACH_OPERATION(sentence) TOUCHSTONE_EACH_OPERATION(__COUNTER__, sentence)
 #define TOUCHSTONE_EACH_OPERATION(number, sentence) TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)
-#define TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)                                   \
-  static void body_##number(const ::touchstone::audit::Operation& operation);                  \
-  static const ::touchstone::proptests::EachOperation registered_##number(__FILE__, __LINE__, sentence, &body_##number); \
+#define TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)                                            \
+  static void body_##number(const ::touchstone::audit::Operation& operation);                           \
+  static const ::touchstone::proptests::EachOperation registered_##number(__FILE__, __LINE__, sentence, \
+                                                                          &body_##number);              \
   static void body_##number([[maybe_unused]] const ::touchstone::audit::Operation& operation)

@@ -46,7 +46,8 @@ inline bool fits(const Polygon2d& polygon, const IndexLists& pieces) {
   if (!on_lattice(std::tuple(polygon))) return true;
   const auto area = [&](const std::vector<Index>& ring) {
     Int128 sum = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += lattice_turn(polygon[ring[0]], polygon[ring[i]], polygon[ring[i + 1]]);
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+      sum += lattice_turn(polygon[ring[0]], polygon[ring[i]], polygon[ring[i + 1]]);
     return sum;
   };
   Int128 all = 0;
@@ -66,10 +67,12 @@ inline bool fits(const Polygon2d& polygon, const IndexLists& pieces) {
 /// The law that pieces fit, however the list of vertices is turned round or reversed, and whatever symmetry or integer map is applied.
 template <class Row>
 void pieces_fit(const std::string& what) {
-  law<Row>(what + " fit together", [](const auto& ask, const auto& asked) { return fits(std::get<0>(asked), ask(asked)); });
+  law<Row>(what + " fit together",
+           [](const auto& ask, const auto& asked) { return fits(std::get<0>(asked), ask(asked)); });
   law<Row>(what + " fit from another vertex and the other way round", [](const auto& ask, const auto& asked) {
     Polygon2d ring = std::get<0>(asked);
-    std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2), ring.vertices.end());
+    std::rotate(ring.vertices.begin(), ring.vertices.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2),
+                ring.vertices.end());
     const bool turned = fits(ring, ask(typename Row::Question{ring}));
     std::reverse(ring.vertices.begin(), ring.vertices.end());
     return turned && fits(ring, ask(typename Row::Question{ring}));
@@ -123,7 +126,8 @@ inline bool beyond_margins(const Polygon2d& polygon) {
           const Point2d &p0 = polygon[a], &p1 = polygon[b], &p = polygon[c];
           const double left = (p.y - p0.y) * (p1.x - p0.x), right = (p.x - p0.x) * (p1.y - p0.y);
           if (!finite(left, right, left - right)) return false;
-          if (size(left - right) <= Rational((3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073))) return false;
+          if (size(left - right) <= Rational((3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073)))
+            return false;
         }
       }
     }
@@ -144,23 +148,30 @@ void formula_keeps_contract() {
     return wrong();
   };
   int beyond = 0;
-  never(operation, "the forward error bound holds", [&](const Question& question) -> std::string {
-    const auto asked = typed<Row>(question);
-    const Polygon2d& polygon = std::get<0>(asked);
-    return refused_or(asked, [&]() -> std::string {
-      if (polygon.size() > 9 || !beyond_margins(polygon)) return "";
-      ++beyond;
-      return Row::fault(asked, audit::ask_reference<Row>(asked));
-    });
-  }, 1);
+  never(
+      operation, "the forward error bound holds",
+      [&](const Question& question) -> std::string {
+        const auto asked = typed<Row>(question);
+        const Polygon2d& polygon = std::get<0>(asked);
+        return refused_or(asked, [&]() -> std::string {
+          if (polygon.size() > 9 || !beyond_margins(polygon)) return "";
+          ++beyond;
+          return Row::fault(asked, audit::ask_reference<Row>(asked));
+        });
+      },
+      1);
   CHECK(beyond > 100);
-  never(operation, "the formula is right in exact arithmetic", [&](const Question& question) -> std::string {
-    const auto asked = typed<Row>(question);
-    return refused_or(asked, [&] {
-      const auto exactly = audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); });
-      return Row::fault(asked, audit::ask_reference<Row>(exactly));
-    });
-  }, 1);
+  never(
+      operation, "the formula is right in exact arithmetic",
+      [&](const Question& question) -> std::string {
+        const auto asked = typed<Row>(question);
+        return refused_or(asked, [&] {
+          const auto exactly =
+              audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); });
+          return Row::fault(asked, audit::ask_reference<Row>(exactly));
+        });
+      },
+      1);
 }
 
 /// Lists changed a little: most are wrong then, a diagonal turned over in a convex quadrilateral is not.
@@ -204,7 +215,8 @@ void checkers_agree() {
     if (n > 12) continue;
     try {
       IndexLists lists = audit::ask_robust<Row>(asked);
-      for (std::uint64_t more = choices.below(3); more > 0 && lists.size() > 1; --more) lists = altered(choices, lists, n);
+      for (std::uint64_t more = choices.below(3); more > 0 && lists.size() > 1; --more)
+        lists = altered(choices, lists, n);
       auto claim = nlohmann::json::parse(audit::explained(operation, question).dump());
       claim["truth"] = {{Row::card().answer, lists}};
       const bool accepted = Row::fault(asked, lists).empty();
@@ -225,11 +237,16 @@ void simple_rings_only() {
   refused<Row>({{{{0, 0}, {1, not_a_number}, {0, 1}}}}, "polygon[1][1]", "finite number");
   refused<Row>({{{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}}, "polygon[1]", "different from the next vertex");
   refused<Row>({{{{0, 0}, {1, 0}, {0, 1}, {0, -0.0}}}}, "polygon[3]", "different from the next vertex");
-  refused<Row>({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}}, "polygon[0]", "simple: its edge must not meet edge 2");       // crossing
-  refused<Row>({{{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}}, "polygon[0]", "simple: its edge must not meet edge 2");  // a vertex on an edge
-  refused<Row>({{{{0, 0}, {1, 0}, {3, 0}, {2, 0}}}}, "polygon[0]", "simple: its edge must not meet edge 3");        // all on one line
-  refused<Row>({{{{0, 0}, {4, 0}, {4, 4}, {4, 2}, {4, 6}, {0, 6}}}}, "polygon[1]", "simple: its edge must not meet edge 2");  // spike
-  refused<Row>({{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 2}, {2, 1}}}}, "polygon[0]", "simple: its edge must not meet edge 3");
+  refused<Row>({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}}, "polygon[0]",
+               "simple: its edge must not meet edge 2");  // crossing
+  refused<Row>({{{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}}, "polygon[0]",
+               "simple: its edge must not meet edge 2");  // a vertex on an edge
+  refused<Row>({{{{0, 0}, {1, 0}, {3, 0}, {2, 0}}}}, "polygon[0]",
+               "simple: its edge must not meet edge 3");  // all on one line
+  refused<Row>({{{{0, 0}, {4, 0}, {4, 4}, {4, 2}, {4, 6}, {0, 6}}}}, "polygon[1]",
+               "simple: its edge must not meet edge 2");  // spike
+  refused<Row>({{{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 2}, {2, 1}}}}, "polygon[0]",
+               "simple: its edge must not meet edge 3");
 }
 
 /// Robust refuses or answers as it should on rings drawn by others, and tells how many there were: 0 where they are not there.

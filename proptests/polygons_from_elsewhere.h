@@ -16,7 +16,8 @@ namespace touchstone::proptests {
 /// TOUCHSTONE_DATA, or below ../shared/data. None where they are not there.
 inline std::vector<Polygon2d> polygons_from_elsewhere() {
   const char* given = std::getenv("TOUCHSTONE_DATA");
-  const std::filesystem::path folder = std::filesystem::path(given == nullptr ? "../shared/data" : given) / "polygons/earcut/fixtures";
+  const std::filesystem::path folder =
+      std::filesystem::path(given == nullptr ? "../shared/data" : given) / "polygons/earcut/fixtures";
   std::vector<Polygon2d> rings;
   std::error_code missing;
   std::vector<std::filesystem::path> files;

@@ -31,8 +31,7 @@ void property(const std::string& name, const std::function<void()>& testable, in
     void onTestFinished(const TestMetadata&, const TestResult&) override {}
   } silent;
   const TestMetadata metadata{name, name};
-  const TestResult result =
-      checkProperty(toProperty(testable), metadata, used.testParams, silent, used.reproduce);
+  const TestResult result = checkProperty(toProperty(testable), metadata, used.testParams, silent, used.reproduce);
   if (result.is<SuccessResult>()) {
     SUCCEED();
     return;

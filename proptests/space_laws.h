@@ -12,7 +12,7 @@ struct AxisMap {
   double sign[3];
 
   template <class T>
-    requires requires(T v) { v.x, v.y, v.z; }
+  requires requires(T v) { v.x, v.y, v.z; }
   void place(T& v) const {
     const auto old = v;
     const auto part = [&](int i) { return from[i] == 0 ? old.x : from[i] == 1 ? old.y : old.z; };
@@ -34,7 +34,8 @@ inline constexpr std::array<AxisMap, 4> axis_maps{
 template <class Asked>
 bool on_small_lattice(const Asked& asked) {
   bool whole = true;
-  audit::for_each_number(asked, [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p40 && n == std::trunc(n); });
+  audit::for_each_number(asked,
+                         [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p40 && n == std::trunc(n); });
   return whole;
 }
 

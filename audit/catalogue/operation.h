@@ -41,8 +41,10 @@ struct Card {
   /// reference of its own and the operation's robust and oracle, and is asked of no engine.
   const char* method_of = "";
   bool is_method() const { return method_of[0] != 0; }
-  bool formula_answers_less = false;  ///< the slide's formula leaves out numbers that the operation answers, and is judged on the others
-  std::size_t longest_vector = 0;     ///< test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none)
+  bool formula_answers_less =
+      false;  ///< the slide's formula leaves out numbers that the operation answers, and is judged on the others
+  std::size_t longest_vector =
+      0;  ///< test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none)
 };
 
 /// A question of any operation, its types forgotten: its numbers in canonical order (a list is preceded by its length).
@@ -56,10 +58,10 @@ class Examination {
  public:
   virtual ~Examination() = default;
 
-  virtual Json truth() const = 0;              ///< exact, "p/q"
-  virtual Json rounded_truth() const = 0;      ///< every number the nearest double
-  virtual std::string outcome() const = 0;     ///< the truth's word ("overlap"), or "value"
-  virtual bool touch() const = 0;              ///< the truth is a touch: open and closed sets answer differently
+  virtual Json truth() const = 0;           ///< exact, "p/q"
+  virtual Json rounded_truth() const = 0;   ///< every number the nearest double
+  virtual std::string outcome() const = 0;  ///< the truth's word ("overlap"), or "value"
+  virtual bool touch() const = 0;           ///< the truth is a touch: open and closed sets answer differently
   virtual mpq_class margin() const = 0;
   virtual oracle::Certificate certificate() const = 0;
 
@@ -83,7 +85,7 @@ class Examination {
 struct DecisionCount {
   std::uint64_t cases = 0, wrong = 0, hash = 0;  ///< hash: sum over the cases, so parts of a range add up
   std::map<std::string, std::uint64_t> outcomes;
-  std::uint64_t first_wrong = 0;                 ///< index of the first wrong case, if wrong > 0
+  std::uint64_t first_wrong = 0;  ///< index of the first wrong case, if wrong > 0
 };
 
 /// One row of the catalogue, its types forgotten: all that the program, the tests and the fuzz targets need.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/catalogue/figures.h"
 #include "audit/catalogue/decisions.h"
+#include "audit/catalogue/figures.h"
 #include "audit/catalogue/row.h"
 #include "audit/codec/flat.h"
 #include "audit/inputs/families.h"
@@ -26,7 +26,9 @@ class OperationOf final : public Operation {
   const std::vector<std::string>& families() const override { return families_.names(); }
   Question draw(Choices& choices, std::size_t family) const override { return flat(families_.draw(choices, family)); }
   Question zeros(std::size_t list_length) const override { return flat(audit::zeros<Asked>(list_length)); }
-  std::vector<std::size_t> coordinates(const Question& question) const override { return coordinates_of(typed_of(question)); }
+  std::vector<std::size_t> coordinates(const Question& question) const override {
+    return coordinates_of(typed_of(question));
+  }
 
   Question in_binary32(const Question& question) const override {
     Asked asked = typed_of(question);
@@ -38,7 +40,9 @@ class OperationOf final : public Operation {
   }
 
   Question parse(const Json& input) const override { return flat(read_question<double>(input, read_double)); }
-  Question parse_any(const Json& input) const override { return flat(read_question<double>(input, read_answer_number)); }
+  Question parse_any(const Json& input) const override {
+    return flat(read_question<double>(input, read_answer_number));
+  }
   Json print(const Question& question) const override {
     return print_with(question, [](double number) { return written(number); });
   }
@@ -54,7 +58,8 @@ class OperationOf final : public Operation {
   std::string refusal_mismatch(const Question& question, std::size_t environment) const override {
     const Asked asked = typed_of(question);
     const std::string by_oracle = refusal([&] { ask_oracle<Row>(asked); });
-    const std::string by_robust = refusal([&] { in_environment(environment, asked, [](const Asked& q) { return ask_robust<Row>(q); }); });
+    const std::string by_robust =
+        refusal([&] { in_environment(environment, asked, [](const Asked& q) { return ask_robust<Row>(q); }); });
     return by_oracle == by_robust ? "" : "oracle: " + by_oracle + "; robust: " + by_robust;
   }
 

@@ -96,7 +96,8 @@ Polygon2d long_ring(Choices& c) {
     const double x = 4 * static_cast<double>(i), lean = small_integer(c, 1);
     ring.vertices.insert(ring.vertices.end(), {{x, 0}, {x + 2 + lean, 3 + 8 * (1 + static_cast<double>(i % 3))}});
   }
-  ring.vertices.insert(ring.vertices.end(), {{4.0 * static_cast<double>(teeth), 0}, {4.0 * static_cast<double>(teeth), -3}, {0, -3}});
+  ring.vertices.insert(ring.vertices.end(),
+                       {{4.0 * static_cast<double>(teeth), 0}, {4.0 * static_cast<double>(teeth), -3}, {0, -3}});
   std::reverse(ring.vertices.begin(), ring.vertices.end());
   return ring;
 }

@@ -25,22 +25,24 @@
 ///   static Word relation(const Question&);   robust's decision alone, where it has a function for it and the row no `decision`
 ///   static void draw(Scene&, const Question&);   (default: every argument by its type)
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
-#define TOUCHSTONE_ROOMS(op)                                                                                   \
-  static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); }                        \
-  static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }                              \
-  static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) { return ::touchstone::oracle::op(q...); } \
-  static auto certificate(const auto&... q) { return ::touchstone::oracle::op##_certificate(q...); }           \
-  template <class E>                                                                                           \
-  static auto ask(E& engine, const auto&... q)->decltype(engine.op(q...)) {                                    \
-    return engine.op(q...);                                                                                    \
+#define TOUCHSTONE_ROOMS(op)                                                                         \
+  static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); }              \
+  static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }                    \
+  static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {                   \
+    return ::touchstone::oracle::op(q...);                                                           \
+  }                                                                                                  \
+  static auto certificate(const auto&... q) { return ::touchstone::oracle::op##_certificate(q...); } \
+  template <class E>                                                                                 \
+  static auto ask(E& engine, const auto&... q)->decltype(engine.op(q...)) {                          \
+    return engine.op(q...);                                                                          \
   }
 
 namespace touchstone::audit {
 
 template <class Question>
 struct HardCase {
-  std::string name;                 ///< the family: "collinear", "shared_end" ...
-  Question (*draw)(Choices&);       ///< integers and other exact parameters, so that a shrunk case stays degenerate
+  std::string name;            ///< the family: "collinear", "shared_end" ...
+  Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
 };
 
 /// The function of a room on a tuple of arguments.
@@ -65,7 +67,7 @@ auto ask_certificate(const typename Row::Question& q) {
 template <class Row, class Tuple>
 inline constexpr bool oracle_takes = false;
 template <class Row, class... Ts>
-  requires requires(const Ts&... q) { Row::oracle(q...); }
+requires requires(const Ts&... q) { Row::oracle(q...); }
 inline constexpr bool oracle_takes<Row, std::tuple<Ts...>> = true;
 
 /// The operation made from a row. Defined in a translation unit of its own for every row, which CMake writes (cmake/rooms.cmake).
@@ -77,8 +79,10 @@ using answer_t = decltype(ask_robust<Row>(std::declval<const typename Row::Quest
 
 /// Whether robust decides without numbers in a function of its own, and what that says.
 template <class Row>
-inline constexpr bool decides_alone = requires(const typename Row::Question& q) { Row::relation(q); } ||
-                                      requires(const typename Row::Question& q) { Row::decision::robust(q); };
+inline constexpr bool decides_alone = requires(const typename Row::Question& q) {
+  Row::relation(q);
+}
+|| requires(const typename Row::Question& q) { Row::decision::robust(q); };
 template <class Row>
 auto decision_alone(const typename Row::Question& q) {
   if constexpr (requires { Row::relation(q); }) {

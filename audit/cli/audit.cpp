@@ -51,7 +51,8 @@ void require_known_families(const AuditOptions& options) {
     for (const Operation* operation : options.operations) {
       for (const std::string& name : operation->families()) known = known || name == family;
     }
-    if (!known) throw UsageError("--families " + family + ": a family of one of the operations (see touchstone ops --json)");
+    if (!known)
+      throw UsageError("--families " + family + ": a family of one of the operations (see touchstone ops --json)");
   }
 }
 
@@ -110,7 +111,8 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   try {
     const Interruptible until_counted;
     Progress progress(err);
-    tally = run_audit(options, stopped, [&](const std::string& name, std::uint64_t done) { progress(name, done, command.cases); });
+    tally = run_audit(options, stopped,
+                      [&](const std::string& name, std::uint64_t done) { progress(name, done, command.cases); });
   } catch (const EngineError&) {
     if (!stopped) throw;  // interrupted before the engine had said its first line
     tally.interrupted = true;

@@ -20,12 +20,12 @@ struct UsageError : std::runtime_error {
 };
 
 struct AuditCommand {
-  std::string engine;                ///< command; empty: our reference in double
-  std::string operations = "all";    ///< "all" or names with commas
-  std::string families;              ///< names with commas; empty: all
+  std::string engine;              ///< command; empty: our reference in double
+  std::string operations = "all";  ///< "all" or names with commas
+  std::string families;            ///< names with commas; empty: all
   std::uint64_t cases = 20000, seed = 1;
   double seconds = 0, timeout = 5;
-  int jobs = 0;                      ///< 0: as many as the machine has
+  int jobs = 0;  ///< 0: as many as the machine has
   std::string json_file, report_directory;
 };
 

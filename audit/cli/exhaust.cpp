@@ -67,11 +67,13 @@ Tally examined(const Operation& operation, int grid, const Shard& shard) {
   return tally;
 }
 
-int decisions_only(const Operation& operation, int grid, const Shard& shard, const std::string& json_file, std::ostream& out) {
+int decisions_only(const Operation& operation, int grid, const Shard& shard, const std::string& json_file,
+                   std::ostream& out) {
   const std::uint64_t total = configurations(operation, grid);
   const std::uint64_t first = bound(total, shard.index - 1, shard.of), last = bound(total, shard.index, shard.of);
   const auto count = operation.count_decisions(grid, first, last);
-  if (!count) throw UsageError("--decisions: an operation with a fast pair of decisions (segment_segment, orientation)");
+  if (!count)
+    throw UsageError("--decisions: an operation with a fast pair of decisions (segment_segment, orientation)");
   Json line = Json::object();
   line["touchstone"] = 1;
   line["op"] = operation.name();
@@ -96,15 +98,18 @@ Json merged_decisions(std::vector<Json> parts) {
   std::uint64_t reached = 0, hash = 0, wrong = 0;
   std::map<std::string, std::uint64_t> outcomes;
   for (const Json& part : parts) {
-    if (part["op"] != sum["op"] || part["grid"] != sum["grid"]) throw UsageError("merge: results of one operation and grid");
-    if (part["first"] != reached) throw UsageError(fmt::format("merge: configurations from {} on, found {}", reached, part["first"].dump()));
+    if (part["op"] != sum["op"] || part["grid"] != sum["grid"])
+      throw UsageError("merge: results of one operation and grid");
+    if (part["first"] != reached)
+      throw UsageError(fmt::format("merge: configurations from {} on, found {}", reached, part["first"].dump()));
     reached = part["last"];
     hash += std::stoull(part["hash"].get<std::string>(), nullptr, 16);
     wrong += part["wrong"].get<std::uint64_t>();
     for (const auto& [word, n] : part["outcomes"].items()) outcomes[word] += n.get<std::uint64_t>();
     if (part.contains("first_wrong") && !sum.contains("first_wrong")) sum["first_wrong"] = part["first_wrong"];
   }
-  if (reached != sum["of"].get<std::uint64_t>()) throw UsageError(fmt::format("merge: configurations up to {}, found {}", sum["of"].dump(), reached));
+  if (reached != sum["of"].get<std::uint64_t>())
+    throw UsageError(fmt::format("merge: configurations up to {}, found {}", sum["of"].dump(), reached));
   sum["shard"] = "1/1";
   sum["first"] = 0;
   sum["last"] = reached;
@@ -116,8 +121,8 @@ Json merged_decisions(std::vector<Json> parts) {
 
 }  // namespace
 
-int exhaust_command(const std::string& name, int grid, const std::string& shard_text, const std::string& json_file, bool decisions,
-                    std::ostream& out, std::ostream& err) {
+int exhaust_command(const std::string& name, int grid, const std::string& shard_text, const std::string& json_file,
+                    bool decisions, std::ostream& out, std::ostream& err) {
   const Operation& operation = operation_named(name);
   const Shard shard = parsed(shard_text);
   require_writable("--json", json_file);
@@ -137,7 +142,8 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
   for (const std::string& file : files) {
     each_line(file, [&](std::uint64_t number, const std::string& text) {
       const Json line = Json::parse(text, nullptr, false);
-      if (line.is_discarded() || !line.is_object()) throw UsageError(file + ": line " + std::to_string(number) + ": one JSON object");
+      if (line.is_discarded() || !line.is_object())
+        throw UsageError(file + ": line " + std::to_string(number) + ": one JSON object");
       if (line.contains("hash")) {
         decisions.push_back(line);
         return;
@@ -158,7 +164,8 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
   if (!sum) throw UsageError("merge: at least one result of exhaust --json or audit --json");
   out << text_table(*sum);
   if (sum->grid.size > 0 && sum->grid.done.size() < sum->grid.shards) {
-    err << fmt::format("touchstone: merge: {} of {} shards are missing\n", sum->grid.shards - sum->grid.done.size(), sum->grid.shards);
+    err << fmt::format("touchstone: merge: {} of {} shards are missing\n", sum->grid.shards - sum->grid.done.size(),
+                       sum->grid.shards);
     return bad_usage;
   }
   return sum->has_findings() ? findings : nothing_found;

@@ -35,7 +35,8 @@ std::vector<const Operation*> operations_named(const std::string& names) {
 }
 
 void require_writable(const std::string& option, const std::string& file) {
-  if (!file.empty() && !std::ofstream(file, std::ios::app)) throw UsageError(option + " " + file + ": a file that can be written");
+  if (!file.empty() && !std::ofstream(file, std::ios::app))
+    throw UsageError(option + " " + file + ": a file that can be written");
 }
 
 void write_file(const std::string& option, const std::string& file, const std::string& text) {
@@ -45,7 +46,8 @@ void write_file(const std::string& option, const std::string& file, const std::s
 }
 
 std::string place(const std::string& file, std::uint64_t line) {
-  return "touchstone: " + (file.empty() || file == "-" ? "standard input" : file) + ": line " + std::to_string(line) + ": ";
+  return "touchstone: " + (file.empty() || file == "-" ? "standard input" : file) + ": line " + std::to_string(line) +
+         ": ";
 }
 
 }  // namespace touchstone::audit

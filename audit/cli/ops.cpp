@@ -25,15 +25,17 @@ std::string joined(const std::vector<const char*>& words) {
 }  // namespace
 
 int ops_command(bool json, std::ostream& out) {
-  if (!json) out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input", "question");
+  if (!json)
+    out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input",
+                       "question");
   std::map<std::string, Json> answers;
   for_each_row([&]<class Row>() { answers[Row::card().name] = answer_shape<Row>(); });
   Json list = Json::array();
   for (const Operation* operation : catalogue()) {
     const Card& card = operation->card();
     if (!json) {
-      out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", card.name, card.chapter, card.pages, kind_name(card.kind),
-                         joined(card.fields), card.question);
+      out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", card.name, card.chapter, card.pages,
+                         kind_name(card.kind), joined(card.fields), card.question);
       continue;
     }
     Json entry = Json::object();

@@ -35,7 +35,8 @@ CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
       },
       "WHOLE");
 }
-const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, 1'000'000'000'000), any_jobs = whole(1, 1024);
+const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, 1'000'000'000'000),
+                     any_jobs = whole(1, 1024);
 
 /// A command and what runs it once the line is parsed.
 using Action = std::function<int()>;
@@ -61,7 +62,8 @@ void add_ask(CLI::App& program, Action& action) {
 void add_audit(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("audit", "How often an implementation is wrong, and why");
   auto options = std::make_shared<AuditCommand>();
-  command->add_option("--engine", options->engine, "Command that answers questions over pipes (default: the slides' formulas in double)");
+  command->add_option("--engine", options->engine,
+                      "Command that answers questions over pipes (default: the slides' formulas in double)");
   command->add_option("--ops", options->operations, "Operations with commas, or all");
   command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
   command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive);
@@ -76,14 +78,16 @@ void add_audit(CLI::App& program, Action& action) {
 
 void add_exhaust(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("exhaust", "Every configuration on a small grid");
-  auto operation = std::make_shared<std::string>(), shard = std::make_shared<std::string>("1/1"), json = std::make_shared<std::string>();
+  auto operation = std::make_shared<std::string>(), shard = std::make_shared<std::string>("1/1"),
+       json = std::make_shared<std::string>();
   auto grid = std::make_shared<int>(3);
   auto decisions = std::make_shared<bool>(false);
   command->add_option("operation", *operation, "Name of the operation")->required();
   command->add_option("--grid", *grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
   command->add_option("--shard", *shard, "I/N: the I-th of N parts");
   command->add_option("--json", *json, "Write the result to this file");
-  command->add_flag("--decisions", *decisions, "Only the decision of robust against the oracle's integers, at full speed");
+  command->add_flag("--decisions", *decisions,
+                    "Only the decision of robust against the oracle's integers, at full speed");
   command->callback([=, &action] {
     action = [=] { return exhaust_command(*operation, *grid, *shard, *json, *decisions, std::cout, std::cerr); };
   });
@@ -101,7 +105,8 @@ void add_vectors(CLI::App& program, Action& action) {
   auto* write = command->add_subcommand("write", "Writes them into a directory");
   write->add_option("directory", *directory)->required();
   write->add_option("--seed", *seed)->check(any_seed);
-  write->callback([=, &action] { action = [=] { return vectors_write_command(*directory, *seed, std::cout, std::cerr); }; });
+  write->callback(
+      [=, &action] { action = [=] { return vectors_write_command(*directory, *seed, std::cout, std::cerr); }; });
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   check->add_option("directory", *directory)->required();
   check->callback([=, &action] { action = [=] { return vectors_check_command(*directory, std::cout, std::cerr); }; });
@@ -115,7 +120,8 @@ void add_certify(CLI::App& program, Action& action) {
 }
 
 void add_map(CLI::App& program, Action& action) {
-  auto* command = program.add_subcommand("map", "Pictures of where an implementation goes wrong around a degenerate input");
+  auto* command =
+      program.add_subcommand("map", "Pictures of where an implementation goes wrong around a degenerate input");
   auto operations = std::make_shared<std::vector<std::string>>();
   auto directory = std::make_shared<std::string>("maps");
   auto binary32 = std::make_shared<bool>(false);

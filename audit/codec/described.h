@@ -58,8 +58,8 @@ struct Described<Line2<R>> {
 template <class R>
 struct Described<ParametricLine2<R>> {
   static constexpr Form form = Form::record;
-  static constexpr auto members = std::tuple{member("origin", &ParametricLine2<R>::origin),
-                                             member("direction", &ParametricLine2<R>::direction)};
+  static constexpr auto members =
+      std::tuple{member("origin", &ParametricLine2<R>::origin), member("direction", &ParametricLine2<R>::direction)};
 };
 template <class R>
 struct Described<Ray2<R>> {
@@ -109,9 +109,8 @@ struct Described<PointOnSegment<R>> {
 template <class R>
 struct Described<LineLine<R>> {
   static constexpr Form form = Form::record;
-  static constexpr auto members =
-      std::tuple{member("relation", &LineLine<R>::relation), member("ta", &LineLine<R>::ta),
-                 member("tb", &LineLine<R>::tb), member("point", &LineLine<R>::point)};
+  static constexpr auto members = std::tuple{member("relation", &LineLine<R>::relation), member("ta", &LineLine<R>::ta),
+                                             member("tb", &LineLine<R>::tb), member("point", &LineLine<R>::point)};
 };
 template <class R>
 struct Described<SegmentSegment<R>> {
@@ -132,9 +131,9 @@ struct Described<RaySegment<R>> {
 template <>
 struct Described<PolygonConvexity> {
   static constexpr Form form = Form::record;
-  static constexpr auto members = std::tuple{member("class", &PolygonConvexity::polygon_class),
-                                             member("strict", &PolygonConvexity::strict),
-                                             member("orientation", &PolygonConvexity::orientation)};
+  static constexpr auto members =
+      std::tuple{member("class", &PolygonConvexity::polygon_class), member("strict", &PolygonConvexity::strict),
+                 member("orientation", &PolygonConvexity::orientation)};
 };
 template <class R>
 struct Described<PointPlane<R>> {
@@ -237,7 +236,9 @@ template <class T>
 concept Enumeration = std::is_enum_v<T>;
 
 template <class T>
-concept Composite = requires { Described<T>::members; };
+concept Composite = requires {
+  Described<T>::members;
+};
 
 template <class T>
 inline constexpr bool is_bare = false;
@@ -278,12 +279,11 @@ struct Rebound {
   using type = To;
 };
 template <class T, class To>
-  requires(Enumeration<T> || Plain<T> || Composite<T>)
-struct Rebound<T, To> {
+requires(Enumeration<T> || Plain<T> || Composite<T>) struct Rebound<T, To> {
   using type = T;
 };
 template <template <class> class Shape, class From, class To>
-  requires Composite<Shape<From>>
+requires Composite<Shape<From>>
 struct Rebound<Shape<From>, To> {
   using type = Shape<To>;
 };

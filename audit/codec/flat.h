@@ -43,7 +43,8 @@ Asked unflattened(const std::vector<double>& numbers) {
 template <class Asked>
 Asked zeros(std::size_t length) {
   Asked asked{};
-  walk(asked, [](auto& number) { number = 0; }, [&](auto& list) { list.resize(length); });
+  walk(
+      asked, [](auto& number) { number = 0; }, [&](auto& list) { list.resize(length); });
   return asked;
 }
 
@@ -52,7 +53,8 @@ template <class Asked>
 std::vector<std::size_t> coordinates_of(const Asked& asked) {
   std::vector<std::size_t> places;
   std::size_t i = 0;
-  walk(asked, [&](const auto&) { places.push_back(i++); }, [&](const auto&) { ++i; });
+  walk(
+      asked, [&](const auto&) { places.push_back(i++); }, [&](const auto&) { ++i; });
   return places;
 }
 
@@ -60,7 +62,8 @@ template <class Asked>
 bool holds_lists() {
   bool found = false;
   const Asked asked{};
-  walk(asked, [](const auto&) {}, [&](const auto&) { found = true; });
+  walk(
+      asked, [](const auto&) {}, [&](const auto&) { found = true; });
   return found;
 }
 

@@ -31,7 +31,8 @@ std::string with_marked_numbers(const std::string& text) {
     } else if (!in_string && (starts_number(c) || c == 'N' || c == 'I')) {
       // NaN, Infinity, 0x1 or +1 are no JSON, but the complaint about them should name their field.
       result += "\"\\u0001";
-      while (i < text.size() && (starts_number(text[i]) || std::isalpha(static_cast<unsigned char>(text[i])) != 0)) result += text[i++];
+      while (i < text.size() && (starts_number(text[i]) || std::isalpha(static_cast<unsigned char>(text[i])) != 0))
+        result += text[i++];
       --i;
       result += '"';
     } else {
@@ -79,7 +80,8 @@ Token number_token(const Json& value, const std::string& field) {
   const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
   if (text.compare(sign, 2, "0x") != 0 && text.compare(sign, 2, "0X") != 0) throw InvalidInput(field, "number");
   std::string bare = (text[0] == '-' ? "-" : "") + text.substr(sign + 2);
-  if (bare.size() == (text[0] == '-' ? 1u : 0u) || bare.back() == 'p' || bare.back() == 'P') throw InvalidInput(field, "number");
+  if (bare.size() == (text[0] == '-' ? 1u : 0u) || bare.back() == 'p' || bare.back() == 'P')
+    throw InvalidInput(field, "number");
   return {bare, true};
 }
 
@@ -92,7 +94,8 @@ double nearest(const Token& token, const std::string& field) {
     // Out of range at either end: what is below half of the least subnormal is 0, what is beyond the greatest double is
     // refused. The C library tells which, whatever the size of the exponent.
     const bool minus = token.text[0] == '-';
-    const std::string spelled = (minus ? "-" : "") + std::string(token.hexadecimal ? "0x" : "") + token.text.substr(minus ? 1 : 0);
+    const std::string spelled =
+        (minus ? "-" : "") + std::string(token.hexadecimal ? "0x" : "") + token.text.substr(minus ? 1 : 0);
     const double value_or_infinity = std::strtod(spelled.c_str(), nullptr);
     if (std::isinf(value_or_infinity)) throw InvalidInput(field, "finite number");
     return value_or_infinity;
@@ -142,7 +145,8 @@ double read_double(const Json& value, const std::string& field) {
 }
 
 double read_answer_number(const Json& value, const std::string& field) {
-  if (value.is_null()) throw InvalidInput(field, R"(number, not null (JSON has no NaN or infinity; send "nan", "inf", "-inf"))");
+  if (value.is_null())
+    throw InvalidInput(field, R"(number, not null (JSON has no NaN or infinity; send "nan", "inf", "-inf"))");
   if (value.is_string()) {
     const std::string text = is_typed_number(value) ? typed_text(value) : value.get<std::string>();
     const bool bare = is_typed_number(value);
@@ -165,7 +169,8 @@ bool read_flag(const Json& value, const std::string& field) {
 
 Index read_index(const Json& value, const std::string& field) {
   const double number = read_double(value, field);
-  if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number))) throw InvalidInput(field, "whole number below 2^32");
+  if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number)))
+    throw InvalidInput(field, "whole number below 2^32");
   return static_cast<Index>(number);
 }
 
@@ -176,7 +181,8 @@ mpq_class read_exact(const Json& value, const std::string& field) {
   const std::string exponent_text = mark == std::string::npos ? "0" : text.substr(mark + 1);
   errno = 0;
   long exponent = std::strtol(exponent_text.c_str(), nullptr, 10);
-  if (errno != 0 || std::labs(exponent) > most_decimal_exponent) throw InvalidInput(field, "exponent between -5000 and 5000");
+  if (errno != 0 || std::labs(exponent) > most_decimal_exponent)
+    throw InvalidInput(field, "exponent between -5000 and 5000");
   std::string digits = text.substr(0, mark);
   if (const std::size_t point = digits.find('.'); point != std::string::npos) {
     exponent -= static_cast<long>(digits.size() - point - 1) * (token.hexadecimal ? 4 : 1);
@@ -227,8 +233,6 @@ void require_array(const Json& value, const std::string& path, std::size_t size)
   }
 }
 
-std::string member_path(const std::string& path, const char* name) {
-  return path.empty() ? name : path + "." + name;
-}
+std::string member_path(const std::string& path, const char* name) { return path.empty() ? name : path + "." + name; }
 
 }  // namespace touchstone::audit

@@ -47,9 +47,7 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
     std::apply(
         [&](const auto&... from) {
           std::apply(
-              [&](const auto&... to) {
-                ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...);
-              },
+              [&](const auto&... to) { ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...); },
               Described<rebound_t<T, To>>::members);
         },
         Described<T>::members);
@@ -69,8 +67,8 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
 
 template <class To, class... Ts, class Change>
 rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
-  return std::apply([&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; },
-                    values);
+  return std::apply(
+      [&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; }, values);
 }
 
 }  // namespace touchstone::audit

@@ -88,7 +88,8 @@ std::optional<Json> engine_answer(const Result& result) {
   } else {
     static_assert(has_member_of_type<Answer, Result>(),
                   "this type is no answer to the operation (see geometry/answers.h)");
-    static_assert(is_the_only_word<Answer, Result>(), "this word alone is no answer to the operation: return the whole answer");
+    static_assert(is_the_only_word<Answer, Result>(),
+                  "this word alone is no answer to the operation: return the whole answer");
     return named(member_of_type<Answer, Result>(), to_json(result));
   }
 }

@@ -28,7 +28,8 @@ void append_number(double number, std::string& text) {
 
 QuestionText::QuestionText(const Operation& operation) : operation_(operation) {
   Question marked = operation.zeros();
-  if (operation.coordinates(marked).size() != marked.numbers.size()) return;  // lists: their lengths are no numbers in the text
+  if (operation.coordinates(marked).size() != marked.numbers.size())
+    return;  // lists: their lengths are no numbers in the text
   for (double& number : marked.numbers) number = placeholder;
   const std::string pattern = one_line(operation.print(marked));
   const std::string mark = decimal(placeholder);

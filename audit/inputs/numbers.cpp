@@ -8,7 +8,9 @@
 namespace touchstone::audit {
 
 double integer(Choices& choices, int bits) {
-  const auto width = static_cast<int>(choices.below(8)) < 5 ? std::min(bits, 3) : 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(bits)));
+  const auto width = static_cast<int>(choices.below(8)) < 5
+                         ? std::min(bits, 3)
+                         : 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(bits)));
   const std::uint64_t size = choices.below(std::uint64_t{1} << width);
   return choices.below(2) == 1 ? -static_cast<double>(size) : static_cast<double>(size);
 }
@@ -26,8 +28,9 @@ double ordinary(Choices& choices) {
 }
 
 double typed(Choices& choices) {
-  static constexpr std::array<double, 24> values{0.0, 1.0, 0.1,  0.2,      0.3,  0.5,     2.0,   0.7,  1.0 / 3, 2.0 / 3, 0.6, 1.1,
-                                                 3.3, 10,  12.5, 99.99, 100, 1000000.1, 1e-3, 3.14159, 0.9, 0.4, 0.8, 1e6};
+  static constexpr std::array<double, 24> values{0.0,     1.0,       0.1,  0.2,     0.3, 0.5, 2.0,  0.7,
+                                                 1.0 / 3, 2.0 / 3,   0.6,  1.1,     3.3, 10,  12.5, 99.99,
+                                                 100,     1000000.1, 1e-3, 3.14159, 0.9, 0.4, 0.8,  1e6};
   const double value = values[choices.below(values.size())];
   return choices.below(4) == 3 ? -value : value;
 }

@@ -12,7 +12,8 @@ namespace touchstone::audit {
 namespace {
 
 /// Directions of the upper half plane in counter-clockwise order; their opposites are the lower half.
-constexpr std::array<Vector2d, 12> half{{{1, 0}, {5, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 7}, {0, 1}, {-1, 5}, {-1, 2}, {-1, 1}, {-3, 1}, {-9, 1}}};
+constexpr std::array<Vector2d, 12> half{
+    {{1, 0}, {5, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 7}, {0, 1}, {-1, 5}, {-1, 2}, {-1, 1}, {-3, 1}, {-9, 1}}};
 
 Vector2d direction(std::size_t k) {
   const Vector2d& v = half[k % half.size()];

@@ -6,13 +6,15 @@ namespace {
 
 class Shrinker {
  public:
-  Shrinker(std::vector<std::uint8_t> choices, const std::function<bool(const std::vector<std::uint8_t>&)>& interesting, int budget)
+  Shrinker(std::vector<std::uint8_t> choices, const std::function<bool(const std::vector<std::uint8_t>&)>& interesting,
+           int budget)
       : best_(std::move(choices)), interesting_(interesting), budget_(budget) {}
 
   std::vector<std::uint8_t> run() {
     for (bool better = true; better && budget_ > 0;) {
       better = false;
-      for (std::size_t length = best_.size() / 2; length > 0 && budget_ > 0; length /= 2) better = blocks(length) || better;
+      for (std::size_t length = best_.size() / 2; length > 0 && budget_ > 0; length /= 2)
+        better = blocks(length) || better;
       better = single_bytes() || better;
     }
     while (!best_.empty() && best_.back() == 0) best_.pop_back();  // past the end every choice is 0

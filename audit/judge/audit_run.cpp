@@ -19,9 +19,15 @@ const Declaration reference_declaration{"reference", Declaration::Boundary::clos
 /// One job: a share of the batches of one operation.
 class Worker {
  public:
-  Worker(const AuditOptions& options, const Operation& operation, const std::vector<std::size_t>& families, Engine* engine,
-         const std::atomic<bool>& stop)
-      : options_(options), operation_(operation), families_(families), engine_(engine), stop_(stop), asked_(families.size()), robust_(families.size()) {}
+  Worker(const AuditOptions& options, const Operation& operation, const std::vector<std::size_t>& families,
+         Engine* engine, const std::atomic<bool>& stop)
+      : options_(options),
+        operation_(operation),
+        families_(families),
+        engine_(engine),
+        stop_(stop),
+        asked_(families.size()),
+        robust_(families.size()) {}
 
   void run_batch(std::uint64_t first, std::uint64_t last) {
     std::vector<Pending> pending;
@@ -41,7 +47,8 @@ class Worker {
         const Reply reply = replies.empty() ? Reply{Reply::Kind::unsupported, nullptr, ""} : replies[i];
         if (!reply.asked && stop_) continue;
         if (reply.asked) {
-          count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index, reply.answer);
+          count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index,
+                reply.answer);
         } else {
           ++asked_[p.family].not_asked;
           asked_[p.family].given_up = reply.remark;
@@ -75,7 +82,8 @@ class Worker {
       asked_[family].refuse(refused.rule());
       robust_[family].refuse(refused.rule());
       const std::string mismatch = operation_.refusal_mismatch(question);
-      if (!mismatch.empty()) count(robust_[family], question, {Verdict::invalid, 0, mismatch, 0}, "refused", index, nullptr);
+      if (!mismatch.empty())
+        count(robust_[family], question, {Verdict::invalid, 0, mismatch, 0}, "refused", index, nullptr);
     }
   }
 
@@ -88,7 +96,8 @@ class Worker {
 };
 
 /// Replaces each smallest finding by a still smaller one of the same verdict, on its stream of choices.
-void shrink_findings(const Operation& operation, std::size_t family, std::uint64_t seed, Cell& cell, Engine* engine, bool robust) {
+void shrink_findings(const Operation& operation, std::size_t family, std::uint64_t seed, Cell& cell, Engine* engine,
+                     bool robust) {
   const Declaration& declaration = engine != nullptr ? engine->declaration() : reference_declaration;
   for (std::size_t v = 0; v < verdict_count; ++v) {
     if (!cell.smallest[v]) continue;
@@ -120,8 +129,11 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
     };
     const bool slow = cell.smallest[v]->judgement.verdict == Verdict::invalid && engine != nullptr && !robust;
     const auto bytes = shrunk(
-        choices.recorded(), [&](const auto& candidate) { return static_cast<std::size_t>(look(candidate).judgement.verdict) == v; },
-        slow ? 20 : engine != nullptr ? 300 : 2000);
+        choices.recorded(),
+        [&](const auto& candidate) { return static_cast<std::size_t>(look(candidate).judgement.verdict) == v; },
+        slow                ? 20
+        : engine != nullptr ? 300
+                            : 2000);
     Finding least = look(bytes);
     if (static_cast<std::size_t>(least.judgement.verdict) != v || smaller(finding.question, least.question)) {
       least = look(choices.recorded());  // only to have the answer beside the question as it was drawn
@@ -151,16 +163,14 @@ std::vector<std::size_t> chosen_families(const Operation& operation, const std::
 
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
   switch (reply.kind) {
-    case Reply::Kind::unsupported:
-      return {Verdict::unsupported, 0, "", 0};
-    case Reply::Kind::failed:
-      return {Verdict::invalid, 0, reply.remark, 0};
-    default:
-      return examination.judge_engine(reply.answer, declaration);
+    case Reply::Kind::unsupported: return {Verdict::unsupported, 0, "", 0};
+    case Reply::Kind::failed: return {Verdict::invalid, 0, reply.remark, 0};
+    default: return examination.judge_engine(reply.answer, declaration);
   }
 }
 
-void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index, const Json& answer) {
+void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome,
+           std::uint64_t index, const Json& answer) {
   const auto v = static_cast<std::size_t>(judgement.verdict);
   ++cell.counts[v];
   ++cell.outcomes[outcome];
@@ -172,10 +182,12 @@ void count(Cell& cell, const Question& question, const Judgement& judgement, con
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }
   if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::unsupported) return;
-  if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question)) cell.smallest[v] = Finding{question, judgement, answer, index};
+  if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question))
+    cell.smallest[v] = Finding{question, judgement, answer, index};
 }
 
-Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index, bool record) {
+Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                     bool record) {
   const std::string stream = operation.name() + "/" + operation.families()[family];
   return Choices::seeded(seed_of(seed, stream.c_str(), index), record);
 }

@@ -29,10 +29,11 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
 
 /// Counts one judged case into a cell and keeps the question if it is the smallest of its verdict.
-void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome, std::uint64_t index,
-           const Json& answer);
+void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome,
+           std::uint64_t index, const Json& answer);
 
 /// The choices that give case `index` of a family.
-Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index, bool record = false);
+Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                     bool record = false);
 
 }  // namespace touchstone::audit

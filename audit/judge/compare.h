@@ -27,12 +27,16 @@ void compare(const Exactly& truth, const Answer& answer, bool complete, bool bin
     result.decision = result.decision && truth == answer;
   } else if constexpr (is_vector<Answer>) {
     result.decision = result.decision && truth.size() == answer.size();
-    for (std::size_t i = 0; i < std::min(truth.size(), answer.size()); ++i) compare(truth[i], answer[i], complete, binary32, result);
+    for (std::size_t i = 0; i < std::min(truth.size(), answer.size()); ++i)
+      compare(truth[i], answer[i], complete, binary32, result);
   } else if constexpr (Composite<Answer>) {
     std::apply(
         [&](const auto&... t) {
-          std::apply([&](const auto&... a) { (compare(truth.*t.pointer, answer.*a.pointer, complete, binary32, result), ...); },
-                     Described<Answer>::members);
+          std::apply(
+              [&](const auto&... a) {
+                (compare(truth.*t.pointer, answer.*a.pointer, complete, binary32, result), ...);
+              },
+              Described<Answer>::members);
         },
         Described<Exactly>::members);
   } else if constexpr (is_optional<Answer> && !is_optional<Exactly>) {
@@ -63,8 +67,11 @@ bool same_as_truth(const Exactly& truth, const Answer& answer, bool complete = t
     bool same = true;
     std::apply(
         [&](const auto&... t) {
-          std::apply([&](const auto&... a) { ((same = same && same_as_truth(truth.*t.pointer, answer.*a.pointer, complete)), ...); },
-                     Described<Answer>::members);
+          std::apply(
+              [&](const auto&... a) {
+                ((same = same && same_as_truth(truth.*t.pointer, answer.*a.pointer, complete)), ...);
+              },
+              Described<Answer>::members);
         },
         Described<Exactly>::members);
     return same;
@@ -103,7 +110,8 @@ bool promise_holds(const InFloat& plain, const Bounded& tracked, const Exactly& 
         Described<InFloat>::members);
     return holds;
   } else if constexpr (is_optional<InFloat>) {
-    if (!plain || !tracked || !exact) return plain.has_value() == tracked.has_value() && plain.has_value() == exact.has_value();
+    if (!plain || !tracked || !exact)
+      return plain.has_value() == tracked.has_value() && plain.has_value() == exact.has_value();
     return promise_holds(*plain, *tracked, *exact);
   } else {
     const bool same_bits = plain == tracked.value() || (plain != plain && tracked.value() != tracked.value());

@@ -17,7 +17,8 @@ constexpr mpfr_prec_t precision = 2400;
 constexpr mpfr_prec_t nearest_cosine = 8402, precision_of_roots = 9000;
 
 template <class Function>
-Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = precision, mpfr_prec_t of_result = precision) {
+Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = precision,
+              mpfr_prec_t of_result = precision) {
   if (!a.defined()) return a;
   mpfr_t argument, result;
   mpfr_init2(argument, of_argument);
@@ -41,8 +42,10 @@ Exact acos(const Exact& a) {
   if (sgn(room) < 0) return a / Exact(0);
   // Where room is left of 2^-k, an argument rounded to 2^-(precision + k) moves the room, and the angle from an end, by 2^-precision
   // relatively; and it is pi - angle that must be as precise as that angle, which is the root of twice the room.
-  const std::size_t numerator = mpz_sizeinbase(room.get_num_mpz_t(), 2), denominator = mpz_sizeinbase(room.get_den_mpz_t(), 2);
-  const auto near_end = sgn(room) == 0 ? nearest_cosine : static_cast<mpfr_prec_t>(denominator - std::min(numerator, denominator) + 2);
+  const std::size_t numerator = mpz_sizeinbase(room.get_num_mpz_t(), 2),
+                    denominator = mpz_sizeinbase(room.get_den_mpz_t(), 2);
+  const auto near_end =
+      sgn(room) == 0 ? nearest_cosine : static_cast<mpfr_prec_t>(denominator - std::min(numerator, denominator) + 2);
   return by_mpfr(a, mpfr_acos, precision + near_end, precision + near_end / 2);
 }
 Exact sqrt(const Exact& a) {

@@ -24,8 +24,7 @@ class ExaminationOf final : public Examination {
   using Said = std::conditional_t<is_checked, Answer, rebound_t<Answer, std::optional<double>>>;
 
   /// Throws InvalidInput where the oracle refuses.
-  explicit ExaminationOf(const Asked& question)
-      : question_(question), truth_(ask_oracle<Row>(question)) {}
+  explicit ExaminationOf(const Asked& question) : question_(question), truth_(ask_oracle<Row>(question)) {}
 
   Json truth() const override { return answer_json(truth_.answer); }
   Json rounded_truth() const override {
@@ -34,9 +33,7 @@ class ExaminationOf final : public Examination {
   std::string outcome() const override { return word_of(truth_.answer); }
   bool touch() const override { return open_reading().has_value(); }
   mpq_class margin() const override { return truth_.margin; }
-  oracle::Certificate certificate() const override {
-    return ask_certificate<Row>(question_);
-  }
+  oracle::Certificate certificate() const override { return ask_certificate<Row>(question_); }
 
   Json reference(bool binary32) const override {
     return binary32 ? answer_json(run<float>()) : answer_json(run<double>());
@@ -68,7 +65,8 @@ class ExaminationOf final : public Examination {
       else if (found.ulps > 0) judgement.verdict = Verdict::inexact;
       if constexpr (decides_alone<Row>) {
         const auto word = in_environment(environment, question_, [](const Asked& q) { return decision_alone<Row>(q); });
-        if (word_in<std::remove_const_t<decltype(word)>>(truth_.answer) != word) return {Verdict::algorithm, 0, "the decision alone is " + word_of(word)};
+        if (word_in<std::remove_const_t<decltype(word)>>(truth_.answer) != word)
+          return {Verdict::algorithm, 0, "the decision alone is " + word_of(word)};
       }
       return judgement;
     } catch (const std::exception& thrown) {
@@ -91,7 +89,8 @@ class ExaminationOf final : public Examination {
     const auto tracked = run<Bounded>();
     if (Bounded::doubtful()) return "";
     const auto exact = run<Exact>();
-    return promise_holds(run<double>(), tracked, exact) ? "" : "the reference in double is beyond its proved error bound";
+    return promise_holds(run<double>(), tracked, exact) ? ""
+                                                        : "the reference in double is beyond its proved error bound";
   }
 
   template <class A>

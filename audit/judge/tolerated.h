@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/judge/ulps.h"
 #include "audit/codec/walk.h"
+#include "audit/judge/ulps.h"
 
 namespace touchstone::audit {
 

@@ -77,7 +77,8 @@ class Tracked {
     const double least = down(size(a) - a.error_);
     if (!(a.value_ >= 0)) return Tracked(root, infinite);
     // Below the error the root is anything from 0 to sqrt(a + e).
-    const double propagated = least > 0 ? over(a.error_, down(std::sqrt(least))) : std::nextafter(std::sqrt(plus(size(a), a.error_)), infinite);
+    const double propagated = least > 0 ? over(a.error_, down(std::sqrt(least)))
+                                        : std::nextafter(std::sqrt(plus(size(a), a.error_)), infinite);
     return Tracked(root, plus(propagated, half_ulp(root)));
   }
 
@@ -98,10 +99,10 @@ class Tracked {
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   /// Products above this are far enough from the subnormals that their error term is a Float.
-  static constexpr double safe_product =
-      sizeof(Float) == 8 ? 0x1p-900 : 0x1p-100;
+  static constexpr double safe_product = sizeof(Float) == 8 ? 0x1p-900 : 0x1p-100;
 
-  Tracked(Float value, double error) : value_(value), error_(std::isfinite(value) && error == error ? error : infinite) {}
+  Tracked(Float value, double error)
+      : value_(value), error_(std::isfinite(value) && error == error ? error : infinite) {}
 
   /// x / 0 without any rounding before it, and what is computed from it: undefined in exact arithmetic too, so no
   /// comparison with it is in doubt. The value is what Float makes of it, a NaN or an infinity at first.

@@ -31,7 +31,8 @@ mpz_class shifted(const mpz_class& value, long bits) {
 long binary_exponent(const mpq_class& x) {
   const mpz_class num = abs(x.get_num());
   const mpz_class& den = x.get_den();
-  const long guess = static_cast<long>(mpz_sizeinbase(num.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(den.get_mpz_t(), 2));
+  const long guess =
+      static_cast<long>(mpz_sizeinbase(num.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(den.get_mpz_t(), 2));
   const bool reached = guess >= 0 ? num >= shifted(den, guess) : shifted(num, -guess) >= den;
   return reached ? guess : guess - 1;
 }
@@ -67,7 +68,8 @@ double nearest(const mpq_class& truth, bool binary32) {
   const int half = cmp(mpz_class(2 * rest), den);
   if (half > 0 || (half == 0 && mpz_odd_p(count.get_mpz_t()) != 0)) ++count;
   // count <= 2^53 is a double; a carry to 2^precision only moves the exponent.
-  const bool beyond = sgn(count) != 0 && static_cast<long>(mpz_sizeinbase(count.get_mpz_t(), 2)) + unit > format.greatest_exponent;
+  const bool beyond =
+      sgn(count) != 0 && static_cast<long>(mpz_sizeinbase(count.get_mpz_t(), 2)) + unit > format.greatest_exponent;
   const double size = beyond ? HUGE_VAL : std::ldexp(static_cast<double>(count.get_ui()), static_cast<int>(unit));
   return sgn(truth) < 0 ? -size : size;
 }

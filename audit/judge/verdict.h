@@ -9,8 +9,8 @@ namespace touchstone::audit {
 
 /// What the judge says of one answer; the columns of every table.
 enum class Verdict {
-  agree,        ///< the decision is right and every number within the stated bound
-  rounding,     ///< wrong decision: the same formula in exact arithmetic is right (see judge/README in docs for foreign engines)
+  agree,  ///< the decision is right and every number within the stated bound
+  rounding,  ///< wrong decision: the same formula in exact arithmetic is right (see judge/README in docs for foreign engines)
   algorithm,    ///< wrong decision: the formula is wrong, or undefined, even in exact arithmetic
   inexact,      ///< right decision, a number further off than the stated bound
   convention,   ///< right for open sets, where the truth is a touch and the engine does not promise closed sets
@@ -31,9 +31,10 @@ inline bool is_finding(Verdict v) {
 
 struct Judgement {
   Verdict verdict = Verdict::agree;
-  double ulps = 0;      ///< greatest distance of a number from the exact one, in units in the last place
-  std::string remark;   ///< for `invalid`: what was wrong with the answer
-  int touch_reading = 0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
+  double ulps = 0;     ///< greatest distance of a number from the exact one, in units in the last place
+  std::string remark;  ///< for `invalid`: what was wrong with the answer
+  int touch_reading =
+      0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
 };
 
 /// How a foreign engine wants to be judged.

@@ -90,8 +90,8 @@ std::string figure(const Operation& operation, const Finding& finding) {
   return "<figure>" + svg + (notes.empty() ? "" : "<figcaption>" + escaped(notes) + "</figcaption>") + "</figure>";
 }
 
-std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement,
-                     Speaker speaker, const char* style = "") {
+std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement, Speaker speaker,
+                     const char* style = "") {
   std::string text = "<tr class=\"" + std::string(style) + "\"><th scope=\"row\">" + escaped(who) + "</th><td>" +
                      code(answer) + "</td><td>";
   if (judgement) {
@@ -139,9 +139,10 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
                          const Declaration& declaration, Speaker speaker) {
   const Finding& finding = *smallest.finding;
   const std::string verdict = name_of(finding.judgement.verdict);
-  std::string text = fmt::format("<section class=\"card\" id=\"{0}{1}\"><h3>{2} {3}</h3><p>{4}</p>",
-                                 speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict, speaker),
-                                 escaped(counted(count, "case")), escaped(why(finding, &operation, speaker, declaration.binary32)));
+  std::string text =
+      fmt::format("<section class=\"card\" id=\"{0}{1}\"><h3>{2} {3}</h3><p>{4}</p>",
+                  speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict, speaker),
+                  escaped(counted(count, "case")), escaped(why(finding, &operation, speaker, declaration.binary32)));
   text += "<div class=\"seen\">" + figure(operation, finding);
   std::string margin, proof;
   try {
@@ -162,10 +163,10 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
   fact("found in", escaped(fmt::format("family {}, case {}", smallest.family, finding.index)));
   const std::string whose = speaker == Speaker::foreign ? ", CMD the command of the engine" : "";
-  text += "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone "
-          "where it is not installed" +
-          whose + "):</p><pre class=\"repeat\">" + escaped(repeat_command(operation, finding.question, speaker)) +
-          "</pre>";
+  text +=
+      "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone "
+      "where it is not installed" +
+      whose + "):</p><pre class=\"repeat\">" + escaped(repeat_command(operation, finding.question, speaker)) + "</pre>";
   return text + proof + "</section>";
 }
 

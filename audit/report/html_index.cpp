@@ -43,7 +43,8 @@ std::string tile(const std::string& style, std::uint64_t n, const std::string& w
 }
 
 std::string tiles(const Tally& tally, const Cell& sum) {
-  std::string text = "<div class=\"tiles\">" + tile("", sum.cases() - sum.count(Verdict::unsupported), "answers judged");
+  std::string text =
+      "<div class=\"tiles\">" + tile("", sum.cases() - sum.count(Verdict::unsupported), "answers judged");
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
     const bool always = verdict == Verdict::agree || verdict == Verdict::rounding || verdict == Verdict::algorithm;
@@ -78,8 +79,10 @@ std::string operations_table(const Tally& tally) {
 
 /// The words of the pages that a reader may not know.
 std::string glossary() {
-  return "<p class=\"small quiet\" style=\"margin:14px 0 0\">The slide is the textbook formula of an operation, deck p. the "
-         "page of the lecture deck that it stands on (<em>Collision handling: detection and response</em>, CSE 3541, M. "
+  return "<p class=\"small quiet\" style=\"margin:14px 0 0\">The slide is the textbook formula of an operation, deck "
+         "p. the "
+         "page of the lecture deck that it stands on (<em>Collision handling: detection and response</em>, CSE 3541, "
+         "M. "
          "Boggus); an ulp is one unit in the last place of a number, and a family named +ulp holds the inputs of the "
          "family before it with one coordinate moved by a few ulps.</p>";
 }

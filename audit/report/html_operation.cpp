@@ -10,16 +10,11 @@ namespace {
 
 std::string kind_in_words(const Card& card) {
   switch (card.kind) {
-    case Kind::decision:
-      return "a decision: right or wrong";
-    case Kind::measure:
-      return "numbers: judged by their distance from the exact value in ulps";
-    case Kind::set:
-      return "a set: equal after canonical order";
-    case Kind::checked:
-      return "many right answers: a checker accepts or refuses";
-    case Kind::covering:
-      return "nothing may be missing";
+    case Kind::decision: return "a decision: right or wrong";
+    case Kind::measure: return "numbers: judged by their distance from the exact value in ulps";
+    case Kind::set: return "a set: equal after canonical order";
+    case Kind::checked: return "many right answers: a checker accepts or refuses";
+    case Kind::covering: return "nothing may be missing";
   }
   return "";
 }

@@ -39,8 +39,7 @@ std::optional<Gap> gap_to(const ExactPoint& a, const ExactPoint& b, const Stretc
 std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewport& view) {
   const std::vector<ExactPoint> ends = vertices_of(figure);
   switch (figure.kind) {
-    case Figure::Kind::point:
-      return std::nullopt;
+    case Figure::Kind::point: return std::nullopt;
     case Figure::Kind::polygon: {
       // Touching one edge is no reason to overlook the gap to another; the edges that end in p itself have none.
       std::optional<Gap> least;

@@ -36,14 +36,10 @@ Colour map_colour(Verdict verdict, std::size_t rank) {
   // A number a little off is no wrong decision, and covers whole maps: it is to be seen, not to shout.
   if (verdict == Verdict::inexact) return mixed(colour_of(verdict), 255, rank % 4 == 0 ? 70 : rank % 4 == 1 ? 55 : 40);
   switch (rank % 4) {
-    case 0:
-      return mixed(colour_of(verdict), 255, 35);
-    case 1:
-      return mixed(colour_of(verdict), 0, 30);
-    case 3:
-      return mixed(colour_of(verdict), 255, 65);
-    default:
-      return colour_of(verdict);
+    case 0: return mixed(colour_of(verdict), 255, 35);
+    case 1: return mixed(colour_of(verdict), 0, 30);
+    case 3: return mixed(colour_of(verdict), 255, 65);
+    default: return colour_of(verdict);
   }
 }
 

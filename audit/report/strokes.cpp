@@ -170,12 +170,9 @@ void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const 
     case Figure::Kind::segment:
     case Figure::Kind::line:
     case Figure::Kind::ray:
-    case Figure::Kind::arrow:
-      return straight(drawing, figure, view, style);
-    case Figure::Kind::circle:
-      return circle(drawing, figure, view, style);
-    case Figure::Kind::polygon:
-      return polygon(drawing, figure, view, style);
+    case Figure::Kind::arrow: return straight(drawing, figure, view, style);
+    case Figure::Kind::circle: return circle(drawing, figure, view, style);
+    case Figure::Kind::polygon: return polygon(drawing, figure, view, style);
   }
 }
 

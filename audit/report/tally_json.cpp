@@ -27,14 +27,14 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
   for (const auto& [outcome, n] : cell.outcomes) outcomes[outcome] = n;
   for (const auto& [rule, n] : cell.rules) rules[rule] = n;
   Json result = {{"family", family},
-          {"cases", cell.cases()},
-          {"counts", counts},
-          {"outcomes", outcomes},
-          {"touches", {{"closed", cell.touches_closed}, {"open", cell.touches_open}}},
-          {"refused", cell.refused},
-          {"rules", rules},
-          {"worst_ulps", written(cell.worst_ulps)},
-          {"smallest", smallest}};
+                 {"cases", cell.cases()},
+                 {"counts", counts},
+                 {"outcomes", outcomes},
+                 {"touches", {{"closed", cell.touches_closed}, {"open", cell.touches_open}}},
+                 {"refused", cell.refused},
+                 {"rules", rules},
+                 {"worst_ulps", written(cell.worst_ulps)},
+                 {"smallest", smallest}};
   if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
   return result;
 }

@@ -96,14 +96,15 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
                  "The slide's formula itself fails here: even in exact arithmetic it is wrong, or undefined such as "
                  "0/0.") +
              (mentions_nan(finding.answer) ? " The NaN in the answer is what 0/0 leaves behind." : "");
-    case Speaker::robust:
-      return "robust promises the right answer for every finite input, so this is a bug of robust.";
-    case Speaker::foreign:
-      break;
+    case Speaker::robust: return "robust promises the right answer for every finite input, so this is a bug of robust.";
+    case Speaker::foreign: break;
   }
   const auto right = formula_is_right(finding, operation, binary32);
-  return std::string("The slide's formula, evaluated in the engine's own number type, is certain of its decision here") +
-         (!right ? "" : *right ? ", which is right" : ", which is wrong too") +
+  return std::string(
+             "The slide's formula, evaluated in the engine's own number type, is certain of its decision here") +
+         (!right   ? ""
+          : *right ? ", which is right"
+                   : ", which is wrong too") +
          ": the method is the presumed cause. The engine's own formula was not seen.";
 }
 
@@ -113,7 +114,8 @@ std::string why_rounding(Speaker speaker) {
            "results "
            "changed the decision.";
   }
-  return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this input: "
+  return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this "
+         "input: "
          "rounding is the presumed cause. The engine's own formula was not seen.";
 }
 
@@ -148,12 +150,9 @@ std::string subject(const Declaration& declaration) {
 
 std::string boundary_word(Declaration::Boundary boundary) {
   switch (boundary) {
-    case Declaration::Boundary::closed:
-      return "closed";
-    case Declaration::Boundary::open:
-      return "open";
-    case Declaration::Boundary::unspecified:
-      break;
+    case Declaration::Boundary::closed: return "closed";
+    case Declaration::Boundary::open: return "open";
+    case Declaration::Boundary::unspecified: break;
   }
   return "unspecified";
 }
@@ -161,24 +160,18 @@ std::string boundary_word(Declaration::Boundary boundary) {
 std::string meaning(Verdict verdict, Speaker speaker) {
   const bool foreign = speaker == Speaker::foreign;
   switch (verdict) {
-    case Verdict::agree:
-      return "right decision, every number within the stated bound";
+    case Verdict::agree: return "right decision, every number within the stated bound";
     case Verdict::rounding:
       return foreign ? "wrong decision where the slide's formula in the engine's number type cannot be sure of its own"
                      : "wrong decision; the same formula in exact arithmetic is right";
     case Verdict::algorithm:
       return foreign ? "wrong decision where the slide's formula in the engine's number type is certain of its own"
                      : "wrong decision, or undefined, even in exact arithmetic";
-    case Verdict::inexact:
-      return "right decision, a number further off than the stated bound";
-    case Verdict::convention:
-      return "right for open sets, where the truth is a touch";
-    case Verdict::tolerance:
-      return "wrong decision, within the tolerance that the engine declares";
-    case Verdict::invalid:
-      return "NaN, infinity, exception, crash, no legal answer or none in time";
-    case Verdict::unsupported:
-      return "the engine does not answer this";
+    case Verdict::inexact: return "right decision, a number further off than the stated bound";
+    case Verdict::convention: return "right for open sets, where the truth is a touch";
+    case Verdict::tolerance: return "wrong decision, within the tolerance that the engine declares";
+    case Verdict::invalid: return "NaN, infinity, exception, crash, no legal answer or none in time";
+    case Verdict::unsupported: return "the engine does not answer this";
   }
   return "";
 }
@@ -193,10 +186,8 @@ std::string not_asked_in_words(const Cell& cell) {
 
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
-    case Verdict::rounding:
-      return why_rounding(speaker);
-    case Verdict::algorithm:
-      return why_algorithm(finding, operation, speaker, binary32);
+    case Verdict::rounding: return why_rounding(speaker);
+    case Verdict::algorithm: return why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {
       const std::string off = ulps_in_words(finding.judgement.ulps);
       if (speaker == Speaker::robust)
@@ -212,14 +203,10 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
     }
     case Verdict::convention:
       return "The truth is a touch, and the answer is right for open sets; the engine does not promise closed ones.";
-    case Verdict::tolerance:
-      return "The margin is within the tolerance that the engine declares.";
-    case Verdict::invalid:
-      return finding.judgement.remark.empty() ? "No legal answer." : finding.judgement.remark;
-    case Verdict::unsupported:
-      return "The engine does not answer this input.";
-    case Verdict::agree:
-      break;
+    case Verdict::tolerance: return "The margin is within the tolerance that the engine declares.";
+    case Verdict::invalid: return finding.judgement.remark.empty() ? "No legal answer." : finding.judgement.remark;
+    case Verdict::unsupported: return "The engine does not answer this input.";
+    case Verdict::agree: break;
   }
   return "The answer is right.";
 }

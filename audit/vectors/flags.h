@@ -17,13 +17,20 @@ struct Flag {
 };
 
 inline constexpr std::array<Flag, 7> vector_flags{{
-    {"touch", "The shapes meet in a boundary point only.", "An implementation for open sets answers otherwise; that is a convention, not an error."},
-    {"degenerate", "The margin is 0: the least change of the input can change the answer.", "A tolerance does not help; exact arithmetic does."},
-    {"formula_rounds", "The slide's formula in double decides wrongly, in exact arithmetic rightly.", "A failure points at rounding."},
-    {"formula_wrong", "The slide's formula decides wrongly, or is undefined, even in exact arithmetic.", "A failure points at a missing special case."},
-    {"formula_inexact", "The slide's formula decides rightly, but a number is further off than its stated bound.", "A failure points at cancellation."},
-    {"extreme", "A number is subnormal or beyond 2^500 in size.", "A failure points at overflow, underflow or flush-to-zero."},
-    {"refused", "The input is outside the contract; field and rule are given.", "An implementation may do what it documents."},
+    {"touch", "The shapes meet in a boundary point only.",
+     "An implementation for open sets answers otherwise; that is a convention, not an error."},
+    {"degenerate", "The margin is 0: the least change of the input can change the answer.",
+     "A tolerance does not help; exact arithmetic does."},
+    {"formula_rounds", "The slide's formula in double decides wrongly, in exact arithmetic rightly.",
+     "A failure points at rounding."},
+    {"formula_wrong", "The slide's formula decides wrongly, or is undefined, even in exact arithmetic.",
+     "A failure points at a missing special case."},
+    {"formula_inexact", "The slide's formula decides rightly, but a number is further off than its stated bound.",
+     "A failure points at cancellation."},
+    {"extreme", "A number is subnormal or beyond 2^500 in size.",
+     "A failure points at overflow, underflow or flush-to-zero."},
+    {"refused", "The input is outside the contract; field and rule are given.",
+     "An implementation may do what it documents."},
 }};
 
 std::vector<std::string> flags_of(const Question& question, const Examination& examination);

@@ -59,7 +59,8 @@ Question with_a_number_not_finite(const Operation& operation, const std::vector<
 std::string likeness(const Operation& operation, const Question& question) {
   try {
     const auto examination = operation.examine(question);
-    return examination->outcome() + (examination->touch() ? " touch " : " ") + name_of(examination->judge_reference().verdict);
+    return examination->outcome() + (examination->touch() ? " touch " : " ") +
+           name_of(examination->judge_reference().verdict);
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
@@ -68,7 +69,9 @@ std::string likeness(const Operation& operation, const Question& question) {
 /// Equal, in whatever order the fields of objects come.
 bool same(const Json& a, const Json& b) { return nlohmann::json(a) == nlohmann::json(b); }
 
-std::string in_words(std::size_t environment) { return environment == 0 ? "" : " (" + environment_name(environment) + ")"; }
+std::string in_words(std::size_t environment) {
+  return environment == 0 ? "" : " (" + environment_name(environment) + ")";
+}
 
 /// Robust is asked in every floating-point environment.
 std::string robust_complaint(const Operation& operation, const Json& line, const Question& question) {
@@ -80,15 +83,19 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
     try {
       operation.examine(question);
     } catch (const InvalidInput& refused) {
-      return refused.field() == line["refused"]["field"] && refused.rule() == line["refused"]["rule"] ? "" : "refused otherwise";
+      return refused.field() == line["refused"]["field"] && refused.rule() == line["refused"]["rule"]
+                 ? ""
+                 : "refused otherwise";
     }
     return "not refused";
   }
   const auto examination = operation.examine(question);
-  if (!same(without_marks(examination->truth()), line["truth"])) return "the oracle's truth is " + one_line(examination->truth());
+  if (!same(without_marks(examination->truth()), line["truth"]))
+    return "the oracle's truth is " + one_line(examination->truth());
   for (std::size_t environment = 0; environment < environment_count; ++environment) {
     if (examination->judge_robust(environment).verdict == Verdict::agree) continue;
-    return environment == 0 ? "robust answers " + one_line(examination->robust()) : "robust answers wrongly" + in_words(environment);
+    return environment == 0 ? "robust answers " + one_line(examination->robust())
+                            : "robust answers wrongly" + in_words(environment);
   }
   return "";
 }
@@ -97,7 +104,8 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
 std::string other_complaint(const Operation& operation, const Json& line, const Question& question) {
   const std::string family = line.value("family", "");
   const auto& families = operation.families();
-  if (family != not_finite && std::find(families.begin(), families.end(), family) == families.end()) return "family: one of the operation's families";
+  if (family != not_finite && std::find(families.begin(), families.end(), family) == families.end())
+    return "family: one of the operation's families";
   const Json written = vector_line(operation, family, question);
   for (const char* name : {"rounded", "margin", "flags", "as_typed"}) {
     const Json right = written.value(name, Json());
@@ -138,15 +146,19 @@ Json vector_schema() {
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "touchstone test vector";
   schema["description"] =
-      "One JSON object a line. Exact numbers are \"p/q\" or \"p\"; input numbers are the doubles that the decimals round to. "
-      "`rounded` is the truth with every number the nearest double, ties to even. In the family \"not_finite\" an input number is "
+      "One JSON object a line. Exact numbers are \"p/q\" or \"p\"; input numbers are the doubles that the decimals "
+      "round to. "
+      "`rounded` is the truth with every number the nearest double, ties to even. In the family \"not_finite\" an "
+      "input number is "
       "\"inf\", \"-inf\" or \"nan\".";
   schema["type"] = "object";
   schema["required"] = {"touchstone", "op", "family", "input", "flags"};
-  schema["oneOf"] = Json::array({Json{{"required", {"truth", "rounded", "margin", "certificate"}}}, Json{{"required", {"refused"}}}});
+  schema["oneOf"] =
+      Json::array({Json{{"required", {"truth", "rounded", "margin", "certificate"}}}, Json{{"required", {"refused"}}}});
   schema["properties"]["touchstone"]["const"] = version;
   for (const char* name : {"op", "family", "margin"}) schema["properties"][name]["type"] = "string";
-  for (const char* name : {"input", "truth", "rounded", "certificate", "refused", "as_typed"}) schema["properties"][name]["type"] = "object";
+  for (const char* name : {"input", "truth", "rounded", "certificate", "refused", "as_typed"})
+    schema["properties"][name]["type"] = "object";
   schema["properties"]["flags"]["type"] = "array";
   schema["flags"] = flags;
   return schema;

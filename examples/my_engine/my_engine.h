@@ -8,7 +8,9 @@ struct MyEngine {
   static constexpr const char* name = "my engine 1.0";
   static constexpr auto boundary = touchstone::Boundary::closed;
 
-  static double side(touchstone::Point2d p, touchstone::Point2d q, touchstone::Point2d r) { return cross(q - p, r - p); }
+  static double side(touchstone::Point2d p, touchstone::Point2d q, touchstone::Point2d r) {
+    return cross(q - p, r - p);
+  }
   bool segment_segment(touchstone::Segment2d a, touchstone::Segment2d b) {
     return side(a.a, a.b, b.a) * side(a.a, a.b, b.b) <= 0 && side(b.a, b.b, a.a) * side(b.a, b.b, a.b) <= 0;
   }

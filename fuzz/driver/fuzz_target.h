@@ -40,15 +40,20 @@ class TargetOf final : public Target {
     try {
       if constexpr (decides_quickly) {
         const auto truth = Row::decision::oracle(asked);
-        const auto answer = audit::in_environment(environment, asked, [](const Asked& q) { return Row::decision::robust(q); });
-        if (answer != truth) return "robust and oracle decide differently (" + audit::environment_name(environment) + ")";
+        const auto answer =
+            audit::in_environment(environment, asked, [](const Asked& q) { return Row::decision::robust(q); });
+        if (answer != truth)
+          return "robust and oracle decide differently (" + audit::environment_name(environment) + ")";
         if (hash / 32 % 16 != 0) return "";
       }
       const auto truth = audit::ask_oracle<Row>(asked);
-      const auto answer = audit::in_environment(environment, asked, [](const Asked& q) { return audit::ask_robust<Row>(q); });
-      if (differ(asked, truth.answer, answer)) return "robust and oracle differ (" + audit::environment_name(environment) + ")";
+      const auto answer =
+          audit::in_environment(environment, asked, [](const Asked& q) { return audit::ask_robust<Row>(q); });
+      if (differ(asked, truth.answer, answer))
+        return "robust and oracle differ (" + audit::environment_name(environment) + ")";
       if constexpr (audit::decides_alone<Row> && !decides_quickly) {
-        const auto word = audit::in_environment(environment, asked, [](const Asked& q) { return audit::decision_alone<Row>(q); });
+        const auto word =
+            audit::in_environment(environment, asked, [](const Asked& q) { return audit::decision_alone<Row>(q); });
         if (audit::word_in<std::remove_const_t<decltype(word)>>(truth.answer) != word) {
           return "the decision alone differs from the oracle's (" + audit::environment_name(environment) + ")";
         }
@@ -66,12 +71,11 @@ class TargetOf final : public Target {
   std::string shown(Bytes data) const override {
     const audit::Question question = flat(decoded(data));
     const std::string name = operation_.name(), exact = audit::one_line(operation_.print_hexadecimal(question));
-    return audit::one_line(operation_.print(question)) + "\n" + exact + "\necho '" + exact + "' | touchstone ask " + name + " -";
+    return audit::one_line(operation_.print(question)) + "\n" + exact + "\necho '" + exact + "' | touchstone ask " +
+           name + " -";
   }
 
-  void decode(Bytes data, std::vector<double>& numbers) const override {
-    audit::flatten(decoded(data), numbers);
-  }
+  void decode(Bytes data, std::vector<double>& numbers) const override { audit::flatten(decoded(data), numbers); }
 
   const Layout& layout(const std::vector<double>& numbers) const override {
     static thread_local Layout found;
@@ -156,27 +160,35 @@ class TargetOf final : public Target {
 
   template <class T>
   static void lay_out(const T& value, std::size_t& place, Layout& found) {
-    if constexpr (requires { value.x; value.y; }) {
-      found.points.push_back({place, requires { value.z; } ? 3u : 2u});
+    if constexpr (requires {
+                    value.x;
+                    value.y;
+                  }) {
+      found.points.push_back({place, requires { value.z;
     }
-    if constexpr (audit::Composite<T>) {
-      audit::for_each_member<T>([&](const auto& member) { lay_out(value.*member.pointer, place, found); });
-    } else if constexpr (audit::is_vector<T>) {
-      typename T::value_type element{};
-      std::size_t numbers = 0;
-      audit::for_each_number(element, [&](auto&) { ++numbers; });
-      found.lists.push_back({place++, numbers});
-      for (const auto& one : value) lay_out(one, place, found);
-    } else {
-      found.coordinates.push_back(place++);
-    }
-  }
+    ? 3u : 2u
+  });
+} if constexpr (audit::Composite<T>) {
+  audit::for_each_member<T>([&](const auto& member) { lay_out(value.*member.pointer, place, found); });
+}
+else if constexpr (audit::is_vector<T>) {
+  typename T::value_type element{};
+  std::size_t numbers = 0;
+  audit::for_each_number(element, [&](auto&) { ++numbers; });
+  found.lists.push_back({place++, numbers});
+  for (const auto& one : value) lay_out(one, place, found);
+}
+else {
+  found.coordinates.push_back(place++);
+}
+}  // namespace touchstone::fuzz
 
-  static constexpr bool decides_quickly = requires(const Asked& asked) { Row::decision::oracle(asked); };
+static constexpr bool decides_quickly = requires(const Asked& asked) { Row::decision::oracle(asked); };
 
-  const audit::Operation& operation_ = audit::operation_of_row<Row>();
-  audit::Families<Row> families_;
-};
+const audit::Operation& operation_ = audit::operation_of_row<Row>();
+audit::Families<Row> families_;
+}
+;
 
 }  // namespace touchstone::fuzz
 

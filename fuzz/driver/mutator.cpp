@@ -19,14 +19,18 @@ using Numbers = std::vector<double>;
 
 class Mutation {
  public:
-  Mutation(Numbers& numbers, Choices& choices) : numbers_(numbers), choices_(choices), layout_(target().layout(numbers)) {}
+  Mutation(Numbers& numbers, Choices& choices)
+      : numbers_(numbers), choices_(choices), layout_(target().layout(numbers)) {}
 
   void apply() {
     if (layout_.coordinates.empty()) return grow_or_shrink();
     if (choices_.below(128) == 0) return spoil();
     switch (choices_.below(layout_.lists.empty() ? 12 : 14)) {
-      case 0: case 1: case 2: return nudge();
-      case 3: case 4: return snap_to_line();
+      case 0:
+      case 1:
+      case 2: return nudge();
+      case 3:
+      case 4: return snap_to_line();
       case 5: return coincide();
       case 6: return copy_number();
       case 7: return small_integer();
@@ -96,7 +100,8 @@ class Mutation {
   void typed() { any_number() = audit::typed(choices_); }
 
   void common_power() {
-    const int power = choices_.below(2) == 1 ? static_cast<int>(choices_.below(2098)) - 1074 : static_cast<int>(choices_.below(21)) - 10;
+    const int power = choices_.below(2) == 1 ? static_cast<int>(choices_.below(2098)) - 1074
+                                             : static_cast<int>(choices_.below(21)) - 10;
     for (const std::size_t place : layout_.coordinates) {
       const double multiplied = std::ldexp(numbers_[place], power);
       if (std::isfinite(multiplied)) numbers_[place] = multiplied;
@@ -111,7 +116,8 @@ class Mutation {
 
   void flip_bits() {
     double& number = any_number();
-    const auto flipped = std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ std::uint64_t{1} << choices_.below(64));
+    const auto flipped =
+        std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ std::uint64_t{1} << choices_.below(64));
     if (std::isfinite(flipped)) number = flipped;
   }
 
@@ -140,7 +146,8 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   if (choices.below(8) == 0) return false;
   static thread_local Numbers numbers;
   target().decode(data, numbers);
-  for (double& number : numbers) number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
+  for (double& number : numbers)
+    number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
   for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) Mutation(numbers, choices).apply();
   encode(numbers, result);
   return true;
@@ -148,7 +155,8 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
 
 }  // namespace touchstone::fuzz
 
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed) {
   static thread_local std::vector<std::uint8_t> result;
   if (!touchstone::fuzz::mutated({data, size}, seed, result) || result.size() > max_size) {
     return LLVMFuzzerMutate(data, size, max_size);

@@ -14,11 +14,13 @@ constexpr std::size_t degrees_of_nearness = 128, outcomes = 16;  // beyond them 
 #if defined(__linux__)
 [[gnu::section("__libfuzzer_extra_counters")]]
 #endif
-std::array<std::uint8_t, degrees_of_nearness * outcomes> nearness;
+std::array<std::uint8_t, degrees_of_nearness * outcomes>
+    nearness;
 
 /// floor(log2 |x|) or one more; x is not zero.
 long magnitude(const mpq_class& x) {
-  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+  return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) -
+         static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
 }
 
 int exponent(double x) { return static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) - 1023; }

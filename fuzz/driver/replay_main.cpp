@@ -14,7 +14,8 @@
 //   OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (500 unless told)
 //   OP --write-seeds FOLDER             one file for every hard case of the operation
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed);
 
 // libFuzzer's own mutation is not there: one byte is set, by the bytes alone.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
@@ -65,7 +66,8 @@ void ask(const Buffer& data, unsigned mutations) {
 int write_seeds(const fs::path& folder) {
   fs::create_directories(folder);
   for (const auto& [name, bytes] : touchstone::fuzz::target().seeds()) {
-    std::ofstream(folder / name, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(folder / name, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   }
   return 0;
 }

@@ -19,7 +19,9 @@ std::string complaint(const Operation& operation, const Question& question) {
 
 EACH_OPERATION("the checker accepts every certificate of the oracle") {
   if (operation.card().is_method()) return;  // the oracle is that of the operation
-  never(operation, "the certificate is accepted", [&](const Question& question) { return complaint(operation, question); }, 12, 8);
+  never(
+      operation, "the certificate is accepted",
+      [&](const Question& question) { return complaint(operation, question); }, 12, 8);
 }
 
 }  // namespace touchstone::proptests

@@ -3,8 +3,8 @@
 #include "audit/judge/compare.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/lines/segment_segment.h"
-#include "proptests/each_operation.h"
 #include "proptests/any_robust_bits.h"
+#include "proptests/each_operation.h"
 #include "proptests/property.h"
 
 namespace touchstone::proptests {
@@ -20,7 +20,8 @@ std::string second_truth(const Operation& operation, const Question& question) {
   audit::for_each_row([&]<class Row>() {
     if constexpr (requires { typename Row::decision; }) {
       if (&Row::card() != &operation.card()) return;
-      const auto whole = audit::converted<std::int64_t>(typed<Row>(question), [](double number) { return static_cast<std::int64_t>(number); });
+      const auto whole = audit::converted<std::int64_t>(
+          typed<Row>(question), [](double number) { return static_cast<std::int64_t>(number); });
       word = audit::word_of(Row::decision::oracle(whole));
     }
   });
@@ -38,7 +39,8 @@ struct Grid {
 
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
-  const std::uint64_t all = operation.configurations(grid.size, list_length).value(), step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1;
+  const std::uint64_t all = operation.configurations(grid.size, list_length).value(),
+                      step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1;
   std::uint64_t legal = 0;
   for (std::uint64_t index = 0; index < all; index += step) {
     Question question = operation.on_grid(grid.size, index, list_length);
@@ -49,7 +51,8 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
       ++legal;
       if (examination->judge_robust().verdict != Verdict::agree) FAIL_CHECK("robust: " << shown());
       const std::string second = second_truth(operation, question);
-      if (!second.empty() && second != examination->outcome()) FAIL_CHECK("the oracle's two methods differ: " << shown());
+      if (!second.empty() && second != examination->outcome())
+        FAIL_CHECK("the oracle's two methods differ: " << shown());
       const std::string broken = examination->broken_promise();
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
       if (index / step % grid.every != 0) continue;
@@ -85,11 +88,13 @@ EACH_OPERATION("decisions counted at full speed are those of the full examinatio
   if (!whole) return;
   CHECK(whole->wrong == 0);
   std::map<std::string, std::uint64_t> outcomes;
-  for (std::uint64_t index = 0; index < whole->cases; ++index) ++outcomes[operation.examine(operation.on_grid(3, index))->outcome()];
+  for (std::uint64_t index = 0; index < whole->cases; ++index)
+    ++outcomes[operation.examine(operation.on_grid(3, index))->outcome()];
   for (const auto& [outcome, count] : whole->outcomes) CHECK(outcomes[outcome] == count);
   const std::uint64_t third = whole->cases / 3;
   std::uint64_t hash = 0;
-  for (const auto& [first, last] : {std::pair{std::uint64_t{0}, third}, {third, 2 * third}, {2 * third, whole->cases}}) {
+  for (const auto& [first, last] :
+       {std::pair{std::uint64_t{0}, third}, {third, 2 * third}, {2 * third, whole->cases}}) {
     hash += operation.count_decisions(3, first, last)->hash;
   }
   CHECK(hash == whole->hash);

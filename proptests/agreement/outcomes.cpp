@@ -50,7 +50,8 @@ Reached reached_by(const Operation& operation, std::size_t family) {
 /// "polygon[3]: simple: its edge must not meet edge 5" -> "simple: its edge must not meet edge"
 std::string rule_of(const std::string& refusal) {
   std::string rule = refusal.substr(refusal.find(": ") + 2);
-  while (!rule.empty() && (std::isdigit(static_cast<unsigned char>(rule.back())) != 0 || rule.back() == ' ')) rule.pop_back();
+  while (!rule.empty() && (std::isdigit(static_cast<unsigned char>(rule.back())) != 0 || rule.back() == ' '))
+    rule.pop_back();
   return rule;
 }
 

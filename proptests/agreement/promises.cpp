@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/judge/examination_of.h"
+#include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -14,7 +14,8 @@ template <class Row>
 bool doubtful(const Question& question) {
   using Bounded = audit::Tracked<double>;
   Bounded::doubtful() = false;
-  audit::ask_reference<Row>(audit::converted<Bounded>(typed<Row>(question), [](double number) { return Bounded(number); }));
+  audit::ask_reference<Row>(
+      audit::converted<Bounded>(typed<Row>(question), [](double number) { return Bounded(number); }));
   return Bounded::doubtful();
 }
 
@@ -43,7 +44,9 @@ std::string complaint(const Operation& operation, const Question& question) {
 }  // namespace
 
 EACH_OPERATION("the slide's formula in double keeps what its contract promises") {
-  never(operation, "the reference keeps its promise", [&](const Question& question) { return complaint(operation, question); }, 8);
+  never(
+      operation, "the reference keeps its promise",
+      [&](const Question& question) { return complaint(operation, question); }, 8);
 }
 
 }  // namespace touchstone::proptests

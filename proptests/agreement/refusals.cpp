@@ -3,9 +3,9 @@
 
 #include <limits>
 
+#include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -63,25 +63,28 @@ EACH_OPERATION("a number that is not finite is refused by its field, wherever it
 }
 
 EACH_OPERATION("of several numbers that are not finite the first is named, and before it any rule broken earlier") {
-  property(operation.name() + ": refusals are equal", [&] {
-    Choices choices = Choices::seeded(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
-    Question question = operation.draw(choices, choices.below(operation.families().size()));
-    for (const std::size_t place : operation.coordinates(question)) {
-      double& number = question.numbers[place];
-      switch (choices.below(8)) {
-        case 4: number = 0; break;
-        case 5: number = -number; break;
-        case 6: number = infinity; break;
-        case 7: number = not_a_number; break;
-        default: break;
-      }
-    }
-    const std::string mismatch = operation.refusal_mismatch(question);
-    if (!mismatch.empty()) RC_FAIL(mismatch + " " + audit::one_line(operation.print(question)));
-    for (std::size_t environment = 1; environment < environment_count; ++environment) {
-      RC_ASSERT(robust_bits(operation, question, environment) == robust_bits(operation, question, 0));
-    }
-  }, 2000);
+  property(
+      operation.name() + ": refusals are equal",
+      [&] {
+        Choices choices = Choices::seeded(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+        Question question = operation.draw(choices, choices.below(operation.families().size()));
+        for (const std::size_t place : operation.coordinates(question)) {
+          double& number = question.numbers[place];
+          switch (choices.below(8)) {
+            case 4: number = 0; break;
+            case 5: number = -number; break;
+            case 6: number = infinity; break;
+            case 7: number = not_a_number; break;
+            default: break;
+          }
+        }
+        const std::string mismatch = operation.refusal_mismatch(question);
+        if (!mismatch.empty()) RC_FAIL(mismatch + " " + audit::one_line(operation.print(question)));
+        for (std::size_t environment = 1; environment < environment_count; ++environment) {
+          RC_ASSERT(robust_bits(operation, question, environment) == robust_bits(operation, question, 0));
+        }
+      },
+      2000);
 }
 
 }  // namespace touchstone::proptests

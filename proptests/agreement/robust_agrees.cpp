@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -36,7 +36,9 @@ std::string complaint(const Operation& operation, const Question& question) {
 
 EACH_OPERATION("robust agrees with the oracle on every family, in every environment") {
   if (operation.card().is_method()) return;  // robust and oracle are those of the operation
-  never(operation, "robust agrees with the oracle", [&](const Question& question) { return complaint(operation, question); }, 32);
+  never(
+      operation, "robust agrees with the oracle",
+      [&](const Question& question) { return complaint(operation, question); }, 32);
 }
 
 }  // namespace touchstone::proptests

@@ -90,9 +90,11 @@ TEST_CASE("exhaust: a shard that is missing is missed, one that is there twice o
   const auto thirds = shards.run_all("orientation", 3, 3, false), halves = shards.run_all("orientation", 3, 2, false);
   CHECK_THAT(merged({thirds[0], thirds[2]}), Catch::Contains("1 of 3 shards are missing"));
   CHECK_THAT(merged(thirds), !Catch::Contains("missing"));
-  CHECK_THAT(merged({thirds[0], thirds[1], thirds[0]}), Catch::EndsWith("line 1: grid.done: every shard once (1 is there twice)"));
+  CHECK_THAT(merged({thirds[0], thirds[1], thirds[0]}),
+             Catch::EndsWith("line 1: grid.done: every shard once (1 is there twice)"));
   CHECK_THAT(merged({thirds[0], halves[1]}), Catch::EndsWith("line 1: grid.shards: the same in every file"));
-  CHECK_THAT(merged({thirds[0], shards.run("orientation", 2, "2/3", false)}), Catch::EndsWith("line 1: grid.size: the same in every file"));
+  CHECK_THAT(merged({thirds[0], shards.run("orientation", 2, "2/3", false)}),
+             Catch::EndsWith("line 1: grid.size: the same in every file"));
 }
 
 TEST_CASE("exhaust: decisions merge to those of one run; gaps, repetitions and other runs are refused") {
@@ -112,7 +114,8 @@ TEST_CASE("exhaust: decisions merge to those of one run; gaps, repetitions and o
   CHECK(merged({thirds[0], thirds[1]}) == "merge: configurations up to 729, found 486");
   CHECK(merged({thirds[0], thirds[1], thirds[1], thirds[2]}) == "merge: configurations from 486 on, found 243");
   CHECK(merged({thirds[0], shards.run("orientation", 2, "2/3", true)}) == "merge: results of one operation and grid");
-  CHECK(merged({thirds[0], shards.run("segment_segment", 3, "2/3", true)}) == "merge: results of one operation and grid");
+  CHECK(merged({thirds[0], shards.run("segment_segment", 3, "2/3", true)}) ==
+        "merge: results of one operation and grid");
 }
 
 TEST_CASE("exhaust: the hash of the decisions changes with a decision") {
@@ -142,7 +145,8 @@ TEST_CASE("exhaust: a shard is I/N with 1 <= I <= N") {
 }
 
 TEST_CASE("exhaust: what is no shard is refused") {
-  for (const char* shard : {"", "1", "0/1", "2/1", "1/-1", "-1/2", "+1/2", "1/0", "1/2/3", "1 /2", "1/2 ", "a/b", "1/18446744073709551616"}) {
+  for (const char* shard : {"", "1", "0/1", "2/1", "1/-1", "-1/2", "+1/2", "1/0", "1/2/3", "1 /2", "1/2 ", "a/b",
+                            "1/18446744073709551616"}) {
     std::ostringstream out, err;
     INFO(shard);
     CHECK_THROWS_AS(exhaust_command("orientation", 2, shard, "", true, out, err), UsageError);

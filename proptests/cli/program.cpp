@@ -62,8 +62,8 @@ TEST_CASE("program: an operation named twice is asked once") {
 
 TEST_CASE("program: an engine that has none of the operations asked is an engine that cannot be run") {
   const char* const engine = R"(echo '{"engine":"e 1","ops":["juggle"]}'; cat)";
-  require_refused(called({"audit", "--ops", "orientation,line_line", "--cases", "10", "--engine", engine}), engine_failed,
-                  "e 1: it declares none of the operations asked: orientation, line_line");
+  require_refused(called({"audit", "--ops", "orientation,line_line", "--cases", "10", "--engine", engine}),
+                  engine_failed, "e 1: it declares none of the operations asked: orientation, line_line");
 }
 
 TEST_CASE("program: what cannot be written is known before the first question, by its option") {
@@ -77,14 +77,16 @@ TEST_CASE("program: nothing judged is not nothing found") {
 }
 
 TEST_CASE("program: a number that is none costs an engine its question and not the run") {
-  const std::string script = (std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_engine.sh")).string();
+  const std::string script =
+      (std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_engine.sh")).string();
   std::ofstream(script) << R"(echo '{"engine":"e 1","ops":["line_point_at"]}'
 read greeting
 id=1
 while read question; do echo "{\"id\":$id,\"answer\":{\"point\":[0x10,1]}}"; id=$((id + 1)); done
 )";
   const std::string command = "sh " + script;
-  const Called call = called({"audit", "--ops", "line_point_at", "--cases", "40", "--jobs", "1", "--engine", command.c_str()});
+  const Called call =
+      called({"audit", "--ops", "line_point_at", "--cases", "40", "--jobs", "1", "--engine", command.c_str()});
   std::filesystem::remove(script);
   INFO(call.err);
   CHECK(call.code == findings);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <functional>
 
+#include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {

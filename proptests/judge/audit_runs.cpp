@@ -167,7 +167,8 @@ TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupp
   const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
   REQUIRE(failed);
   CHECK(failed->judgement.remark == "fell over");
-  CHECK_THROWS_AS((Run{.operation = "ray_segment", .answer = right}.tally()), EngineError);  // it has nothing that was asked
+  CHECK_THROWS_AS((Run{.operation = "ray_segment", .answer = right}.tally()),
+                  EngineError);  // it has nothing that was asked
 }
 
 TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong answer") {
@@ -180,7 +181,10 @@ TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong an
   CHECK(cell.not_asked > 0);
   CHECK(cell.cases() + cell.not_asked == 3000);
   CHECK(cell.given_up == "given up");
-  const Tally none = Run{.families = {"grid"}, .answer = [](const Question&, const Examination&) -> Json { return {{"not asked", true}}; }}.tally();
+  const Tally none = Run{
+      .families = {"grid"}, .answer = [](const Question&, const Examination&) -> Json {
+        return {{"not asked", true}};
+      }}.tally();
   CHECK(none.operations[0].total().cases() == 0);
   CHECK(none.has_findings());
   CHECK_THAT(text_table(none), Catch::Contains("0 of 0 answers wrong; 3,000 not asked") &&

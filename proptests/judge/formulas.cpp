@@ -31,14 +31,10 @@ struct Run {
   }
   void apply(std::uint64_t operation, std::size_t i, std::size_t j) {
     switch (operation) {
-      case 0:
-        return apply([](const auto& a, const auto& b) { return a + b; }, i, j);
-      case 1:
-        return apply([](const auto& a, const auto& b) { return a - b; }, i, j);
-      case 2:
-        return apply([](const auto& a, const auto& b) { return a * b; }, i, j);
-      default:
-        return apply([](const auto& a, const auto& b) { return a / b; }, i, j);
+      case 0: return apply([](const auto& a, const auto& b) { return a + b; }, i, j);
+      case 1: return apply([](const auto& a, const auto& b) { return a - b; }, i, j);
+      case 2: return apply([](const auto& a, const auto& b) { return a * b; }, i, j);
+      default: return apply([](const auto& a, const auto& b) { return a / b; }, i, j);
     }
   }
 
@@ -57,18 +53,14 @@ struct Run {
 template <class Float>
 Float number(Choices& choices) {
   switch (choices.below(5)) {
-    case 0:
-      return static_cast<Float>(small_integer(choices));
-    case 1:
-      return static_cast<Float>(typed(choices));
-    case 2:
-      return static_cast<Float>(ordinary(choices));
+    case 0: return static_cast<Float>(small_integer(choices));
+    case 1: return static_cast<Float>(typed(choices));
+    case 2: return static_cast<Float>(ordinary(choices));
     case 3:
       return std::ldexp(
           static_cast<Float>(1 + choices.below(16)),
           static_cast<int>(choices.below(sizeof(Float) == 8 ? 1900 : 240)) - (sizeof(Float) == 8 ? 1000 : 130));
-    default:
-      return std::numeric_limits<Float>::denorm_min() * static_cast<Float>(choices.below(1000));
+    default: return std::numeric_limits<Float>::denorm_min() * static_cast<Float>(choices.below(1000));
   }
 }
 
@@ -102,7 +94,8 @@ std::uint64_t holds(const Function& function, const Tracked<Float>& argument, co
   const Float plain = function(argument.value());
   const Exact exact = function(exactly);
   CAPTURE(argument.value(), argument.error(), plain, found.error());
-  if (plain == plain ? plain != found.value() : found.value() == found.value()) FAIL("another value than the plain computation's");
+  if (plain == plain ? plain != found.value() : found.value() == found.value())
+    FAIL("another value than the plain computation's");
   if (!std::isfinite(plain) || !std::isfinite(found.error()) || !exact.defined()) return 0;
   if (abs(exact_value(plain) - exact.value()) > exact_value(found.error())) FAIL("the exact value is beyond the bound");
   return 1;
@@ -112,8 +105,14 @@ std::uint64_t holds(const Function& function, const Tracked<Float>& argument, co
 template <class Float>
 void hold_roots_and_arc_cosines(std::uint64_t each) {
   using T = Tracked<Float>;
-  const auto root = [](const auto& x) { using std::sqrt; return sqrt(x); };
-  const auto arc_cosine = [](const auto& x) { using std::acos; return acos(x); };
+  const auto root = [](const auto& x) {
+    using std::sqrt;
+    return sqrt(x);
+  };
+  const auto arc_cosine = [](const auto& x) {
+    using std::acos;
+    return acos(x);
+  };
   std::uint64_t roots = 0, angles = 0, angles_near_ends = 0;
   for (std::uint64_t i = 0; i < each; ++i) {
     Choices choices = Choices::seeded(seed_of(sizeof(Float), "roots", i));
@@ -127,7 +126,8 @@ void hold_roots_and_arc_cosines(std::uint64_t each) {
     const Float sign = choices.below(2) == 0 ? Float(1) : Float(-1);
     angles += holds(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
     // Beside an end: n / (n + k) for a large n, rounded; and exact numbers there.
-    const Float n = std::ldexp(Float(1), static_cast<int>(choices.below(std::numeric_limits<Float>::digits))), k = static_cast<Float>(choices.below(4));
+    const Float n = std::ldexp(Float(1), static_cast<int>(choices.below(std::numeric_limits<Float>::digits))),
+                k = static_cast<Float>(choices.below(4));
     angles_near_ends += holds(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
     const Float beside = sign - sign * k * std::numeric_limits<Float>::epsilon() / 2;
     angles_near_ends += holds(arc_cosine, T(beside), Exact(exact_value(beside)));
@@ -159,7 +159,7 @@ TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that
   CHECK((third > 0 && third <= 0x1p-55 * (1 + 0x1p-40)));      // half a unit of 1/3
   CHECK((sum > 0 && sum <= 0x1p-53 * (1 + 0x1p-40)));          // of 1
   CHECK((product > 0 && product <= 0x1p-60 * (1 + 0x1p-40)));  // of 0.01, between 2^-7 and 2^-6
-  CHECK((T(5e-324) * T(0.5)).error() >= 5e-324);  // half of it is no double
+  CHECK((T(5e-324) * T(0.5)).error() >= 5e-324);               // half of it is no double
   CHECK(std::isinf((T(1e308) * T(10.0)).error()));
   CHECK(std::isinf((T(1.0) / T(0.0)).error()));
 }
@@ -202,7 +202,8 @@ TEST_CASE("Tracked: bounds of roots and arc cosines are no larger than they must
   CHECK((acos(almost_one).error() > 0x1p-26 && acos(almost_one).error() < 4 * 0x1p-26));
 }
 
-TEST_CASE("Tracked: whether there is an arc cosine is in doubt beside 1 where the argument was rounded, and nowhere else") {
+TEST_CASE(
+    "Tracked: whether there is an arc cosine is in doubt beside 1 where the argument was rounded, and nowhere else") {
   using T = Tracked<double>;
   const auto doubtful = [](const T& argument) {
     T::doubtful() = false;

@@ -60,17 +60,10 @@ mpq_class drawn(Choices& choices, bool binary32) {
   if (kind == 3) size = (mpz_class(1) << static_cast<mp_bitcnt_t>(digits)) - 1;
   long exponent = 0;
   switch (choices.below(4)) {
-    case 0:
-      exponent = low;
-      break;
-    case 1:
-      exponent = high;
-      break;
-    case 2:
-      exponent = low - 60 + static_cast<long>(choices.below(130));
-      break;
-    default:
-      exponent = low + static_cast<long>(choices.below(static_cast<std::uint64_t>(high - low + 4)));
+    case 0: exponent = low; break;
+    case 1: exponent = high; break;
+    case 2: exponent = low - 60 + static_cast<long>(choices.below(130)); break;
+    default: exponent = low + static_cast<long>(choices.below(static_cast<std::uint64_t>(high - low + 4)));
   }
   mpq_class result(size);
   if (quotient) {

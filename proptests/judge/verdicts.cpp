@@ -222,7 +222,9 @@ TEST_CASE("verdicts: robust agrees where the formula does not") {
 
 TEST_CASE("verdicts: an engine may leave out every number, also one that is always there, but not the word") {
   const ExaminationOf<proptests::mandatory_number> examination({{0, 3}});
-  const auto judged = [&](const char* answer) { return examination.judge_engine(parse_line(answer), Declaration{"by hand"}); };
+  const auto judged = [&](const char* answer) {
+    return examination.judge_engine(parse_line(answer), Declaration{"by hand"});
+  };
   CHECK(judged(R"({"side":"front","signed_distance":3})").verdict == Verdict::agree);
   CHECK(judged(R"({"side":"front","signed_distance":4})").verdict == Verdict::inexact);
   CHECK(judged(R"({"side":"front","signed_distance":"nan"})").verdict == Verdict::invalid);

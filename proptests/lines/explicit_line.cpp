@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/lines/explicit_line.h"
+
 #include <cmath>
 
-#include "audit/catalogue/lines/explicit_line.h"
 #include "proptests/laws.h"
 #include "robust/lines/orientation.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/lines/implicit_circle.h"
+
 #include "proptests/laws.h"
 
 namespace touchstone::proptests {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/lines/line_line.h"
+
 #include "proptests/forward_error.h"
 
 namespace touchstone::proptests {

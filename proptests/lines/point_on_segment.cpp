@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/lines/point_on_segment.h"
+
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/segment_segment.h"

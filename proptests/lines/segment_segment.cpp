@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/lines/segment_segment.h"
+
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 

@@ -19,7 +19,8 @@ using namespace touchstone::certify;
 /// The claims of every file; those that hold, or the false ones. The test program runs in the source folder.
 std::vector<json> claims(bool refused) {
   std::set<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator("oracle/certificates/claims")) files.insert(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator("oracle/certificates/claims"))
+    files.insert(entry.path());
   std::vector<json> result;
   for (const auto& file : files) {
     std::ifstream in(file);
@@ -110,7 +111,8 @@ TEST_CASE("certificates: no other word is accepted in place of the truth's") {
 
 TEST_CASE("certificates: a test vector of a refused input is told from a claim") {
   CHECK(is_refused_input(R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"));
-  CHECK(!is_refused_input(R"({"op":"line_line","input":{},"truth":{},"certificate":{},"refused":"truth: x is missing"})"));
+  CHECK(!is_refused_input(
+      R"({"op":"line_line","input":{},"truth":{},"certificate":{},"refused":"truth: x is missing"})"));
   CHECK(!is_refused_input(R"({"op":"line_line","input":{},"certificate":{}})"));
   CHECK(!is_refused_input("{"));
   CHECK(!is_refused_input("[]"));

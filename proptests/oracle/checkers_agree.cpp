@@ -74,20 +74,13 @@ std::string altered(Choices& choices, const std::string& text) {
   const mpq_class value(text);
   const mpq_class near_one = 1 + mpq_class(1, mpz_class(1) << 50);
   switch (choices.below(7)) {
-    case 0:
-      return mpq_class(value + 1).get_str();
-    case 1:
-      return mpq_class(-value).get_str();
-    case 2:
-      return mpq_class(value * 2).get_str();
-    case 3:
-      return mpq_class(value * near_one).get_str();
-    case 4:
-      return mpq_class(value + mpq_class(1, mpz_class(1) << 1200)).get_str();
-    case 5:
-      return "1";
-    default:
-      return "0";
+    case 0: return mpq_class(value + 1).get_str();
+    case 1: return mpq_class(-value).get_str();
+    case 2: return mpq_class(value * 2).get_str();
+    case 3: return mpq_class(value * near_one).get_str();
+    case 4: return mpq_class(value + mpq_class(1, mpz_class(1) << 1200)).get_str();
+    case 5: return "1";
+    default: return "0";
   }
 }
 
@@ -104,7 +97,8 @@ TEST_CASE("certificates: the Python checker judges the files of claims as the C+
 }
 
 TEST_CASE("certificates: both programs count refused inputs beside the certificates and find nothing in them") {
-  const LinesInFile vectors("vectors.jsonl", {R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"});
+  const LinesInFile vectors("vectors.jsonl",
+                            {R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"});
   const LinesInFile broken("broken.jsonl", {R"({"op":"line_line","input":{}})"});
   CHECK(python_finds_nothing("oracle/certificates/certify.py " + vectors.path()));
   CHECK(!python_finds_nothing("oracle/certificates/certify.py " + broken.path()));

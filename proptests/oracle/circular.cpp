@@ -129,7 +129,9 @@ TEST_CASE("certificates: no enclosure of a sine or cosine is accepted that leave
       mpfr_get_z(below.get_mpz_t(), value, MPFR_RNDD);
       const auto says = [&, name = name](const Integer& low, const Integer& high) {
         nlohmann::json shown = claim;
-        const auto part = [&](const Integer& units) { return oracle::scaled(units, -static_cast<int>(bits)).get_str(); };
+        const auto part = [&](const Integer& units) {
+          return oracle::scaled(units, -static_cast<int>(bits)).get_str();
+        };
         shown["certificate"][name] = {part(low), part(high)};
         return certify::refuse(shown).value_or("").starts_with("truth:");  // the enclosures have been accepted
       };

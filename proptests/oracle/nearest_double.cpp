@@ -41,16 +41,11 @@ Rational drawn(Choices& choices) {
   const double some = choices.below(2) == 0 ? audit::any_finite(choices) : audit::mixed_exponent(choices);
   const Rational value = oracle::exact(some), ulp = times_power(Rational(1), oracle::ulp_exponent(value));
   switch (choices.below(7)) {
-    case 0:
-      return value;
-    case 1:
-      return Rational(value + ulp / 2);
-    case 2:
-      return Rational(value + ulp / 2 + times_power(ulp, -static_cast<int>(choices.below(200))));
-    case 3:
-      return Rational(value + ulp / 2 - times_power(ulp, -static_cast<int>(choices.below(200))));
-    case 4:
-      return Rational(value + ulp * Rational(1, 1 + static_cast<long>(choices.below(1000))));
+    case 0: return value;
+    case 1: return Rational(value + ulp / 2);
+    case 2: return Rational(value + ulp / 2 + times_power(ulp, -static_cast<int>(choices.below(200))));
+    case 3: return Rational(value + ulp / 2 - times_power(ulp, -static_cast<int>(choices.below(200))));
+    case 4: return Rational(value + ulp * Rational(1, 1 + static_cast<long>(choices.below(1000))));
     case 5: {  // around 2^1024 - 2^970, from where on the nearest is infinite
       const Rational end(times_power(Rational(1), 1024) - times_power(Rational(1), 970));
       return Rational(end + times_power(Rational(static_cast<long>(choices.below(7)) - 3), 969));

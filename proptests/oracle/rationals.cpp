@@ -136,9 +136,10 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
   }
 }
 
-TEMPLATE_TEST_CASE("rationals: where whole numbers stop to fit machine words, a large factor changes nothing but the size", "",
-                   audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line,
-                   audit::rows::segment_segment, audit::rows::ray_segment, audit::rows::orientation) {
+TEMPLATE_TEST_CASE(
+    "rationals: where whole numbers stop to fit machine words, a large factor changes nothing but the size", "",
+    audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line, audit::rows::segment_segment,
+    audit::rows::ray_segment, audit::rows::orientation) {
   const Rational factor((mpz_class(1) << 89) - 1);  // a prime: there is no common factor to take out again
   const typename TestType::Question shape{};
   int different = 0;
@@ -160,8 +161,8 @@ TEMPLATE_TEST_CASE("rationals: where whole numbers stop to fit machine words, a 
     try {
       auto truth = audit::ask_oracle<TestType>(question);
       truth.answer = enlarged(truth.answer, factor), truth.margin *= factor * factor;
-      different += said<TestType>(larger) !=
-                   audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() + ", margin " + truth.margin.get_str();
+      different += said<TestType>(larger) != audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() +
+                                                 ", margin " + truth.margin.get_str();
     } catch (const InvalidInput& refused) {
       different += said<TestType>(larger) != refused.what();
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/planes/point_ground_plane.h"
+
 #include "proptests/forward_error.h"
 #include "robust/lines/explicit_line.h"
 
@@ -44,7 +45,8 @@ TEST_CASE("point_ground_plane: the next double above is never lower, and only on
 TEST_CASE("point_ground_plane: it is explicit_line with slope and intercept 0, seen along z") {
   robust_law<Row>("as explicit_line", [](const auto& ask, const auto& asked) {
     const Point3d& p = std::get<0>(asked);
-    return robust::explicit_line(0, 0, {p.x, p.y}) == ask(asked) && robust::explicit_line(-0.0, 0, {p.z, p.y}) == ask(asked);
+    return robust::explicit_line(0, 0, {p.x, p.y}) == ask(asked) &&
+           robust::explicit_line(-0.0, 0, {p.z, p.y}) == ask(asked);
   });
 }
 
@@ -78,7 +80,8 @@ TEST_CASE("point_ground_plane: the one stage always decides") {
 }
 
 TEST_CASE("point_ground_plane: the formula in double is right everywhere, as in exact arithmetic") {
-  contract<Row>("always right", [](const auto& truth, const auto& answer, const Point3d&) { return answer == truth.answer; });
+  contract<Row>("always right",
+                [](const auto& truth, const auto& answer, const Point3d&) { return answer == truth.answer; });
   right_in_exact_arithmetic<Row>();
 }
 

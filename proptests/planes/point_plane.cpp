@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/planes/point_plane.h"
+
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
 
@@ -105,7 +106,8 @@ TEST_CASE("point_plane: lengths times a power of two are at that multiple of the
       Row::scale(back, -k);
       if (numbers_of(back) != numbers_of(asked)) continue;
       const auto found = ask(larger);
-      if (found.side != answer.side || !scaled_number(rounded(answer.signed_distance), rounded(found.signed_distance), k))
+      if (found.side != answer.side ||
+          !scaled_number(rounded(answer.signed_distance), rounded(found.signed_distance), k))
         return false;
     }
     return true;
@@ -139,20 +141,21 @@ TEST_CASE("point_plane: over the ground it is point_ground_plane, and the distan
 }
 
 TEST_CASE("point_plane: p. 22's N . p + d worked by hand") {
-  example<Row>({{{0, 1, 0}, -2}, {5, 3, 7}}, {PlaneSide::front, 1});              // 3 - 2
-  example<Row>({{{2, 1, 2}, -9}, {1, 2, 4}}, {PlaneSide::front, 1});              // (2 + 2 + 8 - 9) / 3
-  example<Row>({{{2, 1, 2}, -9}, {1, 2, 2.5}}, {PlaneSide::on, 0});               // 2 + 2 + 5 - 9
+  example<Row>({{{0, 1, 0}, -2}, {5, 3, 7}}, {PlaneSide::front, 1});               // 3 - 2
+  example<Row>({{{2, 1, 2}, -9}, {1, 2, 4}}, {PlaneSide::front, 1});               // (2 + 2 + 8 - 9) / 3
+  example<Row>({{{2, 1, 2}, -9}, {1, 2, 2.5}}, {PlaneSide::on, 0});                // 2 + 2 + 5 - 9
   example<Row>({{{2, 3, 6}, 0}, {-1, 0, 0}}, {PlaneSide::back, Rational(-2, 7)});  // -2 / sqrt(4 + 9 + 36)
-  example<Row>({{{-4, 0, 3}, 10}, {1, 9, -2}}, {PlaneSide::on, 0});               // -4 - 6 + 10
-  example<Row>({{{0.5, 0, 0}, 0}, {3, 1, 1}}, {PlaneSide::front, 3});             // 1.5 / 0.5
-  gives({{{1, 1, 0}, 0}, {1, 0, 5}}, PlaneSide::front, root_half);                // 1 / sqrt(2)
+  example<Row>({{{-4, 0, 3}, 10}, {1, 9, -2}}, {PlaneSide::on, 0});                // -4 - 6 + 10
+  example<Row>({{{0.5, 0, 0}, 0}, {3, 1, 1}}, {PlaneSide::front, 3});              // 1.5 / 0.5
+  gives({{{1, 1, 0}, 0}, {1, 0, 5}}, PlaneSide::front, root_half);                 // 1 / sqrt(2)
   gives({{{1, 0, -1}, 0}, {0, 5, 1}}, PlaneSide::back, -root_half);
 }
 
 TEST_CASE("point_plane: rounding hides a side, and moves a point off the plane") {
   // 10 times the double 0.1 is 1 + 2^-54: the product rounds to 1.
   gives({{{10, 0, 0}, -1}, {0.1, 0, 0}}, PlaneSide::front, 0x1p-54 / 10, "rounding");
-  gives({{{1, 1, 1}, -0x1p53}, {0x1p53, 1, 0}}, PlaneSide::front, 0x1.279a74590331cp-1, "rounding");  // 1 / sqrt(3) = 0.57735026918962576451
+  gives({{{1, 1, 1}, -0x1p53}, {0x1p53, 1, 0}}, PlaneSide::front, 0x1.279a74590331cp-1,
+        "rounding");  // 1 / sqrt(3) = 0.57735026918962576451
 }
 
 TEST_CASE("point_plane: normals so long or short that N . N leaves the range") {
@@ -197,7 +200,8 @@ TEST_CASE("point_plane: what is not finite is refused by its field, and a plane 
     }
     return "answered";
   };
-  CHECK(refusal_of_side({{0, 0, -0.0}, 1}) == "plane.normal: nonzero normal");  // the filter must not take the offset for the answer
+  CHECK(refusal_of_side({{0, 0, -0.0}, 1}) ==
+        "plane.normal: nonzero normal");  // the filter must not take the offset for the answer
   CHECK(refusal_of_side({{0, 1, 0}, infinity}) == "plane.offset: finite number");
 }
 
@@ -219,7 +223,8 @@ TEST_CASE("point_plane: every stage that answers gives the same answer") {
     return side == answer.side && side == robust::point_plane_side(plane, p) &&
            equal(answer, robust::point_plane_exact(plane, p)) && (!by_lattice || equal(answer, *by_lattice)) &&
            stages_agree<PlaneSide>(side, decided, robust::point_plane_side_filter(plane, p),
-                                   robust::point_plane_side_lattice(plane, p), robust::point_plane_side_exact(plane, p));
+                                   robust::point_plane_side_lattice(plane, p),
+                                   robust::point_plane_side_exact(plane, p));
   });
 }
 
@@ -229,7 +234,8 @@ TEST_CASE("point_plane: the formula in double keeps its contract") {
                   const HeightBound e(plane, p);
                   return !e.certain() || truth.answer.side == answer.side;
                 });
-  contract<Row>("the distance within its bound", [](const auto& truth, const auto& answer, const Plane3d& plane, const Point3d& p) {
+  contract<Row>("the distance within its bound", [](const auto& truth, const auto& answer, const Plane3d& plane,
+                                                    const Point3d& p) {
     const HeightBound e(plane, p);
     const double q = dot(plane.normal, plane.normal), length = std::sqrt(q);
     if (e.overflow || !(q >= 0x1p-960) || !finite(q, answer.signed_distance)) return true;

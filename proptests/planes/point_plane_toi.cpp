@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/planes/point_plane_toi.h"
+
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
 
@@ -11,7 +12,9 @@ using Answer = exact_answer_t<Row>;
 
 constexpr HitRelation hit = HitRelation::hit, misses = HitRelation::never;
 
-Answer at(HitRelation option_1, const Rational& t, const Point3<Rational>& point) { return {{option_1}, {hit, t, point}}; }
+Answer at(HitRelation option_1, const Rational& t, const Point3<Rational>& point) {
+  return {{option_1}, {hit, t, point}};
+}
 const Answer in_front{{misses}, {misses, std::nullopt, std::nullopt}};
 
 Stage decided_by(const Plane3d& plane, const Point3d& start, const Point3d& end) {
@@ -53,8 +56,10 @@ TEST_CASE("point_plane_toi: the exact point of contact is on the plane, the star
         const auto first = ask(asked).option_2;
         if (!first.t) return true;
         const auto& p = *first.point;
-        const Rational e = exact(plane.normal.x) * p.x + exact(plane.normal.y) * p.y + exact(plane.normal.z) * p.z + exact(plane.offset);
-        return *first.t == 0 ? sgn(e) <= 0 && p.x == exact(start.x) && p.y == exact(start.y) && p.z == exact(start.z) : sgn(e) == 0;
+        const Rational e = exact(plane.normal.x) * p.x + exact(plane.normal.y) * p.y + exact(plane.normal.z) * p.z +
+                           exact(plane.offset);
+        return *first.t == 0 ? sgn(e) <= 0 && p.x == exact(start.x) && p.y == exact(start.y) && p.z == exact(start.z)
+                             : sgn(e) == 0;
       },
       3);
 }
@@ -87,7 +92,8 @@ TEST_CASE("point_plane_toi: the plane's equation times a power of two is the sam
 TEST_CASE("point_plane_toi: exchanges of the axes exchange the point's coordinates") {
   law<Row>("axes", [](const auto& ask, const auto& asked) {
     const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(), [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
+    return std::all_of(axis_maps.begin(), axis_maps.end(),
+                       [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
   });
 }
 
@@ -102,9 +108,11 @@ TEST_CASE("point_plane_toi: lengths times a power of two keep t and the relation
       if (numbers_of(back) != numbers_of(asked)) continue;
       const auto found = ask(larger);
       const auto &p = answer.option_2.point, &q = found.option_2.point;
-      if (found.option_1.relation != answer.option_1.relation || found.option_2.relation != answer.option_2.relation) return false;
+      if (found.option_1.relation != answer.option_1.relation || found.option_2.relation != answer.option_2.relation)
+        return false;
       if (!equal(found.option_2.t, answer.option_2.t) || p.has_value() != q.has_value()) return false;
-      if (p && !(scaled_number(p->x, q->x, k) && scaled_number(p->y, q->y, k) && scaled_number(p->z, q->z, k))) return false;
+      if (p && !(scaled_number(p->x, q->x, k) && scaled_number(p->y, q->y, k) && scaled_number(p->z, q->z, k)))
+        return false;
     }
     return true;
   });
@@ -123,13 +131,13 @@ TEST_CASE("point_plane_toi: p. 23's E0 / (E0 - E1) worked by hand") {
 }
 
 TEST_CASE("point_plane_toi: from behind, in the plane and at rest the slide's formula fails") {
-  example<Row>({ground, {1, -1, 0}, {1, -2, 0}}, at(hit, 0, {1, -1, 0}), "algorithm");   // -1 / 1
-  example<Row>({ground, {1, -2, 0}, {1, -1, 0}}, at(hit, 0, {1, -2, 0}), "algorithm");   // 2
+  example<Row>({ground, {1, -1, 0}, {1, -2, 0}}, at(hit, 0, {1, -1, 0}), "algorithm");    // -1 / 1
+  example<Row>({ground, {1, -2, 0}, {1, -1, 0}}, at(hit, 0, {1, -2, 0}), "algorithm");    // 2
   example<Row>({ground, {1, -1, 0}, {1, 1, 0}}, at(misses, 0, {1, -1, 0}), "algorithm");  // 1/2, where it leaves
-  example<Row>({ground, {1, -1, 0}, {1, 0, 0}}, at(hit, 0, {1, -1, 0}), "algorithm");    // 1
-  example<Row>({ground, {1, 0, 0}, {2, 0, 0}}, at(hit, 0, {1, 0, 0}), "algorithm");      // 0 / 0
-  example<Row>({ground, {1, 0, 2}, {1, 0, 2}}, at(hit, 0, {1, 0, 2}), "algorithm");      // 0 / 0
-  example<Row>({ground, {1, -3, 2}, {1, -3, 2}}, at(hit, 0, {1, -3, 2}), "algorithm");   // -3 / 0
+  example<Row>({ground, {1, -1, 0}, {1, 0, 0}}, at(hit, 0, {1, -1, 0}), "algorithm");     // 1
+  example<Row>({ground, {1, 0, 0}, {2, 0, 0}}, at(hit, 0, {1, 0, 0}), "algorithm");       // 0 / 0
+  example<Row>({ground, {1, 0, 2}, {1, 0, 2}}, at(hit, 0, {1, 0, 2}), "algorithm");       // 0 / 0
+  example<Row>({ground, {1, -3, 2}, {1, -3, 2}}, at(hit, 0, {1, -3, 2}), "algorithm");    // -3 / 0
   example<Row>({ground, {1, 3, 2}, {1, 3, 2}}, in_front);
 }
 
@@ -141,10 +149,14 @@ TEST_CASE("point_plane_toi: rounding hits a plane that the step does not reach, 
 }
 
 TEST_CASE("point_plane_toi: huge, subnormal and negative zero") {
-  example<Row>({ground, {-huge, huge, 0}, {huge, -huge, 0}}, at(hit, Rational(1, 2), {0, 0, 0}), "invalid");  // 0 infinity
+  example<Row>({ground, {-huge, huge, 0}, {huge, -huge, 0}}, at(hit, Rational(1, 2), {0, 0, 0}),
+               "invalid");  // 0 infinity
   example<Row>({ground, {0, tiny, 0}, {4, -3 * tiny, 8}}, at(hit, Rational(1, 4), {1, 0, 2}));
-  example<Row>({ground, {0, huge, 0}, {0, -tiny, 0}}, at(hit, Rational(audit::exact_value(huge) / (audit::exact_value(huge) + audit::exact_value(tiny))), {0, 0, 0}));
-  example<Row>({{{0, tiny, 0}, 0}, {0, 0.25, 0}, {0, -0.25, 0}}, at(hit, Rational(1, 2), {0, 0, 0}), "rounding");  // 0 / 0
+  example<Row>(
+      {ground, {0, huge, 0}, {0, -tiny, 0}},
+      at(hit, Rational(audit::exact_value(huge) / (audit::exact_value(huge) + audit::exact_value(tiny))), {0, 0, 0}));
+  example<Row>({{{0, tiny, 0}, 0}, {0, 0.25, 0}, {0, -0.25, 0}}, at(hit, Rational(1, 2), {0, 0, 0}),
+               "rounding");  // 0 / 0
   example<Row>({ground, {-0.0, -0.0, -0.0}, {-0.0, 1, 0}}, at(misses, 0, {0, 0, 0}));
 }
 
@@ -166,40 +178,47 @@ TEST_CASE("point_plane_toi: each stage decides what is meant for it, and gives t
   robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
     const auto& [plane, start, end] = asked;
     const auto answer = ask(asked), by_integers = robust::point_plane_toi_exact(plane, start, end);
-    const auto by_filter = robust::point_plane_toi_filter(plane, start, end), by_lattice = robust::point_plane_toi_lattice(plane, start, end);
+    const auto by_filter = robust::point_plane_toi_filter(plane, start, end),
+               by_lattice = robust::point_plane_toi_lattice(plane, start, end);
     Stage decided{};
     return equal(robust::point_plane_toi(plane, start, end, decided), answer) && equal(by_integers, answer) &&
            (!by_filter || equal(*by_filter, answer)) && (!by_lattice || equal(*by_lattice, answer)) &&
-           decided == (by_filter ? Stage::filter : by_lattice ? Stage::lattice : Stage::exact);
+           decided == (by_filter    ? Stage::filter
+                       : by_lattice ? Stage::lattice
+                                    : Stage::exact);
   });
 }
 
 TEST_CASE("point_plane_toi: the formula in double keeps its contract") {
-  contract<Row>("relations, t and point beyond the margin", [](const auto& truth, const auto& answer, const Plane3d& plane,
-                                                               const Point3d& start, const Point3d& end) {
-    const HeightBound first(plane, start), last(plane, end);
-    if (first.overflow || last.overflow) return true;
-    const Rational u = unit(), e0 = exact(first.computed), e1 = exact(last.computed);
-    if (last.certain() && answer.option_1.relation != truth.answer.option_1.relation) return false;
-    if (!(e0 > first.error)) return true;
-    const double difference = first.computed - last.computed, t = first.computed / difference;
-    if (e1 > last.error + 2 * u * e0 && e0 > power_of_two(-1074) * abs(e0 - e1)) return answer.option_2.relation == misses && truth.answer.option_2.relation == misses;
-    if (!(e1 < -last.error)) return true;
-    if (answer.option_2.relation != hit || truth.answer.option_2.relation != hit) return !finite(difference);
-    if (!finite(difference)) return true;
-    const Rational gap = exact(difference), f = first.error + last.error + u * gap;
-    if (!(f < gap)) return true;
-    const Rational error = (first.error + exact(t) * f) / (gap - f) + 2 * u * exact(t) + power_of_two(-1074);
-    if (!within(*answer.option_2.t, *truth.answer.option_2.t, error)) return false;
-    const auto close = [&](double from, double to, double computed, const Rational& right) {
-      const double v = to - from;
-      if (!finite(v, t * v, computed)) return true;
-      return within(computed, right, (1 + 2 * u) * size(v) * error + 3 * u * exact(t) * size(v) + u * size(computed) + power_of_two(-1073));
-    };
-    const auto &p = *answer.option_2.point;
-    const auto &q = *truth.answer.option_2.point;
-    return close(start.x, end.x, p.x, q.x) && close(start.y, end.y, p.y, q.y) && close(start.z, end.z, p.z, q.z);
-  });
+  contract<Row>(
+      "relations, t and point beyond the margin",
+      [](const auto& truth, const auto& answer, const Plane3d& plane, const Point3d& start, const Point3d& end) {
+        const HeightBound first(plane, start), last(plane, end);
+        if (first.overflow || last.overflow) return true;
+        const Rational u = unit(), e0 = exact(first.computed), e1 = exact(last.computed);
+        if (last.certain() && answer.option_1.relation != truth.answer.option_1.relation) return false;
+        if (!(e0 > first.error)) return true;
+        const double difference = first.computed - last.computed, t = first.computed / difference;
+        if (e1 > last.error + 2 * u * e0 && e0 > power_of_two(-1074) * abs(e0 - e1))
+          return answer.option_2.relation == misses && truth.answer.option_2.relation == misses;
+        if (!(e1 < -last.error)) return true;
+        if (answer.option_2.relation != hit || truth.answer.option_2.relation != hit) return !finite(difference);
+        if (!finite(difference)) return true;
+        const Rational gap = exact(difference), f = first.error + last.error + u * gap;
+        if (!(f < gap)) return true;
+        const Rational error = (first.error + exact(t) * f) / (gap - f) + 2 * u * exact(t) + power_of_two(-1074);
+        if (!within(*answer.option_2.t, *truth.answer.option_2.t, error)) return false;
+        const auto close = [&](double from, double to, double computed, const Rational& right) {
+          const double v = to - from;
+          if (!finite(v, t * v, computed)) return true;
+          return within(
+              computed, right,
+              (1 + 2 * u) * size(v) * error + 3 * u * exact(t) * size(v) + u * size(computed) + power_of_two(-1073));
+        };
+        const auto& p = *answer.option_2.point;
+        const auto& q = *truth.answer.option_2.point;
+        return close(start.x, end.x, p.x, q.x) && close(start.y, end.y, p.y, q.y) && close(start.z, end.z, p.z, q.z);
+      });
 }
 
 }  // namespace touchstone::proptests

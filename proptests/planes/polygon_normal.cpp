@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/planes/polygon_normal.h"
+
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
 
@@ -27,16 +28,19 @@ Stage decided_by(const Polygon3d& polygon) {
   return decided;
 }
 
-constexpr double third_root = 0x1.279a74590331cp-1;                                  // 1 / sqrt(3) = 0.57735026918962576451
-constexpr double sixth_root = 0x1.a20bd700c2c3ep-2, two_sixth_roots = 0x1.a20bd700c2c3ep-1;  // 1 / sqrt(6) = 0.40824829046386301637
+constexpr double third_root = 0x1.279a74590331cp-1;  // 1 / sqrt(3) = 0.57735026918962576451
+constexpr double sixth_root = 0x1.a20bd700c2c3ep-2,
+                 two_sixth_roots = 0x1.a20bd700c2c3ep-1;  // 1 / sqrt(6) = 0.40824829046386301637
 
 /// robust, and the oracle rounded, give these numbers; the reference gets this verdict.
-void gives(const Polygon3d& polygon, const Vector3d& normal, const Vector3d& unit, const std::string& by_reference = "agree") {
+void gives(const Polygon3d& polygon, const Vector3d& normal, const Vector3d& unit,
+           const std::string& by_reference = "agree") {
   const Row::Question question{polygon};
   INFO(audit::one_line(audit::find_operation("polygon_normal")->print({audit::flattened(question)})));
   const PolygonNormal<double> expected{NormalClass::proper, normal, unit};
   CHECK(equal(robust::polygon_normal(polygon), expected));
-  const auto truth = audit::converted<double>(oracle::polygon_normal(polygon).answer, [](const Rational& n) { return audit::nearest(n); });
+  const auto truth = audit::converted<double>(oracle::polygon_normal(polygon).answer,
+                                              [](const Rational& n) { return audit::nearest(n); });
   CHECK(equal(truth, expected));
   CHECK(audit::name_of(audit::ExaminationOf<Row>(question).judge_reference(false).verdict) == by_reference);
 }
@@ -149,15 +153,16 @@ TEST_CASE("polygon_normal: the vertices of a triangle are on the plane with its 
 }
 
 TEST_CASE("polygon_normal: p. 21's cross product of two edges worked by hand") {
-  gives({{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}}, {0, 0, 6}, {0, 0, 1});                       // (2,0,0) x (-2,3,0)
-  gives({{{0, 0, 0}, {2, -1, 0}, {2, 0, -1}}}, {1, 2, 2}, {1.0 / 3, 2.0 / 3, 2.0 / 3});   // (2,-1,0) x (0,1,-1)
+  gives({{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}}, {0, 0, 6}, {0, 0, 1});                      // (2,0,0) x (-2,3,0)
+  gives({{{0, 0, 0}, {2, -1, 0}, {2, 0, -1}}}, {1, 2, 2}, {1.0 / 3, 2.0 / 3, 2.0 / 3});  // (2,-1,0) x (0,1,-1)
   gives({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {1, 1, 1}, {third_root, third_root, third_root});
   gives({{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}}, {-1, -1, -1}, {-third_root, -third_root, -third_root});
-  gives({{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}}, {0, 0, 2}, {0, 0, 1});            // twice the unit square
+  gives({{{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}}, {0, 0, 2}, {0, 0, 1});  // twice the unit square
 }
 
 TEST_CASE("polygon_normal: where two edges do not tell what the ring does") {
-  gives({{{3, 0, 0}, {1, 1, 0}, {0, 3, 0}, {0, 0, 0}}}, {0, 0, 6}, {0, 0, 1}, "algorithm");  // a dart, reflex at (1, 1): (-2, 1) x (-1, 2) = -3
+  gives({{{3, 0, 0}, {1, 1, 0}, {0, 3, 0}, {0, 0, 0}}}, {0, 0, 6}, {0, 0, 1},
+        "algorithm");  // a dart, reflex at (1, 1): (-2, 1) x (-1, 2) = -3
   gives({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}}}, {0, 0, 2}, {0, 0, 1}, "algorithm");  // flat at v1
   gives({{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {0, 0, 1}, {0, 0, 1}, "algorithm");  // repeated
   gives({{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}}}, {-1, -1, 2}, {-sixth_root, -sixth_root, two_sixth_roots},
@@ -175,8 +180,10 @@ TEST_CASE("polygon_normal: degenerate rings") {
 TEST_CASE("polygon_normal: beyond and below the range the unit normal is right") {
   gives({{{0, 0, 0}, {huge, 0, 0}, {0, huge, 0}}}, {0, 0, infinity}, {0, 0, 1}, "invalid");
   gives({{{0, 0, 0}, {tiny, 0, 0}, {0, -tiny, 0}}}, {0, 0, -0.0}, {0, 0, -1}, "rounding");
-  gives({{{0, 0, 0}, {0x1p-600, 0, 0}, {0, 0x1p-600, 0x1p-600}}}, {0, -0.0, 0}, {0, -0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1}, "rounding");
-  gives({{{0, 0, 0}, {huge, 0, 0}, {0, 1, tiny}}}, {0, -(huge * tiny), huge}, {0, -tiny, 1}, "inexact");  // N . N is infinite
+  gives({{{0, 0, 0}, {0x1p-600, 0, 0}, {0, 0x1p-600, 0x1p-600}}}, {0, -0.0, 0},
+        {0, -0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1}, "rounding");
+  gives({{{0, 0, 0}, {huge, 0, 0}, {0, 1, tiny}}}, {0, -(huge * tiny), huge}, {0, -tiny, 1},
+        "inexact");  // N . N is infinite
 }
 
 TEST_CASE("polygon_normal: rounding hides an area") {
@@ -217,12 +224,15 @@ TEST_CASE("polygon_normal: the formula in double keeps its contract for the firs
     Rational d = 3 * power_of_two(-1073);
     for (const double product : products) d += (4 + 20 * u) * u * size(product);
     const auto truth = oracle::polygon_normal(Polygon3d{{ring[0], ring[1], ring[2]}}).answer;
-    if ((1 - 4 * u) * exact(s) > d && (truth.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper)) return false;
+    if ((1 - 4 * u) * exact(s) > d &&
+        (truth.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
+      return false;
     if (!truth.unit || !answer.unit) return true;
     const auto close = [&](double computed, const Rational& right) {
       return within(computed, right, 5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074));
     };
-    return close(answer.unit->x, truth.unit->x) && close(answer.unit->y, truth.unit->y) && close(answer.unit->z, truth.unit->z);
+    return close(answer.unit->x, truth.unit->x) && close(answer.unit->y, truth.unit->y) &&
+           close(answer.unit->z, truth.unit->z);
   });
   robust_law<Row>("of a triangle the formula is right in exact arithmetic", [](const auto&, const auto& asked) {
     const auto& ring = std::get<0>(asked);

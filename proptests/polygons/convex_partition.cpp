@@ -33,9 +33,13 @@ std::size_t reflex(const Polygon2d& ring) {
 
 }  // namespace
 
-TEST_CASE("convex_partition: pieces fit, from any vertex, either way round, in every image and scale") { pieces_fit<Row>("pieces"); }
+TEST_CASE("convex_partition: pieces fit, from any vertex, either way round, in every image and scale") {
+  pieces_fit<Row>("pieces");
+}
 
-TEST_CASE("convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every reflex angle") {
+TEST_CASE(
+    "convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
+    "reflex angle") {
   law<Row>("the number of pieces", [](const auto& ask, const auto& asked) {
     const Polygon2d& ring = std::get<0>(asked);
     if (!on_lattice(asked)) return true;
@@ -47,9 +51,10 @@ TEST_CASE("convex_partition: at most 2 r + 1 pieces for r reflex vertices, so on
 TEST_CASE("convex_partition: rings with one partition that leaves no diagonal to take out, worked by hand") {
   only_answer<Row>({{{0, 0}, {1, 0}, {0, 1}}}, {{0, 1, 2}});
   only_answer<Row>({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, {{0, 1, 2, 3}});
-  only_answer<Row>({{{0, 4}, {4, 4}, {4, 0}, {0, 0}}}, {{0, 3, 2, 1}});                  // clockwise
-  only_answer<Row>({{{0, 0}, {2, 1}, {4, 0}, {2, 4}}}, {{0, 1, 3}, {1, 2, 3}});          // a dart
-  only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}}}, {{0, 1, 2, 3, 4, 5}});  // flat vertices stay in their piece
+  only_answer<Row>({{{0, 4}, {4, 4}, {4, 0}, {0, 0}}}, {{0, 3, 2, 1}});          // clockwise
+  only_answer<Row>({{{0, 0}, {2, 1}, {4, 0}, {2, 4}}}, {{0, 1, 3}, {1, 2, 3}});  // a dart
+  only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}}},
+                   {{0, 1, 2, 3, 4, 5}});  // flat vertices stay in their piece
   only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}}, {{0, 1, 2, 3, 4}});
 }
 
@@ -60,7 +65,9 @@ TEST_CASE("convex_partition: huge, subnormal, and where the formula's products l
   only_answer<Row>(times(tiny, square), {{0, 1, 2, 3}}, false);
 }
 
-TEST_CASE("convex_partition: rings that are not simple are refused by the first offending vertex") { simple_rings_only<Row>(); }
+TEST_CASE("convex_partition: rings that are not simple are refused by the first offending vertex") {
+  simple_rings_only<Row>();
+}
 
 TEST_CASE("convex_partition: the latest stage is that of the hardest decision") {
   CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
@@ -68,12 +75,16 @@ TEST_CASE("convex_partition: the latest stage is that of the hardest decision") 
   CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0.3, 1}}}) == Stage::exact);
 }
 
-TEST_CASE("convex_partition: the checker and that of certificates say the same of altered answers") { checkers_agree<Row>(); }
+TEST_CASE("convex_partition: the checker and that of certificates say the same of altered answers") {
+  checkers_agree<Row>();
+}
 
 TEST_CASE("convex_partition: rings drawn by others") {
   if (real_rings<Row>() == 0) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
 }
 
-TEST_CASE("convex_partition: the formula in double is right beyond the margins of its contract") { formula_keeps_contract<Row>(); }
+TEST_CASE("convex_partition: the formula in double is right beyond the margins of its contract") {
+  formula_keeps_contract<Row>();
+}
 
 }  // namespace touchstone::proptests

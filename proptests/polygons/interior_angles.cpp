@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/polygons/interior_angles.h"
+
 #include "proptests/forward_error.h"
 
 namespace touchstone::proptests {
@@ -11,7 +12,8 @@ constexpr double pi = 0x1.921fb54442d18p+1;
 
 /// Digits of pi: OEIS A000796.
 const Rational& digits_of_pi() {
-  static const Rational digits = Rational("314159265358979323846264338327950288419716939937510") / Rational("100000000000000000000000000000000000000000000000000");
+  static const Rational digits = Rational("314159265358979323846264338327950288419716939937510") /
+                                 Rational("100000000000000000000000000000000000000000000000000");
   return digits;
 }
 
@@ -25,7 +27,8 @@ void gives(const Polygon2d& polygon, const std::vector<double>& expected, const 
   std::vector<double> truth;
   for (const Rational& angle : oracle::interior_angles(polygon).answer) truth.push_back(audit::nearest(angle));
   CHECK(truth == expected);
-  CHECK(audit::name_of(audit::ExaminationOf<Row>(Row::Question{polygon}).judge_reference(false).verdict) == by_reference);
+  CHECK(audit::name_of(audit::ExaminationOf<Row>(Row::Question{polygon}).judge_reference(false).verdict) ==
+        by_reference);
 }
 
 /// Same numbers: for robust the same doubles, for the oracle rationals that round to them.
@@ -77,12 +80,15 @@ TEST_CASE("interior_angles: the angles lie in (0, 2 pi) and add up to (n - 2) pi
     constexpr bool rounded = std::is_same_v<Number, double>;
     Rational sum(0);
     for (const Number& angle : angles) {
-      if (rounded ? exactly(angle) < 0 || exactly(angle) > exact(2 * pi) : exactly(angle) <= 0 || exactly(angle) >= 2 * digits_of_pi()) return false;
+      if (rounded ? exactly(angle) < 0 || exactly(angle) > exact(2 * pi)
+                  : exactly(angle) <= 0 || exactly(angle) >= 2 * digits_of_pi())
+        return false;
       sum += exactly(angle);
     }
     // A double below 8 is off by at most 2^-51, the oracle's rational by less than 2^-60 of twice that, and the digits of pi by 10^-49.
     const auto n = static_cast<unsigned long>(angles.size());
-    return abs(sum - (Rational(n) - 2) * digits_of_pi()) <= Rational(n) * (power_of_two(rounded ? -51 : -110) + power_of_two(-160));
+    return abs(sum - (Rational(n) - 2) * digits_of_pi()) <=
+           Rational(n) * (power_of_two(rounded ? -51 : -110) + power_of_two(-160));
   });
 }
 
@@ -91,10 +97,13 @@ TEST_CASE("interior_angles: p. 6's angles worked by hand") {
   gives({{{0, 0}, {0, 4}, {2, 4}, {4, 4}, {4, 0}}}, {pi / 2, pi / 2, pi, pi / 2, pi / 2});
   gives({{{0, 0}, {1, 0}, {0, 1}}}, {pi / 2, pi / 4, pi / 4});
   // Tangents 1/2 and 2: OEIS A073000, A105199.
-  gives({{{0, 0}, {2, 0}, {2, 1}}}, {0.463647609000806116214256231461214402, pi / 2, 1.107148717794090503017065460178537040});
+  gives({{{0, 0}, {2, 0}, {2, 1}}},
+        {0.463647609000806116214256231461214402, pi / 2, 1.107148717794090503017065460178537040});
   // An L: 3 pi / 2 at (2, 2).
-  gives({{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}}, {pi / 2, pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2});
-  gives({{{0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 0}, {0, 0}}}, {pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2, pi / 2});
+  gives({{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}},
+        {pi / 2, pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2});
+  gives({{{0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 0}, {0, 0}}},
+        {pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2, pi / 2});
 }
 
 TEST_CASE("interior_angles: what acos loses near 0 and pi") {
@@ -105,7 +114,8 @@ TEST_CASE("interior_angles: what acos loses near 0 and pi") {
   gives({{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1.8p-175}}}, {tiny, pi / 2, pi / 2}, "invalid");
   gives({{{0, 0}, {0x1p1000, 0}, {0x1p1000, tiny}}}, {0, pi / 2, pi / 2}, "invalid");
   // A notch of 2^-60 at its tip (0, 0): 2 pi less that is nearest to the double nearest to 2 pi.
-  const std::vector<double> notched = robust::interior_angles({{{0, 0}, {1, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0x1p-60}}});
+  const std::vector<double> notched =
+      robust::interior_angles({{{0, 0}, {1, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0x1p-60}}});
   CHECK(notched[0] == 2 * pi);
 }
 
@@ -126,26 +136,29 @@ TEST_CASE("interior_angles: there is one stage") {
 
 TEST_CASE("interior_angles: the formula in double stays within the bound of its contract") {
   std::uint64_t promised = 0;
-  contract<Row>("the forward error bound holds", [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& ring) {
-    std::vector<double> sines;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2<Rational> p{exact(ring[i].x), exact(ring[i].y)};
-      const auto to = [&](const Point2d& q) { return Vector2<Rational>{Rational(exact(q.x) - p.x), Rational(exact(q.y) - p.y)}; };
-      const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
-      for (const Rational& x : {v.x, v.y, w.x, w.y}) {
-        if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return true;
-      }
-      const Rational turn = cross(v, w), squared(turn * turn / (dot(v, v) * dot(w, w)));
-      if (squared <= power_of_two(-40)) return true;
-      sines.push_back(std::sqrt(audit::nearest(squared)) * (1 - 0x1p-50));
-    }
-    ++promised;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Rational bound = 11 * unit() / (exact(sines[i]) - power_of_two(-28)) + power_of_two(-48);
-      if (!within(answer[i], truth.answer[i], bound)) return false;
-    }
-    return true;
-  });
+  contract<Row>("the forward error bound holds",
+                [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& ring) {
+                  std::vector<double> sines;
+                  for (std::size_t i = 0; i < ring.size(); ++i) {
+                    const Point2<Rational> p{exact(ring[i].x), exact(ring[i].y)};
+                    const auto to = [&](const Point2d& q) {
+                      return Vector2<Rational>{Rational(exact(q.x) - p.x), Rational(exact(q.y) - p.y)};
+                    };
+                    const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
+                    for (const Rational& x : {v.x, v.y, w.x, w.y}) {
+                      if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return true;
+                    }
+                    const Rational turn = cross(v, w), squared(turn * turn / (dot(v, v) * dot(w, w)));
+                    if (squared <= power_of_two(-40)) return true;
+                    sines.push_back(std::sqrt(audit::nearest(squared)) * (1 - 0x1p-50));
+                  }
+                  ++promised;
+                  for (std::size_t i = 0; i < ring.size(); ++i) {
+                    const Rational bound = 11 * unit() / (exact(sines[i]) - power_of_two(-28)) + power_of_two(-48);
+                    if (!within(answer[i], truth.answer[i], bound)) return false;
+                  }
+                  return true;
+                });
   CHECK(promised > 100);
 }
 

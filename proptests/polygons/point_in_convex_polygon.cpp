@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/polygons/point_in_convex_polygon.h"
+
 #include "proptests/forward_error.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/polygons/polygon_convexity.h"
@@ -27,7 +28,8 @@ bool certain(const Polygon2d& ring, const Point2d& p) {
     const double left = (p.y - a.y) * (b.x - a.x), right = (p.x - a.x) * (b.y - a.y);
     if (!finite(left, right, left - right)) return false;
     const Rational bound = (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
-    const Rational e = (exact(p.y) - exact(a.y)) * (exact(b.x) - exact(a.x)) - (exact(p.x) - exact(a.x)) * (exact(b.y) - exact(a.y));
+    const Rational e =
+        (exact(p.y) - exact(a.y)) * (exact(b.x) - exact(a.x)) - (exact(p.x) - exact(a.x)) * (exact(b.y) - exact(a.y));
     if (abs(e) <= bound) return false;
   }
   return true;
@@ -120,7 +122,7 @@ TEST_CASE("point_in_convex_polygon: rounding, huge, subnormal and negative zero"
   // 0.1 as a double is 3602879701896397 / 2^55: (1, 0.1) lies 2^-54 left of the edge from (10, 1) to (0, 0).
   example<Row>({{{{0, 0}, {10, 1}, {0, 1}}}, {1, 0.1}}, inside, "rounding");
   example<Row>({{{{0, 0}, {huge, 0}, {huge, huge}}}, {huge / 2, huge / 4}}, inside, "rounding");  // infinity - infinity
-  example<Row>({{{{0, 0}, {3 * tiny, 0}, {0, 3 * tiny}}}, {tiny, tiny}}, inside, "rounding");  // every product is 0
+  example<Row>({{{{0, 0}, {3 * tiny, 0}, {0, 3 * tiny}}}, {tiny, tiny}}, inside, "rounding");     // every product is 0
   example<Row>({{{{0, 0}, {3 * tiny, 0}, {0, 3 * tiny}}}, {2 * tiny, 2 * tiny}}, outside, "rounding");
   example<Row>({{{{-0.0, 0.0}, {2, -0.0}, {0.0, 2}}}, {-0.0, 1}}, boundary);
 }
@@ -138,7 +140,8 @@ TEST_CASE("point_in_convex_polygon: what is not convex is refused by its first v
   refused<Row>({{{{0, 4}, {1, 1}, {4, 0}, {0, 0}}}, {0, 0}}, "polygon[1]", reflex);
   refused<Row>({{{{0, 0}, {4, 4}, {4, 0}, {0, 4}}}, {0, 0}}, "polygon[0]", "simple: its edge must not meet edge 2");
   // Twice round a triangle: every turn is to the left.
-  refused<Row>({{{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {4, 0}, {0, 4}}}, {0, 0}}, "polygon[0]", "simple: its edge must not meet edge 2");
+  refused<Row>({{{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {4, 0}, {0, 4}}}, {0, 0}}, "polygon[0]",
+               "simple: its edge must not meet edge 2");
   refused<Row>({{{{0, 0}, {infinity, 0}, {0, 1}}}, {9, 9}}, "polygon[1][0]", "finite number");
   refused<Row>({square, {not_a_number, 1}}, "point[0]", "finite number");
   refused<Row>({square, {1, -infinity}}, "point[1]", "finite number");
@@ -153,9 +156,10 @@ TEST_CASE("point_in_convex_polygon: the stage is that of the hardest turn or sid
 }
 
 TEST_CASE("point_in_convex_polygon: the formula in double is right where the bound of its contract says so") {
-  contract<Row>("the forward error bound holds", [](const auto& truth, Location answer, const Polygon2d& ring, const Point2d& p) {
-    return !certain(ring, p) || answer == truth.answer;
-  });
+  contract<Row>("the forward error bound holds",
+                [](const auto& truth, Location answer, const Polygon2d& ring, const Point2d& p) {
+                  return !certain(ring, p) || answer == truth.answer;
+                });
   right_in_exact_arithmetic<Row>();
 }
 

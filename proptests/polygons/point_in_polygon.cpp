@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/catalogue/polygons/point_in_polygon.h"
+
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
@@ -116,7 +117,8 @@ TEST_CASE("point_in_polygon: cut along a diagonal, a point is inside exactly one
     const auto& [ring, p] = asked;
     const std::size_t n = ring.size(), k = n / 2;
     if (n < 4 || on(p, ring[0], ring[k])) return true;
-    const Location whole = ask(asked), one = ask(Row::Question{part(ring, 0, k), p}), other = ask(Row::Question{part(ring, k, 0), p});
+    const Location whole = ask(asked), one = ask(Row::Question{part(ring, 0, k), p}),
+                   other = ask(Row::Question{part(ring, k, 0), p});
     if (one == boundary || other == boundary) return whole == boundary;
     return whole == ((one == inside) != (other == inside) ? inside : outside);
   });
@@ -153,7 +155,7 @@ TEST_CASE("point_in_polygon: p. 15's special cases worked by hand") {
   example<Row>({diamond, {-5, 2}}, outside);  // it touches the topmost vertex
   example<Row>({diamond, {-5, -2}}, outside);
   const Polygon2d stairs{{{0, 0}, {6, 0}, {6, 4}, {4, 4}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}};
-  example<Row>({stairs, {1, 2}}, inside);    // the ray runs along the edge from (4, 2) to (2, 2), and leaves
+  example<Row>({stairs, {1, 2}}, inside);  // the ray runs along the edge from (4, 2) to (2, 2), and leaves
   example<Row>({stairs, {-1, 2}}, outside);
   example<Row>({stairs, {-1, 4}}, outside);  // along two edges
   example<Row>({stairs, {3, 4}}, outside);
@@ -240,10 +242,11 @@ TEST_CASE("point_in_polygon: fewer than three vertices and what is not finite ar
 TEST_CASE("point_in_polygon: each stage decides what is meant for it") {
   CHECK(decided_by(square, {1, 3}) == Stage::filter);
   CHECK(decided_by(square, {-3, 1}) == Stage::filter);
-  CHECK(decided_by(square, {1, 0}) == Stage::lattice);     // no bound is below 0
+  CHECK(decided_by(square, {1, 0}) == Stage::lattice);  // no bound is below 0
   CHECK(decided_by(bow_tie, {-1, -1}) == Stage::lattice);
   CHECK(decided_by({{{0, 0}, {0x1p1013, 0x1p1013}, {0, 0x1p1013}}}, {1, 2}) == Stage::exact);
-  CHECK(decided_by({{{0, 0}, {0x1p1013, 0x1p1013}, {0, 0x1p1013}}}, {0x1p1011, 0x1p1012}) == Stage::lattice);  // too large for the filter
+  CHECK(decided_by({{{0, 0}, {0x1p1013, 0x1p1013}, {0, 0x1p1013}}}, {0x1p1011, 0x1p1012}) ==
+        Stage::lattice);  // too large for the filter
   CHECK(decided_by({{{0, 0}, {3 * tiny, 3 * tiny}, {0, 3 * tiny}}}, {tiny, 2 * tiny}) == Stage::lattice);
   CHECK(decided_by({{{0, 0}, {2, 2 * tiny}, {0, 1}}}, {1, tiny}) == Stage::exact);  // 1074 places apart
 }
@@ -253,10 +256,11 @@ TEST_CASE("point_in_polygon: every stage that answers gives the same answer") {
     const auto& [ring, p] = asked;
     Stage decided{};
     const Location location = robust::point_in_polygon(ring, p, decided);
-    const auto by_filter = robust::point_in_polygon_filter(ring, p), by_lattice = robust::point_in_polygon_lattice(ring, p);
+    const auto by_filter = robust::point_in_polygon_filter(ring, p),
+               by_lattice = robust::point_in_polygon_lattice(ring, p);
     return location == robust::point_in_polygon(ring, p) && location == robust::point_in_polygon_exact(ring, p) &&
-           (!by_filter || (*by_filter == location && decided == Stage::filter)) && (!by_lattice || *by_lattice == location) &&
-           (decided != Stage::exact || !by_lattice);
+           (!by_filter || (*by_filter == location && decided == Stage::filter)) &&
+           (!by_lattice || *by_lattice == location) && (decided != Stage::exact || !by_lattice);
   });
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/polygons/polygon_convexity.h"
+
 #include <numeric>
 
 #include "audit/catalogue/explained.h"
-#include "audit/catalogue/polygons/polygon_convexity.h"
 #include "audit/catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "audit/inputs/rings.h"
 #include "proptests/forward_error.h"
@@ -14,13 +15,16 @@ namespace {
 using Row = rows::polygon_convexity;
 using ByAngles = rows::polygon_convexity_interior_angles;
 
-constexpr PolygonConvexity convex_ccw{PolygonClass::convex, true, Winding::ccw}, convex_cw{PolygonClass::convex, true, Winding::cw},
-    flat_ccw{PolygonClass::convex, false, Winding::ccw}, flat_cw{PolygonClass::convex, false, Winding::cw},
-    concave_ccw{PolygonClass::concave, false, Winding::ccw}, concave_cw{PolygonClass::concave, false, Winding::cw},
-    not_simple{PolygonClass::not_simple, false, Winding::none}, degenerate{PolygonClass::degenerate, false, Winding::none};
+constexpr PolygonConvexity convex_ccw{PolygonClass::convex, true, Winding::ccw},
+    convex_cw{PolygonClass::convex, true, Winding::cw}, flat_ccw{PolygonClass::convex, false, Winding::ccw},
+    flat_cw{PolygonClass::convex, false, Winding::cw}, concave_ccw{PolygonClass::concave, false, Winding::ccw},
+    concave_cw{PolygonClass::concave, false, Winding::cw}, not_simple{PolygonClass::not_simple, false, Winding::none},
+    degenerate{PolygonClass::degenerate, false, Winding::none};
 
 PolygonConvexity turned_over(PolygonConvexity answer) {
-  answer.orientation = answer.orientation == Winding::ccw ? Winding::cw : answer.orientation == Winding::cw ? Winding::ccw : Winding::none;
+  answer.orientation = answer.orientation == Winding::ccw  ? Winding::cw
+                       : answer.orientation == Winding::cw ? Winding::ccw
+                                                           : Winding::none;
   return answer;
 }
 PolygonConvexity image(const Affine& map, const PolygonConvexity& answer) {
@@ -103,7 +107,8 @@ TEST_CASE("polygon_convexity: convex and concave rings are those that the search
     const PolygonConvexity answer = ask(asked);
     const bool simple = !robust::ring_defect(std::get<0>(asked));
     const bool proper = answer.polygon_class == PolygonClass::convex || answer.polygon_class == PolygonClass::concave;
-    return simple == proper && (answer.orientation == Winding::none) == !proper && (!answer.strict || answer.polygon_class == PolygonClass::convex);
+    return simple == proper && (answer.orientation == Winding::none) == !proper &&
+           (!answer.strict || answer.polygon_class == PolygonClass::convex);
   });
 }
 
@@ -130,8 +135,21 @@ TEST_CASE("polygon_convexity: what neither method of the deck sees") {
   // Twice round a triangle: no line has. The angles add up to 2 pi, (6 - 4) pi.
   both({{{0, 0}, {4, 0}, {0, 4}, {0, 0}, {4, 0}, {0, 4}}}, not_simple, "algorithm");
   // A loop inside, and one outside that undoes it: the ring turns once.
-  both({{{0, 0}, {6, 0}, {6, 6}, {2, 6}, {2, 8}, {4, 8}, {4, 4}, {0, 4}, {0, 2}, {-2, 2}, {-2, 3}, {1, 3}, {1, 1}, {0, 1}}}, not_simple,
-       "algorithm", "algorithm");
+  both({{{0, 0},
+         {6, 0},
+         {6, 6},
+         {2, 6},
+         {2, 8},
+         {4, 8},
+         {4, 4},
+         {0, 4},
+         {0, 2},
+         {-2, 2},
+         {-2, 3},
+         {1, 3},
+         {1, 1},
+         {0, 1}}},
+       not_simple, "algorithm", "algorithm");
   // A vertex on an edge, and one on a vertex.
   both({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}}, not_simple, "algorithm", "algorithm");
   both({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}, not_simple, "algorithm", "algorithm");
@@ -182,17 +200,22 @@ TEST_CASE("polygon_convexity: rings of a thousand vertices") {
 
 TEST_CASE("polygon_convexity: the line test is right in exact arithmetic for every simple ring") {
   const auto& operation = *audit::find_operation("polygon_convexity");
-  never(operation, "the line test is right in exact arithmetic for simple rings", [](const Question& question) -> std::string {
-    const auto asked = typed<Row>(question);
-    if (std::get<0>(asked).size() < 3 || robust::ring_defect(std::get<0>(asked))) return "";
-    const auto formula = audit::ask_reference<Row>(
-        audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); }));
-    return equal(formula, audit::ask_oracle<Row>(asked).answer) ? "" : "the formula is wrong even in exact arithmetic";
-  }, 3);
+  never(
+      operation, "the line test is right in exact arithmetic for simple rings",
+      [](const Question& question) -> std::string {
+        const auto asked = typed<Row>(question);
+        if (std::get<0>(asked).size() < 3 || robust::ring_defect(std::get<0>(asked))) return "";
+        const auto formula = audit::ask_reference<Row>(
+            audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); }));
+        return equal(formula, audit::ask_oracle<Row>(asked).answer) ? ""
+                                                                    : "the formula is wrong even in exact arithmetic";
+      },
+      3);
 }
 
 TEST_CASE("polygon_convexity: both formulas in double are right beyond the margins of their contracts") {
-  contract<Row>("the forward error bound of the line test", [](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
+  contract<Row>("the forward error bound of the line test", [](const auto& truth, const PolygonConvexity& answer,
+                                                               const Polygon2d& ring) {
     if (truth.answer.orientation == Winding::none) return true;  // not simple
     const Rational u = unit();
     bool sides_certain = true;
@@ -202,7 +225,8 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
         const Point2d& p = ring[(i + k) % ring.size()];
         const double left = (p.y - a.y) * (b.x - a.x), right = (p.x - a.x) * (b.y - a.y);
         if (!finite(left, right, left - right)) return true;
-        sides_certain = sides_certain && size(left - right) > (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
+        sides_certain =
+            sides_certain && size(left - right) > (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
       }
     }
     if (!sides_certain) return true;
@@ -221,30 +245,35 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
     return !certain || answer.orientation == truth.answer.orientation;
   });
   std::uint64_t promised = 0;
-  contract<ByAngles>("the margin of the interior angles", [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
-    if (truth.answer.orientation == Winding::none) return true;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2<Rational> p{exact(ring[i].x), exact(ring[i].y)};
-      const auto to = [&](const Point2d& q) { return Vector2<Rational>{Rational(exact(q.x) - p.x), Rational(exact(q.y) - p.y)}; };
-      const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
-      for (const Rational& x : {v.x, v.y, w.x, w.y}) {
-        if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return true;
-      }
-      const Rational sine = cross(v, w);
-      if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
-    }
-    ++promised;
-    return equal(answer, truth.answer);
-  });
+  contract<ByAngles>("the margin of the interior angles",
+                     [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
+                       if (truth.answer.orientation == Winding::none) return true;
+                       for (std::size_t i = 0; i < ring.size(); ++i) {
+                         const Point2<Rational> p{exact(ring[i].x), exact(ring[i].y)};
+                         const auto to = [&](const Point2d& q) {
+                           return Vector2<Rational>{Rational(exact(q.x) - p.x), Rational(exact(q.y) - p.y)};
+                         };
+                         const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
+                         for (const Rational& x : {v.x, v.y, w.x, w.y}) {
+                           if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return true;
+                         }
+                         const Rational sine = cross(v, w);
+                         if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
+                       }
+                       ++promised;
+                       return equal(answer, truth.answer);
+                     });
   CHECK(promised > 100);
 }
 
 TEST_CASE("polygon_convexity: ask shows both methods") {
   const Operation& operation = *audit::find_operation("polygon_convexity");
-  const auto said = audit::explained(operation, operation.parse(audit::parse_line(R"({"polygon":[[0,0],[4,4],[4,0],[0,4]]})")));
+  const auto said =
+      audit::explained(operation, operation.parse(audit::parse_line(R"({"polygon":[[0,0],[4,4],[4,0],[0,4]]})")));
   CHECK(audit::one_line(said["reference"]["answer"]) == R"({"class":"concave","strict":false,"orientation":"none"})");
   CHECK(said["reference"]["cause"] == "algorithm");
-  CHECK(audit::one_line(said["reference_interior_angles"]["answer"]) == R"({"class":"not_simple","strict":false,"orientation":"none"})");
+  CHECK(audit::one_line(said["reference_interior_angles"]["answer"]) ==
+        R"({"class":"not_simple","strict":false,"orientation":"none"})");
   CHECK(said["reference_interior_angles"]["verdict"] == "agree");
   const Operation& method = *audit::find_operation("polygon_convexity_interior_angles");
   CHECK_FALSE(audit::explained(method, method.zeros()).contains("reference_interior_angles"));

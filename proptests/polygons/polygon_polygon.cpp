@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/catalogue/polygons/polygon_polygon.h"
+
 #include <algorithm>
 
-#include "audit/catalogue/polygons/polygon_polygon.h"
 #include "proptests/laws.h"
 
 namespace touchstone::proptests {
@@ -64,18 +65,18 @@ TEST_CASE("polygon_polygon: powers of two, the axes' symmetries and integer maps
 }
 
 TEST_CASE("polygon_polygon: p. 18's tests worked by hand") {
-  example<Row>({square, {{{1, 1}, {9, 1}, {9, 9}}}}, Contact::overlapping);        // (1, 1) lies inside
+  example<Row>({square, {{{1, 1}, {9, 1}, {9, 9}}}}, Contact::overlapping);            // (1, 1) lies inside
   example<Row>({square, {{{-1, 1}, {5, 1}, {5, 2}, {-1, 2}}}}, Contact::overlapping);  // no vertex inside, edges cross
   example<Row>({square, {{{5, 0}, {9, 0}, {9, 9}}}}, Contact::disjoint);
-  example<Row>({square, {{{1, 1}, {2, 1}, {2, 2}}}}, Contact::overlapping);        // nested
+  example<Row>({square, {{{1, 1}, {2, 1}, {2, 2}}}}, Contact::overlapping);  // nested
   example<Row>({{{{1, 1}, {2, 1}, {2, 2}}}, square}, Contact::overlapping);
 }
 
 TEST_CASE("polygon_polygon: common boundary points without a common inside are a touch") {
-  example<Row>({square, {{{4, 4}, {6, 5}, {5, 6}}}}, Contact::touching);           // one vertex
-  example<Row>({square, {{{4, 2}, {6, 1}, {6, 3}}}}, Contact::touching);           // a vertex on an edge
-  example<Row>({square, {{{4, 0}, {8, 0}, {8, 4}, {4, 4}}}}, Contact::touching);   // a whole edge
-  example<Row>({square, {{{4, 3}, {8, 3}, {8, 9}, {4, 9}}}}, Contact::touching);   // part of an edge
+  example<Row>({square, {{{4, 4}, {6, 5}, {5, 6}}}}, Contact::touching);          // one vertex
+  example<Row>({square, {{{4, 2}, {6, 1}, {6, 3}}}}, Contact::touching);          // a vertex on an edge
+  example<Row>({square, {{{4, 0}, {8, 0}, {8, 4}, {4, 4}}}}, Contact::touching);  // a whole edge
+  example<Row>({square, {{{4, 3}, {8, 3}, {8, 9}, {4, 9}}}}, Contact::touching);  // part of an edge
   // A square in the bay of a U, against three of its walls.
   const Polygon2d bay{{{-1, -1}, {3, -1}, {3, 4}, {2, 4}, {2, 0}, {0, 0}, {0, 4}, {-1, 4}}};
   example<Row>({bay, {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}}, Contact::touching);
@@ -93,7 +94,8 @@ TEST_CASE("polygon_polygon: an overlap that no vertex and no crossing shows") {
 }
 
 TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {
-  example<Row>({{{{-huge, -huge}, {huge, -huge}, {huge, huge}}}, {{{-huge, -huge}, {huge, huge}, {-huge, huge}}}}, Contact::touching);
+  example<Row>({{{{-huge, -huge}, {huge, -huge}, {huge, huge}}}, {{{-huge, -huge}, {huge, huge}, {-huge, huge}}}},
+               Contact::touching);
   example<Row>({{{{0, 0}, {tiny, 0}, {tiny, tiny}}}, {{{0, 0}, {tiny, tiny}, {0, tiny}}}}, Contact::touching);
   const double above = std::nextafter(4.0, 5.0), below = std::nextafter(4.0, 3.0);
   example<Row>({square, {{{above, 2}, {6, 1}, {6, 3}}}}, Contact::disjoint);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
-#include "proptests/any_robust_bits.h"
 #include "robust/kernel/control_word.h"
 
 namespace touchstone::proptests {
@@ -62,7 +62,8 @@ TEST_CASE("environments: what the host had set is there again after robust has a
 #endif
 }
 
-TEST_CASE("environments: the last stage's guard sets IEEE arithmetic, and then what was there, exception flags included") {
+TEST_CASE(
+    "environments: the last stage's guard sets IEEE arithmetic, and then what was there, exception flags included") {
 #if defined(__SSE2__)
   int wrong_inside = 0, wrong_after = 0;
   for (std::size_t number = 0; number < environment_count; ++number) {

@@ -74,14 +74,10 @@ mpq_class times_power(const mpz_class& n, const mpz_class& d, long exponent) {
 /// Mostly where the result is near one end of the range, or in the subnormals.
 long exponent_of(Choices& choices) {
   switch (choices.below(4)) {
-    case 0:
-      return static_cast<long>(choices.below(200)) - 1180;
-    case 1:
-      return static_cast<long>(choices.below(120)) + 920;
-    case 2:
-      return static_cast<long>(choices.below(5000)) - 2500;
-    default:
-      return static_cast<long>(choices.below(100)) - 50;
+    case 0: return static_cast<long>(choices.below(200)) - 1180;
+    case 1: return static_cast<long>(choices.below(120)) + 920;
+    case 2: return static_cast<long>(choices.below(5000)) - 2500;
+    default: return static_cast<long>(choices.below(100)) - 50;
   }
 }
 
@@ -222,18 +218,21 @@ TEST_CASE("rounding: one bit anywhere below a tie decides it") {
   int wrong = 0;
   for (int dropped = 2; dropped < 73; ++dropped) {
     const auto tie = [&](const mpz_class& kept) {
-      return mpz_class((kept << static_cast<unsigned long>(dropped)) + (mpz_class(1) << static_cast<unsigned long>(dropped - 1)));
+      return mpz_class((kept << static_cast<unsigned long>(dropped)) +
+                       (mpz_class(1) << static_cast<unsigned long>(dropped - 1)));
     };
     for (int at = 0; at + 1 < dropped; ++at) {
       const mpz_class above = tie(even) + (mpz_class(1) << static_cast<unsigned long>(at));
       const mpz_class below = tie(even + 1) - (mpz_class(1) << static_cast<unsigned long>(at));
       for (const mpz_class& n : {above, below}) {
-        wrong += kernel::round_scaled(n, -dropped) != 0x1p52 + 1 || kernel::round_scaled(wide(n), -dropped) != 0x1p52 + 1;
+        wrong +=
+            kernel::round_scaled(n, -dropped) != 0x1p52 + 1 || kernel::round_scaled(wide(n), -dropped) != 0x1p52 + 1;
         wrong += kernel::round_quotient(n, mpz_class(1), -dropped) != 0x1p52 + 1;
         wrong += kernel::round_quotient(wide(n), 1, -dropped) != 0x1p52 + 1;
       }
     }
-    wrong += kernel::round_scaled(tie(even), -dropped) != 0x1p52 || kernel::round_scaled(wide(tie(even)), -dropped) != 0x1p52;
+    wrong += kernel::round_scaled(tie(even), -dropped) != 0x1p52 ||
+             kernel::round_scaled(wide(tie(even)), -dropped) != 0x1p52;
   }
   CHECK(wrong == 0);
 }

@@ -38,7 +38,8 @@ TEST_CASE("pi: off by less than 1 in the last of any number of bits, whatever wa
   // A thread of its own has nothing kept yet: what is kept first ends at 1280 bits, then at three more than were asked for.
   std::thread([&] {
     for (unsigned long bits = 32; bits < 1400; bits += bits < 1260 ? 61 : 1) wrong += wrong_digits(bits);
-    for (const unsigned long bits : {3000, 2997, 2998, 2999, 3000, 3001, 3002, 3003, 100, 3006}) wrong += wrong_digits(bits);
+    for (const unsigned long bits : {3000, 2997, 2998, 2999, 3000, 3001, 3002, 3003, 100, 3006})
+      wrong += wrong_digits(bits);
   }).join();
   CHECK(wrong == 0);
 }

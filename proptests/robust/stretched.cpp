@@ -26,7 +26,7 @@ using audit::Choices, audit::environment_count, audit::environment_name, audit::
 struct Stretch {
   int x, y;
 };
-constexpr Stretch stretches[] = {{1000, -1024}, {-1024, 1000}, {600, -1040}, {-1040, 600},  {330, -1030},
+constexpr Stretch stretches[] = {{1000, -1024}, {-1024, 1000}, {600, -1040}, {-1040, 600}, {330, -1030},
                                  {-1030, 330},  {140, -1024},  {-1024, 140}, {1010, 1010}, {-1060, -1060}};
 
 /// `ask(numbers)` takes numbers along x and y in turn and returns a decision.
@@ -59,13 +59,13 @@ int both(Relation alone, Relation answered) {
 
 TEST_CASE("stretched: the side of a line and what lies on a segment") {
   CHECK(changed_decisions<6>("stretched side", [](const auto& n) {
-    return static_cast<int>(robust::orientation({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
-  }) == 0);
+          return static_cast<int>(robust::orientation({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
+        }) == 0);
   CHECK(changed_decisions<6>("stretched point", [](const auto& n) {
-    const Point2d p{n[0], n[1]};
-    const Segment2d s{{n[2], n[3]}, {n[4], n[5]}};
-    return both(robust::point_on_segment_relation(p, s), robust::point_on_segment(p, s).relation);
-  }) == 0);
+          const Point2d p{n[0], n[1]};
+          const Segment2d s{{n[2], n[3]}, {n[4], n[5]}};
+          return both(robust::point_on_segment_relation(p, s), robust::point_on_segment(p, s).relation);
+        }) == 0);
 }
 
 TEST_CASE("stretched: a huge vector and one of the least, in any directions") {
@@ -89,28 +89,28 @@ TEST_CASE("stretched: a huge vector and one of the least, in any directions") {
 
 TEST_CASE("stretched: how segments, and a ray and a segment, meet") {
   CHECK(changed_decisions<8>("stretched segments", [](const auto& n) {
-    const Segment2d a{{n[0], n[1]}, {n[2], n[3]}}, b{{n[4], n[5]}, {n[6], n[7]}};
-    return both(robust::segment_segment_relation(a, b), robust::segment_segment(a, b).relation);
-  }) == 0);
+          const Segment2d a{{n[0], n[1]}, {n[2], n[3]}}, b{{n[4], n[5]}, {n[6], n[7]}};
+          return both(robust::segment_segment_relation(a, b), robust::segment_segment(a, b).relation);
+        }) == 0);
   CHECK(changed_decisions<8>("stretched ray", [](const auto& n) {
-    if (std::bit_cast<std::uint64_t>(n[2]) << 1 == 0 && std::bit_cast<std::uint64_t>(n[3]) << 1 == 0) return 0;
-    const Ray2d ray{{n[0], n[1]}, {n[2], n[3]}};
-    const Segment2d s{{n[4], n[5]}, {n[6], n[7]}};
-    return both(robust::ray_segment_relation(ray, s), robust::ray_segment(ray, s).relation);
-  }) == 0);
+          if (std::bit_cast<std::uint64_t>(n[2]) << 1 == 0 && std::bit_cast<std::uint64_t>(n[3]) << 1 == 0) return 0;
+          const Ray2d ray{{n[0], n[1]}, {n[2], n[3]}};
+          const Segment2d s{{n[4], n[5]}, {n[6], n[7]}};
+          return both(robust::ray_segment_relation(ray, s), robust::ray_segment(ray, s).relation);
+        }) == 0);
 }
 
 TEST_CASE("stretched: how lines meet, asked with the stage and without") {
   CHECK(changed_decisions<8>("stretched lines", [](const auto& n) {
-    const Line2d a{{n[0], n[1]}, {n[2], n[3]}}, b{{n[4], n[5]}, {n[6], n[7]}};
-    try {
-      robust::Stage decided{};
-      const LineRelation relation = robust::line_line_relation(a, b, decided);
-      return relation == robust::line_line_relation(a, b) ? both(relation, robust::line_line(a, b).relation) : -2;
-    } catch (const InvalidInput&) {
-      return -3;
-    }
-  }) == 0);
+          const Line2d a{{n[0], n[1]}, {n[2], n[3]}}, b{{n[4], n[5]}, {n[6], n[7]}};
+          try {
+            robust::Stage decided{};
+            const LineRelation relation = robust::line_line_relation(a, b, decided);
+            return relation == robust::line_line_relation(a, b) ? both(relation, robust::line_line(a, b).relation) : -2;
+          } catch (const InvalidInput&) {
+            return -3;
+          }
+        }) == 0);
 }
 
 TEST_CASE("stretched: above or below a line, where the slope outweighs what is taken from x") {

@@ -57,14 +57,9 @@ class Toy {
       case 0:
         kept = count - below > 0.5 || (count - below == 0.5 && std::fmod(below, 2) != 0) ? below + 1 : below;
         break;
-      case 1:
-        break;
-      case 2:
-        kept = std::ceil(count);
-        break;
-      default:
-        kept = std::trunc(count);
-        break;
+      case 1: break;
+      case 2: kept = std::ceil(count); break;
+      default: kept = std::trunc(count); break;
     }
     const double result = kept * unit;
     if (mode.flush && subnormal(result)) return 0;

@@ -45,12 +45,14 @@ Count ordinary() {
 /// Where factors are subnormal and the others at the guard; where products underflow; at the guard and beyond it; where the largest
 /// subnormal is read as zero beside the least normal number, which alone is left of the normal.
 Count extreme() {
-  const std::vector<double> least = window<Five>(3, low - 5), large{0.5, 1.75, 2, 3.75}, small = window<Five>(2, low / 2 - 2);
+  const std::vector<double> least = window<Five>(3, low - 5), large{0.5, 1.75, 2, 3.75},
+                            small = window<Five>(2, low / 2 - 2);
   return planes({least, least, least, window<Five>(8, low - 4)}, {large, large, large, {}}) +
          planes({large, large, large, window<Five>(8, low - 4)}, {least, least, least, {}}) +
          planes({small, small, small, window<Five>(6, low - 5)}, {small, small, small, {}}) +
          planes({{3, 4}, {-3.75, 4}, {-4, 2}, window<Five>(6, high - 2)}, {{3.75, 4, 8}, {4, 5}, {1, 4}, {}}) +
-         planes({{std::ldexp(15, low - 4)}, {std::ldexp(1, low)}, {0}, window<Five>(31, low - 3)}, {{2, 3.75}, {0}, {0}, {}});
+         planes({{std::ldexp(15, low - 4)}, {std::ldexp(1, low)}, {0}, window<Five>(31, low - 3)},
+                {{2, 3.75}, {0}, {0}, {}});
 }
 
 /// Zero normals: whatever the offset, the filter knows nothing.

@@ -40,7 +40,8 @@ std::vector<std::vector<Index>> convex_partition(const Polygon2<Real>& polygon) 
   };
   std::vector<std::pair<Index, Index>> edges;
   for (const auto& triangle : pieces) {
-    for (std::size_t k = 0; k < triangle.size(); ++k) edges.emplace_back(triangle[k], triangle[(k + 1) % triangle.size()]);
+    for (std::size_t k = 0; k < triangle.size(); ++k)
+      edges.emplace_back(triangle[k], triangle[(k + 1) % triangle.size()]);
   }
   for (const auto& [from, to] : edges) {
     const auto [i, k] = find(from, to);
@@ -48,8 +49,10 @@ std::vector<std::vector<Index>> convex_partition(const Polygon2<Real>& polygon) 
     if (i == pieces.size() || j == pieces.size() || i == j) continue;
     // from .. to of the one, then on from `to` in the other up to before `from`.
     std::vector<Index> one = pieces[i], other = pieces[j];
-    std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>((k + 1) % one.size()), one.end());          // to ... from
-    std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>((l + 1) % other.size()), other.end());  // from ... to
+    std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>((k + 1) % one.size()),
+                one.end());  // to ... from
+    std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>((l + 1) % other.size()),
+                other.end());  // from ... to
     if (turns_right(other[other.size() - 2], to, one[1]) || turns_right(one[one.size() - 2], from, other[1])) continue;
     one.insert(one.end(), other.begin() + 1, other.end() - 1);
     pieces[std::min(i, j)] = one;

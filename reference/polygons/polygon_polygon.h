@@ -37,7 +37,7 @@ Contact polygon_polygon(const Polygon2<Real>& a, const Polygon2<Real>& b) {
   const auto apart = [](Side s, Side t) { return s != t && s != Side::on && t != Side::on; };
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const Point2<Real> &p = a[i], &q = a.next(i), &r = b[j], &s = b.next(j);
+      const Point2<Real>&p = a[i], &q = a.next(i), &r = b[j], &s = b.next(j);
       if (apart(orientation(p, q, r), orientation(p, q, s)) && apart(orientation(r, s, p), orientation(r, s, q))) {
         return Contact::overlapping;
       }

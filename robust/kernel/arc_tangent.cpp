@@ -93,7 +93,8 @@ double angle_rounded(const mpz_class& x, const mpz_class& y) {
     const mpz_class error = rest->error + 2;  // `start` and 2 pi cut
     mpz_class low = angle - error, high = angle + error;
     if (sgn(y) > 0 && sgn(low) < 0) low = 0;  // the angle is positive
-    const double below = round_scaled(low, -static_cast<long>(bits)), above = round_scaled(high, -static_cast<long>(bits));
+    const double below = round_scaled(low, -static_cast<long>(bits)),
+                 above = round_scaled(high, -static_cast<long>(bits));
     if (std::bit_cast<std::uint64_t>(below) == std::bit_cast<std::uint64_t>(above)) return below;
   }
 }

@@ -26,9 +26,12 @@ Sign plane(const Plane<Float>& plane, const Point3<Float>& p) {
   const Float of_normal = extent<Float, Format>(n.x, n.y, n.z), of_point = extent<Float, Format>(p.x, p.y, p.z);
   const Float terms = of_normal * of_point + Format::magnitude(plane.offset);
   // Every one of these branches can be predicted, but for the sign, which is no branch.
-  if (!(Format::magnitude(value) > B::template relative<6, 48>() * terms + B::absolute())) [[unlikely]] return Sign::unknown;
-  if (!(of_normal + of_point <= B::high())) [[unlikely]] return Sign::unknown;
-  if (!(of_normal > Float())) [[unlikely]] return Sign::unknown;
+  if (!(Format::magnitude(value) > B::template relative<6, 48>() * terms + B::absolute())) [[unlikely]]
+    return Sign::unknown;
+  if (!(of_normal + of_point <= B::high())) [[unlikely]]
+    return Sign::unknown;
+  if (!(of_normal > Float())) [[unlikely]]
+    return Sign::unknown;
   return value > Float() ? Sign::positive : Sign::negative;
 }
 

@@ -13,7 +13,8 @@ void for_each_coordinate(const Polygon3d& polygon, const Visit& visit) {
 
 std::optional<ScaledPoints<std::int64_t>> lattice_of(const Polygon3d& polygon) {
   int top = 1;
-  for_each_coordinate(polygon, [&](double x) { top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff)); });
+  for_each_coordinate(
+      polygon, [&](double x) { top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff)); });
   std::uint64_t lost = top == 0x7ff;
   const auto placed = [&](double x) { return placed_on_lattice(std::bit_cast<std::uint64_t>(x), top, lost); };
   ScaledPoints<std::int64_t> points{{}, top - 1075 - lattice_spare};

@@ -141,10 +141,8 @@ double round_quotient(const mpz_class& n, const mpz_class& d, long exponent) {
   mpz_class above = abs(n), below = abs(d), remainder;
   const auto shift =
       65 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) + static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
-  if (shift >= 0)
-    above <<= static_cast<unsigned long>(shift);
-  else
-    below <<= static_cast<unsigned long>(-shift);
+  if (shift >= 0) above <<= static_cast<unsigned long>(shift);
+  else below <<= static_cast<unsigned long>(-shift);
   mpz_tdiv_qr(above.get_mpz_t(), remainder.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
   const Leading top = leading_of(above);
   return round_leading((sgn(n) < 0) != (sgn(d) < 0), top.digits, top.tail || sgn(remainder) != 0,
@@ -158,10 +156,8 @@ double round_square_root(const mpz_class& n, const mpz_class& d, long exponent) 
   long shift =
       131 - static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) + static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2));
   shift += (exponent - shift) & 1;
-  if (shift >= 0)
-    above <<= static_cast<unsigned long>(shift);
-  else
-    below <<= static_cast<unsigned long>(-shift);
+  if (shift >= 0) above <<= static_cast<unsigned long>(shift);
+  else below <<= static_cast<unsigned long>(-shift);
   mpz_tdiv_qr(above.get_mpz_t(), division_rest.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
   // The whole part of a root is the root of the whole part.
   mpz_sqrtrem(above.get_mpz_t(), root_rest.get_mpz_t(), above.get_mpz_t());

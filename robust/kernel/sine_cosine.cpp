@@ -16,10 +16,8 @@ mpz_class inverse_tangent(unsigned long q, Bits bits) {
   mpz_class power = (mpz_class(1) << bits) / q, sum = 0, term;
   for (unsigned long k = 0; sgn(power) != 0; ++k) {
     term = power / (2 * k + 1);
-    if (k % 2 == 0)
-      sum += term;
-    else
-      sum -= term;
+    if (k % 2 == 0) sum += term;
+    else sum -= term;
     power /= q * q;
   }
   return sum;

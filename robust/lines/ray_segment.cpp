@@ -71,10 +71,8 @@ RaySegment<double> answer_of(const Question<Integer>& q) {
   if (meeting.relation == RayRelation::none) return answer;
   if (meeting.on_one_line) {
     answer.t = parameter_of(meeting.common.a, q);
-    if (meeting.relation == RayRelation::point)
-      answer.point = rounded(meeting.common.a, q.position);
-    else
-      answer.overlap = Segment2d{rounded(meeting.common.a, q.position), rounded(meeting.common.b, q.position)};
+    if (meeting.relation == RayRelation::point) answer.point = rounded(meeting.common.a, q.position);
+    else answer.overlap = Segment2d{rounded(meeting.common.a, q.position), rounded(meeting.common.b, q.position)};
     return answer;
   }
   const Vector2<Integer> s = q.segment.b - q.segment.a, to_segment = q.segment.a - q.origin;

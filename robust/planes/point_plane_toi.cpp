@@ -33,9 +33,12 @@ template <class Second, class Numbers>
 PointPlaneToi<double> answer_of(const Second& e0, const Second& e1, const Point3d& start, const Numbers& ends) {
   if (kernel::sign_of(e0) <= 0) return {at_end(kernel::sign_of(e1)), at_start(start)};
   if (kernel::sign_of(e1) > 0) return {at_end(1), no_hit};
-  const auto coordinate = [&](std::size_t axis) { return between(e0, e1, ends.at[axis], ends.at[axis + 3], ends.exponent); };
+  const auto coordinate = [&](std::size_t axis) {
+    return between(e0, e1, ends.at[axis], ends.at[axis + 3], ends.exponent);
+  };
   return {at_end(kernel::sign_of(e1)),
-          {HitRelation::hit, kernel::round_quotient(e0, Second(e0 - e1)), Point3d{coordinate(0), coordinate(1), coordinate(2)}}};
+          {HitRelation::hit, kernel::round_quotient(e0, Second(e0 - e1)),
+           Point3d{coordinate(0), coordinate(1), coordinate(2)}}};
 }
 
 /// The same number in units of 2^exponent; empty if that is not below 2^124, so that differences and their products with a lattice fit.
@@ -52,7 +55,8 @@ void admit(const Plane3d& plane, const Point3d& start, const Point3d& end) {
 
 }  // namespace
 
-std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane, const Point3d& start,
+                                                            const Point3d& end) {
   const filters::Sign first = filters::plane(plane, start), last = filters::plane(plane, end);
   if (first == filters::Sign::unknown || last == filters::Sign::unknown) return std::nullopt;
   const int sign = last == filters::Sign::positive ? 1 : -1;
@@ -61,8 +65,10 @@ std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane
   return std::nullopt;
 }
 
-std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  const auto first = kernel::lattice_sum(kernel::height_over(plane, start)), last = kernel::lattice_sum(kernel::height_over(plane, end));
+std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plane, const Point3d& start,
+                                                             const Point3d& end) {
+  const auto first = kernel::lattice_sum(kernel::height_over(plane, start)),
+             last = kernel::lattice_sum(kernel::height_over(plane, end));
   const auto ends = kernel::lattice_of(start.x, start.y, start.z, end.x, end.y, end.z);
   if (!first || !last || !ends) return std::nullopt;
   const int exponent = std::min(first->exponent, last->exponent);
@@ -72,7 +78,8 @@ std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plan
 }
 
 PointPlaneToi<double> point_plane_toi_exact(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  auto first = kernel::exact_sum(kernel::height_over(plane, start)), last = kernel::exact_sum(kernel::height_over(plane, end));
+  auto first = kernel::exact_sum(kernel::height_over(plane, start)),
+       last = kernel::exact_sum(kernel::height_over(plane, end));
   const int exponent = std::min(first.exponent, last.exponent);
   first.n <<= static_cast<unsigned long>(first.exponent - exponent);
   last.n <<= static_cast<unsigned long>(last.exponent - exponent);

@@ -18,8 +18,10 @@ PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start
 
 /// The stages; robust/kernel/stage.h says what each may expect and answer. The filter knows the steps that stay on one side of the plane, or
 /// start behind it: no number has to be found.
-std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane, const Point3d& start, const Point3d& end);
-std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plane, const Point3d& start, const Point3d& end);
+std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane, const Point3d& start,
+                                                            const Point3d& end);
+std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plane, const Point3d& start,
+                                                             const Point3d& end);
 PointPlaneToi<double> point_plane_toi_exact(const Plane3d& plane, const Point3d& start, const Point3d& end);
 
 }  // namespace touchstone::robust

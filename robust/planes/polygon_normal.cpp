@@ -46,8 +46,7 @@ PolygonNormal<double> answer_of(const kernel::ScaledPoints<Integer>& points) {
     return kernel::with_sign(kernel::round_square_root(n * n, squared_length), sgn(n));
   };
   const long exponent = 2L * points.exponent;
-  return {NormalClass::proper,
-          Vector3d{rounded(sum.x, exponent), rounded(sum.y, exponent), rounded(sum.z, exponent)},
+  return {NormalClass::proper, Vector3d{rounded(sum.x, exponent), rounded(sum.y, exponent), rounded(sum.z, exponent)},
           Vector3d{unit(x), unit(y), unit(z)}};
 }
 

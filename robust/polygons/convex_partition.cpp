@@ -19,7 +19,8 @@ class Sides {
     sides_.reserve(3 * triangles.size());
     for (const auto& corners : triangles) {
       const auto first = static_cast<std::uint32_t>(sides_.size());
-      for (std::uint32_t k = 0; k < 3; ++k) sides_.push_back({corners[k], first + (k + 1) % 3, first + (k + 2) % 3, none, true});
+      for (std::uint32_t k = 0; k < 3; ++k)
+        sides_.push_back({corners[k], first + (k + 1) % 3, first + (k + 2) % 3, none, true});
     }
     pair_up();
   }
@@ -76,7 +77,8 @@ class Sides {
   /// How the boundary would turn where side s begins, between the sides before and after it.
   Side turn(std::uint32_t before, std::uint32_t s, std::uint32_t after, Stage& latest) const {
     Stage decided;
-    const Side side = orientation(polygon_[sides_[before].from], polygon_[sides_[s].from], polygon_[to(after)], decided);
+    const Side side =
+        orientation(polygon_[sides_[before].from], polygon_[sides_[s].from], polygon_[to(after)], decided);
     latest = std::max(latest, decided);
     return side;
   }

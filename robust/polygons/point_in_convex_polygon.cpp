@@ -17,7 +17,8 @@ Side admit_convex(const Polygon2d& polygon, Stage& decided) {
   const Side inner = found.orientation == Winding::ccw ? Side::left : Side::right;
   if (found.polygon_class == PolygonClass::convex) return inner;
   const auto defect = ring_defect(polygon);
-  if (defect && (defect->first == defect->second || found.polygon_class == PolygonClass::not_simple)) door::refuse("polygon", *defect);
+  if (defect && (defect->first == defect->second || found.polygon_class == PolygonClass::not_simple))
+    door::refuse("polygon", *defect);
   if (found.polygon_class == PolygonClass::degenerate) door::refuse_flat("polygon");
   for (std::size_t i = 0;; ++i) {
     const Side turn = orientation(polygon.previous(i), polygon[i], polygon.next(i));

@@ -193,7 +193,8 @@ Location by_integers(const Part& part, const Point2d& p) {
 
 /// The same, but not of edges that a filter or a lattice of their own decides.
 Location edge_by_edge(const Part& part, const Point2d& p) {
-  return by_turns(part, p, [&](const Point2d& a, const Point2d& b) { return 1 - static_cast<int>(orientation(a, b, p)); });
+  return by_turns(part, p,
+                  [&](const Point2d& a, const Point2d& b) { return 1 - static_cast<int>(orientation(a, b, p)); });
 }
 
 Part whole(const Polygon2d& polygon) {
@@ -223,7 +224,8 @@ Location past_filter(const Polygon2d& polygon, const Point2d& point, Stage& deci
   Part part{ring.before, ring.first, ring.first, false};
   while (part.last != ring.last) {
     const Point2d* first = part.last;
-    part = {first == ring.first ? ring.before : first - 1, first, first + std::min(edges_of_a_part, ring.last - first), false};
+    part = {first == ring.first ? ring.before : first - 1, first, first + std::min(edges_of_a_part, ring.last - first),
+            false};
     std::optional<Location> found;
     if (failures < 2) {  // else the scale is to blame, and it would fail again
       found = by_filter(part, point);

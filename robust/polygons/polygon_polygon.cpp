@@ -21,7 +21,8 @@ namespace {
 // and next to it lie interior points of both. So every decision is a turn of three input vertices: no point is ever constructed.
 class Meeting {
  public:
-  Meeting(const Polygon2d& a, const Polygon2d& b, Stage& decided) : decided_(decided), a_(counter_clockwise(a)), b_(counter_clockwise(b)) {}
+  Meeting(const Polygon2d& a, const Polygon2d& b, Stage& decided)
+      : decided_(decided), a_(counter_clockwise(a)), b_(counter_clockwise(b)) {}
 
   Contact contact() {
     bool touch = false;
@@ -61,7 +62,9 @@ class Meeting {
   }
 
   /// p lies on the line of q and r.
-  static bool between(const Point2d& q, const Point2d& p, const Point2d& r) { return !before(p, std::min(q, r, before)) && !before(std::max(q, r, before), p); }
+  static bool between(const Point2d& q, const Point2d& p, const Point2d& r) {
+    return !before(p, std::min(q, r, before)) && !before(std::max(q, r, before), p);
+  }
 
   /// What edge i of a and edge j of b have in common, as far as they tell: contacts in vertices are looked at by the edges that start there.
   Contact edges(std::size_t i, std::size_t j) {

@@ -30,7 +30,8 @@ class Pairs {
     boxes_.reserve(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) boxes_.push_back(box_of(edge(i)));
     std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::sort(order_.begin(), order_.end(), [&](std::size_t i, std::size_t j) { return boxes_[i].left < boxes_[j].left; });
+    std::sort(order_.begin(), order_.end(),
+              [&](std::size_t i, std::size_t j) { return boxes_[i].left < boxes_[j].left; });
   }
 
   std::optional<door::RingDefect> first_defect() {

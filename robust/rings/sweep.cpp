@@ -20,7 +20,13 @@ namespace {
 class Sweep {
  public:
   Sweep(const Polygon2d& ring, Chains* chains)
-      : ring_(ring), size_(ring.size()), chains_(chains), order_(size_), rank_(size_), places_(size_), cut_(Upwards{this}) {
+      : ring_(ring),
+        size_(ring.size()),
+        chains_(chains),
+        order_(size_),
+        rank_(size_),
+        places_(size_),
+        cut_(Upwards{this}) {
     std::iota(order_.begin(), order_.end(), Index{0});
     std::sort(order_.begin(), order_.end(), [&](Index i, Index j) {
       return ring_[i].x < ring_[j].x || (ring_[i].x == ring_[j].x && ring_[i].y < ring_[j].y);
@@ -69,7 +75,8 @@ class Sweep {
   bool below(Index a, Index b) const {
     const Index start_a = first(a), start_b = first(b);
     if (start_a == start_b) return side_of(b, ring_[last(a)]) == Side::right;
-    return rank_[start_a] < rank_[start_b] ? side_of(a, ring_[start_b]) == Side::left : side_of(b, ring_[start_a]) == Side::right;
+    return rank_[start_a] < rank_[start_b] ? side_of(a, ring_[start_b]) == Side::left
+                                           : side_of(b, ring_[start_a]) == Side::right;
   }
 
   /// Of two edges beside each other in the order, b above a. Edges of one vertex meet nowhere else: what begins on an edge, or in its
@@ -83,7 +90,9 @@ class Sweep {
     return found != SegmentRelation::disjoint;
   }
 
-  bool apart_from_below(Place place) const { return place == cut_.begin() || !meet(std::prev(place)->edge, place->edge); }
+  bool apart_from_below(Place place) const {
+    return place == cut_.begin() || !meet(std::prev(place)->edge, place->edge);
+  }
   bool apart_from_above(Place place) const {
     return std::next(place) == cut_.end() || !meet(place->edge, std::next(place)->edge);
   }

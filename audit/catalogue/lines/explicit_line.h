@@ -69,7 +69,10 @@ struct explicit_line {
   static void draw(Scene& scene, const Question& question) {
     const auto& [slope, intercept, point] = question;
     const double x0 = point.x - 1, x1 = point.x + 1;
-    scene.figures.push_back({Figure::Kind::line, "y = slope x + intercept", {x0, slope * x0 + intercept, x1, slope * x1 + intercept}, false});
+    scene.figures.push_back({Figure::Kind::line,
+                             "y = slope x + intercept",
+                             {x0, slope * x0 + intercept, x1, slope * x1 + intercept},
+                             false});
     audit::draw(scene, "point", point, false);
   }
 

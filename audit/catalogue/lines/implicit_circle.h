@@ -75,7 +75,8 @@ struct implicit_circle {
   }
 
   /// Legs and hypotenuse of right triangles with integer sides: points on circles, exactly.
-  static constexpr int triples[][3] = {{3, 4, 5}, {0, 1, 1}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}, {20, 21, 29}, {119, 120, 169}, {12, 35, 37}};
+  static constexpr int triples[][3] = {{3, 4, 5},   {0, 1, 1},    {5, 12, 13},     {8, 15, 17},
+                                       {7, 24, 25}, {20, 21, 29}, {119, 120, 169}, {12, 35, 37}};
 
   static std::optional<Location> as_open_sets(Location truth, const Question&) {
     if (truth != Location::boundary) return std::nullopt;

@@ -34,19 +34,22 @@ struct line_line {
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-           return {{along(p, small_integer(c, 4), u), along(p, 5, u)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
+           return {{along(p, small_integer(c, 4), u), along(p, 5, u)},
+                   {along(p, small_integer(c, 4), v), along(p, 5, v)}};
          }},
         {"parallel",
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c), q = lattice_point(c);
            const Vector2d v = lattice_direction(c);
-           return {{p, along(p, 1 + static_cast<double>(c.below(8)), v)}, {q, along(q, -1 - static_cast<double>(c.below(8)), v)}};
+           return {{p, along(p, 1 + static_cast<double>(c.below(8)), v)},
+                   {q, along(q, -1 - static_cast<double>(c.below(8)), v)}};
          }},
         {"same",
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
-           return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)}, {along(p, small_integer(c, 4), v), along(p, 5, v)}};
+           return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)},
+                   {along(p, small_integer(c, 4), v), along(p, 5, v)}};
          }},
         {"shared_point",
          [](Choices& c) -> Question {

@@ -13,14 +13,15 @@ struct parametric_circle {
   using Question = std::tuple<Circle2d, double>;
 
   static const Card& card() {
-    static const Card card{.name = "parametric_circle",
-                           .chapter = "lines",
-                           .pages = "8",
-                           .question = "Which point of the circle belongs to the parameter u (radians from +x, counter-clockwise)?",
-                           .kind = Kind::measure,
-                           .fields = {"circle", "u"},
-                           .answer = "point",
-                           .ulps = 3};
+    static const Card card{
+        .name = "parametric_circle",
+        .chapter = "lines",
+        .pages = "8",
+        .question = "Which point of the circle belongs to the parameter u (radians from +x, counter-clockwise)?",
+        .kind = Kind::measure,
+        .fields = {"circle", "u"},
+        .answer = "point",
+        .ulps = 3};
     return card;
   }
 

@@ -54,7 +54,8 @@ struct point_on_segment {
            const Point2d a = lattice_point(c, 50);
            const double length = integer(c, 50), at = c.below(2) == 1 ? length : integer(c, 50);
            const bool upright = c.below(2) == 1;
-           return upright ? Question{{a.x, a.y + at}, {a, {a.x, a.y + length}}} : Question{{a.x + at, a.y}, {a, {a.x + length, a.y}}};
+           return upright ? Question{{a.x, a.y + at}, {a, {a.x, a.y + length}}}
+                          : Question{{a.x + at, a.y}, {a, {a.x + length, a.y}}};
          }},
         {"zero_length",
          [](Choices& c) -> Question {
@@ -94,7 +95,8 @@ struct point_on_segment {
     };
   }
 
-  static std::optional<PointOnSegment<mpq_class>> as_open_sets(const PointOnSegment<mpq_class>& truth, const Question&) {
+  static std::optional<PointOnSegment<mpq_class>> as_open_sets(const PointOnSegment<mpq_class>& truth,
+                                                               const Question&) {
     if (!truth.t || (*truth.t != 0 && *truth.t != 1)) return std::nullopt;
     return PointOnSegment<mpq_class>{Incidence::off, std::nullopt};
   }

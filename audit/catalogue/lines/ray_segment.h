@@ -35,7 +35,8 @@ struct ray_segment {
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-           return {{along(p, small_integer(c, 4), u), u}, {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
+           return {{along(p, small_integer(c, 4), u), u},
+                   {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
          }},
         {"through_end",
          [](Choices& c) -> Question {
@@ -47,7 +48,8 @@ struct ray_segment {
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
-           return {{p, lattice_direction(c)}, {along(p, -static_cast<double>(c.below(4)), v), along(p, static_cast<double>(c.below(4)), v)}};
+           return {{p, lattice_direction(c)},
+                   {along(p, -static_cast<double>(c.below(4)), v), along(p, static_cast<double>(c.below(4)), v)}};
          }},
         {"collinear",
          [](Choices& c) -> Question {
@@ -71,7 +73,8 @@ struct ray_segment {
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
            const Vector2d across{c.below(2) == 1 ? -1.0 : 1.0, 0.0};
-           return c.below(2) == 1 ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}} : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
+           return c.below(2) == 1 ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
+                                  : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
          }},
         {"zero_length",
          [](Choices& c) -> Question {
@@ -110,7 +113,8 @@ struct ray_segment {
   }
 
   /// An open segment does not have its ends, an open ray not its origin.
-  static std::optional<RaySegment<mpq_class>> as_open_sets(const RaySegment<mpq_class>& truth, const Question& question) {
+  static std::optional<RaySegment<mpq_class>> as_open_sets(const RaySegment<mpq_class>& truth,
+                                                           const Question& question) {
     if (truth.relation != RayRelation::point) return std::nullopt;
     const Segment2d& segment = std::get<1>(question);
     const auto is = [&](const Point2d& end) {

@@ -33,7 +33,8 @@ struct segment_segment {
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
-           return {{along(p, -1 - static_cast<double>(c.below(4)), u), along(p, 1, u)}, {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
+           return {{along(p, -1 - static_cast<double>(c.below(4)), u), along(p, 1, u)},
+                   {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
          }},
         {"shared_end",
          [](Choices& c) -> Question {
@@ -77,14 +78,16 @@ struct segment_segment {
            const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
            const double length = integer(c, 50), other = integer(c, 50);
            const Segment2d across{p, {p.x + length, p.y}};
-           return c.below(2) == 1 ? Question{across, {{q.x, p.y}, {q.x + other, p.y}}} : Question{across, {q, {q.x, q.y + other}}};
+           return c.below(2) == 1 ? Question{across, {{q.x, p.y}, {q.x + other, p.y}}}
+                                  : Question{across, {q, {q.x, q.y + other}}};
          }},
         {"zero_length",
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const Segment2d point{p, p};
-           const Segment2d other{along(p, small_integer(c, 2), v), along(p, c.below(2) == 1 ? 0 : small_integer(c, 2), v)};
+           const Segment2d other{along(p, small_integer(c, 2), v),
+                                 along(p, c.below(2) == 1 ? 0 : small_integer(c, 2), v)};
            return c.below(2) == 1 ? Question{other, point} : Question{point, other};
          }},
         {"end_on_long_segment",
@@ -114,7 +117,8 @@ struct segment_segment {
   }
 
   /// Open segments do not have their ends.
-  static std::optional<SegmentSegment<mpq_class>> as_open_sets(const SegmentSegment<mpq_class>& truth, const Question&) {
+  static std::optional<SegmentSegment<mpq_class>> as_open_sets(const SegmentSegment<mpq_class>& truth,
+                                                               const Question&) {
     if (truth.relation != SegmentRelation::point) return std::nullopt;
     if (*truth.ta != 0 && *truth.ta != 1 && *truth.tb != 0 && *truth.tb != 1) return std::nullopt;
     return SegmentSegment<mpq_class>{SegmentRelation::disjoint, {}, {}, {}, {}};

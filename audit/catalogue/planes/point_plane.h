@@ -16,15 +16,16 @@ struct point_plane {
   using Question = std::tuple<Plane3d, Point3d>;
 
   static const Card& card() {
-    static const Card card{.name = "point_plane",
-                           .chapter = "planes",
-                           .pages = "22",
-                           .question = "Is the point in front of, on or behind the plane N . p + d = 0, and how far from it?",
-                           .kind = Kind::measure,
-                           .fields = {"plane", "point"},
-                           .ulps = 13,
-                           .margin_degree = 2,
-                           .longest_vector = 2300};
+    static const Card card{
+        .name = "point_plane",
+        .chapter = "planes",
+        .pages = "22",
+        .question = "Is the point in front of, on or behind the plane N . p + d = 0, and how far from it?",
+        .kind = Kind::measure,
+        .fields = {"plane", "point"},
+        .ulps = 13,
+        .margin_degree = 2,
+        .longest_vector = 2300};
     return card;
   }
 
@@ -65,7 +66,8 @@ struct point_plane {
         {"halfway",
          [](Choices& c) -> Question {
            const double y = 0x1p52 + static_cast<double>(c.below(16));
-           return {{{0, std::ldexp(1, static_cast<int>(c.below(4))), 0}, 0.5 + small_integer(c)}, {integer(c, 3), y, 0}};
+           return {{{0, std::ldexp(1, static_cast<int>(c.below(4))), 0}, 0.5 + small_integer(c)},
+                   {integer(c, 3), y, 0}};
          }},
         {"beyond_range",
          [](Choices& c) -> Question {

@@ -20,7 +20,9 @@ struct point_plane_toi {
     static const Card card{.name = "point_plane_toi",
                            .chapter = "planes",
                            .pages = "23",
-                           .question = "Does a point that moves from start to end hit the plane: at the end of the step, and first when and where?",
+                           .question =
+                               "Does a point that moves from start to end hit the plane: at the end of the step, and "
+                               "first when and where?",
                            .kind = Kind::measure,
                            .fields = {"plane", "start", "end"},
                            .ulps = 17,
@@ -81,7 +83,8 @@ struct point_plane_toi {
          }},
         {"rounded_on_plane",
          [](Choices& c) -> Question {
-           const Vector3d n{ordinary(c), ordinary(c), 1 + std::fabs(ordinary(c))}, p{ordinary(c), ordinary(c), ordinary(c)};
+           const Vector3d n{ordinary(c), ordinary(c), 1 + std::fabs(ordinary(c))},
+               p{ordinary(c), ordinary(c), ordinary(c)};
            const double step = 1 + static_cast<double>(c.below(8));
            return {{n, -dot(n, p)}, Point3d{p.x, p.y, p.z} + step * n, {p.x, p.y, p.z}};
          }},
@@ -102,7 +105,9 @@ struct point_plane_toi {
   /// The normal has no unit: it keeps its value.
   static void scale(Question& question, int k) {
     auto& [plane, start, end] = question;
-    const auto scaled = [k](const Point3d& p) { return Point3d{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)}; };
+    const auto scaled = [k](const Point3d& p) {
+      return Point3d{std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+    };
     plane.offset = std::ldexp(plane.offset, k);
     start = scaled(start), end = scaled(end);
   }
@@ -113,7 +118,9 @@ struct point_plane_toi {
     try {
       const Vector3d v = end - start;
       const SideView view = SideView::of(plane, v);
-      const auto over = [&plane = plane](const Point3d& p) { return ::touchstone::robust::point_plane(plane, p).signed_distance; };
+      const auto over = [&plane = plane](const Point3d& p) {
+        return ::touchstone::robust::point_plane(plane, p).signed_distance;
+      };
       const Point2d from = view.at({0, 0, 0}, over(start)), to = view.at(v, over(end));
       const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
       SideView::draw_plane(scene, low, high, std::max(std::fabs(from.y), std::fabs(to.y)));

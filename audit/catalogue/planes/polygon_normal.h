@@ -17,17 +17,18 @@ struct polygon_normal {
   using Question = std::tuple<Polygon3d>;
 
   static const Card& card() {
-    static const Card card{.name = "polygon_normal",
-                           .chapter = "planes",
-                           .pages = "21",
-                           .question = "Which way does the polygon face: its normal by Newell's sum, and that of length 1?",
-                           .kind = Kind::measure,
-                           .fields = {"polygon"},
-                           .ulps = 22,
-                           .margin_degree = 2,
-                           .list_length = 4,
-                           .formula_answers_less = true,
-                           .longest_vector = 2300};
+    static const Card card{
+        .name = "polygon_normal",
+        .chapter = "planes",
+        .pages = "21",
+        .question = "Which way does the polygon face: its normal by Newell's sum, and that of length 1?",
+        .kind = Kind::measure,
+        .fields = {"polygon"},
+        .ulps = 22,
+        .margin_degree = 2,
+        .list_length = 4,
+        .formula_answers_less = true,
+        .longest_vector = 2300};
     return card;
   }
 
@@ -68,7 +69,8 @@ struct polygon_normal {
          [](Choices& c) -> Question {
            const auto [p, a, b] = frame(c);
            const double far = 2 + static_cast<double>(c.below(8));
-           return {{{p + far * a, p + a + b, p + far * b, p}}};  // a dart: p + a + b is beyond or on the line of its neighbours
+           return {{{p + far * a, p + a + b, p + far * b,
+                     p}}};  // a dart: p + a + b is beyond or on the line of its neighbours
          }},
         {"figure_of_eight",
          [](Choices& c) -> Question {
@@ -98,7 +100,8 @@ struct polygon_normal {
         {"not_planar",
          [](Choices& c) -> Question {
            Question question;
-           for (std::uint64_t n = 4 + c.below(5); n > 0; --n) std::get<0>(question).vertices.push_back(lattice_point_in_space(c));
+           for (std::uint64_t n = 4 + c.below(5); n > 0; --n)
+             std::get<0>(question).vertices.push_back(lattice_point_in_space(c));
            return question;
          }},
         {"far_from_origin",

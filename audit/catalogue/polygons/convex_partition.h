@@ -34,7 +34,8 @@ struct convex_partition {
   }
 
   static void draw(Scene& scene, const Question& question) {
-    draw_pieces(scene, std::get<0>(question), [](const Polygon2d& polygon) { return ::touchstone::robust::convex_partition(polygon); });
+    draw_pieces(scene, std::get<0>(question),
+                [](const Polygon2d& polygon) { return ::touchstone::robust::convex_partition(polygon); });
   }
 
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.

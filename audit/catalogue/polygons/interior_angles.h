@@ -41,7 +41,9 @@ struct interior_angles {
            const Vector2d v = lattice_direction(c), w{-v.y, v.x};
            const double a = 1 + static_cast<double>(c.below(8)), b = 1 + static_cast<double>(c.below(8));
            const Point2d q = along(along(p, a, v), b, w);
-           return turned({{p, along(p, a + 1, v), along(along(p, a + 1, v), b, w), q, along(q, 1, w), along(along(p, b, w), 1, w)}}, c);
+           return turned({{p, along(p, a + 1, v), along(along(p, a + 1, v), b, w), q, along(q, 1, w),
+                           along(along(p, b, w), 1, w)}},
+                         c);
          }},
         {"needle",
          [](Choices& c) -> Question {
@@ -49,7 +51,9 @@ struct interior_angles {
            const double length = std::ldexp(1, 1 + static_cast<int>(c.below(40))), rise = small_integer(c);
            const Point2d tip{length, length * rise};
            if (c.below(2) == 0) return turned({{{0, 0}, tip, {0, 1}, {-length, rise}}}, c);
-           return turned({{{0, 0}, tip, {0, 1}, {-1, 1}, {-1, 3 * length * 9}, {3 * length, 0}, {-1, -3 * length * 9}, {-1, 0}}}, c);
+           return turned(
+               {{{0, 0}, tip, {0, 1}, {-1, 1}, {-1, 3 * length * 9}, {3 * length, 0}, {-1, -3 * length * 9}, {-1, 0}}},
+               c);
          }},
         {"nearly_flat",
          [](Choices& c) -> Question {

@@ -91,10 +91,12 @@ struct point_in_convex_polygon {
          [](Choices& c) -> Question {
            Question question;
            Polygon2d& ring = std::get<0>(question);
-           for (std::uint64_t more = 3 + c.below(6); more > 0; --more) ring.vertices.push_back({ordinary(c), ordinary(c)});
+           for (std::uint64_t more = 3 + c.below(6); more > 0; --more)
+             ring.vertices.push_back({ordinary(c), ordinary(c)});
            make_legal(question);
            const std::size_t i = c.below(ring.size());
-           std::get<1>(question) = along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
+           std::get<1>(question) =
+               along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
            return question;
          }},
     };
@@ -111,11 +113,14 @@ struct point_in_convex_polygon {
     if (vertices.size() < 3) return;
     const bool clockwise = vertices.size() % 2 == 0;
     std::vector<Point2d> sorted = vertices, hull;
-    std::sort(sorted.begin(), sorted.end(), [](const Point2d& p, const Point2d& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Point2d& p, const Point2d& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
     for (int half = 0; half < 2; ++half) {
       const std::size_t start = hull.size();
       for (const Point2d& p : sorted) {
-        while (hull.size() >= start + 2 && ::touchstone::oracle::orientation_side(hull[hull.size() - 2], hull.back(), p) != Side::left) hull.pop_back();
+        while (hull.size() >= start + 2 &&
+               ::touchstone::oracle::orientation_side(hull[hull.size() - 2], hull.back(), p) != Side::left)
+          hull.pop_back();
         hull.push_back(p);
       }
       hull.pop_back();  // the other half begins with it

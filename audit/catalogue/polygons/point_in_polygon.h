@@ -88,7 +88,8 @@ struct point_in_polygon {
            for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
              ring = c.below(2) == 1 ? with_flat_vertex(ring, c) : with_repeated_vertex(ring, c);
            }
-           return {turned(ring, c), c.below(2) == 1 ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
+           return {turned(ring, c),
+                   c.below(2) == 1 ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
          }},
         {"collinear_ring",
          [](Choices& c) -> Question {
@@ -96,7 +97,8 @@ struct point_in_polygon {
            const Vector2d v = lattice_direction(c);
            const int most = c.below(4) == 3 ? 0 : 8;  // 0: all in one point
            Polygon2d ring;
-           for (std::uint64_t more = 3 + c.below(5); more > 0; --more) ring.vertices.push_back(along(a, small_integer(c, most), v));
+           for (std::uint64_t more = 3 + c.below(5); more > 0; --more)
+             ring.vertices.push_back(along(a, small_integer(c, most), v));
            return {ring, along(a, small_integer(c, most + 1), v)};
          }},
         {"comb_or_star",
@@ -121,7 +123,8 @@ struct point_in_polygon {
         {"rounded_on_edge",
          [](Choices& c) -> Question {
            Polygon2d ring;
-           for (std::uint64_t more = 3 + c.below(6); more > 0; --more) ring.vertices.push_back({ordinary(c), ordinary(c)});
+           for (std::uint64_t more = 3 + c.below(6); more > 0; --more)
+             ring.vertices.push_back({ordinary(c), ordinary(c)});
            const std::size_t i = c.below(ring.size());
            return {ring, along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i])};
          }},
@@ -132,7 +135,9 @@ struct point_in_polygon {
            const Vector2d edge{sized(1 << 29), c.below(2) == 1 ? sized(1 << 29) : -sized(1 << 29)};
            const Point2d origin{0, 0}, beside = along(origin, 0x1p-30, edge);
            const double size = c.below(2) == 1 ? 0x1p-11 : -0x1p-11, off = size * static_cast<double>(1 + c.below(8));
-           return {turned({{along(origin, -sized(1 << 20), edge), along(origin, sized(1 << 20), edge), origin + lattice_direction(c, 50)}}, c),
+           return {turned({{along(origin, -sized(1 << 20), edge), along(origin, sized(1 << 20), edge),
+                            origin + lattice_direction(c, 50)}},
+                          c),
                    {beside.x, beside.y + off}};
          }},
         {"level_and_in_line",
@@ -140,9 +145,11 @@ struct point_in_polygon {
            // Level with the last of the first sixteen vertices, which robust takes together, and in line with some edge of a saw.
            const std::uint64_t teeth = 2 + c.below(3), length = 5 + c.below(8);
            Polygon2d ring;
-           for (std::uint64_t i = 0; i < teeth * length; ++i) ring.vertices.push_back({static_cast<double>(3 * i), static_cast<double>(i % length)});
+           for (std::uint64_t i = 0; i < teeth * length; ++i)
+             ring.vertices.push_back({static_cast<double>(3 * i), static_cast<double>(i % length)});
            ring.vertices.push_back({static_cast<double>(3 * teeth * length), -1000});
-           const Point2d level = ring[c.below(2) == 1 && ring.size() > 15 ? 15 : c.below(ring.size() - 1)], in_line = ring[c.below(teeth) * length];
+           const Point2d level = ring[c.below(2) == 1 && ring.size() > 15 ? 15 : c.below(ring.size() - 1)],
+                         in_line = ring[c.below(teeth) * length];
            return {ring, {in_line.x + 3 * (level.y - in_line.y), level.y}};
          }},
         {"beside_edge_from_afar",
@@ -152,7 +159,8 @@ struct point_in_polygon {
            const auto far = [&c] { return static_cast<double>((1 << 29) + c.below(1 << 29)); };
            const double x = far();
            ring.vertices[15] = {c.below(2) == 1 ? x : -x, far()};
-           const Point2d near = ring[16], on = along(near, static_cast<double>(1 + c.below(1 << 10)) * 0x1p-30, ring[15] - near);
+           const Point2d near = ring[16],
+                         on = along(near, static_cast<double>(1 + c.below(1 << 10)) * 0x1p-30, ring[15] - near);
            return {ring, {on.x, on.y + static_cast<double>(c.below(3)) * 0x1p-34 - 0x1p-34}};
          }},
         {"many_vertices",

@@ -38,7 +38,8 @@ struct polygon_convexity {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"convex", [](Choices& c) -> Question { return turned(convex_ring(c), c); }},
-        {"concave", [](Choices& c) -> Question { return c.below(2) == 0 ? turned(star_ring(c), c) : turned(comb_ring(c), c); }},
+        {"concave",
+         [](Choices& c) -> Question { return c.below(2) == 0 ? turned(star_ring(c), c) : turned(comb_ring(c), c); }},
         {"flat_vertex",
          [](Choices& c) -> Question {
            Polygon2d ring = with_flat_vertex(simple_ring(c), c);
@@ -47,7 +48,8 @@ struct polygon_convexity {
         {"flat_on_the_left",
          [](Choices& c) -> Question {
            // The first vertices from the left are on one line, and the middle one may come first.
-           const double height = 2 + static_cast<double>(c.below(20)), width = 2 + std::fabs(integer(c, 20)), dent = static_cast<double>(c.below(2));
+           const double height = 2 + static_cast<double>(c.below(20)), width = 2 + std::fabs(integer(c, 20)),
+                        dent = static_cast<double>(c.below(2));
            return turned({{{0, 1}, {0, 0}, {width, 0}, {width - dent, 1}, {width, height}, {0, height}}}, c);
          }},
         {"nearly_flat",
@@ -62,7 +64,8 @@ struct polygon_convexity {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            Polygon2d ring;
-           for (std::uint64_t left = 3 + c.below(4); left > 0; --left) ring.vertices.push_back(along(p, small_integer(c), v));
+           for (std::uint64_t left = 3 + c.below(4); left > 0; --left)
+             ring.vertices.push_back(along(p, small_integer(c), v));
            return ring;
          }},
         {"repeated_vertex", [](Choices& c) -> Question { return turned(with_repeated_vertex(simple_ring(c), c), c); }},

@@ -80,8 +80,16 @@ struct polygon_polygon {
         {"in_a_bay",
          [](Choices& c) -> Question {
            const double depth = 2 + static_cast<double>(c.below(6)), width = 2 + static_cast<double>(c.below(6));
-           const Polygon2d bay{{{-1, -1}, {width + 1, -1}, {width + 1, depth}, {width, depth}, {width, 0}, {0, 0}, {0, depth}, {-1, depth}}};
-           const double x = static_cast<double>(c.below(4)), y = static_cast<double>(c.below(4)), s = 1 + static_cast<double>(c.below(4));
+           const Polygon2d bay{{{-1, -1},
+                                {width + 1, -1},
+                                {width + 1, depth},
+                                {width, depth},
+                                {width, 0},
+                                {0, 0},
+                                {0, depth},
+                                {-1, depth}}};
+           const double x = static_cast<double>(c.below(4)), y = static_cast<double>(c.below(4)),
+                        s = 1 + static_cast<double>(c.below(4));
            return {turned(bay, c), turned({{{x, y}, {x + s, y}, {x + s, y + 2 * s}, {x, y + 2 * s}}}, c)};
          }},
         {"apart",
@@ -108,9 +116,7 @@ struct polygon_polygon {
     };
   }
 
-  static void make_legal(Question& question) {
-    untangle(std::get<0>(question)), untangle(std::get<1>(question));
-  }
+  static void make_legal(Question& question) { untangle(std::get<0>(question)), untangle(std::get<1>(question)); }
 
   static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
     if (truth != Contact::touching) return std::nullopt;

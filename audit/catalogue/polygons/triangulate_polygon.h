@@ -34,7 +34,8 @@ struct triangulate_polygon {
   }
 
   static void draw(Scene& scene, const Question& question) {
-    draw_pieces(scene, std::get<0>(question), [](const Polygon2d& polygon) { return ::touchstone::robust::triangulate_polygon(polygon); });
+    draw_pieces(scene, std::get<0>(question),
+                [](const Polygon2d& polygon) { return ::touchstone::robust::triangulate_polygon(polygon); });
   }
 
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.

@@ -37,10 +37,8 @@ struct BoostGeometry {
     if (common.empty()) return answer;
     const Point2d p = point(common.front()), q = point(common.back());
     answer.relation = p == q ? SegmentRelation::point : SegmentRelation::overlap;
-    if (p == q)
-      answer.point = p;
-    else
-      answer.overlap = p.x < q.x || (p.x == q.x && p.y < q.y) ? Segment2d{p, q} : Segment2d{q, p};
+    if (p == q) answer.point = p;
+    else answer.overlap = p.x < q.x || (p.x == q.x && p.y < q.y) ? Segment2d{p, q} : Segment2d{q, p};
     return answer;
   }
 
