@@ -35,6 +35,12 @@ struct Asked {
   static int naive(const QuestionOf<Row>& q) {
     return std::apply([](const auto&... field) { return Decisions<Row>::naive(field...); }, q);
   }
+  static constexpr bool has_usual = requires(const QuestionOf<Row>& q) {
+    std::apply([](const auto&... field) -> decltype(Decisions<Row>::usual(field...)) { return {}; }, q);
+  };
+  static int usual(const QuestionOf<Row>& q) {
+    return std::apply([](const auto&... field) { return Decisions<Row>::usual(field...); }, q);
+  }
   static int rational(const QuestionOf<Row>& q) {
     return std::apply(
         [](const auto&... field) {
@@ -132,6 +138,10 @@ void add_row(DataSet set) {
     using A = Asked<Row>;
     add("naive",
         [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::naive(q); }); });
+    if constexpr (A::has_usual) {
+      add("usual",
+          [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::usual(q); }); });
+    }
     add("robust",
         [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::ours(q); }); });
     if constexpr (!CgalPeer<Row>::only_epeck) {

@@ -12,6 +12,7 @@ namespace touchstone::bench {
 /// ours(question...)           the decision of robust
 /// truth(answer)               the same int from the oracle's answer
 /// naive(question...)          the formula that one writes inline, without branches where it can do without; Real: double
+/// usual(question...)          the same as one finds it in books, where that has early exits
 /// complete(question...)       right where arithmetic is exact; Real: mpq_class. Left out where naive is complete
 template <class Row>
 struct Decisions;
@@ -112,6 +113,10 @@ struct Decisions<audit::rows::segment_segment> {
   static int naive(const Segment2<Real>& a, const Segment2<Real>& b) {
     const Real ba = turn(a.a, a.b, b.a), bb = turn(a.a, a.b, b.b), aa = turn(b.a, b.b, a.a), ab = turn(b.a, b.b, a.b);
     return (ba * bb <= 0) & (aa * ab <= 0);
+  }
+  static int usual(const Segment2d& a, const Segment2d& b) {
+    if (turn(a.a, a.b, b.a) * turn(a.a, a.b, b.b) > 0) return false;
+    return turn(b.a, b.b, a.a) * turn(b.a, b.b, a.b) <= 0;
   }
   template <class Real>
   static int complete(const Segment2<Real>& a, const Segment2<Real>& b) {

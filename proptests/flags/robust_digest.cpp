@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <cstring>
+
+#include "proptests/any_robust_bits.h"
+
+// robust_digest [--contracted] [OPERATION]
+//
+// What robust answers to questions of every family in every floating-point environment: a line for each operation, or for each question of
+// one. CMakeLists.txt compiles it, and with it all that is inline in robust's headers, in several ways; all have to print the same.
+namespace touchstone::proptests {
+namespace {
+
+constexpr std::uint64_t asked_of_a_family = 120;
+
+/// FNV-1a over everything said.
+class Digest {
+ public:
+  void add(const AnswerBits& bits) {
+    for (const std::uint64_t word : bits.words) mix(word);
+    for (const char letter : bits.refused) mix(static_cast<unsigned char>(letter));
+    mix(bits.words.size());
+  }
+  std::uint64_t value() const { return hash_; }
+
+ private:
+  void mix(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3u; }
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+};
+
+void print_digest(const audit::Operation& operation, bool each_question) {
+  Digest of_all;
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    const std::string& name = operation.families()[family];
+    for (std::uint64_t i = 0; i < asked_of_a_family; ++i) {
+      audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, name.c_str(), i));
+      const audit::Question question = operation.draw(choices, family);
+      Digest of_one;
+      for (std::size_t environment = 0; environment < environment_count; ++environment) {
+        const AnswerBits bits = robust_bits(operation, question, environment);
+        of_all.add(bits), of_one.add(bits);
+      }
+      if (!each_question) continue;
+      std::printf("%016llx %s\n", static_cast<unsigned long long>(of_one.value()),
+                  audit::one_line(operation.print(question)).c_str());
+    }
+  }
+  if (!each_question) {
+    std::printf("%016llx %s\n", static_cast<unsigned long long>(of_all.value()), operation.name().c_str());
+  }
+}
+
+/// Whether the compiler makes one rounding of a product and a sum: (1 + u)(1 - u) - 1 is -u^2, and 0 where the product is rounded.
+bool contracts() {
+  volatile double a = 1 + 0x1p-52, b = 1 - 0x1p-52, c = -1;
+  const double x = a, y = b, z = c;
+  return x * y + z != 0;
+}
+
+}  // namespace
+}  // namespace touchstone::proptests
+
+int main(int argc, char** argv) {
+  using namespace touchstone;
+  const bool contracted = argc > 1 && std::strcmp(argv[1], "--contracted") == 0;
+  if (proptests::contracts() != contracted) {
+    std::fprintf(stderr, "products and sums are %s, which is not what was to be tested\n",
+                 contracted ? "rounded one by one" : "contracted");
+    return 2;
+  }
+  const char* const only = argc > 1 + contracted ? argv[1 + contracted] : nullptr;
+  for (const audit::Operation* operation : audit::catalogue()) {
+    if (only == nullptr || operation->name() == only) proptests::print_digest(*operation, only != nullptr);
+  }
+  return 0;
+}
