@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "geometry/door.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
