@@ -16,10 +16,16 @@ constexpr mpfr_prec_t precision = 2400;
 // in the denominator of such a cosine must tell it from 1.
 constexpr mpfr_prec_t nearest_cosine = 8402, precision_of_roots = 9000;
 
+/// MPFR keeps constants for each thread, and frees them only where it is told to.
+struct Constants {
+  ~Constants() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
 template <class Function>
 Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = precision,
               mpfr_prec_t of_result = precision) {
   if (!a.defined()) return a;
+  [[maybe_unused]] static thread_local const Constants freed_when_the_thread_ends;
   mpfr_t argument, result;
   mpfr_init2(argument, of_argument);
   mpfr_init2(result, of_result);
