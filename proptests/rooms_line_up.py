@@ -100,6 +100,10 @@ def evidence(tree, operations):
         name = operation["name"]
         if "method_of" in operation:
             continue
+        header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "audit/catalogue"))
+        for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
+            if f"robust::{alone}(" not in row:
+                yield f"audit/catalogue/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
@@ -233,6 +237,7 @@ PLANTED = [
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
     ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
     ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
+    ("robust/lines/touch.h", "inline Side touch_side(int);\n", "nobody asks robust::touch_side"),
     ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
     ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),

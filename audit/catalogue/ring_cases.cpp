@@ -102,6 +102,35 @@ Polygon2d long_ring(Choices& c) {
   return ring;
 }
 
+/// Small and in no order, its crossings undone.
+Polygon2d untangled(Choices& c) {
+  Polygon2d ring;
+  for (std::uint64_t more = 4 + c.below(6); more > 0; --more) {
+    const double x = static_cast<double>(c.below(7));
+    ring.vertices.push_back({x, static_cast<double>(c.below(7))});
+  }
+  untangle(ring);
+  return ring;
+}
+
+/// A crossing between edges that become neighbours of a sweep only when two others end.
+Rings late_neighbours(Choices& c) {
+  if (c.below(2) == 0) return turned({{{0, 0}, {10, 10}, {10, 1}, {0, 8}, {1, 4}}}, c);
+  return turned({{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {2, 1}, {1, 0}}}, c);
+}
+
+/// Chains of a sweep that grow at one end and at once at the other.
+Rings growing_chains(Choices& c) {
+  if (c.below(2) == 0) return turned({{{0, 2}, {2, 3}, {5, 6}, {4, 4}, {6, 1}}}, c);
+  return turned({{{0, 1}, {3, 2}, {2, 1}, {3, 0}, {1, 1}}}, c);
+}
+
+/// A chain of a sweep that splits at its end; sides of pieces that are looked at twice.
+Rings split_chain(Choices& c) {
+  if (c.below(2) == 0) return turned({{{2, 0}, {1, 2}, {1, 3}, {0, 1}, {2, 6}, {4, 3}, {2, 2}, {5, 0}}}, c);
+  return turned({{{8.000000000000002, 0}, {8, 4}, {8, 8}, {0, 0}, {1, 0}, {2, 0}, {4, 0}}}, c);
+}
+
 /// A spike, a vertex twice, a hole that touches its outline in one point, an edge that crosses another; or nothing of these.
 Polygon2d defective(Choices& c) {
   switch (c.below(6)) {
@@ -152,6 +181,10 @@ std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases() {
           {"slit_frame", turned_ring<slit_frame>},
           {"typed_ring", turned_ring<typed_ring>},
           {"long", turned_ring<long_ring>},
+          {"untangled", turned_ring<untangled>},
+          {"late_neighbours", late_neighbours},
+          {"growing_chains", growing_chains},
+          {"split_chain", split_chain},
           {"defective", turned_ring<defective>}};
 }
 

@@ -127,6 +127,13 @@ Point2d beside(const Point2d& p, Choices& choices) {
   return {p.x + x, p.y + y};
 }
 
+std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices) {
+  const auto high = [](double y) { return std::ldexp(y, -1028); };  // 64: the least normal number
+  const double x = static_cast<double>(choices.below(65)) / 16, y = 16 * x + small_integer(choices, 4);
+  const double top = static_cast<double>(65 + choices.below(1 << 13));
+  return {turned({{{0, 0}, {4, high(64)}, {choices.below(2) == 1 ? 0.0 : -3.0, high(top)}}}, choices), {x, high(y)}};
+}
+
 void untangle(Polygon2d& ring) {
   if (ring.size() < 3) return;
   for (int turns = 0; turns < 60; ++turns) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tuple>
+
 #include "audit/inputs/choices.h"
 #include "geometry/polygons.h"
 
@@ -34,6 +36,10 @@ Point2d on_an_edge(const Polygon2d& ring, Choices& choices);
 
 /// p, or a point at most 2 beside it in each coordinate.
 Point2d beside(const Point2d& p, Choices& choices);
+
+/// A triangle with an edge from the origin that rises by the least normal number, and a point on it or beside it: every difference in y is
+/// subnormal, and lost where such numbers are read as zero.
+std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices);
 
 /// The ring of these vertices with crossings undone by turning parts of it round, as far as 60 turns go.
 void untangle(Polygon2d& ring);

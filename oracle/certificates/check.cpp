@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/certificates/check.h"
 
+#include <check_files.h>  // made by the build
+
 #include <exception>
 #include <map>
 
-#include <check_files.h>  // made by the build
 #include "oracle/certificates/check_reading.h"
 
 namespace touchstone::certify {
@@ -51,7 +52,8 @@ std::optional<std::string> refuse_text(const std::string& line) {
 
 bool is_refused_input(const std::string& line) {
   const json vector = json::parse(line, nullptr, false);
-  return vector.is_object() && vector.contains("refused") && !vector.contains("truth") && !vector.contains("certificate");
+  return vector.is_object() && vector.contains("refused") && !vector.contains("truth") &&
+         !vector.contains("certificate");
 }
 
 }  // namespace touchstone::certify

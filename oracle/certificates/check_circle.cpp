@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "oracle/certificates/check_reading.h"
 #include "oracle/certificates/check_circular.h"
+#include "oracle/certificates/check_reading.h"
 #include "oracle/certificates/check_rounding.h"
 
 namespace touchstone::certify {
@@ -127,14 +127,13 @@ void check_parametric_circle(const Claim& claim) {
   claim.facts({"cosine", "sine", "quarter_turns", "bits"});
   const Pair cosine = claim.pair("cosine"), sine = claim.pair("sine");
   expect_cosine_and_sine(u, cosine, sine, claim.single("quarter_turns"), claim.single("bits"));
-  expect_rounds_alike("point", p.x, Rational(c.center.x + c.radius * cosine.x), Rational(c.center.x + c.radius * cosine.y));
+  expect_rounds_alike("point", p.x, Rational(c.center.x + c.radius * cosine.x),
+                      Rational(c.center.x + c.radius * cosine.y));
   expect_rounds_alike("point", p.y, Rational(c.center.y + c.radius * sine.x), Rational(c.center.y + c.radius * sine.y));
 }
 
 }  // namespace
 
-Checks checks_of_circle() {
-  return {{"parametric_circle", check_parametric_circle}};
-}
+Checks checks_of_circle() { return {{"parametric_circle", check_parametric_circle}}; }
 
 }  // namespace touchstone::certify

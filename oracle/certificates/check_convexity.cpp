@@ -48,10 +48,12 @@ void check_not_simple(const Claim& claim, const Ring& ring) {
   const Pair edges = claim.pair("edges"), at = claim.pair("parameters");
   const std::size_t i = vertex(edges.x, ring), j = vertex(edges.y, ring);
   const Ends a = edge(ring, i), b = edge(ring, j);
-  expect(i < j && sgn(at.x) >= 0 && at.x <= 1 && sgn(at.y) >= 0 && at.y <= 1, "certificate: not two edges and a point of each");
+  expect(i < j && sgn(at.x) >= 0 && at.x <= 1 && sgn(at.y) >= 0 && at.y <= 1,
+         "certificate: not two edges and a point of each");
   const Pair p = along(a.a, at.x, a.b - a.a);
   expect(p == along(b.a, at.y, b.b - b.a), "certificate: the points differ");
-  expect(!(j == i + 1 && p == b.a) && !(i == 0 && j == ring.size() - 1 && p == a.a), "certificate: neighbours share this vertex");
+  expect(!(j == i + 1 && p == b.a) && !(i == 0 && j == ring.size() - 1 && p == a.a),
+         "certificate: neighbours share this vertex");
 }
 
 void check_concave(const Claim& claim, const Ring& ring) {

@@ -229,14 +229,10 @@ void check_ray_segment(const Claim& claim) {
 }  // namespace
 
 Checks checks_of_lines() {
-  return {{"explicit_line", check_explicit_line},
-          {"implicit_circle", check_implicit_circle},
-          {"line_point_at", check_line_point_at},
-          {"orientation", check_orientation},
-          {"point_on_segment", check_point_on_segment},
-          {"line_line", check_line_line},
-          {"segment_segment", check_segment_segment},
-          {"ray_segment", check_ray_segment}};
+  return {{"explicit_line", check_explicit_line},       {"implicit_circle", check_implicit_circle},
+          {"line_point_at", check_line_point_at},       {"orientation", check_orientation},
+          {"point_on_segment", check_point_on_segment}, {"line_line", check_line_line},
+          {"segment_segment", check_segment_segment},   {"ray_segment", check_ray_segment}};
 }
 
 }  // namespace touchstone::certify

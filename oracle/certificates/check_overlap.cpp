@@ -9,7 +9,9 @@ namespace touchstone::certify {
 namespace {
 
 /// y of the edge at x; the edge is not vertical.
-Rational height(const Ends& e, const Rational& x) { return Rational(e.a.y + (x - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y)); }
+Rational height(const Ends& e, const Rational& x) {
+  return Rational(e.a.y + (x - e.a.x) / (e.b.x - e.a.x) * (e.b.y - e.a.y));
+}
 
 bool spans(const Ends& e, const Rational& left, const Rational& right) {
   return std::min(e.a.x, e.b.x) <= left && std::max(e.a.x, e.b.x) >= right;

@@ -14,8 +14,10 @@ void expect_kind(const Claim& claim, const char* kind) { expect(claim.kind() == 
 Rational square(const Rational& x) { return Rational(x * x); }
 
 /// The number called `name` is height / sqrt(squared_length), of which the root is rational.
-void expect_root(const std::string& name, const Rational& claimed, const Rational& height, const Rational& squared_length) {
-  expect(sgn(claimed) == sgn(height) && square(claimed) * squared_length == square(height), "truth: " + name + " is wrong");
+void expect_root(const std::string& name, const Rational& claimed, const Rational& height,
+                 const Rational& squared_length) {
+  expect(sgn(claimed) == sgn(height) && square(claimed) * squared_length == square(height),
+         "truth: " + name + " is wrong");
 }
 
 /// It lies between low and high, and what they allow is rounded as what is claimed.
@@ -115,16 +117,20 @@ void check_point_plane_toi(const Claim& claim) {
     expect(answer["relation"] == "hit" || answer["relation"] == "never", what + ": relation is wrong");
     return answer["relation"] == "hit";
   };
-  expect(relation("option_1") == (sgn(heights.y) <= 0) && !claim.truth["option_1"].contains("t"), "truth: option_1 is wrong");
+  expect(relation("option_1") == (sgn(heights.y) <= 0) && !claim.truth["option_1"].contains("t"),
+         "truth: option_1 is wrong");
   const bool hit = sgn(heights.x) <= 0 || sgn(heights.y) <= 0;
   const json& second = claim.truth["option_2"];
   expect(relation("option_2") == hit && second.contains("t") == hit, "truth: option_2 is wrong");
   if (!hit) return;
   // E is linear along the step: it falls from above 0 to 0 or below, so that before its one zero it is above.
   const Rational t = exact_value(second["t"], "truth.option_2.t");
-  const bool first = sgn(heights.x) <= 0 ? sgn(t) == 0 : sgn(t) > 0 && t <= 1 && sgn(Rational(heights.x + t * (heights.y - heights.x))) == 0;
+  const bool first = sgn(heights.x) <= 0
+                         ? sgn(t) == 0
+                         : sgn(t) > 0 && t <= 1 && sgn(Rational(heights.x + t * (heights.y - heights.x))) == 0;
   expect(first, "truth: t is wrong");
-  expect(exact_triple(second["point"], "truth.option_2.point") == along(start, t, end - start), "truth: point is not at t");
+  expect(exact_triple(second["point"], "truth.option_2.point") == along(start, t, end - start),
+         "truth: point is not at t");
 }
 
 }  // namespace

@@ -178,7 +178,8 @@ std::vector<Rational> Claim::list(const char* name) const {
   const std::string what = std::string("certificate.") + name;
   expect(certificate[name].is_array(), what + ": a list");
   std::vector<Rational> values;
-  for (const json& value : certificate[name]) values.push_back(exact_value(value, what + "[" + std::to_string(values.size()) + "]"));
+  for (const json& value : certificate[name])
+    values.push_back(exact_value(value, what + "[" + std::to_string(values.size()) + "]"));
   return values;
 }
 

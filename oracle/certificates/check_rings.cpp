@@ -43,7 +43,8 @@ void expect_simple(const Ring& ring) {
 }
 
 std::size_t vertex(const Rational& index, const Ring& ring) {
-  expect(index.get_den() == 1 && sgn(index) >= 0 && index < static_cast<unsigned long>(ring.size()), "certificate: not an index");
+  expect(index.get_den() == 1 && sgn(index) >= 0 && index < static_cast<unsigned long>(ring.size()),
+         "certificate: not an index");
   return index.get_num().get_ui();
 }
 

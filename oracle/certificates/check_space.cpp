@@ -25,13 +25,15 @@ Plane plane(const json& value, const std::string& what) {
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what) {
   expect(value.is_array() && value.size() >= 3, what + ": at least 3 vertices");
   std::vector<Triple> vertices;
-  for (const json& vertex : value) vertices.push_back(point_in_space(vertex, what + "[" + std::to_string(vertices.size()) + "]"));
+  for (const json& vertex : value)
+    vertices.push_back(point_in_space(vertex, what + "[" + std::to_string(vertices.size()) + "]"));
   return vertices;
 }
 
 Triple exact_triple(const json& value, const std::string& what) {
   array_of_three(value, what);
-  return {exact_value(value[0], what + "[0]"), exact_value(value[1], what + "[1]"), exact_value(value[2], what + "[2]")};
+  return {exact_value(value[0], what + "[0]"), exact_value(value[1], what + "[1]"),
+          exact_value(value[2], what + "[2]")};
 }
 
 Triple triple(const Claim& claim, const char* name) {

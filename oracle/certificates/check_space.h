@@ -14,7 +14,9 @@ struct Triple {
 };
 
 inline bool operator==(const Triple& p, const Triple& q) { return p.x == q.x && p.y == q.y && p.z == q.z; }
-inline Triple operator-(const Triple& p, const Triple& q) { return {Rational(p.x - q.x), Rational(p.y - q.y), Rational(p.z - q.z)}; }
+inline Triple operator-(const Triple& p, const Triple& q) {
+  return {Rational(p.x - q.x), Rational(p.y - q.y), Rational(p.z - q.z)};
+}
 inline Triple along(const Triple& from, const Rational& t, const Triple& step) {
   return {Rational(from.x + t * step.x), Rational(from.y + t * step.y), Rational(from.z + t * step.z)};
 }

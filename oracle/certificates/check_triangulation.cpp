@@ -32,7 +32,8 @@ std::vector<Piece> pieces(const Claim& claim, const char* name, const Ring& ring
       expect(index.is_number_unsigned() && index.get<std::uint64_t>() < ring.size(), what + ": not an index");
       piece.push_back(index.get<std::size_t>());
     }
-    expect(std::set<std::size_t>(piece.begin(), piece.end()).size() == piece.size(), "truth: a vertex twice in a piece");
+    expect(std::set<std::size_t>(piece.begin(), piece.end()).size() == piece.size(),
+           "truth: a vertex twice in a piece");
     found.push_back(std::move(piece));
   }
   return found;
@@ -55,7 +56,8 @@ void expect_convex(const Ring& ring, const Piece& piece) {
 
 Rational doubled_area(const Ring& ring, const Piece& piece) {
   Rational sum;
-  for (std::size_t i = 1; i + 1 < piece.size(); ++i) sum += cross(ring[piece[i]] - ring[piece[0]], ring[piece[i + 1]] - ring[piece[0]]);
+  for (std::size_t i = 1; i + 1 < piece.size(); ++i)
+    sum += cross(ring[piece[i]] - ring[piece[0]], ring[piece[i + 1]] - ring[piece[0]]);
   return sum;
 }
 
@@ -69,13 +71,16 @@ void expect_matched(const std::vector<Piece>& pieces, const Piece& polygon) {
   std::set<Edge> edges;
   for (const Piece& piece : pieces) {
     for (std::size_t i = 0; i < piece.size(); ++i) {
-      expect(edges.insert({piece[i], piece[(i + 1) % piece.size()]}).second, "truth: two pieces on the same side of an edge");
+      expect(edges.insert({piece[i], piece[(i + 1) % piece.size()]}).second,
+             "truth: two pieces on the same side of an edge");
     }
   }
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    expect(edges.erase({polygon[i], polygon[(i + 1) % polygon.size()]}) == 1, "truth: an edge of the polygon is in no piece");
+    expect(edges.erase({polygon[i], polygon[(i + 1) % polygon.size()]}) == 1,
+           "truth: an edge of the polygon is in no piece");
   }
-  for (const Edge& e : edges) expect(edges.count({e.second, e.first}) == 1, "truth: a piece on one side of an edge only");
+  for (const Edge& e : edges)
+    expect(edges.count({e.second, e.first}) == 1, "truth: a piece on one side of an edge only");
 }
 
 /// Returns the pieces, proved to make up the polygon.

@@ -9,7 +9,9 @@ namespace touchstone::oracle {
 namespace {
 
 Rational angle(const Integer& x, const Integer& y, int bits, mpfr_rnd_t direction) {
-  const auto places = [](const Integer& n) { return static_cast<mpfr_prec_t>(std::max<std::size_t>(mpz_sizeinbase(n.get_mpz_t(), 2), 2)); };
+  const auto places = [](const Integer& n) {
+    return static_cast<mpfr_prec_t>(std::max<std::size_t>(mpz_sizeinbase(n.get_mpz_t(), 2), 2));
+  };
   mpfr_t along, across, turn, whole;
   mpfr_init2(along, places(x)), mpfr_init2(across, places(y)), mpfr_init2(turn, bits), mpfr_init2(whole, bits);
   mpfr_set_z(along, x.get_mpz_t(), MPFR_RNDN), mpfr_set_z(across, y.get_mpz_t(), MPFR_RNDN);  // exact

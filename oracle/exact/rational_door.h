@@ -16,7 +16,7 @@ inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
 /// What is legal wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be forgotten.
 template <class Shape>
 concept AlwaysLegal = std::is_same_v<Shape, oracle::Rational> || std::is_same_v<Shape, Point2<oracle::Rational>> ||
-                      std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>>;
+    std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>>;
 template <AlwaysLegal Shape>
 void admit(const std::string&, const Shape&) {}
 

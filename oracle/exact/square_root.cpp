@@ -46,7 +46,8 @@ Enclosed signed_root(const Rational& square, int sign) {
   for (long more = closeness + 2;; more *= 2) {
     const long last = std::clamp(top - 53, -1074L, 971L) - more;
     const Integer below = digits_of_root(square, static_cast<int>(last), top - last);
-    const Rational low = scaled(below, static_cast<int>(last)), high = scaled(Integer(below + 1), static_cast<int>(last));
+    const Rational low = scaled(below, static_cast<int>(last)),
+                   high = scaled(Integer(below + 1), static_cast<int>(last));
     if (sgn(low) == 0 || !same_double(low, high)) continue;
     return sign < 0 ? Enclosed{with_sign(low), with_sign(high), with_sign(low)} : Enclosed{low, low, high};
   }

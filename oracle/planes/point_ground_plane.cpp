@@ -29,8 +29,6 @@ Truth<Height> point_ground_plane(const Point3<Number>& point) {
 }
 template Truth<Height> point_ground_plane(const Point3<Rational>&);
 
-Certificate point_ground_plane_certificate(const Point3d& point) {
-  return {"height", {{"height", {height(point)}}}};
-}
+Certificate point_ground_plane_certificate(const Point3d& point) { return {"height", {{"height", {height(point)}}}}; }
 
 }  // namespace touchstone::oracle

@@ -23,7 +23,8 @@ Step examine(const Plane<Number>& plane, const Point3<Number>& start, const Poin
   const Plane<Rational> exactly = exact(plane);
   const Point3<Rational> from = exact(start);
   const Vector3<Rational> direction = exact(end) - from;
-  return {from, direction, height_over(exactly, from), dot(exactly.normal, direction), dot(exactly.normal, exactly.normal)};
+  return {from, direction, height_over(exactly, from), dot(exactly.normal, direction),
+          dot(exactly.normal, exactly.normal)};
 }
 
 FirstHit<Rational> first_hit(const Step& step) {
@@ -47,10 +48,12 @@ Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane3d& plane, const Point
 }
 
 template <Exact Number>
-Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start, const Point3<Number>& end) {
+Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start,
+                                               const Point3<Number>& end) {
   return truth(examine(plane, start, end));
 }
-template Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Rational>&, const Point3<Rational>&, const Point3<Rational>&);
+template Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Rational>&, const Point3<Rational>&,
+                                                        const Point3<Rational>&);
 
 Certificate point_plane_toi_certificate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
   const Step step = examine(plane, start, end);

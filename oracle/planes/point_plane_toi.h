@@ -10,7 +10,8 @@ namespace touchstone::oracle {
 /// step. Margin: the squared distance from the plane of the point that decides: the end, and where the end is in front the nearer of start and end.
 Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end);
 template <Exact Number>
-Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start, const Point3<Number>& end);
+Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start,
+                                               const Point3<Number>& end);
 Certificate point_plane_toi_certificate(const Plane3d& plane, const Point3d& start, const Point3d& end);
 
 }  // namespace touchstone::oracle

@@ -20,7 +20,8 @@ std::vector<Index> merged(const std::vector<Index>& a, const std::vector<Index>&
     if (at == b.end() || (at + 1 == b.end() ? b.front() : *(at + 1)) != a[i]) continue;
     std::vector<Index> one = a, other = b;  // a: from i + 1 round to i; b: from i round to i + 1
     std::rotate(one.begin(), one.begin() + static_cast<std::ptrdiff_t>((i + 1) % a.size()), one.end());
-    std::rotate(other.begin(), other.begin() + (at - b.begin() + 1) % static_cast<std::ptrdiff_t>(b.size()), other.end());
+    std::rotate(other.begin(), other.begin() + (at - b.begin() + 1) % static_cast<std::ptrdiff_t>(b.size()),
+                other.end());
     one.insert(one.end(), other.begin() + 1, other.end() - 1);
     return one;
   }
@@ -74,7 +75,8 @@ Certificate convex_partition_certificate(const Polygon2d& polygon) {
 }
 
 std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
-  if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1) return "more than 2 r + 1 pieces for r reflex vertices";
+  if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1)
+    return "more than 2 r + 1 pieces for r reflex vertices";
   return partition_fault(polygon, pieces);
 }
 

@@ -59,7 +59,9 @@ std::vector<Triangle> fan(const Whole& w) {
     const Point2<Integer>&a = w.ring[0], &b = w.ring[i], &c = w.ring[i + 1];
     const int side = sgn(WholeRing::area(a, b, c));
     if (side == 0) continue;  // flat vertices beside vertex 0
-    const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) { return Integer(side * WholeRing::area(q, r, w.point)); };
+    const auto area = [&](const Point2<Integer>& q, const Point2<Integer>& r) {
+      return Integer(side * WholeRing::area(q, r, w.point));
+    };
     made.push_back({i, {area(b, c), area(c, a), area(a, b)}});
   }
   return made;
@@ -101,7 +103,9 @@ Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& 
 
 }  // namespace
 
-Truth<Location> point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point) { return truth_of(polygon, point); }
+Truth<Location> point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point) {
+  return truth_of(polygon, point);
+}
 
 template <Exact Number>
 Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point) {

@@ -26,7 +26,8 @@ Location location_by_winding(const Polygon2<Word>& around) {
   for (std::size_t i = 0; i < around.size(); ++i) {
     const Point2<Word>&a = around[i], &b = around.next(i);
     const Wide left = Wide(a.x) * Wide(b.y), right = Wide(a.y) * Wide(b.x);
-    if (left == right && Wide(a.x) * Wide(b.x) <= Wide(0) && Wide(a.y) * Wide(b.y) <= Wide(0)) return Location::boundary;
+    if (left == right && Wide(a.x) * Wide(b.x) <= Wide(0) && Wide(a.y) * Wide(b.y) <= Wide(0))
+      return Location::boundary;
     const int step = (quadrant(b) - quadrant(a) + 4) % 4;
     quarters += step == 3 ? -1 : step == 2 ? (left > right ? 2 : -2) : step;
   }

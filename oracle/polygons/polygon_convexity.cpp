@@ -75,7 +75,8 @@ Rational depth(const WholeRing& r) {
   for (std::size_t i = 0; i < r.size(); ++i) {
     for (std::size_t j = i + 1; j < r.size(); ++j) {
       if (segment_segment_relation<Integer>(r.edge(i), r.edge(j)) != SegmentRelation::point) continue;
-      deepest = std::max(deepest, least_end_distance(r.edge(i), Extent::segment, r.edge(j)));  // 0 where ends are shared
+      deepest =
+          std::max(deepest, least_end_distance(r.edge(i), Extent::segment, r.edge(j)));  // 0 where ends are shared
     }
   }
   return deepest;
@@ -113,7 +114,7 @@ Certificate common_point(const Polygon2d& polygon, const door::RingDefect& defec
     const auto exactly = [](const Segment2d& s) {
       return Segment2<Rational>{{exact(s.a.x), exact(s.a.y)}, {exact(s.b.x), exact(s.b.y)}};
     };
-    const auto &[p, q] = *common.overlap;
+    const auto& [p, q] = *common.overlap;
     const Point2<Rational> middle{Rational((p.x + q.x) / 2), Rational((p.y + q.y) / 2)};
     at = {parameter(middle, exactly(a)), parameter(middle, exactly(b))};
   }
@@ -141,7 +142,8 @@ Certificate polygon_convexity_certificate(const Polygon2d& polygon) {
   }
   if (const auto defect = ring_defect(r)) return common_point(polygon, *defect);
   if (const auto found = straddled(r)) {
-    return {"both_sides", {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
+    return {"both_sides",
+            {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
   }
   return {"one_side", {{"doubled_area", {r.actual_area(Rational(r.area()))}}}};
 }

@@ -20,7 +20,8 @@ std::string indices_fault(const WholeRing& ring, const IndexLists& pieces) {
     for (const Index k : pieces[i]) {
       if (k >= ring.size()) return named("no such vertex:", k);
     }
-    if (std::set<Index>(pieces[i].begin(), pieces[i].end()).size() != pieces[i].size()) return named("a vertex twice in piece", i);
+    if (std::set<Index>(pieces[i].begin(), pieces[i].end()).size() != pieces[i].size())
+      return named("a vertex twice in piece", i);
   }
   return "";
 }
@@ -52,14 +53,15 @@ bool parted(const WholeRing& ring, const std::vector<Index>& a, const std::vecto
 
 bool on_segment(const WholeRing& ring, Index a, Index b, Index p) {
   const auto &s = ring[a], &t = ring[b], &r = ring[p];
-  return ring.turn(a, b, p) == 0 && std::min(s.x, t.x) <= r.x && r.x <= std::max(s.x, t.x) && std::min(s.y, t.y) <= r.y &&
-         r.y <= std::max(s.y, t.y);
+  return ring.turn(a, b, p) == 0 && std::min(s.x, t.x) <= r.x && r.x <= std::max(s.x, t.x) &&
+         std::min(s.y, t.y) <= r.y && r.y <= std::max(s.y, t.y);
 }
 
 /// Whether the open segment from vertex a to vertex b, no edge, lies inside the ring, which is simple: it starts within the angle at a, and
 /// no edge that does not end in a or b comes near it, nor does a neighbour of a or b lie on it.
 bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
-  const Index next = counter_clockwise ? ring.after(a) : ring.before(a), last = counter_clockwise ? ring.before(a) : ring.after(a);
+  const Index next = counter_clockwise ? ring.after(a) : ring.before(a),
+              last = counter_clockwise ? ring.before(a) : ring.after(a);
   const bool left_of_next = ring.turn(a, next, b) > 0, right_of_last = ring.turn(a, last, b) < 0;
   if (ring.turn(last, a, next) > 0 ? !(left_of_next && right_of_last) : !(left_of_next || right_of_last)) return false;
   for (Index i = 0; i < ring.size(); ++i) {

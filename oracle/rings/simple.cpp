@@ -30,7 +30,8 @@ std::optional<door::RingDefect> ring_defect(const WholeRing& ring) {
     for (Index j = i + 1; j < n; ++j) {
       const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
       const SegmentRelation found = relation(ring, i, j);
-      if (found == SegmentRelation::overlap || (found == SegmentRelation::point && !neighbours)) return door::RingDefect{i, j};
+      if (found == SegmentRelation::overlap || (found == SegmentRelation::point && !neighbours))
+        return door::RingDefect{i, j};
     }
   }
   return std::nullopt;

@@ -71,7 +71,8 @@ IndexLists triangulated(const WholeRing& ring) {
 
 Rational least_turn(const WholeRing& ring) {
   Integer least = abs(ring.area(ring.before(0), 0, ring.after(0)));
-  for (Index i = 1; i < ring.size(); ++i) least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));
+  for (Index i = 1; i < ring.size(); ++i)
+    least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));
   return ring.actual_area(Rational(least));
 }
 

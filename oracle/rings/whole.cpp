@@ -14,7 +14,8 @@ WholeRing::WholeRing(const Polygon2d& polygon) {
   int least = none;
   const auto lower = [&](double number) {
     const Dyadic part = decode(number);
-    if (part.mantissa != 0) least = std::min(least, part.exponent + std::countr_zero(static_cast<std::uint64_t>(part.mantissa)));
+    if (part.mantissa != 0)
+      least = std::min(least, part.exponent + std::countr_zero(static_cast<std::uint64_t>(part.mantissa)));
   };
   for (const Point2d& p : polygon.vertices) lower(p.x), lower(p.y);
   const auto whole = [&](double number) {
@@ -36,9 +37,12 @@ WholeRing::WholeRing(const Polygon2d& polygon) {
 WholeRing::WholeRing(const Polygon2<Rational>& polygon) {
   Integer denominator(1);
   for (const auto& p : polygon.vertices) {
-    for (const Rational* number : {&p.x, &p.y}) mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number->get_den_mpz_t());
+    for (const Rational* number : {&p.x, &p.y})
+      mpz_lcm(denominator.get_mpz_t(), denominator.get_mpz_t(), number->get_den_mpz_t());
   }
-  const auto whole = [&](const Rational& number) { return Integer(number.get_num() * (denominator / number.get_den())); };
+  const auto whole = [&](const Rational& number) {
+    return Integer(number.get_num() * (denominator / number.get_den()));
+  };
   for (const auto& p : polygon.vertices) ring.vertices.push_back({whole(p.x), whole(p.y)});
   unit = Rational(Integer(1), denominator);
   find_words();

@@ -30,7 +30,7 @@ def main(source, out):
     texts = {path.relative_to(source).as_posix(): path.read_text()
              for path in sorted((source / "robust").rglob("*")) if path.suffix in (".h", ".cpp")}
     # Longer expressions first, so that one inside another is still found as it was.
-    for (file, find, _), bugs in sorted(places.items(), key=lambda item: len(item[0][1])):
+    for (file, find, _), bugs in sorted(places.items(), key=lambda item: -len(item[0][1])):
         texts[file] = planted(texts[file], file, bugs)
     for file, text in texts.items():
         target = out / file

@@ -15,6 +15,10 @@ struct point_plane {
   TOUCHSTONE_ROOMS(point_plane)
   using Question = std::tuple<Plane3d, Point3d>;
 
+  static PlaneSide relation(const Question& q) {
+    return ::touchstone::robust::point_plane_side(std::get<0>(q), std::get<1>(q));
+  }
+
   static const Card& card() {
     static const Card card{
         .name = "point_plane",
@@ -68,6 +72,41 @@ struct point_plane {
            const double y = 0x1p52 + static_cast<double>(c.below(16));
            return {{{0, std::ldexp(1, static_cast<int>(c.below(4))), 0}, 0.5 + small_integer(c)},
                    {integer(c, 3), y, 0}};
+         }},
+        {"beside_a_tie",
+         [](Choices& c) -> Question {
+           // The height is halfway between two doubles but for one bit, more than 64 digits below the first.
+           const double bit = std::ldexp(1, -64 - static_cast<int>(c.below(16))), half = 0x1p-53;
+           return {{{0, 1, 0}, c.below(2) == 1 ? half - bit : half + bit}, {0, 1, 0}};
+         }},
+        {"root_beside_a_tie",
+         [](Choices& c) -> Question {
+           // x over the root of 2, in binary 53 digits, a half, and twelve zeros; then digits that decide. Found by trying all x.
+           static constexpr int roots[]{2827, 17619, 28489, 60223, 73721, 87219, 97213, 103703};
+           const double x = roots[c.below(8)];
+           return {{{1, 1, 0}, 0}, {c.below(2) == 1 ? -x : x, 0, integer(c, 20)}};
+         }},
+        {"terms_below_least",
+         [](Choices& c) -> Question {
+           // Three products of about half of the least subnormal number.
+           const int k = static_cast<int>(c.below(1000)) - 500;
+           const double a = std::ldexp(8 + static_cast<double>(c.below(8)), k),
+                        b = std::ldexp(8 + static_cast<double>(c.below(8)), -1082 - k);
+           return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + c.below(3)), -1074)}, {b, b, b}};
+         }},
+        {"subnormal_times_huge",
+         [](Choices& c) -> Question {
+           const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));
+           const double offset = std::ldexp(huge * small, -531);
+           return {{{std::ldexp(huge, 500), 0, 0}, c.below(4) == 3 ? offset : -offset},
+                   {std::ldexp(small, -1030), 0, 0}};
+         }},
+        {"as_wide_as_a_lattice",
+         [](Choices& c) -> Question {
+           // The terms span about 124 binary digits, from where on their sum does not fit two words.
+           const double x = std::ldexp(8 + static_cast<double>(c.below(8)), 57 + static_cast<int>(c.below(4)));
+           const double y = c.below(4) == 3 ? -x : x;
+           return {{{x, y, x}, 1}, {x, y, x}};
          }},
         {"beyond_range",
          [](Choices& c) -> Question {

@@ -93,6 +93,42 @@ struct point_plane_toi {
            const double y = std::fabs(typed(c)), d = typed(c);
            return {{{0, 1, 0}, -d}, {typed(c), d + y, 0.3}, {typed(c), d - std::fabs(typed(c)), 0.1}};
          }},
+        {"beside_a_tie",
+         [](Choices& c) -> Question {
+           // At t = 1/2, a coordinate halfway between two doubles but for one bit, about 64 digits below the first.
+           const double bit = std::ldexp(1, -62 - static_cast<int>(c.below(4))), half = 0x1p-53;
+           return {{{0, 1, 0}, 0}, {1, 1, 1}, {c.below(2) == 1 ? half - bit : half + bit, -1, 0}};
+         }},
+        {"wide_heights",
+         [](Choices& c) -> Question {
+           // The heights are sums of two words, but not in one unit.
+           const auto wide = [&c](int k) {
+             return std::ldexp(0x1p51 + static_cast<double>(c.below(std::uint64_t{1} << 51)), k);
+           };
+           const double x = wide(20), end = -wide(22);
+           return {{{0x1p52 + 1, 0x1p52 + 1, 0x1p-20}, 0}, {x, 0, 0x1p20}, {end, end, -0x1p22}};
+         }},
+        {"last_binade",
+         [](Choices& c) -> Question {
+           const double x = std::ldexp(16 + static_cast<double>(c.below(16)), 1019),
+                        up = 1 + static_cast<double>(c.below(8));
+           return {{{0, 1, 0}, 0}, {x, up, 0}, {x, -1 - static_cast<double>(c.below(8)), 0}};
+         }},
+        {"starts_below_least",
+         [](Choices& c) -> Question {
+           // Three products of about half of the least subnormal number.
+           const int k = static_cast<int>(c.below(1000)) - 500;
+           const double a = std::ldexp(8 + static_cast<double>(c.below(8)), k),
+                        b = std::ldexp(8 + static_cast<double>(c.below(8)), -1082 - k);
+           return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + c.below(3)), -1074)}, {b, b, b}, {1, 1, 1}};
+         }},
+        {"starts_subnormal",
+         [](Choices& c) -> Question {
+           // A huge normal makes it count.
+           const double offset = std::ldexp(static_cast<double>(1 + c.below(64)), -531);
+           const double x = std::ldexp(offset, -499);
+           return {{{0x1p500, 0, 0}, -offset}, {x, 0, 0}, {-3 * x, 0, 0}};
+         }},
         {"zero_normal",
          [](Choices& c) -> Question {
            const Vector3d n{0.0, c.below(2) == 1 ? -0.0 : 0.0, 0.0};

@@ -110,6 +110,12 @@ struct polygon_normal {
            const auto moved = [](const Point3d& q) { return Point3d{q.x + 1000000.1, q.y + 0.3, q.z - 99.99}; };
            return {{{moved(p), moved(p + a), moved(p + a + b), moved(p + b)}}};
          }},
+        {"beside_a_tie",
+         [](Choices& c) -> Question {
+           // An area halfway between two doubles but for a bit far below.
+           const double bit = std::ldexp(1, -38 - static_cast<int>(c.below(14))), far = c.below(2) == 1 ? 0x1p-333 : 0;
+           return {{{{0, 0, 0}, {1 + 0x1p-26, 0, 0}, {0, 1 + 0x1p-27 + bit, far}}}};
+         }},
         {"beyond_range",
          [](Choices& c) -> Question {
            const int up = 400 + static_cast<int>(c.below(560)), down = 400 + static_cast<int>(c.below(600));

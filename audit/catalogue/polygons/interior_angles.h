@@ -55,6 +55,12 @@ struct interior_angles {
                {{{0, 0}, tip, {0, 1}, {-1, 1}, {-1, 3 * length * 9}, {3 * length, 0}, {-1, -3 * length * 9}, {-1, 0}}},
                c);
          }},
+        {"least_angle",
+         [](Choices& c) -> Question {
+           // About the least subnormal number, or half of it.
+           const double x = 1 + static_cast<double>(c.below(16)) / 8;
+           return turned({{{0, 0}, {x, 0}, {x, std::ldexp(1 + static_cast<double>(c.below(3)), -1074)}}}, c);
+         }},
         {"nearly_flat",
          [](Choices& c) -> Question {
            const Point2d p = lattice_point(c, 40);

@@ -47,6 +47,7 @@ struct point_in_convex_polygon {
            const std::size_t i = c.below(ring.size());
            return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
          }},
+        {"beside_least_edge", beside_least_edge},
         {"on_diagonal",
          [](Choices& c) -> Question {
            const Polygon2d ring = turned(convex_ring(c), c);

@@ -163,6 +163,14 @@ struct point_in_polygon {
                          on = along(near, static_cast<double>(1 + c.below(1 << 10)) * 0x1p-30, ring[15] - near);
            return {ring, {on.x, on.y + static_cast<double>(c.below(3)) * 0x1p-34 - 0x1p-34}};
          }},
+        {"beside_least_edge", beside_least_edge},
+        {"minus_zero",
+         [](Choices& c) -> Question {
+           // Level with the point, by either zero; the sizes keep it from every lattice.
+           const double x = c.below(2) == 1 ? 1 : -1, least = std::ldexp(1 + static_cast<double>(c.below(4)), -1074);
+           return {turned({{{0, -0.0}, {x, c.below(2) == 1 ? -least : least}, {-x, -1e300}}}, c),
+                   {small_integer(c, 1), c.below(2) == 1 ? -0.0 : 0.0}};
+         }},
         {"many_vertices",
          [](Choices& c) -> Question {
            const bool very_many = c.one_in(64);

@@ -44,6 +44,14 @@ struct polygon_polygon {
            const Polygon2d a = simple_ring(c), flat = with_flat_vertex(a, c), b = simple_ring(c);
            return {a, with_vertex_at(b, flat[c.below(flat.size())], c)};
          }},
+        {"corner_in_corner",
+         [](Choices& c) -> Question {
+           // Only one of the corners that meet begins in the other; or they meet in the last vertex of both.
+           const bool last = c.below(2) == 1;
+           const Polygon2d a = last ? Polygon2d{{{0, 0}, {3, 1}, {0, 3}}} : Polygon2d{{{1, 1}, {1, 2}, {4, 2}}},
+                           b = last ? Polygon2d{{{1, 1}, {3, 1}, {1, 1.5}}} : Polygon2d{{{1, 4}, {2, 2}, {0, 0}}};
+           return c.below(2) == 1 ? Question{b, turned(a, c)} : Question{a, turned(b, c)};
+         }},
         {"common_edge",
          [](Choices& c) -> Question {
            const Polygon2d a = simple_ring(c);
