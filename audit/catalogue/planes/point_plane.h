@@ -104,8 +104,8 @@ struct point_plane {
         {"as_wide_as_a_lattice",
          [](Choices& c) -> Question {
            // The terms span about 124 binary digits, from where on their sum does not fit two words.
-           const double x = std::ldexp(8 + static_cast<double>(c.below(8)), 57 + static_cast<int>(c.below(4)));
-           const double y = c.below(4) == 3 ? -x : x;
+           const double size = 8 + static_cast<double>(c.below(8));
+           const double x = std::ldexp(size, 57 + static_cast<int>(c.below(4))), y = c.below(4) == 3 ? -x : x;
            return {{{x, y, x}, 1}, {x, y, x}};
          }},
         {"beyond_range",
