@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <numeric>
+
 #include "audit/catalogue/explained.h"
 #include "audit/judge/compare.h"
 #include "oracle/lines/orientation.h"
@@ -39,9 +41,9 @@ struct Grid {
 
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
-  const std::uint64_t all = operation.configurations(grid.size, list_length).value(),
-                      step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1;
-  std::uint64_t legal = 0;
+  const std::uint64_t all = operation.configurations(grid.size, list_length).value();
+  std::uint64_t step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1, legal = 0;
+  while (std::gcd(step, static_cast<std::uint64_t>(grid.size)) != 1) ++step;  // else the last numbers would stand still
   for (std::uint64_t index = 0; index < all; index += step) {
     Question question = operation.on_grid(grid.size, index, list_length);
     for (const std::size_t place : operation.coordinates(question)) question.numbers[place] += grid.first;
