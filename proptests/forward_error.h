@@ -3,6 +3,9 @@
 
 #include <gmpxx.h>
 
+#include <optional>
+#include <utility>
+
 #include "audit/judge/ulps.h"
 #include "proptests/laws.h"
 
@@ -31,6 +34,20 @@ inline Rational size(double value) { return abs(exact(value)); }
 template <class... Doubles>
 bool finite(Doubles... values) {
   return (std::isfinite(values) && ...);
+}
+
+/// The edges from a vertex to the next and to the previous one; empty where a coordinate is not between 2^-200 and 2^200 in size, for which
+/// the bounds of angles promise nothing.
+inline std::optional<std::pair<Vector2<Rational>, Vector2<Rational>>> moderate_corner(const Polygon2d& ring,
+                                                                                      std::size_t i) {
+  const auto to = [p = ring[i]](const Point2d& q) {
+    return Vector2<Rational>{Rational(exact(q.x) - exact(p.x)), Rational(exact(q.y) - exact(p.y))};
+  };
+  const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
+  for (const Rational& x : {v.x, v.y, w.x, w.y}) {
+    if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return std::nullopt;
+  }
+  return std::pair{v, w};
 }
 
 /// A cross product v.x w.y - v.y w.x as computed, with `roundings` roundings behind each of its products, and its bounds before and

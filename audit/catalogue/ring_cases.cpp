@@ -113,7 +113,7 @@ Polygon2d untangled(Choices& c) {
   return ring;
 }
 
-/// A crossing between edges that become neighbours of a sweep only when two others end.
+/// Edges that become neighbours of a sweep only when two others end; they cross in the one ring, and in the other nothing does.
 Rings late_neighbours(Choices& c) {
   if (c.below(2) == 0) return turned({{{0, 0}, {10, 10}, {10, 1}, {0, 8}, {1, 4}}}, c);
   return turned({{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {2, 1}, {1, 0}}}, c);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+#include <tuple>
+
 #include "audit/inputs/numbers.h"
 #include "geometry/space.h"
 
@@ -23,6 +26,14 @@ inline Vector3d lattice_normal(Choices& choices, int bits = 20) {
 inline Vector3d lattice_across(Choices& choices, const Vector3d& n) {
   const double x = small_integer(choices), y = small_integer(choices), z = small_integer(choices);
   return cross(n, Vector3d{x, y, z});
+}
+
+/// Three products of about half of the least subnormal number each, and an offset of one to three times that number.
+inline std::tuple<Plane3d, Point3d> terms_below_least(Choices& choices) {
+  const int k = static_cast<int>(choices.below(1000)) - 500;
+  const double a = std::ldexp(8 + static_cast<double>(choices.below(8)), k),
+               b = std::ldexp(8 + static_cast<double>(choices.below(8)), -1082 - k);
+  return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + choices.below(3)), -1074)}, {b, b, b}};
 }
 
 }  // namespace touchstone::audit

@@ -55,6 +55,11 @@ int scale_exponent(Choices& choices) {
   }
 }
 
+double beside_half_an_ulp(Choices& choices, int first, int places) {
+  const double bit = std::ldexp(1, first - static_cast<int>(choices.below(static_cast<std::uint64_t>(places))));
+  return choices.below(2) == 1 ? 0x1p-53 - bit : 0x1p-53 + bit;
+}
+
 std::size_t list_length(Choices& choices) {
   const std::uint64_t k = choices.below(32);
   if (k < 30) return 3 + k % 6;

@@ -39,6 +39,9 @@ double typed(Choices& choices);
 /// A few bits at an exponent from one end of the range to the other: 1e-308 beside 1e308.
 double mixed_exponent(Choices& choices);
 
+/// Half a unit in the last place of 1, give or take one bit at 2^first or less than `places` below.
+double beside_half_an_ulp(Choices& choices, int first, int places);
+
 /// An exponent for scaling a whole input: mostly 0, else +-39, one end of the range or the other (see numbers.cpp).
 int scale_exponent(Choices& choices);
 

@@ -10,8 +10,8 @@
 /// What a fuzz target is to the driver: one operation of the catalogue, asked by bytes.
 ///
 /// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families means that the rest are the numbers
-/// themselves, as raw little-endian doubles, and 0xff that those of them which are not finite are made so: to be refused is quickly asked,
-/// and costs as much as ten answers. Bytes that are missing are 0.
+/// themselves, as raw little-endian doubles, and 0xff that those of them which are not finite are made so: refusals tell little, and are
+/// exceptions, which cost more than answers. Bytes that are missing are 0.
 namespace touchstone::fuzz {
 
 using Bytes = std::span<const std::uint8_t>;

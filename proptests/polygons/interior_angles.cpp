@@ -140,14 +140,9 @@ TEST_CASE("interior_angles: the formula in double stays within the bound of its 
                 [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& ring) {
                   std::vector<double> sines;
                   for (std::size_t i = 0; i < ring.size(); ++i) {
-                    const Point2<Rational> p{exact(ring[i].x), exact(ring[i].y)};
-                    const auto to = [&](const Point2d& q) {
-                      return Vector2<Rational>{Rational(exact(q.x) - p.x), Rational(exact(q.y) - p.y)};
-                    };
-                    const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
-                    for (const Rational& x : {v.x, v.y, w.x, w.y}) {
-                      if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return true;
-                    }
+                    const auto corner = moderate_corner(ring, i);
+                    if (!corner) return true;
+                    const auto& [v, w] = *corner;
                     const Rational turn = cross(v, w), squared(turn * turn / (dot(v, v) * dot(w, w)));
                     if (squared <= power_of_two(-40)) return true;
                     sines.push_back(std::sqrt(audit::nearest(squared)) * (1 - 0x1p-50));

@@ -249,14 +249,9 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
                      [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
                        if (truth.answer.orientation == Winding::none) return true;
                        for (std::size_t i = 0; i < ring.size(); ++i) {
-                         const Point2<Rational> p{exact(ring[i].x), exact(ring[i].y)};
-                         const auto to = [&](const Point2d& q) {
-                           return Vector2<Rational>{Rational(exact(q.x) - p.x), Rational(exact(q.y) - p.y)};
-                         };
-                         const Vector2<Rational> v = to(ring.next(i)), w = to(ring.previous(i));
-                         for (const Rational& x : {v.x, v.y, w.x, w.y}) {
-                           if (sgn(x) != 0 && (abs(x) < power_of_two(-200) || abs(x) > power_of_two(200))) return true;
-                         }
+                         const auto corner = moderate_corner(ring, i);
+                         if (!corner) return true;
+                         const auto& [v, w] = *corner;
                          const Rational sine = cross(v, w);
                          if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
                        }

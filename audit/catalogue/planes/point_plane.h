@@ -76,8 +76,7 @@ struct point_plane {
         {"beside_a_tie",
          [](Choices& c) -> Question {
            // The height is halfway between two doubles but for one bit, more than 64 digits below the first.
-           const double bit = std::ldexp(1, -64 - static_cast<int>(c.below(16))), half = 0x1p-53;
-           return {{{0, 1, 0}, c.below(2) == 1 ? half - bit : half + bit}, {0, 1, 0}};
+           return {{{0, 1, 0}, beside_half_an_ulp(c, -64, 16)}, {0, 1, 0}};
          }},
         {"root_beside_a_tie",
          [](Choices& c) -> Question {
@@ -86,14 +85,7 @@ struct point_plane {
            const double x = roots[c.below(8)];
            return {{{1, 1, 0}, 0}, {c.below(2) == 1 ? -x : x, 0, integer(c, 20)}};
          }},
-        {"terms_below_least",
-         [](Choices& c) -> Question {
-           // Three products of about half of the least subnormal number.
-           const int k = static_cast<int>(c.below(1000)) - 500;
-           const double a = std::ldexp(8 + static_cast<double>(c.below(8)), k),
-                        b = std::ldexp(8 + static_cast<double>(c.below(8)), -1082 - k);
-           return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + c.below(3)), -1074)}, {b, b, b}};
-         }},
+        {"terms_below_least", terms_below_least},
         {"subnormal_times_huge",
          [](Choices& c) -> Question {
            const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));

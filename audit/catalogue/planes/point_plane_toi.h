@@ -96,8 +96,7 @@ struct point_plane_toi {
         {"beside_a_tie",
          [](Choices& c) -> Question {
            // At t = 1/2, a coordinate halfway between two doubles but for one bit, about 64 digits below the first.
-           const double bit = std::ldexp(1, -62 - static_cast<int>(c.below(4))), half = 0x1p-53;
-           return {{{0, 1, 0}, 0}, {1, 1, 1}, {c.below(2) == 1 ? half - bit : half + bit, -1, 0}};
+           return {{{0, 1, 0}, 0}, {1, 1, 1}, {beside_half_an_ulp(c, -62, 4), -1, 0}};
          }},
         {"wide_heights",
          [](Choices& c) -> Question {
@@ -116,11 +115,8 @@ struct point_plane_toi {
          }},
         {"starts_below_least",
          [](Choices& c) -> Question {
-           // Three products of about half of the least subnormal number.
-           const int k = static_cast<int>(c.below(1000)) - 500;
-           const double a = std::ldexp(8 + static_cast<double>(c.below(8)), k),
-                        b = std::ldexp(8 + static_cast<double>(c.below(8)), -1082 - k);
-           return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + c.below(3)), -1074)}, {b, b, b}, {1, 1, 1}};
+           const auto [plane, start] = terms_below_least(c);
+           return {plane, start, {1, 1, 1}};
          }},
         {"starts_subnormal",
          [](Choices& c) -> Question {
