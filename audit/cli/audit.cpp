@@ -6,11 +6,11 @@
 #include <csignal>
 #include <filesystem>
 #include <mutex>
-#include <thread>
 
 #include "audit/cli/commands.h"
 #include "audit/cli/program.h"
 #include "audit/judge/audit_run.h"
+#include "audit/judge/parallel.h"
 #include "audit/report/html.h"
 #include "audit/report/table.h"
 #include "audit/report/tally_json.h"
@@ -100,7 +100,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   options.cases = command.cases;
   options.seed = command.seed;
   options.seconds = command.seconds;
-  options.jobs = command.jobs > 0 ? command.jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  options.jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
   require_known_families(options);
   require_writable("--json", command.json_file);
   require_directory(command.report_directory);
@@ -123,7 +123,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
     try {
-      write_report(tally, command.report_directory, for_maps.get());
+      write_report(tally, command.report_directory, options.jobs, for_maps.get());
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--report ") + failed.what());
     }

@@ -6,6 +6,7 @@
 
 #include "audit/cli/commands.h"
 #include "audit/cli/program.h"
+#include "audit/judge/parallel.h"
 #include "audit/report/html.h"
 
 namespace touchstone::audit {
@@ -44,7 +45,7 @@ int run_map(const std::vector<std::string>& names, const std::string& out_direct
   if (error) throw UsageError("--out " + directory + ": a directory that can be written");
   bool found = false;
   for (const Operation* operation : operations) {
-    const std::vector<FailureMap> maps = failure_maps(*operation, binary32);
+    const std::vector<FailureMap> maps = failure_maps(*operation, jobs_of_machine(), binary32);
     const std::string stem = directory + "/" + operation->name();
     try {
       write_whole_file(stem + ".png", png(side_by_side(maps, gap), scale));

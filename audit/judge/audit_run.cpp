@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <mutex>
-#include <thread>
 
 #include "audit/inputs/shrink.h"
+#include "audit/judge/parallel.h"
 
 namespace touchstone::audit {
 namespace {
@@ -209,27 +208,15 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
     std::vector<Worker> workers;
     for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get(), stop);
     std::atomic<std::uint64_t> next{0};
-    std::mutex failure_mutex;
-    std::exception_ptr failure;
     const auto started = std::chrono::steady_clock::now();
-    const auto work = [&](Worker& worker) {
-      try {
-        for (std::uint64_t first; !stop && (first = next.fetch_add(batch_size)) < options.cases;) {
-          const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-          if (options.seconds > 0 && spent.count() > options.seconds) break;
-          worker.run_batch(first, std::min(first + batch_size, options.cases));
-          progress(operation->name(), first);
-        }
-      } catch (...) {
-        const std::lock_guard lock(failure_mutex);
-        failure = std::current_exception();
+    in_parallel(options.jobs, workers.size(), [&](std::size_t w) {
+      for (std::uint64_t first; !stop && (first = next.fetch_add(batch_size)) < options.cases;) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
+        if (options.seconds > 0 && spent.count() > options.seconds) break;
+        workers[w].run_batch(first, std::min(first + batch_size, options.cases));
+        progress(operation->name(), first);
       }
-    };
-    std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < workers.size(); ++i) threads.emplace_back(work, std::ref(workers[i]));
-    work(workers[0]);
-    for (std::thread& thread : threads) thread.join();
-    if (failure) std::rethrow_exception(failure);
+    });
     OperationTally asked{operation->name(), {}}, robust{operation->name(), {}};
     for (std::size_t f = 0; f < families.size(); ++f) {
       Cell of_asked, of_robust;

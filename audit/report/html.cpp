@@ -14,7 +14,7 @@ void write_whole_file(const std::string& file, const std::string& bytes) {
   }
 }
 
-void write_report(const Tally& tally, const std::string& directory, Engine* engine) {
+void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw std::runtime_error(directory + ": " + error.message());
@@ -23,7 +23,7 @@ void write_report(const Tally& tally, const std::string& directory, Engine* engi
     const std::string& name = tally.operations[i].operation;
     const Operation* operation = find_operation(name);
     std::vector<FailureMap> shown;
-    if (operation) shown = failure_maps(*operation, tally.declaration.binary32, engine);
+    if (operation) shown = failure_maps(*operation, jobs, tally.declaration.binary32, engine);
     write_whole_file(directory + "/" + name + ".html", operation_page(tally, i, shown));
     if (operation) maps.emplace_back(name, std::move(shown));
   }

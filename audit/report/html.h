@@ -10,9 +10,9 @@
 namespace touchstone::audit {
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there. Every page
-/// stands alone: no scripts, nothing fetched. The same tally gives the same bytes. With `engine` the failure maps show it too.
+/// stands alone: no scripts, nothing fetched. The same tally gives the same bytes, whatever the jobs. With `engine` the failure maps show it too.
 /// Throws std::runtime_error naming the file that cannot be written.
-void write_report(const Tally& tally, const std::string& directory, Engine* engine = nullptr);
+void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr);
 
 using OperationMaps =
     std::vector<std::pair<std::string, std::vector<FailureMap>>>;  ///< by operation, in the tally's order

@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "audit/judge/parallel.h"
 #include "audit/report/palette.h"
 #include "audit/report/wording.h"
 #include "geometry/invalid_input.h"
@@ -85,6 +86,34 @@ struct Plate {
   std::string subject;
   std::vector<Shade> shades;
 };
+
+/// A row of the map: its questions, null where the contract refuses one, and what reference and robust did.
+struct Row {
+  std::vector<std::unique_ptr<Examination>> examinations;
+  std::vector<Shade> reference, robust;
+  std::map<std::string, std::uint64_t> outcomes;
+};
+
+Row examined(const Operation& operation, const MapGrid& grid, int row, bool binary32) {
+  const Kind kind = operation.card().kind;
+  Row result;
+  for (int column = 0; column < MapGrid::side; ++column) {
+    try {
+      result.examinations.push_back(operation.examine(grid.at(column, row)));
+      const Examination& question = *result.examinations.back();
+      const std::string outcome = question.outcome();
+      if (outcome != "value") ++result.outcomes[outcome];
+      result.reference.push_back(
+          shade_of(kind, question.judge_reference(binary32), outcome, [&] { return question.reference(binary32); }));
+      result.robust.push_back(shade_of(kind, question.judge_robust(), outcome, [&] { return question.robust(); }));
+    } catch (const InvalidInput&) {
+      result.examinations.push_back(nullptr);
+      for (std::vector<Shade>* shades : {&result.reference, &result.robust})
+        shades->push_back({Verdict::unsupported, "", true});
+    }
+  }
+  return result;
+}
 
 void ask_engine(const Operation& operation, const MapGrid& grid,
                 const std::vector<std::unique_ptr<Examination>>& row_of, int row, Engine& engine,
@@ -177,33 +206,29 @@ MapGrid map_grid(const Operation& operation, bool binary32) {
   return grid;
 }
 
-std::vector<FailureMap> failure_maps(const Operation& operation, bool binary32, Engine* engine) {
+std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32, Engine* engine) {
   const MapGrid grid = map_grid(operation, binary32);
   Declaration ours;
   ours.engine = "reference";
   ours.binary32 = binary32;
   std::vector<Plate> plates{{subject(ours), {}}, {"robust", {}}};
-  if (engine && engine->supports(operation.name())) plates.push_back({subject(engine->declaration()), {}});
-  const Kind kind = operation.card().kind;
+  const bool with_engine = engine && engine->supports(operation.name());
+  if (with_engine) plates.push_back({subject(engine->declaration()), {}});
   std::map<std::string, std::uint64_t> outcomes;
-  for (int row = 0; row < MapGrid::side; ++row) {
-    std::vector<std::unique_ptr<Examination>> examinations;
-    for (int column = 0; column < MapGrid::side; ++column) {
-      try {
-        examinations.push_back(operation.examine(grid.at(column, row)));
-        const Examination& question = *examinations.back();
-        const std::string outcome = question.outcome();
-        if (outcome != "value") ++outcomes[outcome];
-        plates[0].shades.push_back(
-            shade_of(kind, question.judge_reference(binary32), outcome, [&] { return question.reference(binary32); }));
-        plates[1].shades.push_back(shade_of(kind, question.judge_robust(), outcome, [&] { return question.robust(); }));
-      } catch (const InvalidInput&) {
-        examinations.push_back(nullptr);
-        for (Plate& plate : {std::ref(plates[0]), std::ref(plates[1])})
-          plate.shades.push_back({Verdict::unsupported, "", true});
-      }
+  constexpr int together = 32;  // rows; the engine is asked of these, in order, before the next are looked at
+  for (int first = 0; first < MapGrid::side; first += together) {
+    std::vector<Row> rows(together);
+    in_parallel(jobs, rows.size(), [&](std::size_t i) {
+      rows[i] = examined(operation, grid, first + static_cast<int>(i), binary32);
+      if (!with_engine) rows[i].examinations.clear();
+    });
+    for (int i = 0; i < together; ++i) {
+      const Row& row = rows[static_cast<std::size_t>(i)];
+      plates[0].shades.insert(plates[0].shades.end(), row.reference.begin(), row.reference.end());
+      plates[1].shades.insert(plates[1].shades.end(), row.robust.begin(), row.robust.end());
+      for (const auto& [outcome, n] : row.outcomes) outcomes[outcome] += n;
+      if (with_engine) ask_engine(operation, grid, row.examinations, first + i, *engine, plates[2].shades);
     }
-    if (plates.size() > 2) ask_engine(operation, grid, examinations, row, *engine, plates[2].shades);
   }
   std::vector<FailureMap> maps;
   for (const Plate& plate : plates) maps.push_back(developed(plate, ranks_of(outcomes)));

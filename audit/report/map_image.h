@@ -39,8 +39,9 @@ struct FailureMap {
   std::uint64_t refused = 0;  ///< pixels outside the contract
 };
 
-/// Maps over the same grid: reference in double (or float), then robust, then the engine if there is one.
-std::vector<FailureMap> failure_maps(const Operation& operation, bool binary32 = false, Engine* engine = nullptr);
+/// Maps over the same grid: reference in double (or float), then robust, then the engine if there is one. The same whatever the jobs.
+std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32 = false,
+                                     Engine* engine = nullptr);
 
 /// The images side by side, `gap` pixels of white between them.
 Image side_by_side(const std::vector<FailureMap>& maps, std::uint32_t gap);

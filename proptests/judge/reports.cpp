@@ -197,7 +197,7 @@ TEST_CASE("reports: a failure map names the two numbers that it moves") {
 }
 
 TEST_CASE("reports: a map of answers of which many are right speaks of no ulps") {
-  const auto maps = failure_maps(*find_operation("triangulate_polygon"));
+  const auto maps = failure_maps(*find_operation("triangulate_polygon"), 2);
   REQUIRE(maps[0].counts[static_cast<std::size_t>(Verdict::rounding)] > 0);
   for (const FailureMap& map : maps) {
     for (const MapClass& entry : map.classes) {
@@ -205,7 +205,7 @@ TEST_CASE("reports: a map of answers of which many are right speaks of no ulps")
       if (entry.verdict == Verdict::rounding) CHECK(entry.colour == colour_of(Verdict::rounding));
     }
   }
-  const auto measured = failure_maps(*find_operation("line_point_at"));
+  const auto measured = failure_maps(*find_operation("line_point_at"), 2);
   CHECK(measured[1].classes.at(0).said == "correctly rounded");
 }
 

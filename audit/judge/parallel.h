@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace touchstone::audit {
+
+/// Calls work(0) ... work(count - 1), each once, on up to `jobs` threads. When a call throws, the calls that have begun are ended, no other
+/// begins, and the exception goes to the caller.
+void in_parallel(int jobs, std::size_t count, const std::function<void(std::size_t)>& work);
+
+/// As many jobs as the machine can do at once.
+int jobs_of_machine();
+
+}  // namespace touchstone::audit
