@@ -71,6 +71,14 @@ struct implicit_circle {
            const Point2d p{c.below(2) == 1 ? -3 * w : 3 * w, c.below(2) == 1 ? -4 * w : 4 * w};
            return {{{0, 0}, 5 * w}, c.below(2) == 1 ? Point2d{p.y, p.x} : p};
          }},
+        {"past_half_the_bound",
+         [](Choices& c) -> Question {
+           // Outside by the height alone, whose square is lost where FTZ is set; rounded upwards the distance along x shrinks to 1, and
+           // the radius' square grows: by 3 units in the last place together, where the filter's bound is 5.
+           const double side = c.below(2) == 1 ? -1 : 1,
+                        height = std::ldexp(side, -512 - static_cast<int>(c.below(25)));
+           return {{{-0x1p-1074, 0.0}, 1 + 0x1p-52}, {-(1 + 0x1p-52), height}};
+         }},
     };
   }
 

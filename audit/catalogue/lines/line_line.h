@@ -73,6 +73,14 @@ struct line_line {
            const Vector2d v{ordinary(c), ordinary(c)};
            return {{p, along(p, 1, v)}, {q, along(q, ordinary(c), v)}};
          }},
+        {"past_half_the_bound",
+         [](Choices& c) -> Question {
+           // The directions v and -(1 + u) v, v = (1 + dx, -(1 + u - dy)), whose coordinates all round upwards, to the worse side.
+           constexpr double u = 0x1p-52, dy = 0x1p-105;
+           const double dx = std::ldexp(1, -107 - static_cast<int>(c.below(200))), side = c.below(2) == 1 ? -1 : 1;
+           return {{{-side * dx, -side * dy}, {side, -side * (1 + u)}},
+                   {{side * dx * (1 + u), -side * dy * (1 - u)}, {-side * (1 + u), side * (1 + 2 * u)}}};
+         }},
     };
   }
 

@@ -3,6 +3,7 @@
 
 #include "audit/catalogue/figures.h"
 #include "audit/catalogue/long_choices.h"
+#include "audit/catalogue/rounded_choices.h"
 #include "audit/catalogue/row.h"
 #include "audit/codec/walk.h"
 #include "oracle/exact/elimination.h"
@@ -79,6 +80,11 @@ struct orientation {
          [](Choices& c) -> Question {
            const auto [first, last, between] = long_triple(c);
            return c.below(2) == 1 ? Question{first, between, last} : Question{first, last, between};
+         }},
+        {"past_half_the_bound",
+         [](Choices& c) -> Question {
+           const auto [p0, p1, p] = rounded_triple(c);
+           return c.below(2) == 1 ? Question{p0, p1, p} : Question{p0, p, p1};
          }},
     };
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/rounded_choices.h"
 #include "audit/catalogue/row.h"
 #include "audit/codec/walk.h"
 #include "audit/inputs/rings.h"
@@ -176,6 +177,13 @@ struct point_in_polygon {
            const bool very_many = c.one_in(64);
            const Polygon2d ring = wave(very_many ? 1000 - c.below(800) : 16 + c.below(16), c);
            return {ring, c.below(3) == 2 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
+         }},
+        {"past_half_the_bound",
+         [](Choices& c) -> Question {
+           const auto [point, a, b] = rounded_triple(c);
+           const double size = std::ldexp(1, -1 - static_cast<int>(c.below(8)));
+           const Point2d third = c.below(2) == 1 ? Point2d{size, size} : Point2d{-size, -size};
+           return {c.below(2) == 1 ? Polygon2d{{a, b, third}} : Polygon2d{{b, a, third}}, point};
          }},
     };
   }
