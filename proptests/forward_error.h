@@ -36,8 +36,8 @@ bool finite(Doubles... values) {
   return (std::isfinite(values) && ...);
 }
 
-/// The edges from a vertex to the next and to the previous one; empty where a coordinate is not between 2^-200 and 2^200 in size, for which
-/// the bounds of angles promise nothing.
+/// The edges from a vertex to the next and to the previous one; empty where a coordinate of these is neither 0 nor between 2^-200 and 2^200 in
+/// size, for which the contracts promise nothing.
 inline std::optional<std::pair<Vector2<Rational>, Vector2<Rational>>> moderate_corner(const Polygon2d& ring,
                                                                                       std::size_t i) {
   const auto to = [p = ring[i]](const Point2d& q) {

@@ -33,7 +33,7 @@ std::vector<const Operation*> all_named(const std::vector<std::string>& names) {
 
 }  // namespace
 
-int run_map(const std::vector<std::string>& names, const std::string& out_directory, bool binary32) {
+int run_map(const std::vector<std::string>& names, const std::string& out_directory, bool binary32, int jobs) {
   const std::vector<const Operation*> operations = all_named(names);
   const std::string directory = out_directory.empty() ? "." : out_directory;
   const std::filesystem::path asked(directory);
@@ -45,7 +45,7 @@ int run_map(const std::vector<std::string>& names, const std::string& out_direct
   if (error) throw UsageError("--out " + directory + ": a directory that can be written");
   bool found = false;
   for (const Operation* operation : operations) {
-    const std::vector<FailureMap> maps = failure_maps(*operation, jobs_of_machine(), binary32);
+    const std::vector<FailureMap> maps = failure_maps(*operation, jobs > 0 ? jobs : jobs_of_machine(), binary32);
     const std::string stem = directory + "/" + operation->name();
     try {
       write_whole_file(stem + ".png", png(side_by_side(maps, gap), scale));

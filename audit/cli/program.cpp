@@ -69,7 +69,7 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive);
   command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
   command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
-  command->add_option("--jobs", options->jobs, "Threads, each with an engine of its own")->check(any_jobs);
+  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")->check(any_jobs);
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_option("--json", options->json_file, "Write the result to this file");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
@@ -125,13 +125,15 @@ void add_map(CLI::App& program, Action& action) {
   auto operations = std::make_shared<std::vector<std::string>>();
   auto directory = std::make_shared<std::string>("maps");
   auto binary32 = std::make_shared<bool>(false);
+  auto jobs = std::make_shared<int>(0);
   command->add_option("operation", *operations, "Names of operations")->required();
+  command->add_option("--jobs", *jobs, "Threads")->check(any_jobs);
   command->add_option("--out", *directory, "Directory for the pictures");
   command->add_flag("--binary32", *binary32, "The reference in float instead of double");
   command->callback([=, &action] {
     action = [=] {
       for (const std::string& name : *operations) operation_named(name);
-      return run_map(*operations, *directory, *binary32);
+      return run_map(*operations, *directory, *binary32, *jobs);
     };
   });
 }

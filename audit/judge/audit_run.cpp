@@ -213,7 +213,12 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
       for (std::uint64_t first; !stop && (first = next.fetch_add(batch_size)) < options.cases;) {
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
         if (options.seconds > 0 && spent.count() > options.seconds) break;
-        workers[w].run_batch(first, std::min(first + batch_size, options.cases));
+        try {
+          workers[w].run_batch(first, std::min(first + batch_size, options.cases));
+        } catch (...) {
+          next = options.cases;  // nobody needs the answers that the others would get
+          throw;
+        }
         progress(operation->name(), first);
       }
     });

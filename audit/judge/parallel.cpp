@@ -5,6 +5,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -19,13 +20,16 @@ void in_parallel(int jobs, std::size_t count, const std::function<void(std::size
       for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
     } catch (...) {
       const std::lock_guard lock(failure_mutex);
-      failure = std::current_exception();
+      if (!failure) failure = std::current_exception();
       next = count;
     }
   };
   std::vector<std::thread> others;
-  for (std::size_t i = 1; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i)
-    others.emplace_back(some);
+  try {
+    for (std::size_t i = 1; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i)
+      others.emplace_back(some);
+  } catch (const std::system_error&) {  // with those that there are
+  }
   some();
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);

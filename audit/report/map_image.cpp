@@ -216,6 +216,7 @@ std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool 
   if (with_engine) plates.push_back({subject(engine->declaration()), {}});
   std::map<std::string, std::uint64_t> outcomes;
   constexpr int together = 32;  // rows; the engine is asked of these, in order, before the next are looked at
+  static_assert(MapGrid::side % together == 0);
   for (int first = 0; first < MapGrid::side; first += together) {
     std::vector<Row> rows(together);
     in_parallel(jobs, rows.size(), [&](std::size_t i) {

@@ -87,6 +87,8 @@ class TargetOf final : public Target {
     return found;
   }
 
+  std::size_t families() const override { return families_.names().size(); }
+
   std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seeds() const override {
     std::vector<std::pair<std::string, std::vector<std::uint8_t>>> made;
     const auto& names = families_.names();

@@ -141,9 +141,21 @@ void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data)
   std::memcpy(data.data() + 1, numbers.data(), numbers.size() * sizeof(double));
 }
 
+/// A question of some family. What has become numbers never goes back to a family, and a few rare ones would hardly be asked.
+void draw_afresh(Choices& choices, std::vector<std::uint8_t>& result) {
+  result.resize(1 + choices.below(48));
+  for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(choices.below(256));
+  result[0] = static_cast<std::uint8_t>(choices.below(target().families()));
+}
+
 bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   Choices choices = Choices::seeded(seed);
-  if (choices.below(8) == 0) return false;
+  const std::uint64_t kind = choices.below(16);
+  if (kind < 2) return false;
+  if (kind == 2) {
+    draw_afresh(choices, result);
+    return true;
+  }
   static thread_local Numbers numbers;
   target().decode(data, numbers);
   for (double& number : numbers)

@@ -38,6 +38,8 @@ class Target {
   /// The question in decimal, in hexadecimal, and the command that asks it again.
   virtual std::string shown(Bytes data) const = 0;
 
+  /// The first byte of a question of a family is less than this.
+  virtual std::size_t families() const = 0;
   virtual void decode(Bytes data, std::vector<double>& numbers) const = 0;
   /// The layout of numbers that `decode` gave; good until the next call.
   virtual const Layout& layout(const std::vector<double>& numbers) const = 0;
@@ -53,7 +55,7 @@ inline constexpr std::uint8_t finite_numbers_follow = 0xff, any_numbers_follow =
 /// The bytes that mean these numbers.
 void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data);
 
-/// Our own mutation: a pure function of the bytes and the seed. Empty where the bytes themselves should be mutated.
+/// Our own mutation: a pure function of the bytes and the seed. False where the bytes themselves should be mutated.
 bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result);
 
 }  // namespace touchstone::fuzz

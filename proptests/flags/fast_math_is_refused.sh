@@ -4,7 +4,7 @@
 set -eu
 cd "$2"
 headers=$(find robust -name '*.h')
-[ -n "$headers" ]
+[ -n "$headers" ] || { echo "no headers in robust/"; exit 1; }
 accepted=0
 for flag in -ffast-math -Ofast -ffinite-math-only; do
   for header in $headers; do

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <latch>
 #include <stdexcept>
 #include <vector>
 
@@ -17,6 +18,12 @@ TEST_CASE("parallel: every number is worked on once, however many jobs there are
     for (const auto& n : calls) CHECK(n == 1);
   }
   in_parallel(4, 0, [](std::size_t) { FAIL("nothing was to be done"); });
+}
+
+TEST_CASE("parallel: three jobs work at the same time") {
+  std::latch all(3);
+  in_parallel(3, 3, [&](std::size_t) { all.arrive_and_wait(); });
+  CHECK(all.try_wait());
 }
 
 TEST_CASE("parallel: what a call throws reaches the caller; alone, nothing else is begun") {
@@ -38,6 +45,12 @@ TEST_CASE("parallel: a failure map is the same with any number of jobs") {
   for (std::size_t i = 0; i < alone.size(); ++i) {
     CHECK(alone[i].counts == together[i].counts);
     CHECK(alone[i].image.pixels == together[i].image.pixels);
+    CHECK(alone[i].image.palette == together[i].image.palette);
+    REQUIRE(alone[i].classes.size() == together[i].classes.size());
+    for (std::size_t k = 0; k < alone[i].classes.size(); ++k) {
+      CHECK(alone[i].classes[k].said == together[i].classes[k].said);
+      CHECK(alone[i].classes[k].count == together[i].classes[k].count);
+    }
   }
 }
 

@@ -60,15 +60,8 @@ class Notice:
 WAYS = ("properties", "vectors", "fuzzing")
 
 
-def missed(bug, results):
-    """The ways that should have noticed the bug and did not. `blind` in the list admits a gap by name."""
-    return [way for way, (noticed, _) in zip(WAYS, results) if not noticed and way not in bug.get("blind", [])]
-
-
 def line(bug, results):
-    unseen = missed(bug, results)
-    cells = "".join(f"{('%.1f s' % seconds if noticed else 'MISSED' if way in unseen else 'known gap'):>12}"
-                    for way, (noticed, seconds) in zip(WAYS, results))
+    cells = "".join(f"{('%.1f s' % seconds if noticed else 'MISSED'):>12}" for noticed, seconds in results)
     return f"{bug['id']:<26}{cells}  {bug['what']}"
 
 
@@ -98,7 +91,7 @@ def main(programs, vectors, matrix, only=None):
     print(text)
     pathlib.Path(matrix).parent.mkdir(parents=True, exist_ok=True)
     pathlib.Path(matrix).write_text(text)
-    return 1 if wolf or any(missed(bug, row) for (_, bug), row in zip(bugs, rows)) else 0
+    return 1 if wolf or noticed < 3 * len(bugs) else 0
 
 
 if __name__ == "__main__":

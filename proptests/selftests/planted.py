@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The planted bugs: a file for each operation, planted/OPERATION.json, with a list of
 {"file", "find", "plant", "what"}: in that file of robust/ the expression `find`, which stands there once (or once in `within`,
-which does), becomes `plant`. `blind` admits by name the ways that do not notice it."""
+which does), becomes `plant`."""
 import json
 import pathlib
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/catalogue/rounded_choices.h"
 #include "audit/catalogue/row.h"
 #include "oracle/lines/line_line.h"
 #include "reference/lines/line_line.h"
@@ -75,11 +76,9 @@ struct line_line {
          }},
         {"past_half_the_bound",
          [](Choices& c) -> Question {
-           // The directions v and -(1 + u) v, v = (1 + dx, -(1 + u - dy)), whose coordinates all round upwards, to the worse side.
-           constexpr double u = 0x1p-52, dy = 0x1p-105;
-           const double dx = std::ldexp(1, -107 - static_cast<int>(c.below(200))), side = c.below(2) == 1 ? -1 : 1;
-           return {{{-side * dx, -side * dy}, {side, -side * (1 + u)}},
-                   {{side * dx * (1 + u), -side * dy * (1 - u)}, {-side * (1 + u), side * (1 + 2 * u)}}};
+           // Parallel: the second line is the other side of the triple, turned by 180 degrees.
+           const auto [p0, p1, p] = rounded_triple(c, true);
+           return {{p0, p1}, {{-p.x, -p.y}, {-p0.x, -p0.y}}};
          }},
     };
   }

@@ -83,7 +83,7 @@ struct orientation {
          }},
         {"past_half_the_bound",
          [](Choices& c) -> Question {
-           const auto [p0, p1, p] = rounded_triple(c);
+           const auto [p0, p1, p] = rounded_triple(c, c.below(2) == 1);
            return c.below(2) == 1 ? Question{p0, p1, p} : Question{p0, p, p1};
          }},
     };

@@ -162,7 +162,8 @@ struct point_in_polygon {
            ring.vertices[15] = {c.below(2) == 1 ? x : -x, far()};
            const Point2d near = ring[16],
                          on = along(near, static_cast<double>(1 + c.below(1 << 10)) * 0x1p-30, ring[15] - near);
-           return {ring, {on.x, on.y + static_cast<double>(c.below(3)) * 0x1p-34 - 0x1p-34}};
+           constexpr double beside[] = {0, 0x1p-34, -0x1p-34};
+           return {ring, {on.x, on.y + beside[c.below(3)]}};
          }},
         {"beside_least_edge", beside_least_edge},
         {"minus_zero",
@@ -180,8 +181,9 @@ struct point_in_polygon {
          }},
         {"past_half_the_bound",
          [](Choices& c) -> Question {
-           const auto [point, a, b] = rounded_triple(c);
-           const double size = std::ldexp(1, -1 - static_cast<int>(c.below(8)));
+           const auto [point, a, b] = rounded_triple(c, c.below(2) == 1);
+           // The third vertex is in the filter's sums twice: (1 + size)^2 times the bound of the edge alone.
+           const double size = std::ldexp(1, -3 - static_cast<int>(c.below(8)));
            const Point2d third = c.below(2) == 1 ? Point2d{size, size} : Point2d{-size, -size};
            return {c.below(2) == 1 ? Polygon2d{{a, b, third}} : Polygon2d{{b, a, third}}, point};
          }},
