@@ -6,7 +6,7 @@
 #include "audit/catalogue/row.h"
 
 /// Points whose differences are rounded by nearly a unit in the last place, all to the side that makes a determinant wrong. With u that
-/// unit of 1, it is off by 5 u upwards and by 4 u downwards, and so it is where FMA leaves a product unrounded; the bound of cross_sign
+/// unit of 1, it is off by 5 u upwards (4 u where FMA leaves a product unrounded) and by 4 u downwards; the bound of cross_sign
 /// (robust/kernel/filters.h) is 6 u, half of it 3 u.
 namespace touchstone::audit {
 

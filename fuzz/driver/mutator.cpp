@@ -141,7 +141,7 @@ void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data)
   std::memcpy(data.data() + 1, numbers.data(), numbers.size() * sizeof(double));
 }
 
-/// A question of some family. What has become numbers never goes back to a family, and a few rare ones would hardly be asked.
+/// A question of some family. What has become numbers never goes back to one, so that without this families would be asked seldom.
 void draw_afresh(Choices& choices, std::vector<std::uint8_t>& result) {
   result.resize(1 + choices.below(48));
   for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(choices.below(256));
