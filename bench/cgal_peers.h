@@ -8,7 +8,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "audit/catalogue/catalogue.h"
+#include "catalogue/catalogue.h"
 
 namespace touchstone::bench {
 

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "audit/catalogue/row.h"
-#include "audit/codec/flat.h"
-#include "audit/codec/walk.h"
-#include "audit/inputs/choices.h"
-#include "audit/inputs/numbers.h"
+#include "catalogue/row.h"
+#include "catalogue/codec/flat.h"
+#include "catalogue/codec/walk.h"
+#include "catalogue/families/choices.h"
+#include "catalogue/families/numbers.h"
 
 /// What is asked while the clock runs. The same cases on every machine and with every compiler.
 namespace touchstone::bench {
@@ -66,7 +66,7 @@ typename Row::Question drawn(DataSet set, audit::Choices& choices) {
     audit::walk(
         question, [&](double& value) { value = number(choices); },
         [](auto& list) { list.resize(Row::card().list_length); });
-    if constexpr (requires { Row::make_legal(question); }) Row::make_legal(question);
+    if constexpr (requires { Row::repair(question); }) Row::repair(question);
   };
   switch (set) {
     case DataSet::near_degenerate: {
@@ -83,7 +83,7 @@ typename Row::Question drawn(DataSet set, audit::Choices& choices) {
   return question;
 }
 
-/// case_count questions that the contract admits.
+/// case_count questions that the contract accepts.
 template <class Row>
 std::vector<typename Row::Question> draw_cases(DataSet set) {
   const std::string stream = std::string(Row::card().name) + "/" + name_of(set);

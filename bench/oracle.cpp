@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "audit/catalogue/catalogue.h"
-#include "audit/catalogue/operation.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/operation.h"
 #include "bench/data_sets.h"
 #include "bench/timing.h"
 

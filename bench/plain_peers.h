@@ -3,7 +3,7 @@
 
 #include <gmpxx.h>
 
-#include "audit/catalogue/catalogue.h"
+#include "catalogue/catalogue.h"
 #include "oracle/exact/elimination.h"
 
 /// The decisions of the chapter as ints, so that all peers answer alike: ours, and plain formulas over any number type.

@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "audit/inputs/choices.h"
-#include "audit/inputs/numbers.h"
+#include "catalogue/families/choices.h"
+#include "catalogue/families/numbers.h"
 #include "bench/timing.h"
 #include "oracle/polygons/triangulate_polygon.h"
 #include "robust/polygons/triangulate_polygon.h"

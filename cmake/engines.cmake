@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# audit/engines/programs/NAME.cpp -> engines/NAME: one audit program a foreign library. What a program needs is read
+# program/engines/NAME.cpp -> engines/NAME: one audit program a foreign library. What a program needs is read
 # from its own includes; where the library is not installed the program is left out.
 
 find_package(GEOS QUIET)
@@ -8,7 +8,7 @@ find_path(GEOS_CPP_DIR geos/geom/Point.h)
 find_path(CGAL_DIR_OF_HEADERS CGAL/version.h)
 mark_as_advanced(BOOST_GEOMETRY_DIR GEOS_CPP_DIR CGAL_DIR_OF_HEADERS)
 
-file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/audit/engines/programs/*.cpp)
+file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/program/engines/*.cpp)
 foreach(source ${programs})
   cmake_path(GET source STEM name)
   set(missing "")

@@ -11,7 +11,7 @@ install(TARGETS touchstone_certify touchstone_audit EXPORT touchstone-audit)
 install(EXPORT touchstone-rooms NAMESPACE touchstone:: DESTINATION ${package_dir})
 install(EXPORT touchstone-audit NAMESPACE touchstone:: DESTINATION ${package_dir})
 
-foreach(room geometry reference robust oracle audit)
+foreach(room geometry reference robust oracle catalogue audit report program)
   install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone FILES_MATCHING PATTERN "*.h")
 endforeach()
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# proptests/FOLDER/*.cpp -> the program test_FOLDER; every file is a test of its own in ctest, named FOLDER/FILE.
+# proptests/operations/CHAPTER, proptests/machine/FOLDER and the other folders -> the program test_FOLDER; every file is a test of its own
+# in ctest, named FOLDER/FILE.
 # A folder with a CMakeLists.txt builds itself; proptests/install is a project of its own that uses the installed package.
 
 find_package(Catch2 2 QUIET)
@@ -45,11 +46,12 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
     touchstone_test_sources(touchstone_test_headers)
     target_precompile_headers(touchstone_test_headers PRIVATE <catch2/catch.hpp> <nlohmann/json.hpp> <gmpxx.h>)
   endif()
-  file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/proptests/*)
+  file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/proptests/*
+       ${PROJECT_SOURCE_DIR}/proptests/operations/* ${PROJECT_SOURCE_DIR}/proptests/machine/*)
   foreach(folder ${folders})
     cmake_path(GET folder FILENAME name)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-    if(name STREQUAL install OR NOT sources)
+    if(name MATCHES "^(install|operations|machine)$" OR NOT sources)
       continue()
     elseif(EXISTS ${folder}/CMakeLists.txt)
       add_subdirectory(${folder})

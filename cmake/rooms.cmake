@@ -37,7 +37,8 @@ endfunction()
 
 file(GLOB_RECURSE robust_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/robust/*.cpp)
 file(GLOB_RECURSE oracle_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/oracle/*.cpp)
-file(GLOB_RECURSE audit_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/audit/*.cpp)
+file(GLOB_RECURSE audit_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/catalogue/*.cpp ${PROJECT_SOURCE_DIR}/audit/*.cpp
+     ${PROJECT_SOURCE_DIR}/report/*.cpp ${PROJECT_SOURCE_DIR}/program/*.cpp)
 set(certify_sources ${oracle_sources})
 list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
 list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
@@ -66,16 +67,17 @@ constexpr Checks (*checks_of_all_files[])() = {@listed@};
 }  // namespace touchstone::certify
 ]])
 
-list(FILTER audit_sources EXCLUDE REGEX "/audit/(cli/main\\.cpp|engines/programs/)")
+list(FILTER audit_sources EXCLUDE REGEX "/program/main\\.cpp|/program/engines/")
 
-# audit/catalogue/CHAPTER/OP.h -> a translation unit that makes the operation of this row: adding one compiles one.
-file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/audit/catalogue/*/*.h)
+# catalogue/CHAPTER/OP.h -> a translation unit that makes the operation of this row: adding one compiles one.
+file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/catalogue/*/*.h)
+list(FILTER rows EXCLUDE REGEX "^catalogue/(codec|families|judge)/")
 set(row_sources "")
 foreach(row ${rows})
   cmake_path(GET row STEM row_name)
   cmake_path(REPLACE_EXTENSION row cpp OUTPUT_VARIABLE row_source)
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${row_source} @ONLY CONTENT [[
-#include "audit/catalogue/operation_of.h"
+#include "catalogue/operation_of.h"
 #include "@row@"
 
 template const touchstone::audit::Operation& touchstone::audit::operation_of_row<touchstone::audit::rows::@row_name@>();

@@ -5,7 +5,7 @@
 
 namespace touchstone {
 
-/// The closed set of points between a and b. a == b is legal: the single point a.
+/// The closed set of points between a and b. a == b is valid: the single point a.
 template <class Real>
 struct Segment2 {
   Point2<Real> a, b;
@@ -31,7 +31,7 @@ struct Ray2 {
   Vector2<Real> direction;
 };
 
-/// The circle |p - center| = radius; as a solid, the closed disc. Radius 0 is legal (a point); a negative radius is refused.
+/// The circle |p - center| = radius; as a solid, the closed disc. Radius 0 is valid (a point); a negative radius is refused.
 template <class Real>
 struct Circle2 {
   Point2<Real> center;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/catalogue/catalogue.h"
+#include "catalogue/catalogue.h"
 #include "proptests/robust_bits.h"
 
 /// For tests that go through the whole catalogue; a test of one operation includes its row alone, so that a new row compiles no other.

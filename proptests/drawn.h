@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/catalogue/operation.h"
+#include "catalogue/operation.h"
 #include "proptests/property.h"
 
 /// Questions of the catalogue as RapidCheck draws and shrinks them.

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "audit/catalogue/operation.h"
+#include "catalogue/operation.h"
 
 namespace touchstone::proptests {
 

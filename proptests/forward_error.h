@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "audit/judge/ulps.h"
+#include "catalogue/judge/ulps.h"
 #include "proptests/laws.h"
 
 /// The forward error bounds that the contracts in reference/lines state, in rationals, and the property that they hold.
@@ -93,7 +93,7 @@ inline bool within(double computed, const Rational& truth, const Rational& error
   return abs(exact(computed) - truth) <= error;
 }
 
-/// The property that `claim(truth, answer, arguments...)` holds for the slide's formula in double on every legal question: the contract's
+/// The property that `claim(truth, answer, arguments...)` holds for the slide's formula in double on every valid question: the contract's
 /// promise, as it is written there.
 template <class Row, class Claim>
 void contract(const std::string& sentence, const Claim& claim, int usual = 6) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/judge/examination_of.h"
+#include "catalogue/judge/examination_of.h"
 #include "proptests/drawn.h"
 #include "proptests/robust_bits.h"
 #include "robust/kernel/stage.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/catalogue/row.h"
-#include "audit/judge/exact.h"
+#include "catalogue/row.h"
+#include "catalogue/judge/exact.h"
 #include "oracle/certificates/certificate.h"
 
 namespace touchstone::proptests {

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "audit/catalogue/explained.h"
+#include "catalogue/explained.h"
 #include "oracle/certificates/check.h"
 #include "proptests/forward_error.h"
 #include "proptests/polygons_from_elsewhere.h"

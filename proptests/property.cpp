@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "audit/inputs/choices.h"
+#include "catalogue/families/choices.h"
 
 namespace touchstone::proptests {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "audit/catalogue/row.h"
-#include "audit/codec/flat.h"
-#include "audit/judge/environment.h"
+#include "catalogue/row.h"
+#include "catalogue/codec/flat.h"
+#include "catalogue/judge/environment.h"
 
 /// What robust answers in any environment, bit by bit.
 namespace touchstone::proptests {

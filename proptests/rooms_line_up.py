@@ -18,7 +18,10 @@ ROOMS = {
     "reference": {"geometry", "reference"},
     "robust": {"geometry", "robust"},
     "oracle": {"geometry", "oracle"},
-    "audit": {"geometry", "reference", "robust", "oracle", "audit"},
+    "catalogue": {"geometry", "reference", "robust", "oracle", "catalogue"},
+    "audit": {"geometry", "reference", "robust", "oracle", "catalogue", "audit"},
+    "report": {"geometry", "oracle", "catalogue", "audit", "report"},
+    "program": {"geometry", "oracle", "catalogue", "audit", "report", "program"},
     "proptests": None,
     "fuzz": None,
     "bench": None,
@@ -30,12 +33,12 @@ PLACES = {
     "reference": (".h",),
     "robust": (".h", ".cpp"),
     "oracle": (".h", ".cpp"),
-    "audit/catalogue": (".h",),
-    "proptests": (".cpp",),
+    "catalogue": (".h",),
+    "proptests/operations": (".cpp",),
     "fuzz": (".cpp",),
 }
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
-METHOD_PLACES = {"reference", "audit/catalogue"}
+METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
 NO_CHAPTER = {"robust": {"kernel", "rings"}, "oracle": {"exact", "certificates", "rings"}, "fuzz": {"driver", "corpus", "findings"}}
 FEWEST_PLANTED = 6
@@ -46,7 +49,7 @@ COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision/")
 FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
 CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
-CGAL_MAY_BE_PEER = ("proptests/", "bench/", "audit/engines/programs/")
+CGAL_MAY_BE_PEER = ("proptests/", "bench/", "program/engines/")
 
 
 class Tree:
@@ -73,7 +76,7 @@ def operation_files(tree, operations):
         }
         for name in sorted(wanted - tree.text.keys()):
             yield f"{name}: missing"
-        if place in ("proptests", "audit/catalogue"):  # other folders stand here too
+        if place == "catalogue":  # other folders stand here too
             folders = chapters
         else:
             folders = {p.name for p in (tree.root / place).glob("*") if p.is_dir()} - NO_CHAPTER.get(place, set())
@@ -100,10 +103,10 @@ def evidence(tree, operations):
         name = operation["name"]
         if "method_of" in operation:
             continue
-        header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "audit/catalogue"))
+        header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "catalogue"))
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
             if f"robust::{alone}(" not in row:
-                yield f"audit/catalogue/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
+                yield f"catalogue/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
@@ -205,9 +208,10 @@ def right_tree():
     files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
-    files["audit/cli/main.cpp"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+    files["catalogue/row.h"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+    files["program/main.cpp"] = '#include "catalogue/row.h"\n'
     files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
-    files["fuzz/driver/replay_main.cpp"] = '#include "audit/cli/main.cpp"\n'
+    files["fuzz/driver/replay_main.cpp"] = '#include "program/main.cpp"\n'
     files["vectors/touch.jsonl"] = CLAIM
     files["oracle/certificates/claims/touch.jsonl"] = CLAIM + FALSE_CLAIM
     files["fuzz/corpus/touch/seed"] = "seed"
@@ -223,16 +227,17 @@ PLANTED = [
     ("fuzz/lines/touch.cpp", None, "fuzz/lines/touch.cpp: missing"),
     ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
     ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
-    ("audit/catalogue/lines/touch.h", None, "audit/catalogue/lines/touch.h: missing"),
-    ("proptests/lines/cross.cpp", "", "proptests/lines/cross.cpp: stray"),
+    ("catalogue/lines/touch.h", None, "catalogue/lines/touch.h: missing"),
+    ("proptests/operations/lines/cross.cpp", "", "proptests/operations/lines/cross.cpp: stray"),
     ("reference/lines/cross.h", "", "reference/lines/cross.h: stray"),
     ("oracle/planes/touch.cpp", "", "oracle/planes/touch.cpp: stray"),
     ("geometry/points.h", '#include "reference/lines/touch.h"\n', "geometry/points.h: geometry must not include reference"),
     ("reference/lines/touch.h", '#include "robust/lines/touch.h"\n', "reference must not include robust"),
     ("robust/lines/touch.cpp", '#include "oracle/lines/touch.h"\n', "robust must not include oracle"),
     ("oracle/lines/touch.cpp", '#include <touchstone/robust/lines/touch.h>\n', "oracle must not include robust"),
-    ("robust/kernel/filter.h", '#include "audit/cli/main.cpp"\n', "robust must not include audit"),
-    ("audit/cli/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "audit must not include fuzz"),
+    ("robust/kernel/filter.h", '#include "program/main.cpp"\n', "robust must not include program"),
+    ("catalogue/row.h", '#include "program/main.cpp"\n', "catalogue must not include program"),
+    ("program/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "program must not include fuzz"),
     ("robust/lines/touch.cpp", '#include "touch.h"\n', 'there is no \"touch.h\" from the root'),
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
     ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
@@ -241,7 +246,7 @@ PLANTED = [
     ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
     ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
-    ("audit/cli/main.cpp", "\n" * 401, "audit/cli/main.cpp: 401 lines"),
+    ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),
     ("fuzz/corpus/touch/seed", None, "fuzz/corpus/touch: missing"),

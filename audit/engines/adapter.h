@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/catalogue/catalogue.h"
-#include "audit/codec/flat.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/codec/flat.h"
 #include "audit/engines/engine_answer.h"
 #include "audit/engines/serve.h"
 
@@ -102,10 +102,3 @@ Served served(Engine& engine) {
 
 }  // namespace audit
 }  // namespace touchstone
-
-/// The audit program of an engine: the options of `touchstone audit`; with --serve it answers over pipes.
-#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                       \
-  int main(int argc, char** argv) {                                                              \
-    EngineType engine{};                                                                         \
-    return ::touchstone::audit::engine_program(::touchstone::audit::served(engine), argc, argv); \
-  }

@@ -29,8 +29,4 @@ struct Served {
 /// standard output meanwhile is sent to standard error.
 int serve(const Served& engine);
 
-/// The main program of an engine: with the argument --serve it serves; else it is `touchstone audit` of itself, in a
-/// process of its own, with the same options and exit codes.
-int engine_program(const Served& engine, int argc, const char* const* argv);
-
 }  // namespace touchstone::audit

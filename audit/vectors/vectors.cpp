@@ -5,9 +5,9 @@
 #include <limits>
 #include <map>
 
-#include "audit/catalogue/explained.h"
-#include "audit/judge/audit_run.h"
-#include "audit/judge/environment.h"
+#include "catalogue/explained.h"
+#include "audit/audit_run.h"
+#include "catalogue/judge/environment.h"
 #include "audit/vectors/flags.h"
 #include "oracle/certificates/check.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/catalogue/operation.h"
+#include "catalogue/operation.h"
 
 namespace touchstone::audit {
 

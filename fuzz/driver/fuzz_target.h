@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "audit/catalogue/explained.h"
-#include "audit/catalogue/row.h"
-#include "audit/inputs/families.h"
-#include "audit/judge/compare.h"
-#include "audit/judge/environment.h"
+#include "catalogue/explained.h"
+#include "catalogue/row.h"
+#include "catalogue/families/families.h"
+#include "catalogue/judge/compare.h"
+#include "catalogue/judge/environment.h"
 #include "fuzz/driver/target.h"
 
 namespace touchstone::fuzz {

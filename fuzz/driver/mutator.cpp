@@ -5,8 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include "audit/inputs/choices.h"
-#include "audit/inputs/numbers.h"
+#include "catalogue/families/choices.h"
+#include "catalogue/families/numbers.h"
 #include "fuzz/driver/target.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "audit/judge/ulps.h"
+#include "catalogue/judge/ulps.h"
 #include "fuzz/driver/fuzz_target.h"
 
 namespace touchstone::fuzz {

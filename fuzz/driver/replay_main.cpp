@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "audit/inputs/choices.h"
+#include "catalogue/families/choices.h"
 #include "fuzz/driver/target.h"
 
 // What a fuzz target is without libFuzzer, for any compiler:

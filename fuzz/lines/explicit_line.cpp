@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/lines/explicit_line.h"
+#include "catalogue/lines/explicit_line.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

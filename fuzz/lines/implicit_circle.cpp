@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/lines/implicit_circle.h"
+#include "catalogue/lines/implicit_circle.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

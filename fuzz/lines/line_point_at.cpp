@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/lines/line_point_at.h"
+#include "catalogue/lines/line_point_at.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

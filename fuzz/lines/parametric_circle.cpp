@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/lines/parametric_circle.h"
+#include "catalogue/lines/parametric_circle.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

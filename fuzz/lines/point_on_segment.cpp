@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/lines/point_on_segment.h"
+#include "catalogue/lines/point_on_segment.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

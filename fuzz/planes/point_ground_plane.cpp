@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/planes/point_ground_plane.h"
+#include "catalogue/planes/point_ground_plane.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/planes/point_plane_toi.h"
+#include "catalogue/planes/point_plane_toi.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/planes/polygon_normal.h"
+#include "catalogue/planes/polygon_normal.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

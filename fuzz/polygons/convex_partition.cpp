@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/polygons/convex_partition.h"
+#include "catalogue/polygons/convex_partition.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

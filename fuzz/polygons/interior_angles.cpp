@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/polygons/interior_angles.h"
+#include "catalogue/polygons/interior_angles.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

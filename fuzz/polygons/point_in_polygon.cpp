@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/polygons/point_in_polygon.h"
+#include "catalogue/polygons/point_in_polygon.h"
 
 #include "fuzz/driver/fuzz_target.h"
 

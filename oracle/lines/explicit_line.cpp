@@ -2,14 +2,14 @@
 #include "oracle/lines/explicit_line.h"
 
 #include "oracle/exact/decode.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
 Rational height(const Number& slope, const Number& intercept, const Point2<Number>& point) {
-  door::admit("slope", slope), door::admit("intercept", intercept), door::admit("point", point);
+  validation::validate("slope", slope), validation::validate("intercept", intercept), validation::validate("point", point);
   return Rational(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
 }
 

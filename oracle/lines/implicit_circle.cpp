@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -13,9 +13,9 @@ template <class Number>
 using Scale = CommonScale<Number, 5>;
 
 template <class Number>
-Scale<Number> admitted(const Circle2<Number>& circle, const Point2<Number>& point) {
+Scale<Number> validated(const Circle2<Number>& circle, const Point2<Number>& point) {
   const Scale<Number> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
-  if (!n.finite() || door::negative(circle.radius)) door::admit("circle", circle), door::admit("point", point);
+  if (!n.finite() || validation::negative(circle.radius)) validation::validate("circle", circle), validation::validate("point", point);
   return n;
 }
 
@@ -39,7 +39,7 @@ Truth<Location> truth(const Scale<Number>& n) {
 
 template <class Number>
 Truth<Location> truth_of(const Circle2<Number>& circle, const Point2<Number>& point) {
-  const Scale<Number> n = admitted(circle, point);
+  const Scale<Number> n = validated(circle, point);
   return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
@@ -54,7 +54,7 @@ Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Numb
 template Truth<Location> implicit_circle(const Circle2<Rational>&, const Point2<Rational>&);
 
 Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point) {
-  const Scale<double> n = admitted(circle, point);
+  const Scale<double> n = validated(circle, point);
   const auto [distance, radius] = squares<Integer>(n);
   return {
       "squares",

@@ -5,7 +5,7 @@
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -14,10 +14,10 @@ template <class Number>
 using Scale = CommonScale<Number, 8>;
 
 template <class Number>
-Scale<Number> admitted(const Line2<Number>& a, const Line2<Number>& b) {
+Scale<Number> validated(const Line2<Number>& a, const Line2<Number>& b) {
   const Scale<Number> n({a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y});
   const auto is_point = [](const Line2<Number>& line) { return line.p == line.q; };
-  if (!n.finite() || is_point(a) || is_point(b)) door::admit("a", a), door::admit("b", b);  // names the field: slower
+  if (!n.finite() || is_point(a) || is_point(b)) validation::validate("a", a), validation::validate("b", b);  // names the field: slower
   return n;
 }
 
@@ -86,7 +86,7 @@ Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
 
 template <class Number>
 Truth<LineLine<Rational>> truth_of(const Line2<Number>& a, const Line2<Number>& b) {
-  const Scale<Number> n = admitted(a, b);
+  const Scale<Number> n = validated(a, b);
   return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
@@ -101,7 +101,7 @@ Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>&
 template Truth<LineLine<Rational>> line_line(const Line2<Rational>&, const Line2<Rational>&);
 
 Certificate line_line_certificate(const Line2d& a, const Line2d& b) {
-  const Scale<double> n = admitted(a, b);
+  const Scale<double> n = validated(a, b);
   const auto [whole_a, whole_b, meet] = intersect<Integer>(n);
   const Point2<Integer>& start = whole_a.p;
   const Vector2<Integer> direction = whole_a.q - start;

@@ -6,7 +6,7 @@
 
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/nearest_double.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -17,8 +17,8 @@ struct Travelled {
   Travelled(const ParametricLine2<Number>& line, const Number& t)
       : lengths({line.origin.x, line.origin.y, line.direction.x, line.direction.y}) {
     const CommonScale<Number, 1> time({t});
-    const bool still = door::zero(line.direction.x) && door::zero(line.direction.y);
-    if (!lengths.finite() || !time.finite() || still) door::admit("line", line), door::admit("t", t);
+    const bool still = validation::zero(line.direction.x) && validation::zero(line.direction.y);
+    if (!lengths.finite() || !time.finite() || still) validation::validate("line", line), validation::validate("t", t);
     const Integer factor = time.whole(0);
     const auto step = [&](std::size_t i) { return time.actual(rational(Integer(factor * lengths.whole(i))), 1); };
     x = step(2), y = step(3);

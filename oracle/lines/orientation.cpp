@@ -2,15 +2,15 @@
 #include "oracle/lines/orientation.h"
 
 #include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-CommonScale<Number, 6> admitted(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
+CommonScale<Number, 6> validated(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
   const CommonScale<Number, 6> numbers({p0.x, p0.y, p1.x, p1.y, p.x, p.y});
-  if (!numbers.finite()) door::admit("p0", p0), door::admit("p1", p1), door::admit("p", p);  // names the field: slower
+  if (!numbers.finite()) validation::validate("p0", p0), validation::validate("p1", p1), validation::validate("p", p);  // names the field: slower
   return numbers;
 }
 
@@ -29,7 +29,7 @@ Truth<Side> truth(const CommonScale<Number, 6>& n) {
 
 template <class Number>
 Truth<Side> truth_of(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
-  const CommonScale<Number, 6> n = admitted(p0, p1, p);
+  const CommonScale<Number, 6> n = validated(p0, p1, p);
   return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
@@ -44,7 +44,7 @@ Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, cons
 template Truth<Side> orientation(const Point2<Rational>&, const Point2<Rational>&, const Point2<Rational>&);
 
 Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const CommonScale<double, 6> n = admitted(p0, p1, p);
+  const CommonScale<double, 6> n = validated(p0, p1, p);
   if (n.bits() <= most_bits_in_words) {
     using Word = Point2<std::int64_t>;
     return orientation_side<Int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)}, Word{n.word(4), n.word(5)});
@@ -53,7 +53,7 @@ Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
 }
 
 Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const CommonScale<double, 6> n = admitted(p0, p1, p);
+  const CommonScale<double, 6> n = validated(p0, p1, p);
   return {"determinant", {{"determinant", {n.actual(rational(determinant<Integer>(n)), 2)}}}};
 }
 

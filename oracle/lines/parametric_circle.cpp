@@ -8,7 +8,7 @@
 #include "oracle/exact/circular.h"
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/nearest_double.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -59,19 +59,19 @@ Found find(const CommonScale<Number, 3>& circle, const Number& u) {
 }
 
 template <class Number>
-CommonScale<Number, 3> admitted(const Circle2<Number>& circle, const Number& u) {
-  door::admit("circle", circle), door::admit("u", u);
+CommonScale<Number, 3> validated(const Circle2<Number>& circle, const Number& u) {
+  validation::validate("circle", circle), validation::validate("u", u);
   return CommonScale<Number, 3>({circle.center.x, circle.center.y, circle.radius});
 }
 
 template <class Number>
 bool rational_point(const Circle2<Number>& circle, const Number& u) {
-  return door::zero(u) || door::zero(circle.radius);
+  return validation::zero(u) || validation::zero(circle.radius);
 }
 
 template <class Number>
 Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
-  const CommonScale<Number, 3> n = admitted(circle, u);
+  const CommonScale<Number, 3> n = validated(circle, u);
   const Point2<Rational> point =
       rational_point(circle, u) ? actual_point(n, {rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
                                 : find(n, u).point;
@@ -89,7 +89,7 @@ Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const N
 template Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>&, const Rational&);
 
 Certificate parametric_circle_certificate(const Circle2d& circle, double u) {
-  const CommonScale<double, 3> n = admitted(circle, u);
+  const CommonScale<double, 3> n = validated(circle, u);
   if (rational_point(circle, u)) return {"exact", {}};
   const auto [cosine, sine] = find(n, u).enclosures;
   const auto ends = [](const Enclosure& x) {

@@ -3,7 +3,7 @@
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -12,9 +12,9 @@ template <class Number>
 using Scale = CommonScale<Number, 6>;
 
 template <class Number>
-Scale<Number> admitted(const Point2<Number>& point, const Segment2<Number>& segment) {
+Scale<Number> validated(const Point2<Number>& point, const Segment2<Number>& segment) {
   const Scale<Number> n({point.x, point.y, segment.a.x, segment.a.y, segment.b.x, segment.b.y});
-  if (!n.finite()) door::admit("point", point), door::admit("segment", segment);  // names the field: slower
+  if (!n.finite()) validation::validate("point", point), validation::validate("segment", segment);  // names the field: slower
   return n;
 }
 
@@ -53,7 +53,7 @@ Truth<PointOnSegment<Rational>> truth(const Scale<Number>& n) {
 
 template <class Number>
 Truth<PointOnSegment<Rational>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
-  const Scale<Number> n = admitted(point, segment);
+  const Scale<Number> n = validated(point, segment);
   return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
@@ -70,7 +70,7 @@ Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, co
 template Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
 
 Certificate point_on_segment_certificate(const Point2d& point, const Segment2d& segment) {
-  const Scale<double> n = admitted(point, segment);
+  const Scale<double> n = validated(point, segment);
   const Situation<Integer> s = examine<Integer>(n);
   if (s.on) {
     const Rational t = parameter(s);

@@ -3,17 +3,17 @@
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-CommonScale<Number, 8> admitted(const Ray2<Number>& ray, const Segment2<Number>& segment) {
+CommonScale<Number, 8> validated(const Ray2<Number>& ray, const Segment2<Number>& segment) {
   const CommonScale<Number, 8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x,
                                   segment.a.y, segment.b.x, segment.b.y});
-  const bool still = door::zero(ray.direction.x) && door::zero(ray.direction.y);
-  if (!n.finite() || still) door::admit("ray", ray), door::admit("segment", segment);  // names the field: slower
+  const bool still = validation::zero(ray.direction.x) && validation::zero(ray.direction.y);
+  if (!n.finite() || still) validation::validate("ray", ray), validation::validate("segment", segment);  // names the field: slower
   return n;
 }
 
@@ -55,7 +55,7 @@ Truth<RaySegment<Rational>> truth(const CommonScale<Number, 8>& n) {
 
 template <class Number>
 Truth<RaySegment<Rational>> truth_of(const Ray2<Number>& ray, const Segment2<Number>& segment) {
-  const CommonScale<Number, 8> n = admitted(ray, segment);
+  const CommonScale<Number, 8> n = validated(ray, segment);
   return n.bits() < most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);  // origin + direction: one bit more
 }
 
@@ -70,7 +70,7 @@ Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<
 template Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>&, const Segment2<Rational>&);
 
 Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) {
-  const CommonScale<double, 8> n = admitted(ray, segment);
+  const CommonScale<double, 8> n = validated(ray, segment);
   const Solved<Integer> s(n);
   const CommonPoints<Integer>& common = s.common;
   if (!common.any) {

@@ -5,15 +5,15 @@
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/common_scale.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-CommonScale<Number, 8> admitted(const Segment2<Number>& a, const Segment2<Number>& b) {
+CommonScale<Number, 8> validated(const Segment2<Number>& a, const Segment2<Number>& b) {
   const CommonScale<Number, 8> numbers({a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y});
-  if (!numbers.finite()) door::admit("a", a), door::admit("b", b);  // names the field: far slower than the question
+  if (!numbers.finite()) validation::validate("a", a), validation::validate("b", b);  // names the field: far slower than the question
   return numbers;
 }
 
@@ -53,7 +53,7 @@ Truth<SegmentSegment<Rational>> truth(const CommonScale<Number, 8>& n) {
 
 template <class Number>
 Truth<SegmentSegment<Rational>> truth_of(const Segment2<Number>& a, const Segment2<Number>& b) {
-  const CommonScale<Number, 8> n = admitted(a, b);
+  const CommonScale<Number, 8> n = validated(a, b);
   return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
 }
 
@@ -68,7 +68,7 @@ Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const
 template Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>&, const Segment2<Rational>&);
 
 Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b) {
-  const CommonScale<double, 8> n = admitted(a, b);
+  const CommonScale<double, 8> n = validated(a, b);
   const Solved<Integer> s(n);
   const CommonPoints<Integer>& common = s.common;
   const auto line = [&](const char* kind, const Vector2<Integer>& normal) {
@@ -97,7 +97,7 @@ Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b) 
 }
 
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
-  const CommonScale<double, 8> n = admitted(a, b);
+  const CommonScale<double, 8> n = validated(a, b);
   if (n.bits() <= most_bits_in_words) {
     using Words = Segment2<std::int64_t>;
     return segment_segment_relation<Int128>(Words{{n.word(0), n.word(1)}, {n.word(2), n.word(3)}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/planes/point_ground_plane.h"
 
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/exact/space.h"
 
 namespace touchstone::oracle {
@@ -11,7 +11,7 @@ const Plane<Rational> ground{{0, 1, 0}, 0};
 
 template <class Number>
 Rational height(const Point3<Number>& point) {
-  door::admit("point", point);
+  validation::validate("point", point);
   return height_over(ground, exact(point));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/planes/point_plane.h"
 
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/exact/space.h"
 #include "oracle/exact/square_root.h"
 
@@ -16,7 +16,7 @@ struct Situation {
 
 template <class Number>
 Situation examine(const Plane<Number>& plane, const Point3<Number>& point) {
-  door::admit("plane", plane), door::admit("point", point);
+  validation::validate("plane", plane), validation::validate("point", point);
   const Plane<Rational> exactly = exact(plane);
   return {height_over(exactly, exact(point)), dot(exactly.normal, exactly.normal)};
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/exact/space.h"
 
 namespace touchstone::oracle {
@@ -19,7 +19,7 @@ struct Step {
 
 template <class Number>
 Step examine(const Plane<Number>& plane, const Point3<Number>& start, const Point3<Number>& end) {
-  door::admit("plane", plane), door::admit("start", start), door::admit("end", end);
+  validation::validate("plane", plane), validation::validate("start", start), validation::validate("end", end);
   const Plane<Rational> exactly = exact(plane);
   const Point3<Rational> from = exact(start);
   const Vector3<Rational> direction = exact(end) - from;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/exact/space.h"
 #include "oracle/exact/square_root.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 template <class Number>
 Vector3<Rational> area_of(const Polygon3<Number>& polygon) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   const Point3<Rational> first = exact(polygon[0]);
   Vector3<Rational> sum{0, 0, 0}, previous = exact(polygon[1]) - first;
   for (std::size_t i = 2; i < polygon.size(); ++i) {

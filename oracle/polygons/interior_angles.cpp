@@ -7,7 +7,7 @@
 
 #include "oracle/exact/direction.h"
 #include "oracle/exact/nearest_double.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 
@@ -35,9 +35,9 @@ AngleBetween enclosed(const Integer& x, const Integer& y) {
 
 template <class Number>
 std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   const WholeRing r(polygon);
-  if (const auto defect = ring_defect(r)) door::refuse("polygon", *defect);
+  if (const auto defect = ring_defect(r)) validation::refuse("polygon", *defect);
   const int winding = sgn(r.area());
   std::vector<AngleBetween> angles;
   for (std::size_t i = 0; i < r.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "oracle/exact/common_points.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 
@@ -20,23 +20,23 @@ struct Whole {
 };
 
 /// Refuses what is not convex: a simple polygon of some area with a turn against the sign of its area.
-void admit_convex(const WholeRing& ring) {
+void validate_convex(const WholeRing& ring) {
   const auto defect = ring_defect(ring);
-  if (defect && defect->first == defect->second) door::refuse("polygon", *defect);
+  if (defect && defect->first == defect->second) validation::refuse("polygon", *defect);
   bool turns = false;
   for (Index i = 0; i < ring.size(); ++i) turns = turns || ring.turn_at(i) != 0;  // neighbours differ
-  if (!turns) door::refuse_flat("polygon");
-  if (defect) door::refuse("polygon", *defect);
+  if (!turns) validation::refuse_flat("polygon");
+  if (defect) validation::refuse("polygon", *defect);
   const int winding = sgn(ring.area());
   for (Index i = 0; i < ring.size(); ++i) {
-    if (ring.turn_at(i) * winding < 0) door::refuse_reflex("polygon", i);
+    if (ring.turn_at(i) * winding < 0) validation::refuse_reflex("polygon", i);
   }
 }
 
 template <class Number>
-Whole admitted(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  door::admit("polygon", polygon), door::admit("point", point);
-  admit_convex(WholeRing(polygon));
+Whole validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  validation::validate("polygon", polygon), validation::validate("point", point);
+  validate_convex(WholeRing(polygon));
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
   WholeRing whole(all);
@@ -89,7 +89,7 @@ Found located(const Whole& w) {
 
 template <class Number>
 Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  const Whole w = admitted(polygon, point);
+  const Whole w = validated(polygon, point);
   const Location location = located(w).location;
   if (location == Location::boundary) return {location, Rational(0)};
   std::optional<Rational> least;
@@ -114,7 +114,7 @@ Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const P
 template Truth<Location> point_in_convex_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
 
 Certificate point_in_convex_polygon_certificate(const Polygon2d& polygon, const Point2d& point) {
-  const Whole w = admitted(polygon, point);
+  const Whole w = validated(polygon, point);
   if (const auto triangle = located(w).triangle) {
     const auto& [a, b, c] = triangle->areas;
     const Integer sum = a + b + c;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "oracle/exact/common_points.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
@@ -22,8 +22,8 @@ struct Around {
 };
 
 template <class Number>
-Around admitted(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  door::admit("polygon", polygon), door::admit("point", point);
+Around validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  validation::validate("polygon", polygon), validation::validate("point", point);
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
   WholeRing whole(all);
@@ -93,7 +93,7 @@ Rational least_squared_distance(const Ring& ring) {
 
 template <class Number>
 Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  const auto [ring, unit] = admitted(polygon, point);
+  const auto [ring, unit] = validated(polygon, point);
   if (edge_through_origin(ring)) return {Location::boundary, Rational(0)};
   const Location found = by_parity(ring, missing_ray(ring, false));
   if (by_parity(ring, missing_ray(ring, true)) != found) throw std::logic_error("point_in_polygon: two rays disagree");
@@ -111,11 +111,11 @@ Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<N
 template Truth<Location> point_in_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
 
 Location point_in_polygon_location(const Polygon2d& polygon, const Point2d& point) {
-  return location_by_winding<Integer>(admitted(polygon, point).ring);
+  return location_by_winding<Integer>(validated(polygon, point).ring);
 }
 
 Certificate point_in_polygon_certificate(const Polygon2d& polygon, const Point2d& point) {
-  const auto [ring, unit] = admitted(polygon, point);
+  const auto [ring, unit] = validated(polygon, point);
   if (const auto edge = edge_through_origin(ring)) {
     const Vector2<Integer> a = place(ring[*edge]), v = ring.next(*edge) - ring[*edge];
     const Integer length = dot(v, v), along = -dot(a, v);

@@ -6,7 +6,7 @@
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/elimination.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/lines/segment_segment.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
@@ -84,7 +84,7 @@ Rational depth(const WholeRing& r) {
 
 template <class Number>
 Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   const WholeRing r(polygon);
   if (repeated_neighbour(r) || on_one_line(r)) return {degenerate, Rational(0)};
   if (ring_defect(r)) return {not_simple, r.actual_area(depth(r))};
@@ -103,7 +103,7 @@ Rational parameter(const Point2<Rational>& p, const Segment2<Rational>& s) {
 }
 
 /// Two edges and the parameters of a common point that is no vertex shared by neighbours.
-Certificate common_point(const Polygon2d& polygon, const door::RingDefect& defect) {
+Certificate common_point(const Polygon2d& polygon, const validation::RingDefect& defect) {
   const auto edge = [&](std::size_t i) { return Segment2d{polygon[i], polygon.next(i)}; };
   const Segment2d a = edge(defect.first), b = edge(defect.second);
   const auto common = segment_segment(a, b).answer;
@@ -132,7 +132,7 @@ Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon) {
 template Truth<PolygonConvexity> polygon_convexity(const Polygon2<Rational>&);
 
 Certificate polygon_convexity_certificate(const Polygon2d& polygon) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   const WholeRing r(polygon);
   if (const auto i = repeated_neighbour(r)) return {"repeated_neighbour", {{"vertex", {Rational(*i)}}}};
   if (on_one_line(r)) {

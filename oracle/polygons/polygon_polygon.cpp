@@ -8,7 +8,7 @@
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/elimination.h"
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 
@@ -25,14 +25,14 @@ struct Rings {
 };
 
 template <class Number>
-void admit(const char* field, const Polygon2<Number>& ring) {
-  door::admit(field, ring);
-  if (const auto defect = ring_defect(WholeRing(ring))) door::refuse(field, *defect);
+void validate(const char* field, const Polygon2<Number>& ring) {
+  validation::validate(field, ring);
+  if (const auto defect = ring_defect(WholeRing(ring))) validation::refuse(field, *defect);
 }
 
 template <class Number>
-Rings admitted(const Polygon2<Number>& a, const Polygon2<Number>& b) {
-  admit("a", a), admit("b", b);
+Rings validated(const Polygon2<Number>& a, const Polygon2<Number>& b) {
+  validate("a", a), validate("b", b);
   Polygon2<Number> both = a;
   both.vertices.insert(both.vertices.end(), b.vertices.begin(), b.vertices.end());
   const WholeRing whole(both);
@@ -134,7 +134,7 @@ Rational margin_of(const Rings& rings) {
 
 template <class Number>
 Truth<Contact> truth_of(const Polygon2<Number>& a, const Polygon2<Number>& b) {
-  const Rings rings = admitted(a, b);
+  const Rings rings = validated(a, b);
   const Arrangement found = arrangement_of(rings.a, rings.b);
   const Contact contact = common_interior_point(rings.a, rings.b, found.cuts) ? Contact::overlapping
                           : found.touch                                       ? Contact::touching
@@ -148,7 +148,7 @@ Truth<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return 
 Truth<Contact> polygon_polygon(const Polygon2<Rational>& a, const Polygon2<Rational>& b) { return truth_of(a, b); }
 
 Certificate polygon_polygon_certificate(const Polygon2d& a, const Polygon2d& b) {
-  const Rings rings = admitted(a, b);
+  const Rings rings = validated(a, b);
   const auto actual = [&rings](const Rational& whole) { return Rational(whole * rings.unit); };
   Arrangement found = arrangement_of(rings.a, rings.b);
   if (const auto p = common_interior_point(rings.a, rings.b, found.cuts)) {

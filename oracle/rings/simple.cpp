@@ -21,17 +21,17 @@ SegmentRelation relation(const WholeRing& ring, Index i, Index j) {
 
 }  // namespace
 
-std::optional<door::RingDefect> ring_defect(const WholeRing& ring) {
+std::optional<validation::RingDefect> ring_defect(const WholeRing& ring) {
   const Index n = ring.size();
   for (Index i = 0; i < n; ++i) {
-    if (ring[i] == ring[ring.after(i)]) return door::RingDefect{i, i};
+    if (ring[i] == ring[ring.after(i)]) return validation::RingDefect{i, i};
   }
   for (Index i = 0; i < n; ++i) {
     for (Index j = i + 1; j < n; ++j) {
       const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
       const SegmentRelation found = relation(ring, i, j);
       if (found == SegmentRelation::overlap || (found == SegmentRelation::point && !neighbours))
-        return door::RingDefect{i, j};
+        return validation::RingDefect{i, j};
     }
   }
   return std::nullopt;

@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "geometry/door.h"
+#include "geometry/validation.h"
 #include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
 
 /// The first defect of a ring by definition: every pair of edges, asked for its common points. Empty: the ring is simple.
-std::optional<door::RingDefect> ring_defect(const WholeRing& ring);
+std::optional<validation::RingDefect> ring_defect(const WholeRing& ring);
 
 }  // namespace touchstone::oracle

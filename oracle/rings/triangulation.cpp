@@ -6,24 +6,24 @@
 #include <set>
 #include <utility>
 
-#include "oracle/exact/rational_door.h"
+#include "oracle/exact/rational_validation.h"
 #include "oracle/rings/simple.h"
 
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-WholeRing admitted(const Polygon2<Number>& polygon) {
-  door::admit("polygon", polygon);
+WholeRing validated(const Polygon2<Number>& polygon) {
+  validation::validate("polygon", polygon);
   WholeRing ring(polygon);
-  if (const auto defect = ring_defect(ring)) door::refuse("polygon", *defect);
+  if (const auto defect = ring_defect(ring)) validation::refuse("polygon", *defect);
   return ring;
 }
 
 }  // namespace
 
-WholeRing simple_ring(const Polygon2d& polygon) { return admitted(polygon); }
-WholeRing simple_ring(const Polygon2<Rational>& polygon) { return admitted(polygon); }
+WholeRing simple_ring(const Polygon2d& polygon) { return validated(polygon); }
+WholeRing simple_ring(const Polygon2<Rational>& polygon) { return validated(polygon); }
 
 std::vector<Index> counter_clockwise(const WholeRing& ring) {
   std::vector<Index> all(ring.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/catalogue/explained.h"
+#include "catalogue/explained.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numeric>
 
-#include "audit/catalogue/explained.h"
-#include "audit/judge/compare.h"
+#include "catalogue/explained.h"
+#include "catalogue/judge/compare.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/lines/segment_segment.h"
 #include "proptests/any_robust_bits.h"
@@ -42,7 +42,7 @@ struct Grid {
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
   const std::uint64_t all = operation.configurations(grid.size, list_length).value();
-  std::uint64_t step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1, legal = 0;
+  std::uint64_t step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1, valid = 0;
   while (std::gcd(step, static_cast<std::uint64_t>(grid.size)) != 1) ++step;  // else the last numbers would stand still
   for (std::uint64_t index = 0; index < all; index += step) {
     Question question = operation.on_grid(grid.size, index, list_length);
@@ -50,7 +50,7 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
     const auto shown = [&] { return audit::one_line(operation.print(question)); };
     try {
       const auto examination = operation.examine(question);
-      ++legal;
+      ++valid;
       if (examination->judge_robust().verdict != Verdict::agree) FAIL_CHECK("robust: " << shown());
       const std::string second = second_truth(operation, question);
       if (!second.empty() && second != examination->outcome())
@@ -65,7 +65,7 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
       if (!mismatch.empty()) FAIL_CHECK(mismatch << ": " << shown());
     }
   }
-  CHECK(legal > 0);
+  CHECK(valid > 0);
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ EACH_OPERATION("every outcome is reached, and every family asks what it is meant
       ledger[name].push_back(outcome);
     }
     for (const std::string& refusal : reached.refusals) CHECK(refusal.find("finite number") == std::string::npos);
-    // A family without a legal question is one that breaks a rule of its shape on purpose: always the same one.
+    // A family without a valid question is one that breaks a rule of its shape on purpose: always the same one.
     if (reached.outcomes.empty()) {
       std::set<std::string> rules;
       for (const std::string& refusal : reached.refusals) rules.insert(rule_of(refusal));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "audit/judge/examination_of.h"
+#include "catalogue/judge/examination_of.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"

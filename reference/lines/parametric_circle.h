@@ -11,7 +11,7 @@ namespace touchstone::reference {
 ///
 /// Deck p. 8: (r cos u, r sin u), moved to the centre: (cx + r cos u, cy + r sin u).
 /// circle: any unit of length; u: radians, counter-clockwise from the +x axis (y up), of any size.
-/// The curve is the circle itself, so there is nothing open or closed about it. Radius 0 is legal: the centre for every u.
+/// The curve is the circle itself, so there is nothing open or closed about it. Radius 0 is valid: the centre for every u.
 /// NaN or infinity: refused by robust and oracle (field, "finite number"); so is a negative radius ("radius >= 0").
 ///
 /// Rounding (binary64, to nearest, w = 2^-53): let the library's cosine C be off by at most one unit in its last place, that

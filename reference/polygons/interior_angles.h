@@ -13,7 +13,7 @@ namespace touchstone::reference {
 /// inside. 0 < angle < 2 pi; pi at a flat vertex. robust answers the nearest doubles, which is 0 for an angle below 2^-1075 and the double
 /// nearest to 2 pi for one that is nearly that.
 /// Refused by robust and oracle: NaN or infinity (polygon[i][k], "finite number"); fewer than 3 vertices (polygon, "at least 3
-/// vertices"); a polygon that is not simple (polygon[i], with the rules of geometry/door.h: a vertex that is the same as the next, or an
+/// vertices"); a polygon that is not simple (polygon[i], with the rules of geometry/validation.h: a vertex that is the same as the next, or an
 /// edge that meets another elsewhere than in the vertex that neighbours share). So a polygon on one line is refused too.
 ///
 /// Which side is the inside the slide does not say: the angles on the left of the ring add up to (n - 2) pi if it is that

@@ -9,8 +9,8 @@ namespace touchstone::reference {
 ///
 /// Deck p. 16-17: E = (y - ay)(bx - ax) - (x - ax)(by - ay) for every edge a -> b; inside where all E have one sign, outside where two
 /// have different ones. The slide does not say what E = 0 means: here `boundary`, unless two others differ.
-/// polygon, point: any unit of length, the same for both. Either direction; flat vertices are legal.
-/// Degenerate: none is legal. Refused by robust and oracle with field and rule, the first that applies: fewer than 3 vertices
+/// polygon, point: any unit of length, the same for both. Either direction; flat vertices are valid.
+/// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: fewer than 3 vertices
 /// (polygon, "at least 3 vertices"), NaN or infinity in either field ("finite number"), a vertex that is the next one too (polygon[i],
 /// "different from the next vertex"), all vertices on one line (polygon, "convex: vertices on one line have no inside"), an edge that
 /// meets another (polygon[i], "simple: ..."), a vertex where the ring turns against its direction (polygon[i], "convex: ...").

@@ -38,7 +38,7 @@
 ///     for double.
 /// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
 ///
-/// Half of the bound of cross_sign or of circle would be too small: proptests/robust/toy_halves.cpp and the families
+/// Half of the bound of cross_sign or of circle would be too small: proptests/machine/robust/toy_halves.cpp and the families
 /// past_half_the_bound have the inputs. The other three are looser, and say why.
 namespace touchstone::robust::filters {
 

@@ -13,7 +13,7 @@ namespace touchstone::robust {
 ///
 /// Every operation X follows one pattern. X_filter and X_lattice return std::optional, empty for "ask the next";
 /// X_exact always answers; X(..., Stage& decided) asks them in order and says who answered. The stage functions expect
-/// input that the door admits; X itself refuses other input. Where X also returns numbers, X_relation is the decision
+/// valid input; X itself refuses other input. Where X also returns numbers, X_relation is the decision
 /// alone.
 enum class Stage { filter, lattice, exact };
 

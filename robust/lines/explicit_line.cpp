@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/explicit_line.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/term_sum.h"
 
@@ -15,9 +15,9 @@ std::array<kernel::Term, 3> elevation(double slope, double intercept, const Poin
   return {kernel::term(point.y), -kernel::term(intercept), -kernel::term(slope, point.x)};
 }
 
-void admit(double slope, double intercept, const Point2d& point) {
-  if (kernel::all_finite(slope, intercept) && kernel::legal(point)) return;
-  door::admit("slope", slope), door::admit("intercept", intercept), door::admit("point", point);
+void validate(double slope, double intercept, const Point2d& point) {
+  if (kernel::all_finite(slope, intercept) && kernel::valid(point)) return;
+  validation::validate("slope", slope), validation::validate("intercept", intercept), validation::validate("point", point);
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Height explicit_line_exact(double slope, double intercept, const Point2d& point)
 }
 
 Height explicit_line_past_filter(double slope, double intercept, const Point2d& point, Stage& decided) {
-  admit(slope, intercept, point);
+  validate(slope, intercept, point);
   decided = Stage::lattice;
   if (const auto answer = explicit_line_lattice(slope, intercept, point)) return *answer;
   decided = Stage::exact;

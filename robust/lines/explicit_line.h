@@ -20,7 +20,7 @@ inline std::optional<Height> explicit_line_filter(double slope, double intercept
 std::optional<Height> explicit_line_lattice(double slope, double intercept, const Point2d& point);
 Height explicit_line_exact(double slope, double intercept, const Point2d& point);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 Height explicit_line_past_filter(double slope, double intercept, const Point2d& point, Stage& decided);
 
 inline Height explicit_line_for(filters::Sign certain) {

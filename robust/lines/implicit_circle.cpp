@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/implicit_circle.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust {
@@ -10,9 +10,9 @@ namespace {
 /// 1, 0, -1: inside, on, outside.
 Location location(int sign) { return sign > 0 ? Location::inside : sign < 0 ? Location::outside : Location::boundary; }
 
-void admit(const Circle2d& circle, const Point2d& point) {
-  if (kernel::legal(circle) && kernel::legal(point)) return;
-  door::admit("circle", circle), door::admit("point", point);
+void validate(const Circle2d& circle, const Point2d& point) {
+  if (kernel::valid(circle) && kernel::valid(point)) return;
+  validation::validate("circle", circle), validation::validate("point", point);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ Location implicit_circle_exact(const Circle2d& circle, const Point2d& point) {
 }
 
 Location implicit_circle_past_filter(const Circle2d& circle, const Point2d& point, Stage& decided) {
-  admit(circle, point);
+  validate(circle, point);
   decided = Stage::lattice;
   if (const auto answer = implicit_circle_lattice(circle, point)) return *answer;
   decided = Stage::exact;

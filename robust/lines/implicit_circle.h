@@ -21,11 +21,11 @@ inline std::optional<Location> implicit_circle_filter(const Circle2d& circle, co
 std::optional<Location> implicit_circle_lattice(const Circle2d& circle, const Point2d& point);
 Location implicit_circle_exact(const Circle2d& circle, const Point2d& point);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 Location implicit_circle_past_filter(const Circle2d& circle, const Point2d& point, Stage& decided);
 
 inline filters::Sign implicit_circle_sign(const Circle2d& circle, const Point2d& point) {
-  if (std::signbit(circle.radius)) return filters::Sign::unknown;  // -0.0, or for the door to refuse
+  if (std::signbit(circle.radius)) return filters::Sign::unknown;  // -0.0, or for validation to refuse
   return filters::circle(point - circle.center, circle.radius);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_line.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust {
@@ -41,9 +41,9 @@ auto as_integers(const Line2d& a, const Line2d& b) {
   return kernel::integers_of(a.p.x, a.p.y, a.q.x, a.q.y, b.p.x, b.p.y, b.q.x, b.q.y);
 }
 
-void admit(const Line2d& a, const Line2d& b) {
-  if (kernel::legal(a) && kernel::legal(b)) return;
-  door::admit("a", a), door::admit("b", b);
+void validate(const Line2d& a, const Line2d& b) {
+  if (kernel::valid(a) && kernel::valid(b)) return;
+  validation::validate("a", a), validation::validate("b", b);
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ LineLine<double> line_line_exact(const Line2d& a, const Line2d& b) {
 }
 
 LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, Stage& decided) {
-  admit(a, b);
+  validate(a, b);
   decided = Stage::lattice;
   if (const auto answer = line_line_relation_lattice(a, b)) return *answer;
   decided = Stage::exact;
@@ -79,7 +79,7 @@ LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, St
 }
 
 LineLine<double> line_line(const Line2d& a, const Line2d& b) {
-  admit(a, b);
+  validate(a, b);
   if (const auto answer = line_line_lattice(a, b)) return *answer;
   return line_line_exact(a, b);
 }

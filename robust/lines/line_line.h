@@ -24,7 +24,7 @@ LineRelation line_line_relation_exact(const Line2d& a, const Line2d& b);
 std::optional<LineLine<double>> line_line_lattice(const Line2d& a, const Line2d& b);
 LineLine<double> line_line_exact(const Line2d& a, const Line2d& b);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, Stage& decided);
 
 /// Knows only of lines that certainly cross.

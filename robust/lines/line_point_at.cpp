@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_point_at.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/term_sum.h"
 
@@ -24,9 +24,9 @@ double exact(double origin, double direction, double t) {
   return kernel::round_scaled(sum.n, sum.exponent);
 }
 
-void admit(const ParametricLine2d& line, double t) {
-  if (kernel::legal(line) && kernel::all_finite(t)) return;
-  door::admit("line", line), door::admit("t", t);
+void validate(const ParametricLine2d& line, double t) {
+  if (kernel::valid(line) && kernel::all_finite(t)) return;
+  validation::validate("line", line), validation::validate("t", t);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ Point2d line_point_at_exact(const ParametricLine2d& line, double t) {
 }
 
 Point2d line_point_at(const ParametricLine2d& line, double t, Stage& decided) {
-  admit(line, t);
+  validate(line, t);
   decided = Stage::lattice;
   if (const auto answer = line_point_at_lattice(line, t)) return *answer;
   decided = Stage::exact;

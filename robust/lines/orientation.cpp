@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/orientation.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust {
@@ -19,9 +19,9 @@ Side side_of(const std::array<Integer, 6>& n) {
   return side(kernel::turn(Point2<Integer>{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}));
 }
 
-void admit(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  if (kernel::legal(p0) && kernel::legal(p1) && kernel::legal(p)) return;
-  door::admit("p0", p0), door::admit("p1", p1), door::admit("p", p);
+void validate(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  if (kernel::valid(p0) && kernel::valid(p1) && kernel::valid(p)) return;
+  validation::validate("p0", p0), validation::validate("p1", p1), validation::validate("p", p);
 }
 
 }  // namespace
@@ -39,9 +39,9 @@ Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p) {
 Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
   decided = Stage::lattice;
   // Not orientation_lattice: an optional answer is put together in memory, which costs as much as the determinant.
-  // Numbers on a lattice are finite, so they need no door.
+  // Numbers on a lattice are finite: nothing to validate.
   if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y)) return side_of(lattice->at);
-  admit(p0, p1, p);
+  validate(p0, p1, p);
   decided = Stage::exact;
   return orientation_exact(p0, p1, p);
 }

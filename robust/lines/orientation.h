@@ -20,7 +20,7 @@ inline std::optional<Side> orientation_filter(const Point2d& p0, const Point2d& 
 std::optional<Side> orientation_lattice(const Point2d& p0, const Point2d& p1, const Point2d& p);
 Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
 
 inline Side orientation_for(filters::Sign certain) {

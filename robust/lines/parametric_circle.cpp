@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/parametric_circle.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/sine_cosine.h"
 #include "robust/kernel/term_sum.h"
@@ -37,18 +37,18 @@ double sum_rounded(double a, double b) {
   return kernel::round_scaled(exact.n, exact.exponent);
 }
 
-void admit(const Circle2d& circle, double u) {
-  if (kernel::legal(circle) && kernel::all_finite(u)) return;
-  door::admit("circle", circle), door::admit("u", u);
+void validate(const Circle2d& circle, double u) {
+  if (kernel::valid(circle) && kernel::all_finite(u)) return;
+  validation::validate("circle", circle), validation::validate("u", u);
 }
 
 }  // namespace
 
 Point2d parametric_circle(const Circle2d& circle, double u) {
-  admit(circle, u);
+  validate(circle, u);
   const Point2d& c = circle.center;
-  if (door::zero(circle.radius)) return {sum_rounded(c.x, 0), sum_rounded(c.y, 0)};
-  if (door::zero(u)) return {sum_rounded(c.x, circle.radius), sum_rounded(c.y, 0)};
+  if (validation::zero(circle.radius)) return {sum_rounded(c.x, 0), sum_rounded(c.y, 0)};
+  if (validation::zero(u)) return {sum_rounded(c.x, circle.radius), sum_rounded(c.y, 0)};
   // The sine and cosine of a rational number other than 0 are transcendental (Lindemann), so both coordinates are:
   // never zero, never a double, never half-way between two. Some precision therefore tells on which side of every such
   // number they lie.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/point_on_segment.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust {
@@ -40,9 +40,9 @@ auto as_integers(const Point2d& p, const Segment2d& s) {
   return kernel::integers_of(p.x, p.y, s.a.x, s.a.y, s.b.x, s.b.y).at;
 }
 
-void admit(const Point2d& point, const Segment2d& segment) {
-  if (kernel::legal(point) && kernel::legal(segment)) return;
-  door::admit("point", point), door::admit("segment", segment);
+void validate(const Point2d& point, const Segment2d& segment) {
+  if (kernel::valid(point) && kernel::valid(segment)) return;
+  validation::validate("point", point), validation::validate("segment", segment);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segmen
 Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided) {
   decided = Stage::lattice;
   if (const auto answer = point_on_segment_relation_lattice(point, segment)) return *answer;  // all finite
-  admit(point, segment);
+  validate(point, segment);
   decided = Stage::exact;
   return point_on_segment_relation_exact(point, segment);
 }
@@ -80,7 +80,7 @@ Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segm
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
   if (point_on_segment_relation_filter(point, segment) == Incidence::off) return {Incidence::off, std::nullopt};
   if (const auto answer = point_on_segment_lattice(point, segment)) return *answer;  // all finite
-  admit(point, segment);
+  validate(point, segment);
   return point_on_segment_exact(point, segment);
 }
 

@@ -24,7 +24,7 @@ Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d&
 std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment);
 PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segment2d& segment);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided);
 
 /// Knows only of points that are certainly off the line of the segment.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/ray_segment.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust {
@@ -99,9 +99,9 @@ Question<mpz_class> as_integers(const Ray2d& ray, const Segment2d& s) {
   return {{n[0], n[1]}, {v.at[0], v.at[1]}, {{n[2], n[3]}, {n[4], n[5]}}, p.exponent, v.exponent};
 }
 
-void admit(const Ray2d& ray, const Segment2d& segment) {
-  if (kernel::legal(ray) && kernel::legal(segment)) return;
-  door::admit("ray", ray), door::admit("segment", segment);
+void validate(const Ray2d& ray, const Segment2d& segment) {
+  if (kernel::valid(ray) && kernel::valid(segment)) return;
+  validation::validate("ray", ray), validation::validate("segment", segment);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ RaySegment<double> ray_segment_exact(const Ray2d& ray, const Segment2d& segment)
 }
 
 RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& segment, Stage& decided) {
-  admit(ray, segment);
+  validate(ray, segment);
   decided = Stage::lattice;
   if (const auto answer = ray_segment_relation_lattice(ray, segment)) return *answer;
   decided = Stage::exact;
@@ -136,7 +136,7 @@ RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& 
 
 RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment) {
   if (ray_segment_relation_filter(ray, segment) == RayRelation::none) return {RayRelation::none, {}, {}, {}};
-  admit(ray, segment);
+  validate(ray, segment);
   if (const auto answer = ray_segment_lattice(ray, segment)) return *answer;
   return ray_segment_exact(ray, segment);
 }

@@ -24,7 +24,7 @@ RayRelation ray_segment_relation_exact(const Ray2d& ray, const Segment2d& segmen
 std::optional<RaySegment<double>> ray_segment_lattice(const Ray2d& ray, const Segment2d& segment);
 RaySegment<double> ray_segment_exact(const Ray2d& ray, const Segment2d& segment);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& segment, Stage& decided);
 
 /// Without a branch: nobody can predict whether a ray meets a segment.

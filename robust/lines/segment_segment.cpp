@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/segment_segment.h"
 
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust {
@@ -85,15 +85,15 @@ auto as_integers(const Segment2d& a, const Segment2d& b) {
   return kernel::integers_of(a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y);
 }
 
-void admit(const Segment2d& a, const Segment2d& b) {
-  if (kernel::legal(a) && kernel::legal(b)) return;
-  door::admit("a", a), door::admit("b", b);
+void validate(const Segment2d& a, const Segment2d& b) {
+  if (kernel::valid(a) && kernel::valid(b)) return;
+  validation::validate("a", a), validation::validate("b", b);
 }
 
 /// The filter's boxes; refuses what is not finite.
 bool apart(const Segment2d& a, const Segment2d& b) {
   if (!filters::apart(a, b)) return false;
-  admit(a, b);
+  validate(a, b);
   return true;
 }
 
@@ -126,7 +126,7 @@ SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const S
   if (apart(a, b)) return SegmentRelation::disjoint;
   decided = Stage::lattice;
   if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;  // all finite
-  admit(a, b);
+  validate(a, b);
   decided = Stage::exact;
   return segment_segment_relation_exact(a, b);
 }
@@ -136,7 +136,7 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   const bool disjoint = sign == filters::Sign::positive || (sign == filters::Sign::unknown && apart(a, b));
   if (disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
   if (const auto answer = segment_segment_lattice(a, b)) return *answer;  // all finite
-  admit(a, b);
+  validate(a, b);
   return segment_segment_exact(a, b);
 }
 

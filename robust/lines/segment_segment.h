@@ -25,7 +25,7 @@ SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment
 std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b);
 SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d& b);
 
-/// What the arithmetic of the filter leaves open: the door, the filter's boxes, the other stages.
+/// What the arithmetic of the filter leaves open: validation, the filter's boxes, the other stages.
 SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided);
 
 /// Without a branch: nobody can predict whether segments cross.

@@ -2,7 +2,7 @@
 #include "robust/planes/point_plane.h"
 
 #include "robust/kernel/cgal_predicates.h"
-#include "robust/kernel/legal_space.h"
+#include "robust/kernel/valid_space.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/rounding.h"
 
@@ -20,9 +20,9 @@ double distance(const Scaled<mpz_class>& height, const Plane3d& plane) {
   return kernel::with_sign(size, sgn(height.n));
 }
 
-void admit(const Plane3d& plane, const Point3d& point) {
-  if (kernel::legal(plane) && kernel::legal(point)) return;
-  door::admit("plane", plane), door::admit("point", point);
+void validate(const Plane3d& plane, const Point3d& point) {
+  if (kernel::valid(plane) && kernel::valid(point)) return;
+  validation::validate("plane", plane), validation::validate("point", point);
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ PlaneSide point_plane_side_exact(const Plane3d& plane, const Point3d& point) {
 }
 
 PlaneSide point_plane_side_past_filter(const Plane3d& plane, const Point3d& point, Stage& decided) {
-  admit(plane, point);
+  validate(plane, point);
   decided = Stage::lattice;
   if (const auto answer = point_plane_side_lattice(plane, point)) return *answer;
   decided = Stage::exact;
@@ -58,7 +58,7 @@ PointPlane<double> point_plane_exact(const Plane3d& plane, const Point3d& point)
 }
 
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point) {
-  admit(plane, point);
+  validate(plane, point);
   if (const auto answer = point_plane_lattice(plane, point)) return *answer;
   return point_plane_exact(plane, point);
 }

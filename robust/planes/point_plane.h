@@ -24,7 +24,7 @@ PlaneSide point_plane_side_exact(const Plane3d& plane, const Point3d& point);
 std::optional<PointPlane<double>> point_plane_lattice(const Plane3d& plane, const Point3d& point);
 PointPlane<double> point_plane_exact(const Plane3d& plane, const Point3d& point);
 
-/// The door, then the stages after the filter.
+/// Validation, then the stages after the filter.
 PlaneSide point_plane_side_past_filter(const Plane3d& plane, const Point3d& point, Stage& decided);
 
 inline std::optional<PlaneSide> point_plane_side_filter(const Plane3d& plane, const Point3d& point) {

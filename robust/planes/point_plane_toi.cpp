@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/point_plane_toi.h"
 
-#include "robust/kernel/legal_space.h"
+#include "robust/kernel/valid_space.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/plane_terms.h"
 
@@ -11,7 +11,7 @@ namespace {
 using kernel::Int128;
 
 /// -0.0 is 0, whatever the environment makes of it.
-double positive_zero(double x) { return door::zero(x) ? 0.0 : x; }
+double positive_zero(double x) { return validation::zero(x) ? 0.0 : x; }
 
 FirstHit<double> at_start(const Point3d& start) {
   return {HitRelation::hit, 0.0, Point3d{positive_zero(start.x), positive_zero(start.y), positive_zero(start.z)}};
@@ -48,9 +48,9 @@ std::optional<Int128> in_units(const kernel::Scaled<Int128>& x, int exponent) {
   return x.n * (Int128{1} << shift);
 }
 
-void admit(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  if (kernel::legal(plane) && kernel::legal(start) && kernel::legal(end)) return;
-  door::admit("plane", plane), door::admit("start", start), door::admit("end", end);
+void validate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+  if (kernel::valid(plane) && kernel::valid(start) && kernel::valid(end)) return;
+  validation::validate("plane", plane), validation::validate("start", start), validation::validate("end", end);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ PointPlaneToi<double> point_plane_toi_exact(const Plane3d& plane, const Point3d&
 PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end, Stage& decided) {
   decided = Stage::filter;
   if (const auto answer = point_plane_toi_filter(plane, start, end)) return *answer;
-  admit(plane, start, end);
+  validate(plane, start, end);
   decided = Stage::lattice;
   if (const auto answer = point_plane_toi_lattice(plane, start, end)) return *answer;
   decided = Stage::exact;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/polygon_normal.h"
 
-#include "geometry/door.h"
+#include "geometry/validation.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/points_in_space.h"
 
@@ -61,7 +61,7 @@ std::optional<PolygonNormal<double>> polygon_normal_lattice(const Polygon3d& pol
 PolygonNormal<double> polygon_normal_exact(const Polygon3d& polygon) { return answer_of(kernel::integers_of(polygon)); }
 
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon, Stage& decided) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   decided = Stage::lattice;
   if (const auto answer = polygon_normal_lattice(polygon)) return *answer;
   decided = Stage::exact;

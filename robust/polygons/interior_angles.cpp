@@ -30,8 +30,8 @@ double angle(const Point2d& p, const Point2d& from, const Point2d& to) {
 }  // namespace
 
 std::vector<double> interior_angles(const Polygon2d& polygon) {
-  door::admit("polygon", polygon);
-  if (const auto defect = ring_defect(polygon)) door::refuse("polygon", *defect);
+  validation::validate("polygon", polygon);
+  if (const auto defect = ring_defect(polygon)) validation::refuse("polygon", *defect);
   const bool ccw = counter_clockwise(polygon);
   std::vector<double> angles;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "geometry/door.h"
+#include "geometry/validation.h"
 #include "robust/lines/orientation.h"
 #include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
@@ -12,25 +12,25 @@ namespace touchstone::robust {
 namespace {
 
 /// The side of the inside, for a polygon that is convex; others are refused.
-Side admit_convex(const Polygon2d& polygon, Stage& decided) {
+Side validate_convex(const Polygon2d& polygon, Stage& decided) {
   const PolygonConvexity found = polygon_convexity(polygon, decided);
   const Side inner = found.orientation == Winding::ccw ? Side::left : Side::right;
   if (found.polygon_class == PolygonClass::convex) return inner;
   const auto defect = ring_defect(polygon);
   if (defect && (defect->first == defect->second || found.polygon_class == PolygonClass::not_simple))
-    door::refuse("polygon", *defect);
-  if (found.polygon_class == PolygonClass::degenerate) door::refuse_flat("polygon");
+    validation::refuse("polygon", *defect);
+  if (found.polygon_class == PolygonClass::degenerate) validation::refuse_flat("polygon");
   for (std::size_t i = 0;; ++i) {
     const Side turn = orientation(polygon.previous(i), polygon[i], polygon.next(i));
-    if (turn != inner && turn != Side::on) door::refuse_reflex("polygon", i);
+    if (turn != inner && turn != Side::on) validation::refuse_reflex("polygon", i);
   }
 }
 
 }  // namespace
 
 Location point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point, Stage& decided) {
-  door::admit("polygon", polygon), door::admit("point", point);
-  const Side inner = admit_convex(polygon, decided);
+  validation::validate("polygon", polygon), validation::validate("point", point);
+  const Side inner = validate_convex(polygon, decided);
   bool on = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     Stage stage;

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "robust/kernel/filters.h"
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 #include "robust/lines/orientation.h"
 
@@ -202,23 +202,23 @@ Part whole(const Polygon2d& polygon) {
   return {&polygon.vertices.back(), begin, begin + polygon.size(), true};
 }
 
-void admit(const Polygon2d& polygon, const Point2d& point) {
-  bool legal = polygon.size() >= 3 && kernel::legal(point);
-  for (const Point2d& vertex : polygon.vertices) legal &= kernel::legal(vertex);
-  if (!legal) door::admit("polygon", polygon), door::admit("point", point);
+void validate(const Polygon2d& polygon, const Point2d& point) {
+  bool valid = polygon.size() >= 3 && kernel::valid(point);
+  for (const Point2d& vertex : polygon.vertices) valid &= kernel::valid(vertex);
+  if (!valid) validation::validate("polygon", polygon), validation::validate("point", point);
 }
 
-/// The door, then the stages for one part after another: one hard edge does not make all of them hard.
+/// Validation, then the stages for one part after another: one hard edge does not make all of them hard.
 Location past_filter(const Polygon2d& polygon, const Point2d& point, Stage& decided) {
   constexpr std::ptrdiff_t edges_of_a_part = 16;
-  if (polygon.size() < 3) admit(polygon, point);
+  if (polygon.size() < 3) validate(polygon, point);
   const Part ring = whole(polygon);
   decided = Stage::lattice;
   const bool one_part = ring.last - ring.first <= edges_of_a_part;
   if (one_part) {
     if (const auto found = by_lattice(ring, point)) return *found;  // all finite
   }
-  admit(polygon, point);
+  validate(polygon, point);
   int failures = one_part ? 2 : 0;
   bool odd = false;
   Part part{ring.before, ring.first, ring.first, false};

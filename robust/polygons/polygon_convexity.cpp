@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "robust/kernel/control_word.h"
-#include "robust/kernel/legal.h"
+#include "robust/kernel/valid.h"
 #include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
 
@@ -39,7 +39,7 @@ Walk walk(const Polygon2d& ring) {
 
 bool repeated_neighbours(const Polygon2d& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (door::same(ring[i].x, ring.next(i).x) && door::same(ring[i].y, ring.next(i).y)) return true;
+    if (validation::same(ring[i].x, ring.next(i).x) && validation::same(ring[i].y, ring.next(i).y)) return true;
   }
   return false;
 }
@@ -47,7 +47,7 @@ bool repeated_neighbours(const Polygon2d& ring) {
 }  // namespace
 
 PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   decided = Stage::filter;
   const PolygonConvexity degenerate{PolygonClass::degenerate, false, Winding::none};
   const PolygonConvexity not_simple{PolygonClass::not_simple, false, Winding::none};

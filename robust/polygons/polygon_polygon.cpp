@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/door.h"
+#include "geometry/validation.h"
 #include "robust/kernel/control_word.h"
 #include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
@@ -126,15 +126,15 @@ class Meeting {
   Polygon2d a_, b_;
 };
 
-void admit(const char* field, const Polygon2d& polygon) {
-  door::admit(field, polygon);
-  if (const auto defect = ring_defect(polygon)) door::refuse(field, *defect);
+void validate(const char* field, const Polygon2d& polygon) {
+  validation::validate(field, polygon);
+  if (const auto defect = ring_defect(polygon)) validation::refuse(field, *defect);
 }
 
 }  // namespace
 
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b, Stage& decided) {
-  admit("a", a), admit("b", b);
+  validate("a", a), validate("b", b);
   const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
   decided = Stage::filter;
   return Meeting(a, b, decided).contact();

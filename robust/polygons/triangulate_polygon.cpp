@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polygons/triangulate_polygon.h"
 
-#include "geometry/door.h"
+#include "geometry/validation.h"
 #include "robust/kernel/control_word.h"
 #include "robust/rings/simple.h"
 #include "robust/rings/sweep.h"
@@ -9,12 +9,12 @@
 namespace touchstone::robust {
 
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon, Stage& decided) {
-  door::admit("polygon", polygon);
+  validation::validate("polygon", polygon);
   {
     const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
     if (auto triangles = triangulated_by_sweep(polygon, decided)) return *std::move(triangles);
   }
-  door::refuse("polygon", ring_defect(polygon).value());
+  validation::refuse("polygon", ring_defect(polygon).value());
 }
 
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon) {

@@ -34,7 +34,7 @@ class Pairs {
               [&](std::size_t i, std::size_t j) { return boxes_[i].left < boxes_[j].left; });
   }
 
-  std::optional<door::RingDefect> first_defect() {
+  std::optional<validation::RingDefect> first_defect() {
     std::vector<std::size_t> active;
     for (const std::size_t i : order_) {
       std::erase_if(active, [&](std::size_t j) { return boxes_[j].right < boxes_[i].left; });
@@ -58,14 +58,14 @@ class Pairs {
   const Polygon2d& ring_;
   std::vector<Box> boxes_;
   std::vector<std::size_t> order_;
-  std::optional<door::RingDefect> first_;
+  std::optional<validation::RingDefect> first_;
 };
 
 }  // namespace
 
-std::optional<door::RingDefect> ring_defect(const Polygon2d& ring) {
+std::optional<validation::RingDefect> ring_defect(const Polygon2d& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (door::same(ring[i].x, ring.next(i).x) && door::same(ring[i].y, ring.next(i).y)) return door::RingDefect{i, i};
+    if (validation::same(ring[i].x, ring.next(i).x) && validation::same(ring[i].y, ring.next(i).y)) return validation::RingDefect{i, i};
   }
   const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
   if (simple_by_sweep(ring)) return std::nullopt;

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/audit_run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "catalogue/families/shrink.h"
+#include "audit/parallel.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr std::uint64_t batch_size = 1024;
+
+/// Our reference in double, as if it were somebody's engine.
+const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
+
+/// One job: a share of the batches of one operation.
+class Worker {
+ public:
+  Worker(const AuditOptions& options, const Operation& operation, const std::vector<std::size_t>& families,
+         Engine* engine, const std::atomic<bool>& stop)
+      : options_(options),
+        operation_(operation),
+        families_(families),
+        engine_(engine),
+        stop_(stop),
+        asked_(families.size()),
+        robust_(families.size()) {}
+
+  void run_batch(std::uint64_t first, std::uint64_t last) {
+    std::vector<Pending> pending;
+    for (std::uint64_t i = first; i < last; ++i) prepare(i, pending);
+    std::vector<Reply> replies;
+    if (engine_ != nullptr && engine_->supports(operation_.name())) {
+      std::vector<Question> questions;
+      for (const Pending& p : pending) questions.push_back(p.question);
+      replies = engine_->ask(operation_, questions);
+    }
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      const Pending& p = pending[i];
+      const std::string outcome = p.examination->outcome();
+      if (engine_ == nullptr) {
+        count(asked_[p.family], p.question, p.examination->judge_reference(), outcome, p.index, nullptr);
+      } else {
+        const Reply reply = replies.empty() ? Reply{Reply::Kind::unsupported, nullptr, ""} : replies[i];
+        if (!reply.asked && stop_) continue;
+        if (reply.asked) {
+          count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index,
+                reply.answer);
+        } else {
+          ++asked_[p.family].not_asked;
+          asked_[p.family].given_up = reply.remark;
+        }
+      }
+      count(robust_[p.family], p.question, p.examination->judge_robust(), outcome, p.index, nullptr);
+    }
+  }
+
+  const std::vector<Cell>& asked() const { return asked_; }
+  const std::vector<Cell>& robust() const { return robust_; }
+
+ private:
+  struct Pending {
+    std::size_t family;
+    std::uint64_t index;
+    Question question;
+    std::unique_ptr<Examination> examination;
+  };
+
+  void prepare(std::uint64_t i, std::vector<Pending>& pending) {
+    const std::size_t family = i % families_.size();
+    const std::uint64_t index = i / families_.size();
+    Choices choices = case_choices(operation_, families_[family], options_.seed, index);
+    Question question = operation_.draw(choices, families_[family]);
+    if (engine_ != nullptr && engine_->declaration().binary32) question = operation_.in_binary32(question);
+    try {
+      auto examination = operation_.examine(question);
+      pending.push_back({family, index, std::move(question), std::move(examination)});
+    } catch (const InvalidInput& refused) {
+      asked_[family].refuse(refused.rule());
+      robust_[family].refuse(refused.rule());
+      const std::string mismatch = operation_.refusal_mismatch(question);
+      if (!mismatch.empty())
+        count(robust_[family], question, {Verdict::invalid, 0, mismatch, 0}, "refused", index, nullptr);
+    }
+  }
+
+  const AuditOptions& options_;
+  const Operation& operation_;
+  const std::vector<std::size_t>& families_;
+  Engine* engine_;
+  const std::atomic<bool>& stop_;
+  std::vector<Cell> asked_, robust_;
+};
+
+/// Replaces each smallest finding by a still smaller one of the same verdict, on its stream of choices.
+void shrink_findings(const Operation& operation, std::size_t family, std::uint64_t seed, Cell& cell, Engine* engine,
+                     bool robust) {
+  const Declaration& declaration = engine != nullptr ? engine->declaration() : reference_declaration;
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    if (!cell.smallest[v]) continue;
+    Finding& finding = *cell.smallest[v];
+    Choices choices = case_choices(operation, family, seed, finding.index, true);
+    operation.draw(choices, family);
+    const auto look = [&](const std::vector<std::uint8_t>& bytes) {
+      Choices replay = Choices::replayed(bytes);
+      Question question = operation.draw(replay, family);
+      if (declaration.binary32) question = operation.in_binary32(question);
+      Finding found{question, {}, nullptr, finding.index};
+      try {
+        const auto examination = operation.examine(question);
+        if (robust) {
+          found.judgement = examination->judge_robust();
+          found.answer = examination->robust();
+        } else if (engine == nullptr) {
+          found.judgement = examination->judge_reference();
+          found.answer = examination->reference();
+        } else {
+          const Reply reply = engine->ask(operation, {question})[0];
+          if (!reply.asked) return found;
+          found.judgement = judged(reply, *examination, declaration);
+          found.answer = reply.answer;
+        }
+      } catch (const InvalidInput&) {
+      }
+      return found;
+    };
+    const bool slow = cell.smallest[v]->judgement.verdict == Verdict::invalid && engine != nullptr && !robust;
+    const auto bytes = shrunk(
+        choices.recorded(),
+        [&](const auto& candidate) { return static_cast<std::size_t>(look(candidate).judgement.verdict) == v; },
+        slow                ? 20
+        : engine != nullptr ? 300
+                            : 2000);
+    Finding least = look(bytes);
+    if (static_cast<std::size_t>(least.judgement.verdict) != v || smaller(finding.question, least.question)) {
+      least = look(choices.recorded());  // only to have the answer beside the question as it was drawn
+    }
+    if (static_cast<std::size_t>(least.judgement.verdict) == v) finding = std::move(least);
+  }
+}
+
+void require_an_operation(const Engine& engine, const AuditOptions& options) {
+  const auto has = [&](const Operation* operation) { return engine.supports(operation->name()); };
+  if (std::any_of(options.operations.begin(), options.operations.end(), has)) return;
+  std::string asked;
+  for (const Operation* operation : options.operations) asked += (asked.empty() ? "" : ", ") + operation->name();
+  throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
+}
+
+std::vector<std::size_t> chosen_families(const Operation& operation, const std::vector<std::string>& names) {
+  std::vector<std::size_t> chosen;
+  const auto& all = operation.families();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (names.empty() || std::find(names.begin(), names.end(), all[i]) != names.end()) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
+  switch (reply.kind) {
+    case Reply::Kind::unsupported: return {Verdict::unsupported, 0, "", 0};
+    case Reply::Kind::failed: return {Verdict::invalid, 0, reply.remark, 0};
+    default: return examination.judge_engine(reply.answer, declaration);
+  }
+}
+
+void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome,
+           std::uint64_t index, const Json& answer) {
+  const auto v = static_cast<std::size_t>(judgement.verdict);
+  ++cell.counts[v];
+  ++cell.outcomes[outcome];
+  // A decision that rounding may have taken, or none at all, says nothing about the convention.
+  const bool meant = judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::invalid;
+  if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
+  if (meant && judgement.touch_reading < 0) ++cell.touches_open;
+  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact) {
+    cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
+  }
+  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::unsupported) return;
+  if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question))
+    cell.smallest[v] = Finding{question, judgement, answer, index};
+}
+
+Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                     bool record) {
+  const std::string stream = operation.name() + "/" + operation.families()[family];
+  return Choices::seeded(seed_of(seed, stream.c_str(), index), record);
+}
+
+Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
+                const std::function<void(const std::string&, std::uint64_t)>& progress) {
+  std::vector<std::unique_ptr<Engine>> engines(static_cast<std::size_t>(std::max(1, options.jobs)));
+  if (options.engine) {
+    for (auto& engine : engines) engine = options.engine();
+  }
+  if (options.engine) require_an_operation(*engines[0], options);
+  Tally tally;
+  tally.declaration = options.engine ? engines[0]->declaration() : reference_declaration;
+  tally.seed = options.seed;
+  tally.cases = options.cases;
+  for (const Operation* operation : options.operations) {
+    const std::vector<std::size_t> families = chosen_families(*operation, options.families);
+    if (families.empty() || (options.engine && operation->card().is_method())) continue;
+    std::vector<Worker> workers;
+    for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get(), stop);
+    std::atomic<std::uint64_t> next{0};
+    const auto started = std::chrono::steady_clock::now();
+    in_parallel(options.jobs, workers.size(), [&](std::size_t w) {
+      for (std::uint64_t first; !stop && (first = next.fetch_add(batch_size)) < options.cases;) {
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
+        if (options.seconds > 0 && spent.count() > options.seconds) break;
+        try {
+          workers[w].run_batch(first, std::min(first + batch_size, options.cases));
+        } catch (...) {
+          next = options.cases;  // nobody needs the answers that the others would get
+          throw;
+        }
+        progress(operation->name(), first);
+      }
+    });
+    OperationTally asked{operation->name(), {}}, robust{operation->name(), {}};
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      Cell of_asked, of_robust;
+      for (const Worker& worker : workers) of_asked.merge(worker.asked()[f]), of_robust.merge(worker.robust()[f]);
+      shrink_findings(*operation, families[f], options.seed, of_asked, engines[0].get(), false);
+      shrink_findings(*operation, families[f], options.seed, of_robust, nullptr, true);
+      asked.families.emplace_back(operation->families()[families[f]], std::move(of_asked));
+      robust.families.emplace_back(operation->families()[families[f]], std::move(of_robust));
+    }
+    tally.operations.push_back(std::move(asked));
+    tally.robust.push_back(std::move(robust));
+    if (stop) break;
+  }
+  tally.interrupted = stop;
+  return tally;
+}
+
+}  // namespace touchstone::audit

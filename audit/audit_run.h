@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "audit/engines/engine.h"
+#include "audit/tally.h"
+
+namespace touchstone::audit {
+
+struct AuditOptions {
+  std::vector<const Operation*> operations;
+  std::vector<std::string> families;  ///< empty: all
+  std::uint64_t cases = 20000;        ///< per operation, dealt out over its families in turn
+  std::uint64_t seed = 1;
+  double seconds = 0;  ///< per operation; 0: no limit. With a limit the number of cases depends on the machine.
+  int jobs = 1;
+  /// A fresh engine; called once a job. Empty: our reference in double.
+  std::function<std::unique_ptr<Engine>()> engine;
+};
+
+/// Asks the engine and robust the same questions, judges both by the oracle and shrinks what it found. The same options give the same tally
+/// whatever `jobs` is. `stop` ends the run early with what there is; `progress` hears (operation, cases done).
+Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
+                const std::function<void(const std::string&, std::uint64_t)>& progress);
+
+/// The verdict on what an engine replied to a question.
+Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
+
+/// Counts one judged case into a cell and keeps the question if it is the smallest of its verdict.
+void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome,
+           std::uint64_t index, const Json& answer);
+
+/// The choices that give case `index` of a family.
+Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                     bool record = false);
+
+}  // namespace touchstone::audit

@@ -1,4 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "audit/cli/program.h"
-
-int main(int argc, char** argv) { return touchstone::audit::run_program(argc, argv); }

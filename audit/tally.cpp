@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/tally.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <tuple>
+
+#include "geometry/invalid_input.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// How much there is to read in a list of numbers: the digits that they take when written out without exponents, so that
+/// 0.1 is shorter than 5e-324 although both have one significant digit; then the powers of ten.
+struct Length {
+  std::uint64_t digits = 0, exponents = 0;
+};
+
+Length length(const Question& question) {
+  Length sum;
+  for (const double number : question.numbers) {
+    if (number == 0) {
+      sum.digits += std::signbit(number) ? 2 : 0;
+      continue;
+    }
+    char text[40];
+    const char* end = std::to_chars(text, text + sizeof text, number, std::chars_format::scientific).ptr;
+    const char* mark = std::find<const char*>(text, end, 'e');
+    if (mark == end) continue;
+    const auto significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
+    const long exponent = std::atol(std::string(mark + 1, end).c_str());
+    sum.digits +=
+        static_cast<std::uint64_t>(exponent < 0 ? significant - exponent : std::max(significant, exponent + 1));
+    sum.exponents += static_cast<std::uint64_t>(std::labs(exponent));
+  }
+  return sum;
+}
+
+void keep_smallest(std::optional<Finding>& kept, const std::optional<Finding>& other) {
+  if (!other) return;
+  const bool same = kept && !smaller(kept->question, other->question) && !smaller(other->question, kept->question);
+  if (!kept || (same ? other->index < kept->index : smaller(other->question, kept->question))) kept = other;
+}
+
+void merge_operations(std::vector<OperationTally>& into, const std::vector<OperationTally>& from) {
+  for (const OperationTally& other : from) {
+    const auto same_name = [&](const OperationTally& t) { return t.operation == other.operation; };
+    const auto found = std::find_if(into.begin(), into.end(), same_name);
+    if (found == into.end()) {
+      into.push_back(other);
+      continue;
+    }
+    for (const auto& [family, cell] : other.families) {
+      const auto same_family = [&, name = family](const auto& entry) { return entry.first == name; };
+      const auto entry = std::find_if(found->families.begin(), found->families.end(), same_family);
+      if (entry == found->families.end()) {
+        found->families.emplace_back(family, cell);
+      } else {
+        entry->second.merge(cell);
+      }
+    }
+  }
+}
+
+/// The catalogue's order, whatever was merged first; operations and families that it does not know come last, by name.
+void put_in_order(std::vector<OperationTally>& tallies) {
+  const auto place = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::pair(std::find(names.begin(), names.end(), name) - names.begin(), name);
+  };
+  std::vector<std::string> operations;
+  for (const Operation* operation : catalogue()) operations.push_back(operation->name());
+  std::sort(tallies.begin(), tallies.end(), [&](const OperationTally& a, const OperationTally& b) {
+    return place(operations, a.operation) < place(operations, b.operation);
+  });
+  for (OperationTally& tally : tallies) {
+    const Operation* operation = find_operation(tally.operation);
+    const std::vector<std::string> families = operation ? operation->families() : std::vector<std::string>();
+    std::sort(tally.families.begin(), tally.families.end(),
+              [&](const auto& a, const auto& b) { return place(families, a.first) < place(families, b.first); });
+  }
+}
+
+bool share_a_family(const std::vector<OperationTally>& a, const std::vector<OperationTally>& b) {
+  for (const OperationTally& left : a) {
+    for (const OperationTally& right : b) {
+      if (left.operation != right.operation) continue;
+      for (const auto& [family, cell] : left.families) {
+        for (const auto& [other_family, other] : right.families) {
+          if (family == other_family && cell.cases() > 0 && other.cases() > 0) return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void require_disjoint(const Tally& a, const Tally& b) {
+  const auto engine = [](const Declaration& d) { return std::tie(d.engine, d.boundary, d.binary32, d.tolerance); };
+  if (engine(a.declaration) != engine(b.declaration)) throw InvalidInput("engine", "the same in every file");
+  if (a.grid.size != b.grid.size) throw InvalidInput("grid.size", "the same in every file");
+  if (a.grid.shards != b.grid.shards) throw InvalidInput("grid.shards", "the same in every file");
+  if (!share_a_family(a.operations, b.operations)) return;
+  if (a.grid.size == 0) {
+    if (a.seed == b.seed) throw InvalidInput("seed", "different in files that count the same family");
+    return;
+  }
+  for (const std::uint64_t shard : a.grid.done) {
+    if (std::binary_search(b.grid.done.begin(), b.grid.done.end(), shard)) {
+      throw InvalidInput("grid.done", "every shard once (" + std::to_string(shard) + " is there twice)");
+    }
+  }
+}
+
+}  // namespace
+
+std::uint64_t Cell::cases() const {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t n : counts) sum += n;
+  return sum;
+}
+
+std::uint64_t Cell::findings() const {
+  std::uint64_t sum = 0;
+  for (std::size_t v = 0; v < verdict_count; ++v) sum += is_finding(static_cast<Verdict>(v)) ? counts[v] : 0;
+  return sum;
+}
+
+void Cell::refuse(const std::string& rule) {
+  ++refused;
+  ++rules[rule.substr(0, rule.find(':'))];
+}
+
+void Cell::merge(const Cell& other) {
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    counts[v] += other.counts[v];
+    keep_smallest(smallest[v], other.smallest[v]);
+  }
+  worst_ulps = std::max(worst_ulps, other.worst_ulps);
+  for (const auto& [outcome, n] : other.outcomes) outcomes[outcome] += n;
+  touches_closed += other.touches_closed;
+  touches_open += other.touches_open;
+  refused += other.refused;
+  not_asked += other.not_asked;
+  if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;
+  for (const auto& [rule, n] : other.rules) rules[rule] += n;
+}
+
+bool smaller(const Question& a, const Question& b) {
+  const Length la = length(a), lb = length(b);
+  if (la.digits != lb.digits) return la.digits < lb.digits;
+  if (la.exponents != lb.exponents) return la.exponents < lb.exponents;
+  return std::lexicographical_compare(
+      a.numbers.begin(), a.numbers.end(), b.numbers.begin(), b.numbers.end(),
+      [](double x, double y) { return std::bit_cast<std::uint64_t>(x) < std::bit_cast<std::uint64_t>(y); });
+}
+
+Cell OperationTally::total() const {
+  Cell sum;
+  for (const auto& [family, cell] : families) sum.merge(cell);
+  return sum;
+}
+
+bool OperationTally::inconsistent_convention() const {
+  const Cell sum = total();
+  return sum.touches_closed > 0 && sum.touches_open > 0;
+}
+
+bool Tally::has_findings() const {
+  const auto found = [](const OperationTally& t) {
+    const Cell total = t.total();
+    return total.findings() > 0 || total.not_asked > 0 || t.inconsistent_convention();
+  };
+  return std::any_of(operations.begin(), operations.end(), found) || std::any_of(robust.begin(), robust.end(), found);
+}
+
+void Tally::merge(const Tally& other) {
+  require_disjoint(*this, other);
+  merge_operations(operations, other.operations);
+  merge_operations(robust, other.robust);
+  put_in_order(operations);
+  put_in_order(robust);
+  std::vector<std::uint64_t> done;
+  std::set_union(grid.done.begin(), grid.done.end(), other.grid.done.begin(), other.grid.done.end(),
+                 std::back_inserter(done));
+  grid.done = std::move(done);
+  seed = std::min(seed, other.seed);
+  if (grid.size == 0) cases += other.cases;  // every shard names the whole
+  interrupted = interrupted || other.interrupted;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/lines/explicit_line.h"
+#include "catalogue/lines/implicit_circle.h"
+#include "catalogue/lines/line_line.h"
+#include "catalogue/lines/line_point_at.h"
+#include "catalogue/lines/orientation.h"
+#include "catalogue/lines/parametric_circle.h"
+#include "catalogue/lines/point_on_segment.h"
+#include "catalogue/lines/ray_segment.h"
+#include "catalogue/lines/segment_segment.h"
+#include "catalogue/planes/point_ground_plane.h"
+#include "catalogue/planes/point_plane.h"
+#include "catalogue/planes/point_plane_toi.h"
+#include "catalogue/planes/polygon_normal.h"
+#include "catalogue/polygons/convex_partition.h"
+#include "catalogue/polygons/interior_angles.h"
+#include "catalogue/polygons/point_in_convex_polygon.h"
+#include "catalogue/polygons/point_in_polygon.h"
+#include "catalogue/polygons/polygon_convexity.h"
+#include "catalogue/polygons/polygon_convexity_interior_angles.h"
+#include "catalogue/polygons/polygon_polygon.h"
+#include "catalogue/polygons/triangulate_polygon.h"
+
+namespace touchstone::audit {
+
+template <class... R>
+struct RowList {
+  template <class Visit>
+  static void for_each(const Visit& visit) {
+    (visit.template operator()<R>(), ...);
+  }
+};
+
+/// The catalogue, in the order of the deck. There is no other list of operations.
+using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
+                     rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment,
+                     rows::orientation, rows::polygon_convexity, rows::polygon_convexity_interior_angles,
+                     rows::interior_angles, rows::triangulate_polygon, rows::convex_partition, rows::point_in_polygon,
+                     rows::point_in_convex_polygon, rows::polygon_polygon, rows::point_ground_plane,
+                     rows::polygon_normal, rows::point_plane, rows::point_plane_toi>;
+
+/// visit.template operator()<Row>() for every row.
+template <class Visit>
+void for_each_row(const Visit& visit) {
+  Rows::for_each(visit);
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "catalogue/operation.h"
+
+namespace touchstone::audit {
+
+/// Everything that can be said of one question without an engine: what `ask` prints, and what the checker of certificates reads.
+Json explained(const Operation& operation, const Question& question);
+
+/// An answer and the verdict on it.
+Json verdict_json(const Judgement& judgement, Json answer);
+
+/// What the checker says against the oracle's certificate for a valid question; empty if it accepts it.
+std::string certificate_complaint(const Operation& operation, const Question& question);
+
+/// The truth for the decimals of an input that was printed, read as exact rationals; null where the operation has none.
+Json truth_of_decimals(const Operation& operation, const Json& printed);
+
+}  // namespace touchstone::audit

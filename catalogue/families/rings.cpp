@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/families/rings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "catalogue/families/numbers.h"
+#include "oracle/rings/simple.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// Directions of the upper half plane in counter-clockwise order; their opposites are the lower half.
+constexpr std::array<Vector2d, 12> half{
+    {{1, 0}, {5, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 7}, {0, 1}, {-1, 5}, {-1, 2}, {-1, 1}, {-3, 1}, {-9, 1}}};
+
+Vector2d direction(std::size_t k) {
+  const Vector2d& v = half[k % half.size()];
+  return k / half.size() % 2 == 0 ? v : Vector2d{-v.x, -v.y};
+}
+
+/// 1 where the stream is simple, up to 2^20 elsewhere.
+double size(Choices& choices) {
+  const double n = std::fabs(integer(choices, 20));
+  return n == 0 ? 1 : n;
+}
+
+Polygon2d moved(Polygon2d ring, const Vector2d& by) {
+  for (Point2d& p : ring.vertices) p = p + by;
+  return ring;
+}
+
+Vector2d small_vector(Choices& choices) {
+  const double x = integer(choices, 24);
+  return {x, integer(choices, 24)};
+}
+
+}  // namespace
+
+Polygon2d convex_ring(Choices& choices) {
+  std::array<double, half.size()> times{};
+  times[0] = size(choices), times[6] = size(choices);
+  for (std::uint64_t more = choices.below(6); more > 0; --more) times[choices.below(half.size())] = size(choices);
+  Polygon2d ring;
+  Point2d p{0, 0};
+  for (std::size_t k = 0; k < 2 * half.size(); ++k) {
+    if (times[k % half.size()] == 0) continue;
+    ring.vertices.push_back(p);
+    p = p + times[k % half.size()] * direction(k);
+  }
+  for (std::uint64_t fewer = choices.below(3); fewer > 0 && ring.size() > 3; --fewer) {
+    ring.vertices.erase(ring.vertices.begin() + static_cast<std::ptrdiff_t>(choices.below(ring.size())));
+  }
+  return moved(ring, small_vector(choices));
+}
+
+Polygon2d star_ring(Choices& choices) {
+  Polygon2d ring;
+  // Four directions a quarter turn apart or less are always there, so that no step is half a turn.
+  for (std::size_t k = 0; k < 2 * half.size(); ++k) {
+    if (k % 6 != 0 && choices.below(3) != 2) continue;
+    const Vector2d v = size(choices) * direction(k);
+    ring.vertices.push_back({v.x, v.y});
+  }
+  return moved(ring, small_vector(choices));
+}
+
+Polygon2d comb_ring(Choices& choices) {
+  Polygon2d ring;
+  const std::uint64_t teeth = 1 + choices.below(6);
+  double x = 0;
+  for (std::uint64_t i = 0; i < teeth; ++i) {
+    const double width = size(choices), height = size(choices);
+    ring.vertices.insert(ring.vertices.end(), {{x, 0}, {x + width, height}});
+    x += width + 1;
+  }
+  ring.vertices.insert(ring.vertices.end(), {{x, 0}, {x, -size(choices)}, {0, -1}});
+  std::reverse(ring.vertices.begin(), ring.vertices.end());
+  return moved(ring, small_vector(choices));
+}
+
+Polygon2d simple_ring(Choices& choices) {
+  switch (choices.below(4)) {
+    case 0: return convex_ring(choices);
+    case 3: return comb_ring(choices);
+    default: return star_ring(choices);
+  }
+}
+
+Polygon2d turned(Polygon2d ring, Choices& choices) {
+  const auto first = static_cast<std::ptrdiff_t>(choices.below(ring.size()));
+  std::rotate(ring.vertices.begin(), ring.vertices.begin() + first, ring.vertices.end());
+  if (choices.below(2) == 1) std::reverse(ring.vertices.begin(), ring.vertices.end());
+  return ring;
+}
+
+Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices) {
+  const std::size_t i = choices.below(ring.size());
+  const Point2d p = ring[i], q = ring.next(i);
+  ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i + 1),
+                       {std::trunc(p.x / 2 + q.x / 2), std::trunc(p.y / 2 + q.y / 2)});
+  return ring;
+}
+
+Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices) {
+  const std::size_t i = choices.below(ring.size());
+  ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i), Point2d(ring[i]));
+  return ring;
+}
+
+Polygon2d with_spike(Polygon2d ring, Choices& choices) {
+  const std::size_t i = choices.below(ring.size());
+  const Point2d p = ring[i];
+  const double x = size(choices), y = integer(choices, 20);
+  ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i + 1), {{p.x + x, p.y + y}, p});
+  return ring;
+}
+
+Point2d on_an_edge(const Polygon2d& ring, Choices& choices) {
+  const std::size_t i = choices.below(ring.size());
+  return ring[i] + static_cast<double>(choices.below(9)) / 8 * (ring.next(i) - ring[i]);
+}
+
+Point2d beside(const Point2d& p, Choices& choices) {
+  const double x = small_integer(choices, 2), y = small_integer(choices, 2);
+  return {p.x + x, p.y + y};
+}
+
+std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices) {
+  const auto high = [](double y) { return std::ldexp(y, -1028); };  // 64: the least normal number
+  const double x = static_cast<double>(choices.below(65)) / 16, y = 16 * x + small_integer(choices, 4);
+  const double top = static_cast<double>(65 + choices.below(1 << 13));
+  return {turned({{{0, 0}, {4, high(64)}, {choices.below(2) == 1 ? 0.0 : -3.0, high(top)}}}, choices), {x, high(y)}};
+}
+
+void untangle(Polygon2d& ring) {
+  if (ring.size() < 3) return;
+  for (int turns = 0; turns < 60; ++turns) {
+    const auto defect = oracle::ring_defect(oracle::WholeRing(ring));
+    if (!defect || defect->first == defect->second) return;
+    std::reverse(ring.vertices.begin() + static_cast<std::ptrdiff_t>(defect->first + 1),
+                 ring.vertices.begin() + static_cast<std::ptrdiff_t>(defect->second + 1));
+  }
+}
+
+}  // namespace touchstone::audit

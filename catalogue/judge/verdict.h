@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace touchstone::audit {
+
+/// What the judge says of one answer; the columns of every table.
+enum class Verdict {
+  agree,  ///< the decision is right and every number within the stated bound
+  rounding,  ///< wrong decision: the same formula in exact arithmetic is right (see judge/README in docs for foreign engines)
+  algorithm,    ///< wrong decision: the formula is wrong, or undefined, even in exact arithmetic
+  inexact,      ///< right decision, a number further off than the stated bound
+  convention,   ///< right for open sets, where the truth is a touch and the engine does not promise closed sets
+  tolerance,    ///< wrong decision within the tolerance that the engine declared
+  invalid,      ///< NaN, infinity where the truth is finite, exception, crash, no answer in time, no valid answer
+  unsupported,  ///< the engine does not answer this operation or this input
+};
+
+inline constexpr std::size_t verdict_count = 8;
+inline constexpr std::array<const char*, verdict_count> verdict_names{
+    "agree", "rounding", "algorithm", "inexact", "convention", "tolerance", "invalid", "unsupported"};
+inline const char* name_of(Verdict v) { return verdict_names[static_cast<std::size_t>(v)]; }
+
+/// A finding is what makes an audit exit with 1.
+inline bool is_finding(Verdict v) {
+  return v == Verdict::rounding || v == Verdict::algorithm || v == Verdict::inexact || v == Verdict::invalid;
+}
+
+struct Judgement {
+  Verdict verdict = Verdict::agree;
+  double ulps = 0;     ///< greatest distance of a number from the exact one, in units in the last place
+  std::string remark;  ///< for `invalid`: what was wrong with the answer
+  int touch_reading =
+      0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
+};
+
+/// How a foreign engine wants to be judged.
+struct Declaration {
+  enum class Boundary { closed, open, unspecified };
+  std::string engine;
+  Boundary boundary = Boundary::unspecified;
+  bool binary32 = false;  ///< number type; inputs are drawn so that they are exact in it
+  double tolerance = 0;   ///< in the unit of the input coordinates
+};
+
+}  // namespace touchstone::audit

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/ring_cases.h"
+#include "catalogue/row.h"
+#include "oracle/polygons/triangulate_polygon.h"
+#include "reference/polygons/triangulate_polygon.h"
+#include "robust/polygons/triangulate_polygon.h"
+
+namespace touchstone::audit::rows {
+
+struct triangulate_polygon {
+  TOUCHSTONE_ROOMS(triangulate_polygon)
+  using Question = std::tuple<Polygon2d>;
+
+  static const Card& card() {
+    static const Card card{.name = "triangulate_polygon",
+                           .chapter = "polygons",
+                           .pages = "7",
+                           .question = "Which triangles, corners at its vertices, make up a simple polygon?",
+                           .kind = Kind::checked,
+                           .fields = {"polygon"},
+                           .answer = "triangles",
+                           .margin_degree = 2,
+                           .list_length = 4};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() { return simple_ring_cases(); }
+  static void repair(Question& question) { untangle(std::get<0>(question)); }
+
+  static std::string fault(const Question& question, const std::vector<std::vector<Index>>& triangles) {
+    return ::touchstone::oracle::triangulate_polygon_fault(std::get<0>(question), triangles);
+  }
+
+  static void draw(Scene& scene, const Question& question) {
+    draw_pieces(scene, std::get<0>(question),
+                [](const Polygon2d& polygon) { return ::touchstone::robust::triangulate_polygon(polygon); });
+  }
+
+  /// Whether the first vertex is flat: the classroom example of orientation as a ring.
+  static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
+};
+
+}  // namespace touchstone::audit::rows

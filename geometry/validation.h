@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+#include "geometry/invalid_input.h"
+#include "geometry/polygons.h"
+#include "geometry/space.h"
+#include "geometry/thin_shapes.h"
+
+/// Validation: what is valid input, written once for everybody. Each `validate` throws InvalidInput naming the field and the rule, or
+/// returns. Numbers are looked at as bits, so this holds in every floating-point environment and build type.
+namespace touchstone::validation {
+
+inline bool finite(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff; }
+
+/// -0.0 and 0.0 are zero; a subnormal is not, whatever the control word says.
+inline bool zero(double value) { return std::bit_cast<std::uint64_t>(value) << 1 == 0; }
+inline bool negative(double value) { return std::bit_cast<std::int64_t>(value) < 0 && !zero(value); }
+inline bool same(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (zero(a) && zero(b));
+}
+
+inline void validate(const std::string& field, double value) {
+  if (!finite(value)) throw InvalidInput(field, "finite number");
+}
+inline void validate(const std::string& field, const Point2d& p) { validate(field + "[0]", p.x), validate(field + "[1]", p.y); }
+inline void validate(const std::string& field, const Vector2d& v) { validate(field + "[0]", v.x), validate(field + "[1]", v.y); }
+inline void validate(const std::string& field, const Segment2d& s) {
+  validate(field + "[0]", s.a), validate(field + "[1]", s.b);
+}
+inline void validate(const std::string& field, const Line2d& l) {
+  validate(field + "[0]", l.p), validate(field + "[1]", l.q);
+  if (same(l.p.x, l.q.x) && same(l.p.y, l.q.y)) throw InvalidInput(field, "two distinct points");
+}
+inline void validate_direction(const std::string& field, const Vector2d& v) {
+  validate(field, v);
+  if (zero(v.x) && zero(v.y)) throw InvalidInput(field, "nonzero direction");
+}
+inline void validate(const std::string& field, const ParametricLine2d& l) {
+  validate(field + ".origin", l.origin), validate_direction(field + ".direction", l.direction);
+}
+inline void validate(const std::string& field, const Ray2d& r) {
+  validate(field + ".origin", r.origin), validate_direction(field + ".direction", r.direction);
+}
+inline void validate(const std::string& field, const Circle2d& c) {
+  validate(field + ".center", c.center), validate(field + ".radius", c.radius);
+  if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
+}
+
+inline void validate(const std::string& field, const Point3d& p) {
+  validate(field + "[0]", p.x), validate(field + "[1]", p.y), validate(field + "[2]", p.z);
+}
+inline void validate(const std::string& field, const Vector3d& v) {
+  validate(field + "[0]", v.x), validate(field + "[1]", v.y), validate(field + "[2]", v.z);
+}
+inline void validate(const std::string& field, const Plane3d& plane) {
+  validate(field + ".normal", plane.normal), validate(field + ".offset", plane.offset);
+  if (zero(plane.normal.x) && zero(plane.normal.y) && zero(plane.normal.z)) {
+    throw InvalidInput(field + ".normal", "nonzero normal");
+  }
+}
+
+template <class Point>
+void validate_ring(const std::string& field, const std::vector<Point>& vertices) {
+  if (vertices.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point& p = vertices[i];
+    bool valid = finite(p.x) && finite(p.y);
+    if constexpr (requires { p.z; }) valid = valid && finite(p.z);
+    if (!valid) validate(field + "[" + std::to_string(i) + "]", p);
+  }
+}
+/// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first elsewhere than in a
+/// vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one with the least `first` counts, edges of
+/// length zero before all others, then the least `second`.
+struct RingDefect {
+  std::size_t first, second;
+};
+
+[[noreturn]] inline void refuse(const std::string& field, const RingDefect& defect) {
+  const std::string vertex = field + "[" + std::to_string(defect.first) + "]";
+  if (defect.first == defect.second) throw InvalidInput(vertex, "different from the next vertex");
+  throw InvalidInput(vertex, "simple: its edge must not meet edge " + std::to_string(defect.second));
+}
+
+/// Why a polygon is not convex, in this order: an edge of length zero; all vertices on one line; a RingDefect; the first vertex at which
+/// the ring turns against its direction.
+[[noreturn]] inline void refuse_flat(const std::string& field) {
+  throw InvalidInput(field, "convex: vertices on one line have no inside");
+}
+[[noreturn]] inline void refuse_reflex(const std::string& field, std::size_t vertex) {
+  throw InvalidInput(field + "[" + std::to_string(vertex) + "]",
+                     "convex: the ring must not turn against its direction");
+}
+
+inline void validate(const std::string& field, const Polygon2d& polygon) { validate_ring(field, polygon.vertices); }
+inline void validate(const std::string& field, const Polygon3d& polygon) { validate_ring(field, polygon.vertices); }
+
+}  // namespace touchstone::validation

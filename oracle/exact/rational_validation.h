@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <type_traits>
+
+#include "geometry/validation.h"
+#include "oracle/truth.h"
+
+/// Validation of rationals: the rules of geometry/validation.h, but for the finite number that every rational is.
+namespace touchstone::validation {
+
+inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
+inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
+
+/// What is valid wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be forgotten.
+template <class Shape>
+concept AlwaysValid = std::is_same_v<Shape, oracle::Rational> || std::is_same_v<Shape, Point2<oracle::Rational>> ||
+    std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>>;
+template <AlwaysValid Shape>
+void validate(const std::string&, const Shape&) {}
+
+inline void validate(const std::string& field, const Line2<oracle::Rational>& l) {
+  if (l.p == l.q) throw InvalidInput(field, "two distinct points");
+}
+inline void validate_direction(const std::string& field, const Vector2<oracle::Rational>& v) {
+  if (zero(v.x) && zero(v.y)) throw InvalidInput(field, "nonzero direction");
+}
+inline void validate(const std::string& field, const ParametricLine2<oracle::Rational>& l) {
+  validate_direction(field + ".direction", l.direction);
+}
+inline void validate(const std::string& field, const Ray2<oracle::Rational>& r) {
+  validate_direction(field + ".direction", r.direction);
+}
+inline void validate(const std::string& field, const Circle2<oracle::Rational>& c) {
+  if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
+}
+inline void validate(const std::string& field, const Plane<oracle::Rational>& plane) {
+  const auto& n = plane.normal;
+  if (zero(n.x) && zero(n.y) && zero(n.z)) throw InvalidInput(field + ".normal", "nonzero normal");
+}
+inline void validate(const std::string& field, const Polygon2<oracle::Rational>& polygon) {
+  if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+}
+inline void validate(const std::string& field, const Polygon3<oracle::Rational>& polygon) {
+  if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
+}
+
+}  // namespace touchstone::validation

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/explained.h"
+#include "program/commands.h"
+#include "program/program.h"
+#include "audit/engines/engine.h"
+#include "audit/audit_run.h"
+#include "report/wording.h"
+
+namespace touchstone::audit {
+namespace {
+
+std::unique_ptr<Engine> engine_of(const AskCommand& command, const Operation& operation) {
+  if (command.engine.empty()) return nullptr;
+  std::unique_ptr<Engine> engine = pipe_engine(command.engine, command.timeout);
+  if (engine->supports(operation.name())) return engine;
+  throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name());
+}
+
+Json said_by(Engine& engine, const Operation& operation, const Question& question) {
+  const Reply reply = engine.ask(operation, {question})[0];
+  const Judgement judgement = judged(reply, *operation.examine(question), engine.declaration());
+  Json result = Json::object();
+  result["name"] = engine.declaration().engine;
+  result.update(verdict_json(judgement, plain(reply.answer)));
+  return result;
+}
+
+}  // namespace
+
+int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
+  const Operation& operation = operation_named(command.operation);
+  const std::unique_ptr<Engine> engine = engine_of(command, operation);
+  const std::string& file = command.file;
+  bool refused_any = false;
+  const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
+    Json error = Json::object();
+    error["error"]["field"] = refused.field();
+    error["error"]["rule"] = refused.rule();
+    out << one_line(error) << '\n';
+    err << place(file, number) << refused.what() << '\n';
+    refused_any = true;
+  };
+  const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
+    try {
+      const Json input = parse_line(text);
+      Question question = operation.parse(input);
+      if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
+      Json line = explained(operation, question);
+      if (engine) line["engine"] = said_by(*engine, operation, question);
+      if (command.as_typed) {
+        line["as_typed"] = Json::object();
+        line["as_typed"]["truth"] = operation.truth_as_typed(input);
+      }
+      out << one_line(line) << '\n';
+    } catch (const InvalidInput& refused) {
+      refuse(number, refused);
+    }
+  });
+  if (lines == 0) {
+    err << place(file, 1) << "line: one JSON object, found an empty file\n";
+    return bad_usage;
+  }
+  return refused_any ? bad_usage : nothing_found;
+}
+
+}  // namespace touchstone::audit

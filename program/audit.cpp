@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <mutex>
+
+#include "program/commands.h"
+#include "program/program.h"
+#include "audit/audit_run.h"
+#include "audit/parallel.h"
+#include "report/html.h"
+#include "report/table.h"
+#include "audit/tally_json.h"
+#include "report/wording.h"
+
+namespace touchstone::audit {
+namespace {
+
+std::atomic<bool> stopped{false};
+extern "C" void on_interrupt(int) { stopped = true; }
+
+/// One line on a terminal, rewritten at most ten times a second; nothing elsewhere.
+class Progress {
+ public:
+  explicit Progress(std::ostream& err) : err_(err), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~Progress() {
+    if (shown_) err_ << "\r\x1b[K" << std::flush;
+  }
+  void operator()(const std::string& operation, std::uint64_t done, std::uint64_t of) {
+    if (!shown_) return;
+    const std::lock_guard lock(mutex_);
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    err_ << "\r\x1b[K" << operation << ": " << 100 * done / of << " %" << std::flush;
+  }
+
+ private:
+  std::ostream& err_;
+  bool shown_;
+  std::mutex mutex_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+void require_known_families(const AuditOptions& options) {
+  for (const std::string& family : options.families) {
+    bool known = false;
+    for (const Operation* operation : options.operations) {
+      for (const std::string& name : operation->families()) known = known || name == family;
+    }
+    if (!known)
+      throw UsageError("--families " + family + ": a family of one of the operations (see touchstone ops --json)");
+  }
+}
+
+/// The directory of the report is made, and can be written into, before the first question.
+void require_directory(const std::string& directory) {
+  if (directory.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory, error) || ::access(directory.c_str(), W_OK) != 0) {
+    throw UsageError("--report " + directory + ": a directory that can be written");
+  }
+}
+
+/// SIGINT and SIGTERM end the asking instead of the program, for as long as this lives.
+class Interruptible {
+ public:
+  Interruptible() : by_key_(std::signal(SIGINT, on_interrupt)), by_others_(std::signal(SIGTERM, on_interrupt)) {}
+  ~Interruptible() {
+    std::signal(SIGINT, by_key_);
+    std::signal(SIGTERM, by_others_);
+  }
+
+ private:
+  void (*by_key_)(int);
+  void (*by_others_)(int);
+};
+
+int exit_code(const Tally& tally, std::ostream& err) {
+  if (tally.interrupted) {
+    err << "touchstone: interrupted; what had been counted until then is what was written\n";
+    return interrupted;
+  }
+  if (tally.has_findings()) return findings;
+  if (sum_of(tally.operations).cases() > 0) return nothing_found;
+  err << "touchstone: nothing was judged: no question of these families is within the contract of these operations\n";
+  return bad_usage;
+}
+
+}  // namespace
+
+int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err) {
+  AuditOptions options;
+  options.operations = operations_named(command.operations);
+  options.families = split(command.families);
+  options.cases = command.cases;
+  options.seed = command.seed;
+  options.seconds = command.seconds;
+  options.jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
+  require_known_families(options);
+  require_writable("--json", command.json_file);
+  require_directory(command.report_directory);
+  if (!command.engine.empty()) {
+    options.engine = [&command] { return pipe_engine(command.engine, command.timeout, &stopped); };
+  }
+  Tally tally;
+  try {
+    const Interruptible until_counted;
+    Progress progress(err);
+    tally = run_audit(options, stopped,
+                      [&](const std::string& name, std::uint64_t done) { progress(name, done, command.cases); });
+  } catch (const EngineError&) {
+    if (!stopped) throw;  // interrupted before the engine had said its first line
+    tally.interrupted = true;
+    tally.declaration.engine = command.engine;
+  }
+  out << text_table(tally) << std::flush;
+  write_file("--json", command.json_file, tally_json(tally));
+  if (!command.report_directory.empty()) {
+    const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
+    try {
+      write_report(tally, command.report_directory, options.jobs, for_maps.get());
+    } catch (const std::runtime_error& failed) {
+      throw UsageError(std::string("--report ") + failed.what());
+    }
+    out << "report: " << command.report_directory << "/index.html\n";
+  }
+  return exit_code(tally, err);
+}
+
+}  // namespace touchstone::audit

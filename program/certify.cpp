@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands.h"
+#include "program/program.h"
+#include "oracle/certificates/check.h"
+
+namespace touchstone::audit {
+
+int certify_command(const std::string& file, std::ostream& out, std::ostream& err) {
+  std::uint64_t refused = 0, without = 0;
+  const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
+    if (certify::is_refused_input(text)) {
+      ++without;
+    } else if (const auto reason = certify::refuse_text(text)) {
+      ++refused;
+      err << place(file, number) << *reason << '\n';
+    }
+  });
+  out << lines - without << " certificates, " << refused << " refused";
+  if (without > 0) out << "; " << without << " refused inputs, which have none";
+  out << '\n';
+  if (lines == 0) {
+    err << place(file, 1) << "line: one JSON object, found an empty file\n";
+    return bad_usage;
+  }
+  return refused > 0 ? findings : nothing_found;
+}
+
+}  // namespace touchstone::audit

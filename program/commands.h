@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "catalogue/operation.h"
+
+/// The commands, each a function of its parsed options: what goes to standard output is written to `out`, complaints to
+/// `err`, and the exit code is returned.
+namespace touchstone::audit {
+
+/// Wrong usage: one line, exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct AuditCommand {
+  std::string engine;              ///< command; empty: our reference in double
+  std::string operations = "all";  ///< "all" or names with commas
+  std::string families;            ///< names with commas; empty: all
+  std::uint64_t cases = 20000, seed = 1;
+  double seconds = 0, timeout = 5;
+  int jobs = 0;  ///< 0: as many as the machine has
+  std::string json_file, report_directory;
+};
+
+struct AskCommand {
+  std::string operation, file = "-";
+  bool as_typed = false;
+  std::string engine;  ///< command of an engine that is asked as well; empty: none
+  double timeout = 5;
+};
+
+int ops_command(bool json, std::ostream& out);
+int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);
+int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
+int exhaust_command(const std::string& operation, int grid, const std::string& shard, const std::string& json_file,
+                    bool decisions, std::ostream& out, std::ostream& err);
+int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);
+int vectors_write_command(const std::string& directory, std::uint64_t seed, std::ostream& out, std::ostream& err);
+int vectors_check_command(const std::string& directory, std::ostream& out, std::ostream& err);
+int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
+
+/// Throws UsageError naming what is not known and what is. A name given twice counts once.
+const Operation& operation_named(const std::string& name);
+std::vector<const Operation*> operations_named(const std::string& names);
+std::vector<std::string> split(const std::string& names);
+
+/// Calls visit(line number, text) for each line of a file, or of standard input for "-" or "". Throws UsageError if it
+/// cannot be opened. Returns the number of lines that are not blank.
+template <class Visit>
+std::uint64_t each_line(const std::string& file, const Visit& visit);
+
+/// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to do.
+/// Throws UsageError naming the option.
+void require_writable(const std::string& option, const std::string& file);
+void write_file(const std::string& option, const std::string& file, const std::string& text);
+
+/// What stands before every complaint about a line.
+std::string place(const std::string& file, std::uint64_t line);
+
+}  // namespace touchstone::audit
+
+#include "program/each_line.h"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fstream>
+#include <iostream>
+
+#include "program/commands.h"
+
+namespace touchstone::audit {
+
+template <class Visit>
+std::uint64_t each_line(const std::string& file, const Visit& visit) {
+  std::ifstream opened;
+  const bool standard_input = file.empty() || file == "-";
+  if (!standard_input) {
+    opened.open(file);
+    if (!opened) throw UsageError(file + ": a file that can be read");
+  }
+  std::istream& in = standard_input ? std::cin : opened;
+  std::uint64_t number = 0, filled = 0;
+  for (std::string text; std::getline(in, text);) {
+    ++number;
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    ++filled;
+    visit(number, text);
+  }
+  return filled;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+#include "catalogue/answer_shape.h"
+#include "catalogue/catalogue.h"
+#include "program/commands.h"
+#include "program/program.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr std::array<const char*, 5> kind_names{"decision", "measure", "set", "checked", "covering"};
+
+const char* kind_name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::string joined(const std::vector<const char*>& words) {
+  std::string text;
+  for (const char* word : words) text += (text.empty() ? "" : " ") + std::string(word);
+  return text;
+}
+
+}  // namespace
+
+int ops_command(bool json, std::ostream& out) {
+  if (!json)
+    out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input",
+                       "question");
+  std::map<std::string, Json> answers;
+  for_each_row([&]<class Row>() { answers[Row::card().name] = answer_shape<Row>(); });
+  Json list = Json::array();
+  for (const Operation* operation : catalogue()) {
+    const Card& card = operation->card();
+    if (!json) {
+      out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", card.name, card.chapter, card.pages,
+                         kind_name(card.kind), joined(card.fields), card.question);
+      continue;
+    }
+    Json entry = Json::object();
+    entry["name"] = card.name;
+    entry["chapter"] = card.chapter;
+    entry["pages"] = card.pages;
+    entry["fields"] = card.fields;
+    if (card.is_method()) entry["method_of"] = card.method_of;
+    entry["words"] = operation->words();
+    entry["kind"] = kind_name(card.kind);
+    entry["question"] = card.question;
+    entry["answer"] = answers.at(card.name);
+    entry["families"] = operation->families();
+    list.push_back(std::move(entry));
+  }
+  if (json) out << list.dump(1) << '\n';
+  return nothing_found;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/program.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "program/commands.h"
+#include "program/map.h"
+#include "audit/engines/engine.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// CLI11's own check prints the whole range of double.
+const CLI::Validator positive(
+    [](std::string& text) {
+      double value = 0;
+      return CLI::detail::lexical_cast(text, value) && value > 0 ? std::string() : text + ": a number greater than 0";
+    },
+    "POSITIVE");
+
+/// A whole number in a range; CLI11 alone would take what it cannot hold for no number at all.
+CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
+  const std::string rule = fmt::format("a whole number from {} to {}", least, most);
+  return CLI::Validator(
+      [=](std::string& text) {
+        std::uint64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        const bool right = error == std::errc() && stop == end && value >= least && value <= most;
+        return right ? std::string() : text + ": " + rule;
+      },
+      "WHOLE");
+}
+const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, 1'000'000'000'000),
+                     any_jobs = whole(1, 1024);
+
+/// A command and what runs it once the line is parsed.
+using Action = std::function<int()>;
+
+void add_ops(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("ops", "The catalogue of operations");
+  auto json = std::make_shared<bool>(false);
+  command->add_flag("--json", *json, "Machine-readable");
+  command->callback([=, &action] { action = [=] { return ops_command(*json, std::cout); }; });
+}
+
+void add_ask(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("ask", "Truth, certificate, robust and reference for one JSON input a line");
+  auto options = std::make_shared<AskCommand>();
+  command->add_option("operation", options->operation, "Name of the operation")->required();
+  command->add_option("file", options->file, "JSON lines; - is standard input");
+  command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
+  command->add_option("--engine", options->engine, "Also the answer of this command, and the verdict on it");
+  command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
+  command->callback([=, &action] { action = [=] { return ask_command(*options, std::cout, std::cerr); }; });
+}
+
+void add_audit(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("audit", "How often an implementation is wrong, and why");
+  auto options = std::make_shared<AuditCommand>();
+  command->add_option("--engine", options->engine,
+                      "Command that answers questions over pipes (default: the slides' formulas in double)");
+  command->add_option("--ops", options->operations, "Operations with commas, or all");
+  command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
+  command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive);
+  command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
+  command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
+  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")->check(any_jobs);
+  command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
+  command->add_option("--json", options->json_file, "Write the result to this file");
+  command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
+  command->callback([=, &action] { action = [=] { return audit_command(*options, std::cout, std::cerr); }; });
+}
+
+void add_exhaust(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("exhaust", "Every configuration on a small grid");
+  auto operation = std::make_shared<std::string>(), shard = std::make_shared<std::string>("1/1"),
+       json = std::make_shared<std::string>();
+  auto grid = std::make_shared<int>(3);
+  auto decisions = std::make_shared<bool>(false);
+  command->add_option("operation", *operation, "Name of the operation")->required();
+  command->add_option("--grid", *grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
+  command->add_option("--shard", *shard, "I/N: the I-th of N parts");
+  command->add_option("--json", *json, "Write the result to this file");
+  command->add_flag("--decisions", *decisions,
+                    "Only the decision of robust against the oracle's integers, at full speed");
+  command->callback([=, &action] {
+    action = [=] { return exhaust_command(*operation, *grid, *shard, *json, *decisions, std::cout, std::cerr); };
+  });
+  auto* merge = program.add_subcommand("merge", "Merges the results of shards");
+  auto files = std::make_shared<std::vector<std::string>>();
+  merge->add_option("files", *files, "Results of exhaust --json")->required();
+  merge->callback([=, &action] { action = [=] { return merge_command(*files, std::cout, std::cerr); }; });
+}
+
+void add_vectors(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("vectors", "Test vectors: JSON lines with a schema");
+  command->require_subcommand(1);
+  auto directory = std::make_shared<std::string>();
+  auto seed = std::make_shared<std::uint64_t>(1);
+  auto* write = command->add_subcommand("write", "Writes them into a directory");
+  write->add_option("directory", *directory)->required();
+  write->add_option("--seed", *seed)->check(any_seed);
+  write->callback(
+      [=, &action] { action = [=] { return vectors_write_command(*directory, *seed, std::cout, std::cerr); }; });
+  auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
+  check->add_option("directory", *directory)->required();
+  check->callback([=, &action] { action = [=] { return vectors_check_command(*directory, std::cout, std::cerr); }; });
+}
+
+void add_certify(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("certify", "Re-checks certificates with the small checker alone");
+  auto file = std::make_shared<std::string>("-");
+  command->add_option("file", *file, "Lines as ask or vectors write them; - is standard input");
+  command->callback([=, &action] { action = [=] { return certify_command(*file, std::cout, std::cerr); }; });
+}
+
+void add_map(CLI::App& program, Action& action) {
+  auto* command =
+      program.add_subcommand("map", "Pictures of where an implementation goes wrong around a degenerate input");
+  auto operations = std::make_shared<std::vector<std::string>>();
+  auto directory = std::make_shared<std::string>("maps");
+  auto binary32 = std::make_shared<bool>(false);
+  auto jobs = std::make_shared<int>(0);
+  command->add_option("operation", *operations, "Names of operations")->required();
+  command->add_option("--jobs", *jobs, "Threads")->check(any_jobs);
+  command->add_option("--out", *directory, "Directory for the pictures");
+  command->add_flag("--binary32", *binary32, "The reference in float instead of double");
+  command->callback([=, &action] {
+    action = [=] {
+      for (const std::string& name : *operations) operation_named(name);
+      return run_map(*operations, *directory, *binary32, *jobs);
+    };
+  });
+}
+
+void require_command(const CLI::App& program, const std::string& name) {
+  std::string known;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == name) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw UsageError(name + ": no command; one of " + known);
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  CLI::App program{"touchstone: collision tests held against the exact truth"};
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "touchstone 0.1.0");
+  Action action;
+  for (auto* add : {add_ops, add_ask, add_audit, add_exhaust, add_vectors, add_certify, add_map}) add(program, action);
+  try {
+    if (argc > 1 && argv[1][0] != '-') require_command(program, argv[1]);
+    program.parse(argc, argv);
+    return action();
+  } catch (const CLI::Success& shown) {
+    return program.exit(shown);
+  } catch (const CLI::ParseError& wrong) {
+    std::cerr << "touchstone: " << wrong.what() << " (see --help)\n";
+    return bad_usage;
+  } catch (const UsageError& wrong) {
+    std::cerr << "touchstone: " << wrong.what() << '\n';
+    return bad_usage;
+  } catch (const InvalidInput& wrong) {
+    std::cerr << "touchstone: " << wrong.what() << '\n';
+    return bad_usage;
+  } catch (const EngineError& failed) {
+    std::cerr << "touchstone: " << failed.what() << '\n';
+    return engine_failed;
+  } catch (const std::exception& failed) {
+    std::cerr << "touchstone: " << failed.what() << '\n';
+    return bad_usage;
+  }
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/vectors/vectors.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "program/commands.h"
+#include "program/program.h"
+
+namespace touchstone::audit {
+namespace {
+
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path);
+  if (!(file << text << std::flush)) throw UsageError(path.string() + ": a file that can be written");
+}
+
+}  // namespace
+
+int vectors_write_command(const std::string& directory, std::uint64_t seed, std::ostream& out, std::ostream&) {
+  std::filesystem::create_directories(directory);
+  write_text(std::filesystem::path(directory) / "schema.json", vector_schema().dump(1) + "\n");
+  for (const Operation* operation : catalogue()) {
+    if (operation->card().is_method()) continue;  // the vectors of the operation itself serve
+    const std::vector<std::string> lines = vector_lines(*operation, seed);
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    const auto path = std::filesystem::path(directory) / (operation->name() + ".jsonl");
+    write_text(path, text);
+    out << path.string() << ": " << lines.size() << " vectors\n";
+  }
+  return nothing_found;
+}
+
+int vectors_check_command(const std::string& directory, std::ostream& out, std::ostream& err) {
+  if (!std::filesystem::is_directory(directory)) throw UsageError(directory + ": a directory of vectors");
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() == ".jsonl") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  if (files.empty()) throw UsageError(directory + ": at least one file .jsonl");
+  std::uint64_t checked = 0, refused = 0;
+  for (const std::string& file : files) {
+    checked += each_line(file, [&](std::uint64_t number, const std::string& text) {
+      const std::string complaint = vector_complaint(text);
+      if (complaint.empty()) return;
+      ++refused;
+      err << place(file, number) << complaint << '\n';
+    });
+  }
+  out << checked << " vectors, " << refused << " refused\n";
+  return refused > 0 ? findings : nothing_found;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "catalogue/families/numbers.h"
+#include "catalogue/families/shrink.h"
+#include "proptests/drawn.h"
+#include "proptests/each_operation.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::vector<std::uint64_t> bits_of(const Question& question) {
+  std::vector<std::uint64_t> bits;
+  for (const double number : question.numbers) bits.push_back(std::bit_cast<std::uint64_t>(number));
+  return bits;
+}
+
+}  // namespace
+
+// Values from SplitMix64's definition (state += 0x9e3779b97f4a7c15; two xor-multiplies and a xor), computed in Python's integers.
+TEST_CASE("choices: a seed draws the numbers of SplitMix64") {
+  Choices zero = Choices::seeded(0), one = Choices::seeded(1);
+  CHECK(zero.any_bits() == 0xe220a8397b1dcdafu);
+  CHECK(zero.any_bits() == 0x6e789e6aa1b965f4u);
+  CHECK(zero.any_bits() == 0x06c45d188009454fu);
+  CHECK(one.any_bits() == 0x910a2dec89025cc1u);
+  CHECK(one.any_bits() == 0xbeeb8da1658eec67u);
+  CHECK(one.any_bits() == 0xf893a2eefb32555eu);
+}
+
+TEST_CASE("choices: below(n) is the draw modulo n, recording or not") {
+  for (const bool record : {false, true}) {
+    Choices one = Choices::seeded(1, record);
+    CHECK(one.below(2) == 1);
+    CHECK(one.below(10) == 9);
+    CHECK(one.below(1000) == 590);
+    CHECK(one.below(1) == 0);  // draws nothing
+    CHECK(one.below(std::uint64_t{1} << 20) == 182539);
+    CHECK(one.below(std::uint64_t{1} << 40) == 931219486137);
+    CHECK(one.below(17) == 0);
+  }
+}
+
+TEST_CASE("choices: single numbers drawn from a seed") {
+  Choices one = Choices::seeded(1), five = Choices::seeded(5), seven = Choices::seeded(7);
+  CHECK(audit::ordinary(one) == -0x1.7484ddbf68cfcp-2);
+  CHECK(audit::small_integer(five) == -5);
+  CHECK(audit::any_finite(seven) == 0x1.be1e459320dd7p+573);
+  CHECK(audit::seed_of(1, "", 0) == 0xdce423fc82c0d5b8u);
+  CHECK(audit::seed_of(1, "orientation/grid", 7) == 0xfe27add3d399d2deu);
+}
+
+TEST_CASE("choices: a replayed choice takes the least bytes that hold it, little end first; past the end it is 0") {
+  const Bytes bytes{200, 1, 2, 1, 0, 0, 0, 9, 9, 0, 0, 0, 0, 0, 1, 77};
+  Choices choices = Choices::replayed(bytes);
+  CHECK(choices.below(256) == 200);
+  CHECK(choices.below(65536) == 1 + 256 * 2);
+  CHECK(choices.below(std::uint64_t{1} << 32) == 1);
+  CHECK(choices.below(1) == 0);
+  CHECK(choices.any_bits() == 9 + 256 * 9 + (std::uint64_t{1} << 56));
+  CHECK(choices.below(257) == 77);  // one of its two bytes is there
+  CHECK(choices.below(10) == 0);
+  CHECK(choices.any_bits() == 0);
+}
+
+TEST_CASE("choices: below stays below, one_in is its last choice") {
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    Choices outer = Choices::seeded(audit::seed_of(3, "below", i), true);
+    const std::uint64_t n = 1 + outer.below(std::uint64_t{1} << (1 + outer.below(60)));
+    if (outer.below(n) >= n) FAIL("below(" << n << ")");
+  }
+  const Bytes bytes{0, 1, 2};
+  Choices choices = Choices::replayed(bytes);
+  CHECK_FALSE(choices.one_in(3));
+  CHECK_FALSE(choices.one_in(3));
+  CHECK(choices.one_in(3));
+}
+
+TEST_CASE("choices: numbers stay in their ranges") {
+  std::set<double> small;
+  for (std::uint64_t i = 0; i < 20000; ++i) {
+    Choices choices = Choices::seeded(audit::seed_of(4, "ranges", i));
+    const double n = audit::integer(choices, 20), x = audit::ordinary(choices), any = audit::any_finite(choices);
+    if (n != std::trunc(n) || std::fabs(n) >= 0x1p20) FAIL("integer " << n);
+    if (!(x >= -1 && x < 1) || x * 0x1p52 != std::trunc(x * 0x1p52)) FAIL("ordinary " << x);
+    if (!std::isfinite(any) || !std::isfinite(audit::mixed_exponent(choices)) || !std::isfinite(audit::typed(choices)))
+      FAIL("not finite");
+    const double moved = audit::moved_by_ulps(any, 3);
+    if (std::fabs(any) < 1e300 && audit::moved_by_ulps(moved, -3) != any) FAIL("moved " << any);
+    small.insert(audit::small_integer(choices, 2));
+  }
+  CHECK(small == std::set<double>{-2, -1, 0, 1, 2});
+  CHECK(audit::moved_by_ulps(0, -1) == -5e-324);
+  CHECK(audit::moved_by_ulps(-5e-324, 2) == 5e-324);
+  CHECK(audit::moved_by_ulps(0x1.fffffffffffffp+1023, 5) == 0x1.fffffffffffffp+1023);
+}
+
+EACH_OPERATION("recorded bytes replay to the same question, and recording changes nothing") {
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    INFO(operation.families()[family]);
+    for (std::uint64_t i = 0; i < 200; ++i) {
+      const std::uint64_t seed = audit::seed_of(5, operation.families()[family].c_str(), i);
+      Choices plain = Choices::seeded(seed);
+      const Drawn drawn = recorded(operation, family, seed);
+      const auto bits = bits_of(drawn.question);
+      if (bits_of(operation.draw(plain, family)) != bits) FAIL("recording changes the question of seed " << seed);
+      if (bits_of(replayed(operation, family, drawn.choices).question) != bits)
+        FAIL("the bytes of seed " << seed << " give another question");
+    }
+  }
+}
+
+EACH_OPERATION("any bytes give finite numbers in every family, and no bytes the simplest") {
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    const Question none = replayed(operation, family, {}).question;
+    CHECK(bits_of(none) == bits_of(replayed(operation, family, Bytes(200, 0)).question));
+    for (std::uint64_t i = 0; i < 50; ++i) {
+      Choices choices = Choices::seeded(audit::seed_of(6, "bytes", i));
+      Bytes bytes(choices.below(40));
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(choices.below(256));
+      const Question question = replayed(operation, family, bytes).question;
+      if (operation.coordinates(question).size() == question.numbers.size()) {  // no lists
+        CHECK(question.numbers.size() == operation.zeros().numbers.size());
+      }
+      for (const double number : question.numbers) {
+        if (!std::isfinite(number)) FAIL("not finite in " << operation.families()[family]);
+      }
+    }
+  }
+}
+
+TEST_CASE("shrinking: the predicate holds of the result, which is the simplest of its kind") {
+  using audit::shrunk;
+  CHECK(shrunk({7, 200, 3, 40}, [](const Bytes&) { return true; }) == Bytes{});
+  CHECK(shrunk({7, 200, 3, 40}, [](const Bytes& b) {
+          return std::any_of(b.begin(), b.end(), [](int x) { return x >= 10; });
+        }) == Bytes{10});
+  CHECK(shrunk({9, 9, 5, 9}, [](const Bytes& b) { return b.size() > 2 && b[2] == 5; }) == Bytes{0, 0, 5});
+  CHECK(shrunk({9, 4, 100, 6, 251}, [](const Bytes& b) {
+          return std::count_if(b.begin(), b.end(), [](int x) { return x >= 3; }) >= 2;
+        }) == Bytes{3, 3});
+  CHECK(shrunk({1, 2}, [](const Bytes& b) { return b == Bytes{1, 2}; }) == Bytes{1, 2});
+}
+
+TEST_CASE("shrinking: it asks no more often than its budget, and the same question always ends the same") {
+  for (const int budget : {0, 1, 7, 50}) {
+    int asked = 0;
+    const auto big = [&](const Bytes& b) { return ++asked, b.size() >= 2 && b[0] + b[1] > 100; };
+    const Bytes first = audit::shrunk(Bytes(60, 255), big, budget);
+    CHECK(asked <= budget);
+    CHECK(big(first));
+    CHECK(audit::shrunk(Bytes(60, 255), big, budget) == first);
+  }
+}
+
+EACH_OPERATION("a shrunk question stays in its family: a refused or degenerate one stays so") {
+  // The property of the first family: its outcome is kept while its bytes become fewer.
+  const Drawn start = recorded(operation, 0, 99);
+  const std::string outcome = operation.examine(start.question)->outcome();
+  const auto same_outcome = [&](const Bytes& bytes) {
+    try {
+      return operation.examine(replayed(operation, 0, bytes).question)->outcome() == outcome;
+    } catch (const InvalidInput&) {
+      return false;
+    }
+  };
+  const Bytes end = audit::shrunk(start.choices, same_outcome);
+  CHECK(same_outcome(end));
+  CHECK(end.size() <= start.choices.size());
+}
+
+}  // namespace touchstone::proptests

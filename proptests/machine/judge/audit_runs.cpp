@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+
+#include "audit/audit_run.h"
+#include "report/table.h"
+#include "audit/tally_json.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// An engine of one line: what it makes of the right answer. Null: unsupported.
+class Scripted final : public Engine {
+ public:
+  using Answer = std::function<Json(const Question&, const Examination&)>;
+  Scripted(Answer answer, Declaration declaration) : answer_(std::move(answer)), declaration_(std::move(declaration)) {}
+
+  const Declaration& declaration() const override { return declaration_; }
+  bool supports(const std::string& operation) const override { return operation != "ray_segment"; }
+  std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override {
+    std::vector<Reply> replies;
+    for (const Question& question : questions) {
+      const Json answer = answer_(question, *operation.examine(question));
+      if (answer.is_null()) {
+        replies.push_back({Reply::Kind::unsupported, nullptr, ""});
+      } else if (answer.contains("not asked")) {
+        replies.push_back({Reply::Kind::failed, nullptr, "given up", false});
+      } else if (answer.contains("failure")) {
+        replies.push_back({Reply::Kind::failed, nullptr, answer["failure"].get<std::string>()});
+      } else {
+        replies.push_back({Reply::Kind::answered, parse_line(one_line(answer)), ""});
+      }
+    }
+    return replies;
+  }
+
+ private:
+  Answer answer_;
+  Declaration declaration_;
+};
+
+Json right(const Question&, const Examination& examination) { return examination.rounded_truth(); }
+
+bool is_refused(const Operation& operation, const Question& question) {
+  try {
+    operation.examine(question);
+    return false;
+  } catch (const InvalidInput&) {
+    return true;
+  }
+}
+
+struct Run {
+  const char* operation = "orientation";
+  std::vector<std::string> families{};
+  std::uint64_t cases = 3000, seed = 1;
+  int jobs = 1;
+  Scripted::Answer answer{};
+  Declaration declaration{"scripted", Declaration::Boundary::closed, false, 0};
+
+  Tally tally(bool stopped = false) const {
+    AuditOptions options;
+    options.operations = {find_operation(operation)};
+    options.families = families;
+    options.cases = cases;
+    options.seed = seed;
+    options.jobs = jobs;
+    if (answer) options.engine = [this] { return std::make_unique<Scripted>(answer, declaration); };
+    return run_audit(options, stopped, [](const std::string&, std::uint64_t) {});
+  }
+};
+
+}  // namespace
+
+TEST_CASE("audit_runs: the same seed gives the same tally whatever the number of jobs, another seed another") {
+  for (const char* operation : {"orientation", "segment_segment", "line_point_at"}) {
+    Run run{.operation = operation, .cases = 5000};
+    const std::string alone = tally_json(run.tally());
+    CHECK(tally_json(run.tally()) == alone);
+    run.jobs = 3;
+    CHECK(tally_json(run.tally()) == alone);
+    run.seed = 2;
+    CHECK(tally_json(run.tally()) != alone);
+  }
+}
+
+TEST_CASE("audit_runs: every case is counted once, in its family, for engine and robust alike") {
+  const Tally tally = Run{.cases = 3001, .answer = right}.tally();
+  REQUIRE(tally.operations.size() == 1);
+  const auto& families = tally.operations[0].families;
+  CHECK(families.size() == find_operation("orientation")->families().size());
+  std::uint64_t sum = 0;
+  for (const auto& [family, cell] : families) sum += cell.cases() + cell.refused;
+  CHECK(sum == 3001);
+  CHECK(tally.operations[0].total().count(Verdict::agree) == tally.operations[0].total().cases());
+  CHECK(tally.robust[0].total().cases() == tally.operations[0].total().cases());
+  CHECK_FALSE(tally.has_findings());
+}
+
+TEST_CASE("audit_runs: a decision answered wrongly is found and shrunk to the smallest question of its kind") {
+  const auto says_right_for_left = [](const Question&, const Examination& examination) -> Json {
+    return {{"side", examination.outcome() == "left" ? "right" : examination.outcome()}};
+  };
+  const Tally tally = Run{.families = {"grid"}, .answer = says_right_for_left}.tally();
+  const Cell& cell = tally.operations[0].families[0].second;
+  CHECK(cell.count(Verdict::algorithm) + cell.count(Verdict::rounding) == cell.outcomes.at("left"));
+  CHECK(cell.outcomes.at("left") > 0);
+  CHECK(tally.has_findings());
+  const auto& found = cell.smallest[static_cast<std::size_t>(Verdict::algorithm)];
+  REQUIRE(found);
+  CHECK(found->answer == Json{{"side", "right"}});
+  // A triangle of positive area needs two coordinates that are not 0; the grid has 1, 2 and 3.
+  INFO(one_line(find_operation("orientation")->print(found->question)));
+  const std::vector<double>& n = found->question.numbers;
+  CHECK(std::count(n.begin(), n.end(), 0.0) == 4);
+  CHECK(*std::max_element(n.begin(), n.end()) <= 3);
+}
+
+TEST_CASE("audit_runs: an engine that is wrong beyond a threshold is shrunk to the threshold") {
+  // In that family the segment is one point, and on means that the point is the same: (40, 0) is the simplest from 40 on.
+  const auto blind_beyond = [](const Question& q, const Examination& examination) -> Json {
+    return examination.outcome() == "on" && q.numbers[0] >= 40 ? Json{{"relation", "off"}}
+                                                               : examination.rounded_truth();
+  };
+  const Tally tally = Run{.operation = "point_on_segment", .families = {"zero_length"}, .answer = blind_beyond}.tally();
+  const auto& found = tally.operations[0].families[0].second.smallest[static_cast<std::size_t>(Verdict::algorithm)];
+  REQUIRE(found);
+  const std::vector<double>& n = found->question.numbers;
+  INFO(one_line(find_operation("point_on_segment")->print(found->question)));
+  CHECK(n[0] == 40);
+  CHECK(n == std::vector<double>{40, 0, 40, 0, 40, 0});
+}
+
+TEST_CASE("audit_runs: what is shown is never larger than what was found") {
+  for (const char* name : {"segment_segment", "point_on_segment", "explicit_line", "implicit_circle"}) {
+    const Operation& operation = *find_operation(name);
+    const std::uint64_t each = 40;
+    const Tally tally = Run{.operation = name, .cases = each * operation.families().size()}.tally();
+    for (std::size_t family = 0; family < operation.families().size(); ++family) {
+      for (std::uint64_t i = 0; i < each; ++i) {
+        Choices choices = case_choices(operation, family, 1, i);
+        const Question question = operation.draw(choices, family);
+        if (is_refused(operation, question)) continue;
+        const Verdict verdict = operation.examine(question)->judge_reference().verdict;
+        if (verdict == Verdict::agree) continue;
+        const auto& shown = tally.operations[0].families[family].second.smallest[static_cast<std::size_t>(verdict)];
+        INFO(name << " " << operation.families()[family] << " " << i);
+        REQUIRE(shown);
+        CHECK(shown->judgement.verdict == verdict);
+        CHECK_FALSE(smaller(question, shown->question));
+      }
+    }
+  }
+}
+
+TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupported, neither stops the run") {
+  const auto moody = [](const Question& q, const Examination& examination) -> Json {
+    if (q.numbers[0] < 0) return nullptr;
+    if (q.numbers[0] > 0) return {{"failure", "fell over"}};
+    return examination.rounded_truth();
+  };
+  const Cell cell = Run{.families = {"grid", "random", "collinear"}, .answer = moody}.tally().operations[0].total();
+  CHECK(cell.count(Verdict::unsupported) > 0);
+  CHECK(cell.count(Verdict::agree) > 0);
+  const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
+  REQUIRE(failed);
+  CHECK(failed->judgement.remark == "fell over");
+  CHECK_THROWS_AS((Run{.operation = "ray_segment", .answer = right}.tally()),
+                  EngineError);  // it has nothing that was asked
+}
+
+TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong answer") {
+  const auto given_up_on_small = [](const Question& q, const Examination&) -> Json {
+    if (std::fabs(q.numbers[0]) < 3) return {{"not asked", true}};
+    return {{"failure", "fell over"}};
+  };
+  const Cell cell = Run{.families = {"grid"}, .answer = given_up_on_small}.tally().operations[0].total();
+  CHECK(cell.count(Verdict::invalid) == cell.cases());
+  CHECK(cell.not_asked > 0);
+  CHECK(cell.cases() + cell.not_asked == 3000);
+  CHECK(cell.given_up == "given up");
+  const Tally none = Run{
+      .families = {"grid"}, .answer = [](const Question&, const Examination&) -> Json {
+        return {{"not asked", true}};
+      }}.tally();
+  CHECK(none.operations[0].total().cases() == 0);
+  CHECK(none.has_findings());
+  CHECK_THAT(text_table(none), Catch::Contains("0 of 0 answers wrong; 3,000 not asked") &&
+                                   Catch::Contains("orientation: 3,000 questions not asked: the engine was given up"));
+  CHECK(tally_json(read_tally(tally_json(none))) == tally_json(none));
+  const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
+  REQUIRE(failed);
+  CHECK(failed->judgement.remark == "fell over");
+}
+
+TEST_CASE("audit_runs: touch as contact here and not there is an inconsistent convention, always the same is not") {
+  const auto closed_until = [](double limit) {
+    return [limit](const Question& q, const Examination& examination) -> Json {
+      return examination.touch() && q.numbers[0] > limit ? Json{{"relation", "disjoint"}} : examination.rounded_truth();
+    };
+  };
+  Run run{.operation = "segment_segment", .families = {"shared_end", "end_on_segment"}};
+  run.declaration.boundary = Declaration::Boundary::open;
+  const auto inconsistent = [&](double limit) {
+    run.answer = closed_until(limit);
+    const Tally tally = run.tally();
+    CHECK(tally.operations[0].total().count(Verdict::algorithm) == 0);
+    CHECK(tally.has_findings() == tally.operations[0].inconsistent_convention());
+    return tally.operations[0].inconsistent_convention();
+  };
+  CHECK(inconsistent(0));
+  CHECK_FALSE(inconsistent(HUGE_VAL));   // always closed
+  CHECK_FALSE(inconsistent(-HUGE_VAL));  // always open
+}
+
+TEST_CASE("audit_runs: a binary32 engine is asked numbers that are floats") {
+  bool all_floats = true;
+  Run run{.cases = 2000, .answer = [&](const Question& q, const Examination& examination) -> Json {
+            for (const double n : q.numbers) all_floats = all_floats && static_cast<double>(static_cast<float>(n)) == n;
+            return examination.rounded_truth();
+          }};
+  run.declaration.binary32 = true;
+  CHECK_FALSE(run.tally().has_findings());
+  CHECK(all_floats);
+}
+
+TEST_CASE("audit_runs: a stopped run says so and keeps what there is") {
+  const Tally tally = Run{.answer = right}.tally(true);
+  CHECK(tally.interrupted);
+  CHECK_FALSE(Run{.cases = 100}.tally().interrupted);
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include "catalogue/judge/examination_of.h"
+#include "proptests/mandatory_number.h"
+
+/// What the judge says of answers made by hand.
+namespace touchstone::audit {
+namespace {
+
+using Boundary = Declaration::Boundary;
+
+/// One engine and one question, asked about many answers.
+struct Case {
+  const char* operation;
+  const char* question;
+  Boundary boundary = Boundary::unspecified;
+  double tolerance = 0;
+  bool binary32 = false;
+
+  Judgement judge(const std::string& answer) const {
+    const Operation& asked = *find_operation(operation);
+    const auto examination = asked.examine(asked.parse(parse_line(question)));
+    return examination->judge_engine(parse_line(answer), Declaration{"by hand", boundary, binary32, tolerance});
+  }
+  std::string says(const std::string& answer) const { return name_of(judge(answer).verdict); }
+  int touch(const std::string& answer) const { return judge(answer).touch_reading; }
+};
+
+constexpr const char* left = R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})";
+constexpr const char* nearly_on = R"({"p0":[0,0],"p1":[1,10],"p":[0.1,1]})";  // right, by 2^-54
+constexpr const char* tee = R"({"a":[[0,0],[4,0]],"b":[[1,0],[1,5]]})";
+constexpr const char* cross = R"({"a":[[0,0],[4,4]],"b":[[0,4],[4,0]]})";
+constexpr const char* overlapping = R"({"a":[[0,0],[4,4]],"b":[[2,2],[6,6]]})";
+
+}  // namespace
+
+TEST_CASE("verdicts: a decision is right, wrong by algorithm, or wrong where the formula rounds") {
+  const Case certain{"orientation", left}, near{"orientation", nearly_on};
+  CHECK(certain.says(R"({"side":"left"})") == "agree");
+  CHECK(certain.says(R"({"side":"on"})") == "algorithm");
+  CHECK(certain.says(R"({"side":"right"})") == "algorithm");
+  CHECK(near.says(R"({"side":"right"})") == "agree");
+  CHECK(near.says(R"({"side":"on"})") == "rounding");
+  CHECK(near.says(R"({"side":"left"})") == "rounding");
+}
+
+TEST_CASE("verdicts: where the formula divides by an exact 0, nothing was rounded") {
+  const Case apart{"point_on_segment", R"({"point":[1,1],"segment":[[0,0],[0,0]]})"},
+      inside{"point_on_segment", R"({"point":[0,1],"segment":[[0,0],[0,2]]})"};
+  CHECK(apart.says(R"({"relation":"off"})") == "agree");
+  CHECK(apart.says(R"({"relation":"on"})") == "algorithm");
+  CHECK(inside.says(R"({"relation":"off"})") == "algorithm");
+}
+
+TEST_CASE("verdicts: words that are no JSON numbers lose the answer they stand in and nothing else") {
+  const Case at{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})"};
+  for (const char* numbers : {"[NaN,10]", "[7,Infinity]", "[-Infinity,10]", "[-1e999,10]", R"(["nan",10])"}) {
+    const Judgement judged = at.judge(R"({"point":)" + std::string(numbers) + "}");
+    CHECK(name_of(judged.verdict) == std::string("invalid"));
+    CHECK(judged.remark == "NaN or infinity where the truth is finite");
+  }
+  for (const char* numbers : {"[0x10,1]", "[01,1]", "[1.5.2,1]", "[--1,1]", "[+1,1]", "[.5,1]", "[Nan,1]"}) {
+    const Judgement judged = at.judge(R"({"point":)" + std::string(numbers) + "}");
+    CHECK(name_of(judged.verdict) == std::string("invalid"));
+    CHECK(judged.remark == "answer.point[0]: number");
+  }
+  CHECK_THAT(at.judge(R"({"point":[null,1]})").remark, Catch::Contains(R"(send "nan")"));
+}
+
+TEST_CASE("verdicts: a declared tolerance forgives what lies within it, and nothing else") {
+  // The margin is an area, 2^-54 = 5.6e-17; the greatest coordinate is 10.
+  const auto with = [](double tolerance) {
+    return Case{"orientation", nearly_on, Boundary::closed, tolerance}.says(R"({"side":"on"})");
+  };
+  CHECK(with(0) == "rounding");
+  CHECK(with(5e-18) == "rounding");
+  CHECK(with(6e-18) == "tolerance");
+  CHECK(with(1e-9) == "tolerance");
+  CHECK(Case{"orientation", left, Boundary::closed, 1e-9}.says(R"({"side":"on"})") == "algorithm");
+  CHECK(Case{"orientation", left, Boundary::closed, 1e-9}.says(R"({"side":"left"})") == "agree");
+}
+
+TEST_CASE("verdicts: among coordinates below 1 an area is compared with the tolerance itself") {
+  // The margin is 2^-1 * 2^-40.
+  const char* const small = R"({"p0":[0,0],"p1":[0.5,0],"p":[0,"0x1p-40"]})";
+  const auto with = [&](double tolerance) {
+    return Case{"orientation", small, Boundary::closed, tolerance}.says(R"({"side":"on"})");
+  };
+  CHECK(with(0x1p-41) == "tolerance");
+  CHECK(with(0x1.fffffffffffffp-42) == "algorithm");
+}
+
+TEST_CASE("verdicts: a binary32 engine is blamed for rounding where binary32 rounds, others only where binary64 does") {
+  // 16777215 * 16777213 - 16777214^2 = -1: products of 48 bits.
+  Case engine{"orientation", R"({"p0":[0,0],"p1":[16777215,16777214],"p":[16777214,16777213]})"};
+  CHECK(engine.says(R"({"side":"right"})") == "agree");
+  CHECK(engine.says(R"({"side":"on"})") == "algorithm");
+  engine.binary32 = true;
+  CHECK(engine.says(R"({"side":"right"})") == "agree");
+  CHECK(engine.says(R"({"side":"on"})") == "rounding");
+}
+
+TEST_CASE("verdicts: a touch answered as open sets do is a convention, unless closed sets were declared") {
+  const Case closed{"segment_segment", tee, Boundary::closed}, open{"segment_segment", tee, Boundary::open},
+      unspecified{"segment_segment", tee};
+  const std::string disjoint = R"({"relation":"disjoint"})", point = R"({"relation":"point"})",
+                    overlap = R"({"relation":"overlap"})";
+  CHECK(closed.says(disjoint) == "algorithm");
+  CHECK(open.says(disjoint) == "convention");
+  CHECK(unspecified.says(disjoint) == "convention");
+  for (const Case& engine : {closed, open, unspecified}) {
+    CHECK(engine.says(point) == "agree");
+    CHECK(engine.says(overlap) == "algorithm");
+    CHECK(engine.touch(point) == 1);
+    CHECK(engine.touch(disjoint) == -1);
+    CHECK(engine.touch(overlap) == 0);
+  }
+  const Case crossing{"segment_segment", cross, Boundary::open};
+  CHECK(crossing.says(disjoint) == "algorithm");  // no touch, no excuse
+  CHECK(crossing.touch(point) == 0);
+  CHECK(Case{"implicit_circle", R"({"circle":{"center":[0,0],"radius":5},"point":[3,4]})", Boundary::open}.says(
+            R"({"location":"outside"})") == "convention");
+  CHECK(Case{"implicit_circle", R"({"circle":{"center":[0,0],"radius":5},"point":[3,4]})", Boundary::open}.says(
+            R"({"location":"inside"})") == "algorithm");
+}
+
+TEST_CASE("verdicts: plain true and false answer whether they meet") {
+  const Case closed{"segment_segment", tee, Boundary::closed}, open{"segment_segment", tee, Boundary::open},
+      overlap{"segment_segment", overlapping, Boundary::open};
+  CHECK(closed.says("true") == "agree");
+  CHECK(closed.says("false") == "algorithm");
+  CHECK(open.says("true") == "agree");
+  CHECK(open.says("false") == "convention");
+  CHECK(open.touch("true") == 1);
+  CHECK(open.touch("false") == -1);
+  CHECK(overlap.says("true") == "agree");
+  CHECK(overlap.says("false") == "algorithm");
+  CHECK(Case{"orientation", left}.says("true") == "invalid");
+  CHECK(Case{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})"}.says("false") == "invalid");
+}
+
+TEST_CASE("verdicts: numbers are held to the stated bound; an engine may leave them out") {
+  const Case at{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})"};  // (7, 10), bound 2
+  const Judgement exact = at.judge(R"({"point":[7,10]})"),
+                  one_off = at.judge(R"({"point":["0x1.c000000000001p+2",10]})");
+  CHECK(name_of(exact.verdict) == std::string("agree"));
+  CHECK(exact.ulps == 0);
+  CHECK(name_of(one_off.verdict) == std::string("agree"));
+  CHECK(one_off.ulps == 1);
+  CHECK(at.says(R"({"point":["0x1.c000000000002p+2",10]})") == "agree");
+  CHECK(at.judge(R"({"point":["0x1.c000000000003p+2",10]})").ulps == 3);
+  CHECK(at.says(R"({"point":["0x1.c000000000003p+2",10]})") == "inexact");
+  CHECK(at.says(R"({"point":[7,11]})") == "inexact");
+
+  const Case touch{"segment_segment", tee, Boundary::closed};
+  CHECK(touch.says(R"({"relation":"point","ta":0.25,"tb":0,"point":[1,0]})") == "agree");
+  CHECK(touch.says(R"({"relation":"point","ta":0.25})") == "agree");
+  CHECK(touch.says(R"({"relation":"point","ta":0.26,"tb":0,"point":[1,0]})") == "inexact");
+  CHECK(touch.says(R"({"relation":"disjoint","ta":0.25})") == "algorithm");
+}
+
+TEST_CASE("verdicts: NaN, an infinity where the truth is finite, and what is no valid answer are invalid") {
+  const Case at{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})"};
+  CHECK(at.says(R"({"point":["nan",10]})") == "invalid");
+  CHECK(at.says(R"({"point":[7,"-inf"]})") == "invalid");
+  CHECK(at.says(R"({"point":[7,1e999]})") == "invalid");
+  CHECK(at.says(R"({"point":[7]})") == "invalid");
+  CHECK(at.says(R"({"point":[7,10,0]})") == "invalid");
+  CHECK(at.says(R"({"point":[7,"ten"]})") == "invalid");
+  CHECK(at.says("{}") == "invalid");
+  CHECK(at.says("[7,10]") == "invalid");
+  CHECK(at.says("null") == "invalid");
+  const Case beyond{"line_point_at", R"({"line":{"origin":[1e308,0],"direction":[1e308,1]},"t":1})"};
+  CHECK(beyond.says(R"({"point":["inf",1]})") == "agree");
+  CHECK(beyond.says(R"({"point":["-inf",1]})") == "invalid");
+
+  const Case side{"orientation", left};
+  CHECK(side.judge(R"({"side":"up"})").remark == "answer.side: one of left, on, right");
+  CHECK(side.judge(R"({"side":"left","sure":true})").remark == "answer.sure: known field");
+  CHECK(side.judge("{}").remark == "answer.side: missing");
+  for (const char* answer :
+       {R"({"side":"up"})", R"({"side":"left","sure":true})", "{}", "[]", "null", "1", "\"left\""}) {
+    INFO(answer);
+    CHECK(side.says(answer) == "invalid");
+  }
+}
+
+TEST_CASE("verdicts: numbers of a binary32 engine are held against binary32") {
+  // 3 * 0.1f is no float: the nearest is 0.3f + 1 unit, 0.30000001192092896.
+  Case engine{"line_point_at", R"({"line":{"origin":[0,0],"direction":["0x1.99999ap-4",1]},"t":3})"};
+  const std::string answer = R"({"point":["0x1.333334p-2",3]})";
+  CHECK(engine.says(answer) == "inexact");
+  engine.binary32 = true;
+  CHECK(engine.judge(answer).ulps == 0);
+  CHECK(engine.says(answer) == "agree");
+}
+
+TEST_CASE("verdicts: the slide's formula is judged by running it again in exact arithmetic") {
+  const auto reference = [](const char* operation, const char* question, bool binary32 = false) {
+    const Operation& asked = *find_operation(operation);
+    return std::string(name_of(asked.examine(asked.parse(parse_line(question)))->judge_reference(binary32).verdict));
+  };
+  CHECK(reference("orientation", left) == "agree");
+  CHECK(reference("orientation", nearly_on) == "rounding");
+  CHECK(reference("segment_segment", overlapping) == "algorithm");
+  CHECK(reference("segment_segment", tee) == "agree");
+  CHECK(reference("line_point_at", R"({"line":{"origin":[-1e308,0],"direction":[1e308,1]},"t":2})") == "invalid");
+  // 2^24 + 1 is a double, and no float.
+  CHECK(reference("explicit_line", R"({"slope":1,"intercept":16777216,"point":[1,16777217]})") == "agree");
+  CHECK(reference("explicit_line", R"({"slope":1,"intercept":16777216,"point":[1,16777216]})") == "agree");
+  CHECK(reference("explicit_line", R"({"slope":1,"intercept":16777216,"point":[1,16777216]})", true) == "rounding");
+}
+
+TEST_CASE("verdicts: robust agrees where the formula does not") {
+  for (const auto& [operation, question] :
+       {std::pair{"orientation", nearly_on}, {"segment_segment", overlapping}, {"segment_segment", tee}}) {
+    const Operation& asked = *find_operation(operation);
+    CHECK(name_of(asked.examine(asked.parse(parse_line(question)))->judge_robust().verdict) == std::string("agree"));
+  }
+}
+
+TEST_CASE("verdicts: an engine may leave out every number, also one that is always there, but not the word") {
+  const ExaminationOf<proptests::mandatory_number> examination({{0, 3}});
+  const auto judged = [&](const char* answer) {
+    return examination.judge_engine(parse_line(answer), Declaration{"by hand"});
+  };
+  CHECK(judged(R"({"side":"front","signed_distance":3})").verdict == Verdict::agree);
+  CHECK(judged(R"({"side":"front","signed_distance":4})").verdict == Verdict::inexact);
+  CHECK(judged(R"({"side":"front","signed_distance":"nan"})").verdict == Verdict::invalid);
+  CHECK(judged(R"({"side":"front"})").verdict == Verdict::agree);
+  CHECK(judged(R"({"side":"front"})").ulps == 0);
+  CHECK(judged(R"({"side":"back"})").verdict == Verdict::algorithm);
+  CHECK(judged(R"({"side":"back","signed_distance":3})").verdict == Verdict::algorithm);
+  CHECK(judged(R"({"signed_distance":3})").remark == "answer.side: missing");
+  CHECK(judged(R"({"side":"front","distance":3})").verdict == Verdict::invalid);
+}
+
+}  // namespace touchstone::audit

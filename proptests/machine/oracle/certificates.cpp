@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "catalogue/operation.h"
+#include "oracle/certificates/check.h"
+
+namespace {
+
+using nlohmann::json;
+using namespace touchstone::certify;
+
+/// The claims of every file; those that hold, or the false ones. The test program runs in the source folder.
+std::vector<json> claims(bool refused) {
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator("oracle/certificates/claims"))
+    files.insert(entry.path());
+  std::vector<json> result;
+  for (const auto& file : files) {
+    std::ifstream in(file);
+    for (std::string text; std::getline(in, text);) {
+      if (json claim = json::parse(text); claim.contains("refused") == refused) result.push_back(std::move(claim));
+    }
+  }
+  return result;
+}
+
+/// Every part of a claim, the whole parts too.
+void collect(const json& claim, const json::json_pointer& at, std::vector<json::json_pointer>& parts) {
+  const json& here = claim[at];
+  if (!at.empty()) parts.push_back(at);
+  for (std::size_t i = 0; here.is_array() && i < here.size(); ++i) collect(claim, at / i, parts);
+  if (!here.is_object()) return;
+  for (const auto& field : here.items()) collect(claim, at / field.key(), parts);
+}
+
+}  // namespace
+
+TEST_CASE("certificates: true claims of every kind are accepted") {
+  const auto all = claims(false);
+  REQUIRE(all.size() >= 20);
+  for (const json& claim : all) {
+    CAPTURE(claim.dump());
+    CHECK(refuse(claim) == std::nullopt);
+  }
+}
+
+TEST_CASE("certificates: false claims of every sort are refused, each for its own reason") {
+  const auto all = claims(true);
+  REQUIRE(all.size() >= 150);
+  for (const json& claim : all) {
+    CAPTURE(claim["because"], claim.dump());
+    CHECK(refuse(claim) == claim["refused"].get<std::string>());
+  }
+}
+
+TEST_CASE("certificates: a claim with any one part taken away or replaced is refused, and nothing crashes") {
+  const json junk[] = {
+      nullptr, true, -7, 2.5, "", "x", "1/0", json::array(), json::object(), json::array({"1", "2", "3"})};
+  for (const json& claim : claims(false)) {
+    std::vector<json::json_pointer> parts;
+    collect(claim, json::json_pointer(), parts);
+    for (const auto& part : parts) {
+      for (const json& thing : junk) {
+        if (thing.is_number() && claim[part].is_primitive() && part.to_string().starts_with("/input"))
+          continue;  // valid
+        json broken = claim;
+        broken[part] = thing;
+        if (broken == claim) continue;  // a truth that is true
+        CAPTURE(broken.dump());
+        CHECK(refuse(broken).has_value());
+      }
+    }
+    for (const char* part : {"op", "input", "truth", "certificate"}) {
+      json broken = claim;
+      broken.erase(part);
+      CHECK(refuse(broken) == "claim: field " + std::string(part) + " is missing");
+    }
+  }
+}
+
+TEST_CASE("certificates: no other word is accepted in place of the truth's") {
+  json words = json::array();
+  for (const touchstone::audit::Operation* operation : touchstone::audit::catalogue()) {
+    for (const std::string& word : operation->words()) words.push_back(word);
+  }
+  std::size_t replaced = 0;
+  for (const json& claim : claims(false)) {
+    const json leaves = claim["truth"].flatten();
+    for (const auto& leaf : leaves.items()) {
+      const bool is_word = leaf.value().is_string() &&
+                           leaf.value().get<std::string>().find_first_not_of("-0123456789/") != std::string::npos;
+      const json others = is_word ? words : leaf.value().is_boolean() ? json{true, false} : json::array();
+      for (const json& other : others) {
+        json broken = claim;
+        broken["truth"][json::json_pointer(leaf.key())] = other;
+        CAPTURE(broken.dump());
+        CHECK((broken == claim) == !refuse(broken).has_value());
+        ++replaced;
+      }
+    }
+  }
+  CHECK(replaced > 200);
+}
+
+TEST_CASE("certificates: a test vector of a refused input is told from a claim") {
+  CHECK(is_refused_input(R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"));
+  CHECK(!is_refused_input(
+      R"({"op":"line_line","input":{},"truth":{},"certificate":{},"refused":"truth: x is missing"})"));
+  CHECK(!is_refused_input(R"({"op":"line_line","input":{},"certificate":{}})"));
+  CHECK(!is_refused_input("{"));
+  CHECK(!is_refused_input("[]"));
+}
+
+TEST_CASE("certificates: text that is not JSON and numbers that are not finite are refused") {
+  CHECK(refuse_text("") == "not JSON");
+  CHECK(refuse_text("{\"op\":") == "not JSON");
+  CHECK(refuse_text("[]") == "claim: an object");
+  json claim = json::parse(R"({"op":"explicit_line","input":{"intercept":1,"point":[1,4]},"truth":{"side":"above"},)"
+                           R"("certificate":{"kind":"height","height":["1"]}})");
+  claim["input"]["slope"] = std::numeric_limits<double>::infinity();
+  CHECK(refuse(claim) == "slope: finite number");
+}

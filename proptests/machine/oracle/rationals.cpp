@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "catalogue/catalogue.h"
+#include "catalogue/families/families.h"
+#include "catalogue/judge/examination_of.h"
+#include "oracle/exact/decode.h"
+#include "oracle/exact/nearest_double.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using audit::Choices;
+using oracle::Rational;
+using Segment = Segment2<Rational>;
+using Line = Line2<Rational>;
+using Ray = Ray2<Rational>;
+using Circle = Circle2<Rational>;
+
+template <class Row>
+using Rationals = audit::rebound_t<typename Row::Question, Rational>;
+
+template <class Row>
+Rationals<Row> exactly(const typename Row::Question& question) {
+  return audit::converted<Rational>(question, [](double number) { return oracle::exact(number); });
+}
+
+/// The truth, its margin, or the refusal, in words.
+template <class Row, class Question>
+std::string said(const Question& question) {
+  try {
+    const auto truth = audit::ask_oracle<Row>(question);
+    return audit::ExaminationOf<Row>::answer_json(truth.answer).dump() + ", margin " + truth.margin.get_str();
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+}
+
+Rational half_to_the(int power) { return Rational(1, mpz_class(1) << power); }
+
+/// Irrational coordinates: each overload gives some rational closer than 2^-60 units in the last place.
+bool as_close_as_promised(const Rational& one, const Rational& other) {
+  Rational ulp = half_to_the(1074);
+  mpq_mul_2exp(ulp.get_mpq_t(), ulp.get_mpq_t(), static_cast<mp_bitcnt_t>(oracle::ulp_exponent(one) + 1074));
+  return abs(Rational(one - other)) < Rational(2 * ulp * half_to_the(60)) &&
+         oracle::nearest_double(one) == oracle::nearest_double(other);
+}
+
+bool same_circle_point(const Circle2d& circle, double u) {
+  const auto exact_circle = audit::converted<Rational>(circle, [](double number) { return oracle::exact(number); });
+  const auto doubles = oracle::parametric_circle(circle, u);
+  const auto rationals = oracle::parametric_circle(exact_circle, oracle::exact(u));
+  return as_close_as_promised(doubles.answer.x, rationals.answer.x) &&
+         as_close_as_promised(doubles.answer.y, rationals.answer.y) &&
+         abs(Rational(doubles.margin - rationals.margin)) < half_to_the(58);
+}
+
+/// The points of an answer, times a factor.
+template <class Answer>
+Answer enlarged(Answer answer, const Rational& factor) {
+  const auto enlarge = [&](Point2<Rational>& p) { p.x *= factor, p.y *= factor; };
+  if constexpr (requires { answer.point; }) {
+    if (answer.point) enlarge(*answer.point);
+  }
+  if constexpr (requires { answer.overlap; }) {
+    if (answer.overlap) enlarge(answer.overlap->a), enlarge(answer.overlap->b);
+  }
+  return answer;
+}
+
+/// Decimals, so that nothing is rounded on the way.
+Rational typed(const std::string& digits) {
+  const auto dot = digits.find('.');
+  if (dot == std::string::npos) return Rational(digits, 10);
+  std::string whole = digits;
+  whole.erase(dot, 1);
+  Rational result(whole + "/1" + std::string(digits.size() - dot - 1, '0'), 10);
+  result.canonicalize();
+  return result;
+}
+Point2<Rational> at(const std::string& x, const std::string& y) { return {typed(x), typed(y)}; }
+Vector2<Rational> by(const std::string& x, const std::string& y) { return {typed(x), typed(y)}; }
+
+template <class Ask>
+std::string refusal(const Ask& ask) {
+  try {
+    ask();
+    return "answered";
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("rationals: the truth for doubles and for the rationals that they are is one truth") {
+  audit::for_each_row([]<class Row>() {
+    const audit::Families<Row> families;
+    int different = 0;
+    for (std::size_t family = 0; family < families.names().size(); ++family) {
+      for (std::uint64_t i = 0; i < 40; ++i) {
+        Choices choices = Choices::seeded(audit::seed_of(i, "rationals", family));
+        const auto question = families.draw(choices, family);
+        if (said<Row>(question) == said<Row>(exactly<Row>(question))) continue;
+        if constexpr (std::is_same_v<Row, audit::rows::parametric_circle>) {
+          if (std::apply(same_circle_point, question)) continue;
+        }
+        ++different;
+        CAPTURE(Row::card().name, families.names()[family], i, said<Row>(question), said<Row>(exactly<Row>(question)));
+        CHECK(different == 0);
+      }
+    }
+  });
+}
+
+TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point and a ninth of the margin", "",
+                   audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line,
+                   audit::rows::segment_segment, audit::rows::ray_segment, audit::rows::orientation) {
+  const Rational third(1, 3);
+  const audit::Families<TestType> families;
+  for (std::size_t family = 0; family < families.names().size(); ++family) {
+    for (std::uint64_t i = 0; i < 20; ++i) {
+      Choices choices = Choices::seeded(audit::seed_of(i, "thirds", family));
+      const auto question = exactly<TestType>(families.draw(choices, family));
+      const auto smaller = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
+      try {
+        auto truth = audit::ask_oracle<TestType>(question);
+        truth.answer = enlarged(truth.answer, third), truth.margin /= 9;
+        CHECK(said<TestType>(smaller) ==
+              audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() + ", margin " + truth.margin.get_str());
+      } catch (const InvalidInput& refused) {
+        CHECK(said<TestType>(smaller) == refused.what());
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE(
+    "rationals: where whole numbers stop to fit machine words, a large factor changes nothing but the size", "",
+    audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line, audit::rows::segment_segment,
+    audit::rows::ray_segment, audit::rows::orientation) {
+  const Rational factor((mpz_class(1) << 89) - 1);  // a prime: there is no common factor to take out again
+  const typename TestType::Question shape{};
+  int different = 0;
+  for (std::uint64_t i = 0; i < 3000; ++i) {
+    Choices choices = Choices::seeded(audit::seed_of(i, "words", 0));
+    // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere within.
+    const unsigned long bits = 58 + choices.below(8);
+    std::array<mpz_class, 4> values;
+    for (mpz_class& value : values) {
+      value = (mpz_class(1) << bits) - 1;
+      value -= choices.below(3) != 0 ? mpz_class(static_cast<unsigned long>(choices.below(4)))
+                                     : mpz_class(static_cast<unsigned long>(choices.any_bits() >> 2)) % value;
+    }
+    const auto question = audit::converted<Rational>(shape, [&](double) {
+      const mpz_class& value = values[choices.below(4)];
+      return Rational(choices.below(2) == 0 ? value : mpz_class(-value));
+    });
+    const auto larger = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * factor); });
+    try {
+      auto truth = audit::ask_oracle<TestType>(question);
+      truth.answer = enlarged(truth.answer, factor), truth.margin *= factor * factor;
+      different += said<TestType>(larger) != audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() +
+                                                 ", margin " + truth.margin.get_str();
+    } catch (const InvalidInput& refused) {
+      different += said<TestType>(larger) != refused.what();
+    }
+  }
+  CHECK(different == 0);
+}
+
+TEST_CASE("rationals: typed decimals mean what they say, where the doubles next to them do not") {
+  CHECK(oracle::explicit_line(typed("0.1"), typed("0.2"), at("3", "0.5")).answer == Height::on);
+  CHECK(oracle::explicit_line(0.1, 0.2, {3, 0.5}).answer != Height::on);
+
+  CHECK(oracle::implicit_circle(Circle{at("0", "0"), typed("0.5")}, at("0.3", "0.4")).answer == Location::boundary);
+  CHECK(oracle::implicit_circle({{0, 0}, 0.5}, {0.3, 0.4}).answer != Location::boundary);
+
+  CHECK(oracle::orientation(at("0.1", "0.1"), at("0.2", "0.3"), at("0.3", "0.5")).answer == Side::on);
+  CHECK(oracle::orientation({0.1, 0.1}, {0.2, 0.3}, {0.3, 0.5}).answer != Side::on);
+
+  const auto on = oracle::point_on_segment(at("0.3", "0.1"), Segment{at("0", "0"), at("0.9", "0.3")});
+  CHECK((on.answer.relation == Incidence::on && on.answer.t == Rational(1, 3) && on.margin == 0));
+  CHECK(oracle::point_on_segment({0.3, 0.1}, {{0, 0}, {0.9, 0.3}}).answer.relation == Incidence::off);
+
+  const auto crossing = oracle::line_line(Line{at("0", "0"), at("0.1", "0.3")}, Line{at("0.3", "0"), at("0.2", "0.3")});
+  CHECK((crossing.answer.ta == Rational(3, 2) && crossing.answer.tb == Rational(3, 2)));
+  CHECK((crossing.answer.point == at("0.15", "0.45") && crossing.margin == typed("0.06")));
+  const auto parallel = oracle::line_line(Line{at("0", "0"), at("0.1", "0.3")}, Line{at("1", "0"), at("1.1", "0.3")});
+  CHECK(parallel.answer.relation == LineRelation::parallel);
+  CHECK(oracle::line_line({{0, 0}, {0.1, 0.3}}, {{1, 0}, {1.1, 0.3}}).answer.relation == LineRelation::crossing);
+
+  const auto touch =
+      oracle::segment_segment(Segment{at("0", "0"), at("0.9", "0.3")}, Segment{at("0.3", "0.1"), at("1", "9")});
+  CHECK(
+      (touch.answer.ta == Rational(1, 3) && touch.answer.tb == Rational(0) && touch.answer.point == at("0.3", "0.1")));
+  CHECK(oracle::segment_segment({{0, 0}, {0.9, 0.3}}, {{0.3, 0.1}, {1, 9}}).answer.relation ==
+        SegmentRelation::disjoint);
+
+  const auto overlap =
+      oracle::ray_segment(Ray{at("0.1", "0.7"), by("0.1", "0.2")}, Segment{at("0.4", "1.3"), at("0.3", "1.1")});
+  CHECK((overlap.answer.relation == RayRelation::overlap && overlap.answer.t == Rational(2)));
+  CHECK((overlap.answer.overlap->a == at("0.3", "1.1") && overlap.answer.overlap->b == at("0.4", "1.3")));
+
+  CHECK(oracle::line_point_at(ParametricLine2<Rational>{at("0.1", "0.2"), by("0.1", "0.1")}, Rational(3)).answer ==
+        at("0.4", "0.5"));
+  CHECK(oracle::parametric_circle(Circle{at("0.2", "0.3"), typed("0.1")}, Rational(0)).answer == at("0.3", "0.3"));
+  CHECK(oracle::parametric_circle(Circle{at("0.2", "0.3"), Rational(0)}, typed("0.7")).answer == at("0.2", "0.3"));
+}
+
+TEST_CASE("rationals: refused with the field and the rule that doubles are refused with") {
+  const auto p = at("0.1", "0.2");
+  const auto zero = by("0", "0");
+  const Segment s{p, p};
+  CHECK(refusal([&] { oracle::line_line(Line{p, p}, Line{p, p}); }) == "a: two distinct points");
+  CHECK(refusal([&] { oracle::line_line(Line{p, at("0", "0")}, Line{p, p}); }) == "b: two distinct points");
+  CHECK(refusal([&] { oracle::ray_segment(Ray{p, zero}, s); }) == "ray.direction: nonzero direction");
+  CHECK(refusal([&] {
+          oracle::line_point_at(ParametricLine2<Rational>{p, zero}, Rational(1));
+        }) == "line.direction: nonzero direction");
+  CHECK(refusal([&] { oracle::implicit_circle(Circle{p, typed("-0.1")}, p); }) == "circle.radius: radius >= 0");
+  CHECK(refusal([&] {
+          oracle::parametric_circle(Circle{p, typed("-0.1")}, Rational(1));
+        }) == "circle.radius: radius >= 0");
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <cstdint>
+
+#include "catalogue/families/choices.h"
+#include "oracle/lines/orientation.h"
+#include "oracle/lines/ray_segment.h"
+#include "oracle/lines/segment_segment.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using namespace oracle;
+using audit::Choices;
+
+/// Every pair of segments with all ends on a side x side grid of integers.
+long differences(int side, long (&seen)[3]) {
+  const int points = side * side;
+  long different = 0;
+  const auto whole = [side](int i) { return Point2<std::int64_t>{i % side, i / side}; };
+  const auto real = [side](int i) { return Point2d{static_cast<double>(i % side), static_cast<double>(i / side)}; };
+  for (int i = 0; i < points * points; ++i) {
+    for (int k = 0; k < points * points; ++k) {
+      const Segment2d a{real(i / points), real(i % points)}, b{real(k / points), real(k % points)};
+      const auto program = segment_segment(a, b).answer.relation;
+      const auto elimination =
+          segment_segment_relation<std::int64_t>(Segment2<std::int64_t>{whole(i / points), whole(i % points)},
+                                                 Segment2<std::int64_t>{whole(k / points), whole(k % points)});
+      different += program != elimination || program != segment_segment_relation(a, b);
+      ++seen[static_cast<int>(program)];
+    }
+  }
+  return different;
+}
+
+/// A whole number just within, or anywhere within, so many bits; beyond 53 of them the last ones are 0.
+double within_bits(Choices& choices, int bits) {
+  const std::int64_t most = (std::int64_t{1} << (bits < 53 ? bits : 53)) - 1;
+  const std::int64_t less = choices.below(2) == 0 ? static_cast<std::int64_t>(choices.below(3))
+                                                  : static_cast<std::int64_t>(choices.any_bits() >> 1) % most;
+  const auto size = static_cast<double>(most - less);
+  const double scaled =
+      bits > 53 && choices.below(2) == 0 ? size * static_cast<double>(std::int64_t{1} << (bits - 53)) : size;
+  return choices.below(2) == 0 ? scaled : -scaled;
+}
+
+}  // namespace
+
+TEST_CASE("segment_segment: linear program and elimination agree on the whole 3x3 and 4x4 grids") {
+  for (const int side : {3, 4}) {
+    long seen[3] = {};
+    CHECK(differences(side, seen) == 0);
+    CHECK(seen[0] + seen[1] + seen[2] == static_cast<long>(side) * side * side * side * side * side * side * side);
+    for (const long count : seen) CHECK(count > 0);
+  }
+}
+
+TEST_CASE("segment_segment, orientation: both truths agree where the integers stop to fit a word or two") {
+  Choices choices = Choices::seeded(20240606);
+  int different = 0, seen[3] = {};
+  for (const int bits : {26, 27, 28, 29, 52, 53, 54, 59, 60, 61, 62, 63, 64, 100}) {
+    for (int i = 0; i < 1500; ++i) {
+      const auto point = [&] {
+        const double x = within_bits(choices, bits);
+        return Point2d{x, within_bits(choices, bits)};
+      };
+      Segment2d a{point(), point()}, b{point(), point()};
+      const auto form = choices.below(6);
+      if (form == 0) b = {a.b, a.a};
+      if (form == 1) b.a = a.b;
+      if (form == 2) b.b = b.a = a.a;
+      const auto program = segment_segment(a, b).answer.relation;
+      different += program != segment_segment_relation(a, b);
+      different += orientation(a.a, a.b, b.b).answer != orientation_side(a.a, a.b, b.b);
+      ++seen[static_cast<int>(program)];
+    }
+  }
+  CHECK(different == 0);
+  for (const int count : seen) CHECK(count > 1000);
+}
+
+}  // namespace touchstone::proptests

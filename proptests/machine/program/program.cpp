@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/program.h"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <vector>
+
+#include "program/commands.h"
+
+/// The program as it is called: exit codes, and one line on standard error where it refuses.
+namespace touchstone::audit {
+namespace {
+
+struct Called {
+  int code = 0;
+  std::string out, err;
+};
+
+Called called(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "touchstone");
+  std::ostringstream out, err;
+  auto* const previous_out = std::cout.rdbuf(out.rdbuf());
+  auto* const previous_err = std::cerr.rdbuf(err.rdbuf());
+  Called call;
+  call.code = run_program(static_cast<int>(arguments.size()), arguments.data());
+  std::cout.rdbuf(previous_out);
+  std::cerr.rdbuf(previous_err);
+  call.out = out.str(), call.err = err.str();
+  return call;
+}
+
+void require_refused(const Called& call, int code, const std::string& words) {
+  INFO(call.err);
+  CHECK(call.code == code);
+  CHECK_THAT(call.err, Catch::StartsWith("touchstone: ") && Catch::Contains(words));
+  CHECK(std::count(call.err.begin(), call.err.end(), '\n') == 1);
+}
+
+}  // namespace
+
+TEST_CASE("program: numbers that an option cannot hold are refused in one line") {
+  for (const char* cases : {"0", "-1", "1.5", "1e6", "99999999999999999999", "x"}) {
+    require_refused(called({"audit", "--cases", cases}), bad_usage, "a whole number from 1 to");
+  }
+  for (const char* seed : {"-1", "18446744073709551616", "one"}) {
+    require_refused(called({"audit", "--seed", seed}), bad_usage, "a whole number from 0 to 18446744073709551615");
+  }
+}
+
+TEST_CASE("program: a command that is none is named, with those that are") {
+  require_refused(called({"adit"}), bad_usage, "adit: no command; one of ops, ask, audit");
+}
+
+TEST_CASE("program: an operation named twice is asked once") {
+  CHECK(operations_named("orientation,explicit_line,orientation").size() == 2);
+}
+
+TEST_CASE("program: an engine that has none of the operations asked is an engine that cannot be run") {
+  const char* const engine = R"(echo '{"engine":"e 1","ops":["juggle"]}'; cat)";
+  require_refused(called({"audit", "--ops", "orientation,line_line", "--cases", "10", "--engine", engine}),
+                  engine_failed, "e 1: it declares none of the operations asked: orientation, line_line");
+}
+
+TEST_CASE("program: what cannot be written is known before the first question, by its option") {
+  require_refused(called({"audit", "--json", "/no/such/folder/file"}), bad_usage, "--json /no/such/folder/file");
+  require_refused(called({"audit", "--report", "/dev/null/report"}), bad_usage, "--report /dev/null/report");
+  require_refused(called({"exhaust", "orientation", "--json", "/no/such/folder/file"}), bad_usage, "--json /no/such");
+}
+
+TEST_CASE("program: nothing judged is not nothing found") {
+  require_refused(called({"exhaust", "line_line", "--grid", "1"}), bad_usage, "nothing was judged");
+}
+
+TEST_CASE("program: a number that is none costs an engine its question and not the run") {
+  const std::string script =
+      (std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_engine.sh")).string();
+  std::ofstream(script) << R"(echo '{"engine":"e 1","ops":["line_point_at"]}'
+read greeting
+id=1
+while read question; do echo "{\"id\":$id,\"answer\":{\"point\":[0x10,1]}}"; id=$((id + 1)); done
+)";
+  const std::string command = "sh " + script;
+  const Called call =
+      called({"audit", "--ops", "line_point_at", "--cases", "40", "--jobs", "1", "--engine", command.c_str()});
+  std::filesystem::remove(script);
+  INFO(call.err);
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out, Catch::Contains("answer.point[0]: number") && Catch::Contains(R"({"point":["0x10",1]})"));
+}
+
+TEST_CASE("program: ask puts a question to an engine as well, and judges its answer") {
+  const std::string name = (std::filesystem::temp_directory_path() / std::to_string(::getpid())).string() + "_ask";
+  std::ofstream(name) << R"({"a":[[0,0],[2,0]],"b":[[3,0],[4,0]]})"
+                         "\n"
+                         R"({"a":[[0,0],[2,2]],"b":[[0,2],[2,0]]})"
+                         "\n";
+  const char* const python = "python3 examples/engine.py";
+  const Called call = called({"ask", "segment_segment", name.c_str(), "--engine", python});
+  INFO(call.out << call.err);
+  CHECK(call.code == nothing_found);
+  const std::size_t second = call.out.find('\n') + 1;
+  CHECK_THAT(
+      call.out.substr(0, second),
+      Catch::Contains(R"("engine":{"name":"textbook in Python","answer":true,"verdict":"wrong","cause":"algorithm"})"));
+  CHECK_THAT(call.out.substr(second),
+             Catch::Contains(R"("engine":{"name":"textbook in Python","answer":true,"verdict":"agree"})"));
+  CHECK(called({"ask", "segment_segment", name.c_str()}).out.find("\"engine\"") == std::string::npos);
+  std::filesystem::remove(name);
+  require_refused(called({"ask", "line_line", "--engine", python}), engine_failed,
+                  "textbook in Python: it does not declare line_line");
+  require_refused(called({"ask", "line_line", "--engine", "exit 3"}), engine_failed, "exit code 3");
+}
+
+TEST_CASE("program: an engine in float is asked about the floats nearest to the numbers of the line") {
+  const std::string name = (std::filesystem::temp_directory_path() / std::to_string(::getpid())).string() + "_float";
+  std::ofstream(name) << R"({"slope":0.1,"intercept":0,"point":[1,0.1]})"
+                         "\n";
+  const char* const engine =
+      R"(read greeting; echo '{"engine":"e","ops":["explicit_line"],"number":"binary32"}'; read question
+    case "$question" in *0.10000000149011612*) side=on;; *) side=above;; esac; echo "{\"id\":1,\"answer\":{\"side\":\"$side\"}}")";
+  const Called call = called({"ask", "explicit_line", name.c_str(), "--engine", engine});
+  std::filesystem::remove(name);
+  INFO(call.err);
+  CHECK_THAT(call.out, Catch::Contains(R"("answer":{"side":"on"},"verdict":"agree")"));
+  CHECK_THAT(call.out, Catch::Contains(R"("input":{"slope":0.10000000149011612)"));
+}
+
+TEST_CASE("program: what the table says to repeat a finding of an engine finds it again") {
+  const Called audit = called({"audit", "--ops", "orientation,segment_segment", "--cases", "400", "--seed", "1",
+                               "--jobs", "1", "--engine", "python3 examples/engine.py"});
+  CHECK(audit.code == findings);
+  int repeated = 0;
+  std::istringstream lines(audit.out);
+  for (std::string line, verdict; std::getline(lines, line);) {
+    for (const char* name : {"rounding", "algorithm"}) {
+      if (line.find(std::string(", ") + name + ": ") != std::string::npos) verdict = name;
+    }
+    const std::string key = "  repeat    echo '";
+    if (line.compare(0, key.size(), key) != 0) continue;
+    const std::size_t end = line.find("' | touchstone ask "), placeholder = line.find(" --engine CMD");
+    REQUIRE(end != std::string::npos);
+    REQUIRE(placeholder == line.size() - 13);
+    const std::string operation = line.substr(end + 19, placeholder - end - 19);
+    const std::string file = (std::filesystem::temp_directory_path() / std::to_string(::getpid())).string() + "_repeat";
+    std::ofstream(file) << line.substr(key.size(), end - key.size()) << '\n';
+    const Called ask = called({"ask", operation.c_str(), file.c_str(), "--engine", "python3 examples/engine.py"});
+    std::filesystem::remove(file);
+    INFO(line << "\n" << ask.out << ask.err);
+    CHECK(ask.out.find(R"("verdict":"wrong","cause":")" + verdict, ask.out.find(R"("engine":)")) != std::string::npos);
+    ++repeated;
+  }
+  CHECK(repeated >= 3);
+}
+
+}  // namespace touchstone::audit

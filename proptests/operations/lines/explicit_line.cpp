@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/explicit_line.h"
+
+#include <cmath>
+
+#include "proptests/laws.h"
+#include "robust/lines/orientation.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::explicit_line;
+
+Height other(Height h) { return h == Height::above ? Height::below : h == Height::below ? Height::above : Height::on; }
+
+Stage decided_by(double slope, double intercept, const Point2d& point) {
+  Stage decided{};
+  robust::explicit_line(slope, intercept, point, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("explicit_line: reflected in the x axis above becomes below, in the y axis it stays") {
+  law<Row>("reflections", [](const auto& ask, const auto& asked) {
+    const auto& [m, b, p] = asked;
+    return ask(Row::Question{-m, -b, {p.x, -p.y}}) == other(ask(asked)) &&
+           ask(Row::Question{-m, b, {-p.x, p.y}}) == ask(asked);
+  });
+}
+
+TEST_CASE("explicit_line: powers of two keep the answer") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("a steeper line and a nearer point", [](const auto& ask, const auto& asked) {
+    const auto& [m, b, p] = asked;
+    for (const int k : {1, 10, 300}) {
+      const double steeper = std::ldexp(m, k), nearer = std::ldexp(p.x, -k);
+      if (std::isfinite(steeper) && std::ldexp(nearer, k) == p.x &&
+          ask(Row::Question{steeper, b, {nearer, p.y}}) != ask(asked))
+        return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("explicit_line: shears and shifts of the lattice keep the answer") {
+  law<Row>("shear and shift", [](const auto& ask, const auto& asked) {
+    const auto& [m, b, p] = asked;
+    if (!on_lattice(asked)) return true;
+    const Height height = ask(asked);
+    return ask(Row::Question{m + 3, b, {p.x, p.y + 3 * p.x}}) == height &&
+           ask(Row::Question{m, b + 12345, {p.x, p.y + 12345}}) == height;
+  });
+}
+
+TEST_CASE("explicit_line: above the line is left of two of its points, from left to right") {
+  robust_law<Row>("as orientation", [](const auto& ask, const auto& asked) {
+    const auto& [m, b, p] = asked;
+    if (!on_lattice(asked)) return true;
+    const Side side = robust::orientation({0, b}, {1, m + b}, p);
+    const Height height = ask(asked);
+    return side == (height == Height::above ? Side::left : height == Height::below ? Side::right : Side::on);
+  });
+}
+
+TEST_CASE("explicit_line: the next double above is never lower") {
+  law<Row>("monotone", [](const auto& ask, const auto& asked) {
+    const auto& [m, b, p] = asked;
+    const double higher = audit::moved_by_ulps(p.y, 1);
+    const Height height = ask(asked), then = ask(Row::Question{m, b, {p.x, higher}});
+    return height == Height::below || higher == p.y || then == Height::above;
+  });
+}
+
+TEST_CASE("explicit_line: p. 8's y - (m x + b) worked by hand") {
+  example<Row>({2, 1, {3, 8}}, Height::above);        // 8 - 7
+  example<Row>({2, 1, {3, 7}}, Height::on);           // 7 - 7
+  example<Row>({2, 1, {3, 6}}, Height::below);        // 6 - 7
+  example<Row>({-0.5, 3, {4, 1}}, Height::on);        // 1 - (-2 + 3)
+  example<Row>({-0.5, 3, {-4, 4.5}}, Height::below);  // 4.5 - (2 + 3)
+}
+
+TEST_CASE("explicit_line: rounding hides a point below the line") {
+  example<Row>({10, 0, {0.1, 1}}, Height::below,
+               "rounding");  // ten times the double 0.1 is 1 + 2^-54, which rounds to 1
+  example<Row>({1, 0x1p53, {1, 0x1p53}}, Height::below, "rounding");  // 2^53 + 1 rounds to 2^53
+}
+
+TEST_CASE("explicit_line: horizontal, huge, subnormal and negative zero") {
+  example<Row>({0, 5, {1e9, 5}}, Height::on);
+  example<Row>({-0.0, 5, {-1e9, 6}}, Height::above);
+  example<Row>({-0.0, -0.0, {huge, 0.0}}, Height::on);
+  example<Row>({huge, 0, {huge, huge}}, Height::below);
+  example<Row>({huge, -huge, {2, huge}}, Height::on,
+               "rounding");  // 2 huge is beyond the range, though 2 huge - huge is not
+  example<Row>({tiny, 0, {0.25, 0}}, Height::below, "rounding");  // tiny / 4 rounds to 0
+  example<Row>({tiny, tiny, {1, 2 * tiny}}, Height::on);
+}
+
+TEST_CASE("explicit_line: what is not finite is refused by its field") {
+  refused<Row>({not_a_number, 0, {0, 0}}, "slope", "finite number");
+  refused<Row>({infinity, not_a_number, {0, 0}}, "slope", "finite number");
+  refused<Row>({1, -infinity, {0, 0}}, "intercept", "finite number");
+  refused<Row>({1, 0, {infinity, 0}}, "point[0]", "finite number");
+  refused<Row>({1, 0, {0, not_a_number}}, "point[1]", "finite number");
+}
+
+TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may have to hold") {
+  // y = -intercept = (2^53 - 1) 2^447, and -m x, positive and odd, ends so many digits below 2^500. The sum is almost 2^501.
+  const double most = 0x1p53 - 1;
+  for (int span = 107; span <= 140; ++span) {
+    const double y = std::ldexp(most, 447), x = std::ldexp(most, 500 - span);
+    INFO(span);
+    for (const double sign : {1.0, -1.0}) {
+      const Height expected = sign > 0 ? Height::above : Height::below;
+      CHECK(robust::explicit_line(-sign * most, -sign * y, {x, sign * y}) == expected);
+      const auto by_lattice = robust::explicit_line_lattice(-sign * most, -sign * y, {x, sign * y});
+      CHECK(by_lattice.value_or(expected) == expected);
+      CHECK(by_lattice.has_value() == (span <= 124));
+    }
+  }
+}
+
+TEST_CASE("explicit_line: each stage decides what is meant for it") {
+  CHECK(decided_by(2, 1, {3, 8}) == Stage::filter);
+  CHECK(decided_by(2, 1, {3, 7}) == Stage::lattice);
+  CHECK(decided_by(1, 0x1p53, {1, 0x1p53}) == Stage::lattice);
+  CHECK(decided_by(tiny, 0, {0.25, 0}) == Stage::lattice);
+  CHECK(decided_by(1, tiny, {1, 1}) == Stage::exact);  // 1074 places apart
+}
+
+TEST_CASE("explicit_line: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto&, const auto& asked) {
+    const auto& [m, b, p] = asked;
+    Stage decided{};
+    const Height height = robust::explicit_line(m, b, p, decided);
+    return height == robust::explicit_line(m, b, p) &&
+           stages_agree<Height>(height, decided, robust::explicit_line_filter(m, b, p),
+                                robust::explicit_line_lattice(m, b, p), robust::explicit_line_exact(m, b, p));
+  });
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/implicit_circle.h"
+
+#include "proptests/laws.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::implicit_circle;
+
+auto unchanged = [](const Affine&, Location answer) { return answer; };
+
+Stage decided_by(const Circle2d& circle, const Point2d& point) {
+  Stage decided{};
+  robust::implicit_circle(circle, point, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("implicit_circle: centre and point may be swapped") {
+  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
+    const auto& [circle, p] = asked;
+    return ask(asked) == ask(Row::Question{{p, circle.radius}, circle.center});
+  });
+}
+
+TEST_CASE("implicit_circle: powers of two, the axes' symmetries and integer similarities keep the answer") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, unchanged));
+  law<Row>("integer similarities of the lattice", [](const auto& ask, const auto& asked) {
+    if (!on_lattice(asked)) return true;
+    // (3, 4) and (5, 12) are of length 5 and 13, and so are their quarter turns.
+    const std::pair<Affine, double> similar[] = {
+        {{1, 0, 0, 1, 123, -456}, 1}, {{3, -4, 4, 3, 7, 1e6}, 5}, {{5, 12, 12, -5, -1, 0}, 13}};
+    for (const auto& [map, factor] : similar) {
+      auto image = map(asked);
+      std::get<0>(image).radius *= factor;
+      if (ask(image) != ask(asked)) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("implicit_circle: in the next larger circle nothing is further out") {
+  law<Row>("monotone", [](const auto& ask, const auto& asked) {
+    const auto& [circle, p] = asked;
+    const double larger = audit::moved_by_ulps(circle.radius, 1);
+    const Location then = ask(Row::Question{{circle.center, larger}, p});
+    return ask(asked) == Location::outside || larger == circle.radius || then == Location::inside;
+  });
+}
+
+TEST_CASE("implicit_circle: the centre is inside, and on the boundary of a circle of radius 0") {
+  law<Row>("centre", [](const auto& ask, const auto& asked) {
+    const auto& [circle, p] = asked;
+    return ask(Row::Question{circle, circle.center}) == (circle.radius == 0 ? Location::boundary : Location::inside) &&
+           ask(Row::Question{{p, 0}, circle.center}) == (p == circle.center ? Location::boundary : Location::outside);
+  });
+}
+
+TEST_CASE("implicit_circle: p. 8's x^2 + y^2 - r^2 worked by hand") {
+  example<Row>({{{0, 0}, 5}, {3, 4}}, Location::boundary);    // 9 + 16 - 25
+  example<Row>({{{0, 0}, 5}, {3, 3}}, Location::inside);      // 9 + 9 - 25
+  example<Row>({{{0, 0}, 5}, {4, 4}}, Location::outside);     // 16 + 16 - 25
+  example<Row>({{{1, 2}, 13}, {6, 14}}, Location::boundary);  // 25 + 144 - 169
+  example<Row>({{{1, 2}, 13}, {-4, -10}}, Location::boundary);
+  example<Row>({{{1, 2}, 13}, {6, 14.5}}, Location::outside);  // 25 + 156.25 - 169
+}
+
+TEST_CASE("implicit_circle: rounding puts points outside on the boundary") {
+  // The doubles are (3 - 2^-53) / 5 and (4 + 2^-52) / 5: 25 times the squares' sum is 25 + 10 * 2^-53 + 5 * 2^-106.
+  example<Row>({{{0, 0}, 1}, {0.6, 0.8}}, Location::outside, "rounding");
+  example<Row>({{{0, 0}, 0x1p27}, {0x1p27, 1}}, Location::outside, "rounding");  // 2^54 + 1 rounds to 2^54
+}
+
+TEST_CASE("implicit_circle: radius zero, huge, subnormal and negative zero") {
+  example<Row>({{{2, 3}, 0}, {2, 3}}, Location::boundary);
+  example<Row>({{{2, 3}, -0.0}, {2, 3}}, Location::boundary);
+  example<Row>({{{2, 3}, 0}, {2, 4}}, Location::outside);
+  example<Row>({{{-0.0, 0.0}, 1}, {0.0, -0.0}}, Location::inside);
+  example<Row>({{{0, 0}, huge}, {huge, 0}}, Location::boundary);
+  example<Row>({{{0, 0}, huge}, {huge, tiny}}, Location::outside, "rounding");  // infinity - infinity
+  example<Row>({{{0, 0}, huge}, {huge / 2, huge / 2}}, Location::inside, "rounding");
+  example<Row>({{{0, 0}, tiny}, {tiny, 0}}, Location::boundary);
+  example<Row>({{{0, 0}, tiny}, {tiny, tiny}}, Location::outside, "rounding");  // every square rounds to 0
+}
+
+TEST_CASE("implicit_circle: what is not finite and a negative radius are refused by their field") {
+  refused<Row>({{{not_a_number, 0}, 1}, {0, 0}}, "circle.center[0]", "finite number");
+  refused<Row>({{{0, infinity}, -1}, {0, 0}}, "circle.center[1]", "finite number");
+  refused<Row>({{{0, 0}, not_a_number}, {0, 0}}, "circle.radius", "finite number");
+  refused<Row>({{{0, 0}, -infinity}, {0, 0}}, "circle.radius", "finite number");
+  refused<Row>({{{0, 0}, -1}, {0, 0}}, "circle.radius", "radius >= 0");
+  refused<Row>({{{0, 0}, -tiny}, {9, 9}}, "circle.radius", "radius >= 0");
+  refused<Row>({{{0, 0}, 1}, {-infinity, 0}}, "point[0]", "finite number");
+  refused<Row>({{{0, 0}, 1}, {0, not_a_number}}, "point[1]", "finite number");
+}
+
+TEST_CASE("implicit_circle: each stage decides what is meant for it") {
+  CHECK(decided_by({{0, 0}, 5}, {3, 3}) == Stage::filter);
+  CHECK(decided_by({{0, 0}, 5}, {3, 4}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, 1}, {0.6, 0.8}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, tiny}, {tiny, 0}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, 1}, {1, tiny}) == Stage::exact);  // 1074 places apart
+}
+
+TEST_CASE("implicit_circle: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto&, const auto& asked) {
+    const auto& [circle, p] = asked;
+    Stage decided{};
+    const Location location = robust::implicit_circle(circle, p, decided);
+    return location == robust::implicit_circle(circle, p) &&
+           stages_agree<Location>(location, decided, robust::implicit_circle_filter(circle, p),
+                                  robust::implicit_circle_lattice(circle, p), robust::implicit_circle_exact(circle, p));
+  });
+}
+
+}  // namespace touchstone::proptests

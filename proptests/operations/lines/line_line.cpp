@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/line_line.h"
+
+#include "proptests/forward_error.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::line_line;
+
+exact_answer_t<Row> crossing(const Rational& ta, const Rational& tb, const Rational& x, const Rational& y) {
+  return {LineRelation::crossing, ta, tb, Point2<Rational>{x, y}};
+}
+const exact_answer_t<Row> parallel{LineRelation::parallel, {}, {}, {}}, same{LineRelation::same, {}, {}, {}};
+
+auto moved = [](const Affine& map, const auto& answer) { return map(answer); };
+
+Stage decided_by(const Line2d& a, const Line2d& b) {
+  Stage decided{};
+  robust::line_line_relation(a, b, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("line_line: with the lines swapped ta and tb are swapped") {
+  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
+    auto found = ask(Row::Question{std::get<1>(asked), std::get<0>(asked)});
+    std::swap(found.ta, found.tb);
+    return equal(ask(asked), found);
+  });
+}
+
+TEST_CASE("line_line: on a line given from q to p the crossing has the parameter 1 - t") {
+  law<Row>("reversal", [](const auto& ask, const auto& asked) {
+    const auto& [a, b] = asked;
+    const auto answer = ask(asked), a_turned = ask(Row::Question{{a.q, a.p}, b}),
+               b_turned = ask(Row::Question{a, {b.q, b.p}});
+    return answer.relation == a_turned.relation && answer.relation == b_turned.relation &&
+           equal(answer.tb, a_turned.tb) && equal(answer.ta, b_turned.ta) && equal(answer.point, a_turned.point) &&
+           equal(answer.point, b_turned.point) && reversed(answer.ta, a_turned.ta) && reversed(answer.tb, b_turned.tb);
+  });
+}
+
+TEST_CASE("line_line: a line is the same as itself, whichever way it is given") {
+  law<Row>("itself", [](const auto& ask, const auto& asked) {
+    const auto& a = std::get<0>(asked);
+    return ask(Row::Question{a, a}).relation == LineRelation::same &&
+           ask(Row::Question{a, {a.q, a.p}}).relation == LineRelation::same;
+  });
+}
+
+TEST_CASE("line_line: powers of two, the axes' symmetries and integer maps give the image's answer") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, moved));
+  law<Row>("integer maps of the lattice", lattice_images(moved));
+}
+
+TEST_CASE("line_line: p. 12's equations worked by hand") {
+  // D = A x B, ta = (W x B) / D, tb = (W x A) / D
+  example<Row>({{{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}},
+               crossing(Rational(1, 2), Rational(1, 2), 2, 2));                            // D -32, W (0, 4): -16, -16
+  example<Row>({{{0, 0}, {1, 0}}, {{3, -1}, {3, 2}}}, crossing(3, Rational(1, 3), 3, 0));  // D 3, W (3, -1): 9, 1
+  example<Row>({{{1, 1}, {2, 3}}, {{0, 4}, {1, 4}}},
+               crossing(Rational(3, 2), Rational(5, 2), Rational(5, 2), 4));  // D -2: -3, -5
+  example<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}, parallel);
+  example<Row>({{{0, 0}, {0, 1}}, {{5, 7}, {5, -7}}}, parallel);
+}
+
+TEST_CASE("line_line: the slide has no case for two lines that are one") {
+  example<Row>({{{0, 0}, {1, 1}}, {{2, 2}, {5, 5}}}, same, "algorithm");
+  example<Row>({{{0, 3}, {1, 3}}, {{9, 3}, {-9, 3}}}, same, "algorithm");
+}
+
+TEST_CASE("line_line: nearly parallel, huge, subnormal, beyond the range, negative zero") {
+  example<Row>({{{0, 0}, {1, 1}}, {{0, 0}, {1, 1 + 0x1p-52}}}, crossing(0, 0, 0, 0));
+  example<Row>({{{-0.0, 0.0}, {1, -0.0}}, {{0.0, -0.0}, {-0.0, 1}}}, crossing(0, 0, 0, 0));
+  // The differences overflow and their quotients are NaN.
+  example<Row>({{{-huge, 0}, {huge, 0}}, {{0, -huge}, {0, huge}}}, crossing(Rational(1, 2), Rational(1, 2), 0, 0),
+               "invalid");
+  // D underflows to 0.
+  example<Row>({{{0, 0}, {tiny, 0}}, {{0, 0}, {0, tiny}}}, crossing(0, 0, 0, 0), "rounding");
+  // b falls by 2^-53 over its width: it meets the x axis at 2^53 widths, whose nearest double is infinity.
+  const Rational far = Rational(audit::exact_value(huge) * audit::exact_value(0x1p53));
+  example<Row>({{{0, 0}, {1, 0}}, {{0, 1}, {huge, 1 - 0x1p-53}}}, crossing(far, audit::exact_value(0x1p53), far, 0),
+               "invalid");
+}
+
+TEST_CASE("line_line: what is not finite and a line of one point are refused by their field") {
+  refused<Row>({{{not_a_number, 0}, {1, 1}}, {{0, 1}, {1, 0}}}, "a[0][0]", "finite number");
+  refused<Row>({{{0, 0}, {1, infinity}}, {{0, 1}, {1, 0}}}, "a[1][1]", "finite number");
+  refused<Row>({{{0, 0}, {1, 1}}, {{0, -infinity}, {1, 0}}}, "b[0][1]", "finite number");
+  refused<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {not_a_number, 0}}}, "b[1][0]", "finite number");
+  refused<Row>({{{2, 3}, {2, 3}}, {{0, 1}, {1, 0}}}, "a", "two distinct points");
+  refused<Row>({{{0, 0}, {1, 1}}, {{0.0, 5}, {-0.0, 5}}}, "b", "two distinct points");
+}
+
+TEST_CASE("line_line: each stage decides what is meant for it") {
+  CHECK(decided_by({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}) == Stage::filter);
+  CHECK(decided_by({{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, {tiny, 0}}, {{0, 0}, {0, tiny}}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, {1, tiny}}, {{0, 1}, {1, 1}}) == Stage::exact);  // 1074 places apart
+}
+
+TEST_CASE("line_line: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    const auto& [a, b] = asked;
+    const auto answer = ask(asked);
+    Stage decided{};
+    const LineRelation relation = robust::line_line_relation(a, b, decided);
+    const auto by_lattice = robust::line_line_lattice(a, b);
+    return relation == answer.relation && relation == robust::line_line_relation(a, b) &&
+           equal(answer, robust::line_line_exact(a, b)) && (!by_lattice || equal(answer, *by_lattice)) &&
+           stages_agree<LineRelation>(relation, decided, robust::line_line_relation_filter(a, b),
+                                      robust::line_line_relation_lattice(a, b), robust::line_line_relation_exact(a, b));
+  });
+}
+
+TEST_CASE(
+    "line_line: the formula in double is right beyond the margin of its contract, its numbers within their bounds") {
+  contract<Row>(
+      "the forward error bounds hold", [](const auto& truth, const auto& answer, const Line2d& a, const Line2d& b) {
+        const Vector2d da = a.q - a.p, db = b.q - b.p, w = b.p - a.p;
+        const CrossBound d(da, db, 3), na(w, db, 3), nb(w, da, 3);
+        if (d.overflow || truth.margin <= d.before) return true;
+        if (answer.relation != LineRelation::crossing || truth.answer.relation != LineRelation::crossing) return false;
+        const QuotientBound ta(na, d), tb(nb, d);
+        if (ta.defined && !within(*answer.ta, *truth.answer.ta, ta.error)) return false;
+        if (tb.defined && !within(*answer.tb, *truth.answer.tb, tb.error)) return false;
+        const auto coordinate_kept = [&](double origin, double step, double computed, const Rational& exactly) {
+          const double product = ta.computed * step, sum = origin + product;
+          if (!ta.defined || !finite(product, sum)) return true;
+          const Rational u = unit();
+          const Rational bound =
+              (1 + u) * size(step) * ta.error + (2 + 2 * u) * u * size(product) + u * size(sum) + power_of_two(-1074);
+          return within(computed, exactly, bound);
+        };
+        return coordinate_kept(a.p.x, da.x, answer.point->x, truth.answer.point->x) &&
+               coordinate_kept(a.p.y, da.y, answer.point->y, truth.answer.point->y);
+      });
+}
+
+}  // namespace touchstone::proptests

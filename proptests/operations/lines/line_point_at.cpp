@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/line_point_at.h"
+
+#include "proptests/forward_error.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::line_point_at;
+
+Rational product(double a, double b) { return Rational(audit::exact_value(a) * audit::exact_value(b)); }
+
+Stage decided_by(const ParametricLine2d& line, double t) {
+  Stage decided{};
+  robust::line_point_at(line, t, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("line_point_at: the opposite direction at -t gives the same point, t = 0 the origin") {
+  law<Row>("reversal", [](const auto& ask, const auto& asked) {
+    const auto& [line, t] = asked;
+    const Vector2d opposite{-line.direction.x, -line.direction.y};
+    const auto start = ask(Row::Question{line, 0.0});
+    return equal(ask(asked), ask(Row::Question{{line.origin, opposite}, -t})) && start.x == line.origin.x &&
+           start.y == line.origin.y;
+  });
+}
+
+TEST_CASE("line_point_at: a power of two may go from t to the direction") {
+  law<Row>("longer direction", [](const auto& ask, const auto& asked) {
+    const auto& [line, t] = asked;
+    for (const int k : {1, -30, 500}) {
+      const Vector2d longer{std::ldexp(line.direction.x, k), std::ldexp(line.direction.y, k)};
+      const double less = std::ldexp(t, -k);
+      const bool exact = std::ldexp(longer.x, -k) == line.direction.x && std::ldexp(longer.y, -k) == line.direction.y &&
+                         std::ldexp(less, k) == t;
+      if (exact && !equal(ask(asked), ask(Row::Question{{line.origin, longer}, less}))) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("line_point_at: powers of two, the axes' symmetries and integer maps give the point's image") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, [](const Affine& map, const auto& p) { return map(p); }));
+  law<Row>("integer maps of the lattice", lattice_images([](const Affine& map, const auto& p) { return map(p); }));
+}
+
+TEST_CASE("line_point_at: IEEE 754's own sum and product are its special cases") {
+  robust_law<Row>("t = 1 is a sum, from (0, 0) it is a product", [](const auto& ask, const auto& asked) {
+    const auto& [line, t] = asked;
+    const Vector2d& v = line.direction;
+    return equal(ask(Row::Question{line, 1.0}), Point2d{line.origin.x + v.x, line.origin.y + v.y}) &&
+           equal(ask(Row::Question{{{0, 0}, v}, t}), Point2d{t * v.x, t * v.y});
+  });
+}
+
+TEST_CASE("line_point_at: p. 9's P0 + t V worked by hand") {
+  example<Row>({{{1, 2}, {3, 4}}, 2}, {7, 10});
+  example<Row>({{{1, 2}, {3, 4}}, -0.5}, {Rational(-1, 2), 0});
+  example<Row>({{{1, 2}, {0, 4}}, 0.25}, {1, 3});
+  example<Row>({{{0, 0}, {0.1, 10}}, 3}, {product(0.1, 3), 30});  // 3 * 0.1 is no double
+}
+
+TEST_CASE("line_point_at: two roundings are not one") {
+  // (1 + 2^-27)^2 = 1 + 2^-26 + 2^-54, whose last term the product loses before the rest cancels.
+  example<Row>({{{-(1 + 0x1p-26), 0}, {1 + 0x1p-27, 1}}, 1 + 0x1p-27},
+               {audit::exact_value(0x1p-54), audit::exact_value(1 + 0x1p-27)}, "inexact");
+}
+
+TEST_CASE("line_point_at: huge, subnormal, beyond the range, negative zero") {
+  const Rational h = audit::exact_value(huge), least = audit::exact_value(tiny);
+  example<Row>({{{-huge, 0}, {huge, 1}}, 2}, {h, 2}, "invalid");    // 2 huge overflows, 2 huge - huge need not
+  example<Row>({{{huge, 0}, {huge, 1}}, 1}, {Rational(2 * h), 1});  // the nearest double is infinity
+  example<Row>({{{0, 0}, {tiny, tiny}}, 0.5},
+               {Rational(least / 2), Rational(least / 2)});  // a tie: to 0, which is even
+  example<Row>({{{0, 0}, {tiny, -tiny}}, 0.75}, {Rational(least * 3 / 4), Rational(-least * 3 / 4)});
+  example<Row>({{{5, -0.0}, {1, 1}}, -0.0}, {5, 0});
+  CHECK(std::signbit(robust::line_point_at({{0, 0}, {-tiny, 1}}, 0.5).x));  // not 0, so it keeps its sign
+  CHECK_FALSE(std::signbit(robust::line_point_at({{-0.0, -0.0}, {1, 1}}, -0.0).x));
+}
+
+TEST_CASE("line_point_at: what is not finite and a zero direction are refused by their field") {
+  refused<Row>({{{not_a_number, 0}, {1, 0}}, 1}, "line.origin[0]", "finite number");
+  refused<Row>({{{0, infinity}, {1, 0}}, 1}, "line.origin[1]", "finite number");
+  refused<Row>({{{0, 0}, {-infinity, 0}}, 1}, "line.direction[0]", "finite number");
+  refused<Row>({{{0, 0}, {0, not_a_number}}, 1}, "line.direction[1]", "finite number");
+  refused<Row>({{{0, 0}, {0, -0.0}}, not_a_number}, "line.direction", "nonzero direction");
+  refused<Row>({{{0, 0}, {1, 0}}, infinity}, "t", "finite number");
+}
+
+TEST_CASE("line_point_at: each stage decides what is meant for it") {
+  CHECK(decided_by({{1, 2}, {3, 4}}, 2) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, {tiny, huge}}, 0.5) == Stage::lattice);
+  CHECK(decided_by({{1, 2}, {tiny, 4}}, 1) == Stage::exact);  // 1074 places apart
+}
+
+TEST_CASE("line_point_at: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    const auto& [line, t] = asked;
+    Stage decided{};
+    const Point2d point = robust::line_point_at(line, t, decided);
+    const auto by_lattice = robust::line_point_at_lattice(line, t);
+    return equal(point, ask(asked)) && equal(point, robust::line_point_at_exact(line, t)) &&
+           (!by_lattice || equal(point, *by_lattice)) && decided == (by_lattice ? Stage::lattice : Stage::exact);
+  });
+}
+
+TEST_CASE("line_point_at: the formula in double stays within the bound of its contract") {
+  contract<Row>("the forward error bound holds", [](const auto& truth, const Point2d& answer,
+                                                    const ParametricLine2d& line, double t) {
+    const auto kept = [&](double origin, double direction, double computed, const Rational& exactly) {
+      const double product = t * direction;
+      if (!finite(product, computed)) return true;
+      return within(computed, exactly, unit() * size(product) + power_of_two(-1075) + unit() * size(origin + product));
+    };
+    return kept(line.origin.x, line.direction.x, answer.x, truth.answer.x) &&
+           kept(line.origin.y, line.direction.y, answer.y, truth.answer.y);
+  });
+  right_in_exact_arithmetic<Row>();
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/orientation.h"
+
+#include "proptests/forward_error.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::orientation;
+
+Side other(Side side) { return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::on; }
+Side turned_over(const Affine& map, Side side) { return map.determinant() < 0 ? other(side) : side; }
+
+Stage decided_by(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  Stage decided{};
+  robust::orientation(p0, p1, p, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("orientation: two points swapped turn the side over, a cyclic shift keeps it") {
+  law<Row>("antisymmetric, and the same under cyclic shift", [](const auto& ask, const auto& asked) {
+    const auto& [p0, p1, p] = asked;
+    const Side side = ask(asked);
+    const auto of = [&](const Point2d& a, const Point2d& b, const Point2d& c) { return ask(Row::Question{a, b, c}); };
+    return of(p1, p, p0) == side && of(p, p0, p1) == side && of(p1, p0, p) == other(side) &&
+           of(p0, p, p1) == other(side) && of(p, p1, p0) == other(side);
+  });
+}
+
+TEST_CASE("orientation: powers of two, the axes' symmetries and integer maps give the image's side") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, turned_over));
+  law<Row>("integer maps of the lattice", lattice_images(turned_over));
+}
+
+TEST_CASE("orientation: both points of the line are on it, and every point on a line of one point") {
+  law<Row>("p0 and p1 are on their line", [](const auto& ask, const auto& asked) {
+    const auto& [p0, p1, p] = asked;
+    return ask(Row::Question{p0, p1, p0}) == Side::on && ask(Row::Question{p0, p1, p1}) == Side::on &&
+           ask(Row::Question{p, p, p1}) == Side::on;
+  });
+}
+
+TEST_CASE("orientation: p. 16's formula worked by hand") {
+  // (y - y0)(x1 - x0) - (x - x0)(y1 - y0)
+  example<Row>({{0, 0}, {4, 0}, {1, 2}}, Side::left);      // 2 * 4 - 1 * 0 = 8
+  example<Row>({{0, 0}, {4, 0}, {1, -2}}, Side::right);    // -2 * 4 - 1 * 0 = -8
+  example<Row>({{1, 1}, {3, 2}, {7, 4}}, Side::on);        // 3 * 2 - 6 * 1 = 0
+  example<Row>({{1, 1}, {3, 2}, {7, 4.5}}, Side::left);    // 3.5 * 2 - 6 * 1 = 1
+  example<Row>({{3, 2}, {1, 1}, {7, 4.5}}, Side::right);   // 2.5 * -2 - 4 * -1 = -1
+  example<Row>({{-2, -3}, {-2, 5}, {-3, 0}}, Side::left);  // 3 * 0 - (-1) * 8 = 8
+}
+
+TEST_CASE("orientation: rounding hides a point beside the line") {
+  // 0.1 as a double is 3602879701896397 / 2^55; ten times that is 1 + 2^-54, which rounds to 1.
+  example<Row>({{0, 0}, {1, 10}, {0.1, 1}}, Side::right, "rounding");
+  example<Row>({{0, 0}, {0.3, 0.3}, {0.1, 0.1}}, Side::on);
+}
+
+TEST_CASE("orientation: coincident points, huge, subnormal and negative zero") {
+  example<Row>({{2, 3}, {2, 3}, {7, 8}}, Side::on);
+  example<Row>({{2, 3}, {2, 3}, {2, 3}}, Side::on);
+  example<Row>({{-0.0, 0.0}, {0.0, -0.0}, {1, 1}}, Side::on);
+  example<Row>({{-0.0, -0.0}, {1, -0.0}, {5, 0.0}}, Side::on);
+  // huge * huge is beyond the range.
+  example<Row>({{0, 0}, {huge, 0}, {0, huge}}, Side::left);
+  example<Row>({{0, 0}, {huge, huge}, {huge, 1}}, Side::right);
+  example<Row>({{0, 0}, {huge, huge}, {huge, huge / 2}}, Side::right, "rounding");  // infinity - infinity
+  // tiny * tiny is below it.
+  example<Row>({{0, 0}, {tiny, 0}, {0, tiny}}, Side::left, "rounding");
+  example<Row>({{0, 0}, {tiny, tiny}, {tiny, 0}}, Side::right, "rounding");
+  example<Row>({{0, 0}, {huge, tiny}, {huge, 2 * tiny}}, Side::left);
+}
+
+TEST_CASE("orientation: what is not finite is refused by its field") {
+  refused<Row>({{not_a_number, 0}, {1, 0}, {0, 1}}, "p0[0]", "finite number");
+  refused<Row>({{0, -infinity}, {1, 0}, {0, 1}}, "p0[1]", "finite number");
+  refused<Row>({{0, 0}, {infinity, 0}, {0, 1}}, "p1[0]", "finite number");
+  refused<Row>({{0, 0}, {1, not_a_number}, {0, 1}}, "p1[1]", "finite number");
+  refused<Row>({{0, 0}, {1, 0}, {infinity, 1}}, "p[0]", "finite number");
+  refused<Row>({{0, 0}, {1, 0}, {0, not_a_number}}, "p[1]", "finite number");
+}
+
+TEST_CASE("orientation: each stage decides what is meant for it") {
+  CHECK(decided_by({0, 0}, {1, 0}, {0, 1}) == Stage::filter);
+  CHECK(decided_by({0, 0}, {1, 1}, {2, 2}) == Stage::lattice);  // no bound is below 0
+  CHECK(decided_by({0, 0}, {1, 1}, {1, 1 + 0x1p-52}) == Stage::lattice);
+  CHECK(decided_by({0, 0}, {0x1p1012, 0x1p1012}, {0x1p1013, 0x1p1013}) == Stage::lattice);  // too large for the filter
+  CHECK(decided_by({0, 0}, {tiny, 0}, {0, tiny}) == Stage::lattice);                        // too small for it
+  CHECK(decided_by({0, 0}, {1, tiny}, {2, 2 * tiny}) == Stage::exact);                      // 1074 places apart
+  CHECK(decided_by({-huge, 1}, {huge, tiny}, {0, 0}) == Stage::exact);
+}
+
+TEST_CASE("orientation: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto&, const auto& asked) {
+    const auto& [p0, p1, p] = asked;
+    Stage decided{};
+    const Side side = robust::orientation(p0, p1, p, decided);
+    return side == robust::orientation(p0, p1, p) &&
+           stages_agree<Side>(side, decided, robust::orientation_filter(p0, p1, p),
+                              robust::orientation_lattice(p0, p1, p), robust::orientation_exact(p0, p1, p));
+  });
+}
+
+TEST_CASE("orientation: the formula in double is right beyond the margin of its contract") {
+  contract<Row>("the forward error bound holds",
+                [](const auto& truth, Side answer, const Point2d& p0, const Point2d& p1, const Point2d& p) {
+                  const double left = (p.y - p0.y) * (p1.x - p0.x), right = (p.x - p0.x) * (p1.y - p0.y);
+                  if (!finite(left, right, left - right)) return true;
+                  const Rational u = unit();
+                  const Rational bound = (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
+                  return truth.margin <= bound || answer == truth.answer;
+                });
+  right_in_exact_arithmetic<Row>();
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/point_on_segment.h"
+
+#include "proptests/forward_error.h"
+#include "robust/lines/orientation.h"
+#include "robust/lines/segment_segment.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::point_on_segment;
+
+exact_answer_t<Row> on(const Rational& t) { return {Incidence::on, t}; }
+const exact_answer_t<Row> off{Incidence::off, std::nullopt};
+
+auto unchanged = [](const Affine&, const auto& answer) { return answer; };
+
+Stage decided_by(const Point2d& point, const Segment2d& segment) {
+  Stage decided{};
+  robust::point_on_segment_relation(point, segment, decided);
+  return decided;
+}
+
+/// tx or ty of the slide as computed, with the bound e(T) of the contract.
+struct Parameter {
+  double computed;
+  bool defined;
+  Rational error;
+  Parameter(double to_point, double to_end)
+      : computed(to_point / to_end), defined(finite(to_point, to_end, computed) && to_end != 0) {
+    if (!defined) return;
+    const Rational u = unit();
+    error = (3 + 5 * u) * u * size(computed) + power_of_two(-1074);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("point_on_segment: on the reversed segment the point has the parameter 1 - t") {
+  law<Row>("reversal", [](const auto& ask, const auto& asked) {
+    const auto& [p, s] = asked;
+    const auto answer = ask(asked), found = ask(Row::Question{p, {s.b, s.a}});
+    return found.relation == answer.relation && (s.a == s.b ? equal(answer, found) : reversed(answer.t, found.t));
+  });
+}
+
+TEST_CASE("point_on_segment: powers of two, the axes' symmetries and integer maps keep relation and t") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, unchanged));
+  law<Row>("integer maps of the lattice", lattice_images(unchanged));
+}
+
+TEST_CASE("point_on_segment: both ends are on, at 0 and 1, and no point is off itself") {
+  law<Row>("ends", [](const auto& ask, const auto& asked) {
+    const auto& [p, s] = asked;
+    const auto first = ask(Row::Question{s.a, s}), last = ask(Row::Question{s.b, s}),
+               itself = ask(Row::Question{p, {p, p}});
+    return first.t && *first.t == 0 && last.t && *last.t == (s.a == s.b ? 0 : 1) && itself.t && *itself.t == 0;
+  });
+}
+
+TEST_CASE("point_on_segment: a point is on a segment exactly if the segment of length zero there meets it in t") {
+  robust_law<Row>("as segment_segment", [](const auto& ask, const auto& asked) {
+    const auto& [p, s] = asked;
+    const auto answer = ask(asked);
+    const auto met = robust::segment_segment({p, p}, s);
+    if (answer.relation == Incidence::off) return met.relation == SegmentRelation::disjoint;
+    return met.relation == SegmentRelation::point && met.tb == answer.t && *met.point == p &&
+           robust::orientation(s.a, s.b, p) == Side::on;
+  });
+}
+
+TEST_CASE("point_on_segment: p. 11's formula worked by hand") {
+  // tx = (x - ax) / (bx - ax), ty = (y - ay) / (by - ay)
+  example<Row>({{1, 1}, {{0, 0}, {4, 4}}}, on(Rational(1, 4)));    // 1/4, 1/4
+  example<Row>({{1, 2}, {{0, 0}, {3, 6}}}, on(Rational(1, 3)));    // 1/3, 2/6
+  example<Row>({{3, -1}, {{5, 1}, {1, -3}}}, on(Rational(1, 2)));  // -2/-4, -2/-4
+  example<Row>({{0, 0}, {{0, 0}, {3, 6}}}, on(0));
+  example<Row>({{3, 6}, {{0, 0}, {3, 6}}}, on(1));
+  example<Row>({{5, 5}, {{0, 0}, {4, 4}}}, off);    // 5/4, 5/4: beyond the end
+  example<Row>({{-1, -1}, {{0, 0}, {4, 4}}}, off);  // before the start
+  example<Row>({{1, 2}, {{0, 0}, {4, 4}}}, off);    // 1/4, 2/4: beside it
+  // The doubles 0.1 and 0.3 are n / 2^55 and (3n - 1) / 2^55 with n = 3602879701896397.
+  example<Row>({{0.1, 0.1}, {{0, 0}, {0.3, 0.3}}}, on(Rational("3602879701896397/10808639105689190")));
+}
+
+TEST_CASE("point_on_segment: parallel to an axis or of length zero the slide's quotient is 0 / 0") {
+  example<Row>({{1, 0}, {{0, 0}, {4, 0}}}, on(Rational(1, 4)), "algorithm");
+  example<Row>({{7, 2}, {{7, 0}, {7, 6}}}, on(Rational(1, 3)), "algorithm");
+  example<Row>({{4, 0}, {{0, 0}, {4, 0}}}, on(1), "algorithm");
+  example<Row>({{5, 0}, {{0, 0}, {4, 0}}}, off);
+  example<Row>({{1, 1}, {{0, 0}, {4, 0}}}, off);
+  example<Row>({{2, 3}, {{2, 3}, {2, 3}}}, on(0), "algorithm");
+  example<Row>({{2, 4}, {{2, 3}, {2, 3}}}, off);
+  example<Row>({{3, 4}, {{2, 3}, {2, 3}}}, off);
+}
+
+TEST_CASE("point_on_segment: huge, subnormal and negative zero") {
+  // bx - ax is beyond the range, so the formula divides by infinity: on, but at 0.
+  example<Row>({{0, 0}, {{-huge, -huge}, {huge, huge}}}, on(Rational(1, 2)), "inexact");
+  example<Row>({{0, tiny}, {{-huge, -huge}, {huge, huge}}}, off, "rounding");
+  example<Row>({{tiny, tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}}, on(Rational(1, 3)));
+  example<Row>({{tiny, 2 * tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}}, off);
+  example<Row>({{-0.0, 0.0}, {{0.0, -0.0}, {1, 1}}}, on(0));
+  example<Row>({{-0.0, 0.0}, {{0.0, -0.0}, {-0.0, 0.0}}}, on(0), "algorithm");
+}
+
+TEST_CASE("point_on_segment: what is not finite is refused by its field") {
+  refused<Row>({{infinity, 0}, {{0, 0}, {1, 1}}}, "point[0]", "finite number");
+  refused<Row>({{0, not_a_number}, {{0, 0}, {1, 1}}}, "point[1]", "finite number");
+  refused<Row>({{0, 0}, {{not_a_number, 0}, {1, 1}}}, "segment[0][0]", "finite number");
+  refused<Row>({{0, 0}, {{0, infinity}, {1, 1}}}, "segment[0][1]", "finite number");
+  refused<Row>({{0, 0}, {{0, 0}, {-infinity, 1}}}, "segment[1][0]", "finite number");
+  refused<Row>({{9, 9}, {{0, 0}, {1, not_a_number}}}, "segment[1][1]", "finite number");
+}
+
+TEST_CASE("point_on_segment: each stage decides what is meant for it") {
+  CHECK(decided_by({1, 2}, {{0, 0}, {4, 4}}) == Stage::filter);
+  CHECK(decided_by({1, 1}, {{0, 0}, {4, 4}}) == Stage::lattice);
+  CHECK(decided_by({5, 5}, {{0, 0}, {4, 4}}) == Stage::lattice);  // on the line, which the filter cannot exclude
+  CHECK(decided_by({tiny, tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}) == Stage::lattice);
+  CHECK(decided_by({1, tiny}, {{0, 0}, {2, 2 * tiny}}) == Stage::exact);  // 1074 places apart
+}
+
+TEST_CASE("point_on_segment: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    const auto& [p, s] = asked;
+    const auto answer = ask(asked);
+    Stage decided{};
+    const Incidence relation = robust::point_on_segment_relation(p, s, decided);
+    const auto by_lattice = robust::point_on_segment_lattice(p, s);
+    return relation == answer.relation && relation == robust::point_on_segment_relation(p, s) &&
+           equal(answer, robust::point_on_segment_exact(p, s)) && (!by_lattice || equal(answer, *by_lattice)) &&
+           stages_agree<Incidence>(relation, decided, robust::point_on_segment_relation_filter(p, s),
+                                   robust::point_on_segment_relation_lattice(p, s),
+                                   robust::point_on_segment_relation_exact(p, s));
+  });
+}
+
+TEST_CASE("point_on_segment: the formula in double keeps its contract") {
+  contract<Row>(
+      "rightly off beyond the margin", [](const auto& truth, const auto& answer, const Point2d& p, const Segment2d& s) {
+        const Parameter tx(p.x - s.a.x, s.b.x - s.a.x), ty(p.y - s.a.y, s.b.y - s.a.y);
+        bool certain = tx.defined && ty.defined && abs(exact(tx.computed) - exact(ty.computed)) > tx.error + ty.error;
+        if (tx.defined && ty.defined)
+          certain = certain || exact(tx.computed) < -tx.error || exact(tx.computed) > 1 + tx.error;
+        return !certain || (truth.answer.relation == Incidence::off && answer.relation == Incidence::off);
+      });
+  contract<Row>("an answer on comes with a t within the bound where it is true",
+                [](const auto& truth, const auto& answer, const Point2d& p, const Segment2d& s) {
+                  if (answer.relation == Incidence::off || truth.answer.relation == Incidence::off) return true;
+                  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x);
+                  return !tx.defined || within(*answer.t, *truth.answer.t, tx.error);
+                });
+  robust_law<Row>("along an axis the formula is off even in exact arithmetic", [](const auto&, const auto& asked) {
+    const auto& [p, s] = asked;
+    if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
+    const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
+    return reference::point_on_segment(audit::converted<audit::Exact>(p, in_exact),
+                                       audit::converted<audit::Exact>(s, in_exact))
+               .relation == Incidence::off;
+  });
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/lines/segment_segment.h"
+
+#include "proptests/forward_error.h"
+#include "robust/lines/orientation.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::segment_segment;
+using Exact = exact_answer_t<Row>;
+
+Exact point(const Rational& ta, const Rational& tb, const Rational& x, const Rational& y) {
+  return {SegmentRelation::point, ta, tb, Point2<Rational>{x, y}, {}};
+}
+Exact overlap(int ax, int ay, int bx, int by) {
+  return {SegmentRelation::overlap, {}, {}, {}, Segment2<Rational>{{ax, ay}, {bx, by}}};
+}
+const Exact disjoint{SegmentRelation::disjoint, {}, {}, {}, {}};
+
+/// The ends of an overlap come in lexicographic order.
+auto moved = [](const Affine& map, const auto& answer) {
+  auto image = map(answer);
+  if (image.overlap) {
+    auto& [a, b] = *image.overlap;
+    if (b.x < a.x || (b.x == a.x && b.y < a.y)) std::swap(a, b);
+  }
+  return image;
+};
+
+Stage decided_by(const Segment2d& a, const Segment2d& b) {
+  Stage decided{};
+  robust::segment_segment_relation(a, b, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("segment_segment: with the segments swapped ta and tb are swapped") {
+  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
+    auto found = ask(Row::Question{std::get<1>(asked), std::get<0>(asked)});
+    std::swap(found.ta, found.tb);
+    return equal(ask(asked), found);
+  });
+}
+
+TEST_CASE("segment_segment: a reversed segment has the parameter 1 - t and all else as before") {
+  law<Row>("reversal", [](const auto& ask, const auto& asked) {
+    const auto& [a, b] = asked;
+    const auto answer = ask(asked), turned = ask(Row::Question{{a.b, a.a}, b});
+    return answer.relation == turned.relation && equal(answer.tb, turned.tb) && equal(answer.point, turned.point) &&
+           equal(answer.overlap, turned.overlap) &&
+           (a.a == a.b ? equal(answer.ta, turned.ta) : reversed(answer.ta, turned.ta));
+  });
+}
+
+TEST_CASE("segment_segment: a segment meets itself in itself") {
+  law<Row>("itself", [](const auto& ask, const auto& asked) {
+    const auto& a = std::get<0>(asked);
+    const auto answer = ask(Row::Question{a, a});
+    if (a.a == a.b) return answer.relation == SegmentRelation::point && *answer.ta == 0 && *answer.tb == 0;
+    if (answer.relation != SegmentRelation::overlap) return false;
+    const bool in_order = a.a.x < a.b.x || (a.a.x == a.b.x && a.a.y < a.b.y);
+    const Point2d &first = in_order ? a.a : a.b, &last = in_order ? a.b : a.a;
+    const auto& [p, q] = *answer.overlap;
+    return p.x == first.x && p.y == first.y && q.x == last.x && q.y == last.y;
+  });
+}
+
+TEST_CASE("segment_segment: powers of two, the axes' symmetries and integer maps give the image's answer") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, moved));
+  law<Row>("integer maps of the lattice", lattice_images(moved));
+}
+
+TEST_CASE("segment_segment: p. 12's equations with p. 13's limits worked by hand") {
+  // D = A x B, ta = (W x B) / D, tb = (W x A) / D
+  example<Row>({{{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}},
+               point(Rational(1, 2), Rational(1, 2), 2, 2));  // D -32, W (0, 4): -16, -16
+  example<Row>({{{0, 0}, {3, 3}}, {{0, 2}, {2, 0}}},
+               point(Rational(1, 3), Rational(1, 2), 1, 1));                           // D -12, W (0, 2): -4, -6
+  example<Row>({{{0, 0}, {4, 0}}, {{1, 0}, {1, 5}}}, point(Rational(1, 4), 0, 1, 0));  // D 20, W (1, 0): 5, 0
+  example<Row>({{{0, 0}, {1, 1}}, {{3, 0}, {0, 3}}}, disjoint);                        // D 6, W (3, 0): ta = 9 / 6
+  example<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}, disjoint);                        // D 0
+}
+
+TEST_CASE("segment_segment: a touch is a point") {
+  example<Row>({{{0, 0}, {2, 1}}, {{2, 1}, {3, 5}}}, point(1, 0, 2, 1));  // D 7, W (2, 1): 7, 0
+  example<Row>({{{0, 0}, {2, 1}}, {{3, 5}, {0, 0}}}, point(0, 1, 0, 0));
+  example<Row>({{{0, 0}, {2, 2}}, {{3, 0}, {1, 1}}}, point(Rational(1, 2), 1, 1, 1));
+}
+
+TEST_CASE("segment_segment: collinear segments that share one end meet in a point") {
+  example<Row>({{{0, 0}, {2, 2}}, {{2, 2}, {5, 5}}}, point(1, 0, 2, 2), "algorithm");
+  example<Row>({{{0, 0}, {2, 0}}, {{-3, 0}, {0, 0}}}, point(0, 1, 0, 0), "algorithm");
+  example<Row>({{{-0.0, 0.0}, {1, 0}}, {{-1, -0.0}, {0.0, -0.0}}}, point(0, 1, 0, 0), "algorithm");
+}
+
+TEST_CASE("segment_segment: an overlap has its ends in lexicographic order") {
+  example<Row>({{{0, 0}, {4, 4}}, {{2, 2}, {6, 6}}}, overlap(2, 2, 4, 4), "algorithm");
+  example<Row>({{{4, 4}, {0, 0}}, {{6, 6}, {2, 2}}}, overlap(2, 2, 4, 4), "algorithm");
+  example<Row>({{{0, 0}, {9, 0}}, {{5, 0}, {3, 0}}}, overlap(3, 0, 5, 0), "algorithm");
+  example<Row>({{{0, 5}, {0, 0}}, {{0, 9}, {0, 3}}}, overlap(0, 3, 0, 5), "algorithm");
+  example<Row>({{{7, 1}, {2, 8}}, {{7, 1}, {2, 8}}}, overlap(2, 8, 7, 1), "algorithm");
+  example<Row>({{{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}}, disjoint);
+}
+
+TEST_CASE("segment_segment: a segment of length zero is a point with parameter 0") {
+  example<Row>({{{1, 1}, {1, 1}}, {{1, 1}, {1, 1}}}, point(0, 0, 1, 1), "algorithm");
+  example<Row>({{{1, 1}, {1, 1}}, {{1, 2}, {1, 2}}}, disjoint);
+  example<Row>({{{0, 0}, {4, 4}}, {{1, 1}, {1, 1}}}, point(Rational(1, 4), 0, 1, 1), "algorithm");
+  example<Row>({{{4, 4}, {4, 4}}, {{0, 0}, {4, 4}}}, point(0, 1, 4, 4), "algorithm");
+  example<Row>({{{5, 5}, {5, 5}}, {{0, 0}, {4, 4}}}, disjoint);
+  example<Row>({{{1, 2}, {1, 2}}, {{0, 0}, {4, 4}}}, disjoint);
+}
+
+TEST_CASE("segment_segment: huge and subnormal") {
+  // The differences overflow; infinity * 0 is NaN.
+  example<Row>({{{-huge, -huge}, {huge, huge}}, {{-huge, huge}, {huge, -huge}}},
+               point(Rational(1, 2), Rational(1, 2), 0, 0), "rounding");
+  // D underflows to 0. The point (tiny / 2, tiny / 2) is a tie between 0 and tiny: 0 is even.
+  const Rational half = Rational(audit::exact_value(tiny) / 2);
+  example<Row>({{{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}}, point(Rational(1, 2), Rational(1, 2), half, half),
+               "rounding");
+}
+
+TEST_CASE("segment_segment: what is not finite is refused by its field, however far apart the rest is") {
+  refused<Row>({{{not_a_number, 0}, {1, 1}}, {{0, 1}, {1, 0}}}, "a[0][0]", "finite number");
+  refused<Row>({{{0, 0}, {1, -infinity}}, {{7, 7}, {8, 9}}}, "a[1][1]", "finite number");
+  refused<Row>({{{0, 0}, {not_a_number, 0}}, {{1, 0}, {3, 0}}}, "a[1][0]", "finite number");
+  refused<Row>({{{0, 0}, {1, 1}}, {{7, infinity}, {8, 9}}}, "b[0][1]", "finite number");
+  refused<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {not_a_number, 0}}}, "b[1][0]", "finite number");
+  refused<Row>({{{0, 0}, {0, 0}}, {{9, 9}, {9, infinity}}}, "b[1][1]", "finite number");
+}
+
+TEST_CASE("segment_segment: each stage decides what is meant for it") {
+  CHECK(decided_by({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}) == Stage::filter);
+  CHECK(decided_by({{0, 0}, {1, 1}}, {{3, 0}, {0, 3}}) == Stage::filter);
+  CHECK(decided_by({{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}) == Stage::filter);  // by the boxes
+  CHECK(decided_by({{0, 0}, {2, 2}}, {{2, 2}, {5, 5}}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}) == Stage::lattice);
+  CHECK(decided_by({{0, 0}, {2, 2 * tiny}}, {{1, tiny}, {3, 3}}) == Stage::exact);  // a touch, 1074 places apart
+}
+
+TEST_CASE("segment_segment: every stage that answers gives the same answer") {
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    const auto& [a, b] = asked;
+    const auto answer = ask(asked);
+    Stage decided{};
+    const SegmentRelation relation = robust::segment_segment_relation(a, b, decided);
+    const auto by_lattice = robust::segment_segment_lattice(a, b);
+    return relation == answer.relation && relation == robust::segment_segment_relation(a, b) &&
+           equal(answer, robust::segment_segment_exact(a, b)) && (!by_lattice || equal(answer, *by_lattice)) &&
+           stages_agree<SegmentRelation>(relation, decided, robust::segment_segment_relation_filter(a, b),
+                                         robust::segment_segment_relation_lattice(a, b),
+                                         robust::segment_segment_relation_exact(a, b));
+  });
+}
+
+TEST_CASE(
+    "segment_segment: the formula in double is right beyond the margin of its contract, its numbers within their "
+    "bounds") {
+  contract<Row>("the forward error bounds hold", [](const auto& truth, const auto& answer, const Segment2d& a,
+                                                    const Segment2d& b) {
+    const Vector2d da = a.b - a.a, db = b.b - b.a, w = b.a - a.a;
+    const CrossBound d(da, db, 3);
+    const QuotientBound ta(CrossBound(w, db, 3), d), tb(CrossBound(w, da, 3), d);
+    if (ta.certainly_outside() || tb.certainly_outside()) {
+      return answer.relation == SegmentRelation::disjoint && truth.answer.relation == SegmentRelation::disjoint;
+    }
+    if (!ta.certainly_inside() || !tb.certainly_inside()) return true;
+    return answer.relation == SegmentRelation::point && truth.answer.relation == SegmentRelation::point &&
+           within(*answer.ta, *truth.answer.ta, ta.error) && within(*answer.tb, *truth.answer.tb, tb.error);
+  });
+  robust_law<Row>("the formula never answers overlap, and calls collinear contacts disjoint in exact arithmetic",
+                  [](const auto& ask, const auto& asked) {
+                    const auto& [a, b] = asked;
+                    const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
+                    const auto formula = reference::segment_segment(audit::converted<audit::Exact>(a, in_exact),
+                                                                    audit::converted<audit::Exact>(b, in_exact));
+                    const bool collinear = robust::orientation(a.a, a.b, b.a) == Side::on &&
+                                           robust::orientation(a.a, a.b, b.b) == Side::on &&
+                                           robust::orientation(b.a, b.b, a.a) == Side::on &&
+                                           robust::orientation(b.a, b.b, a.b) == Side::on;
+                    return formula.relation == (collinear ? SegmentRelation::disjoint : ask(asked).relation) ||
+                           (!collinear && (a.a == a.b || b.a == b.b) && formula.relation == SegmentRelation::disjoint);
+                  });
+}
+
+}  // namespace touchstone::proptests

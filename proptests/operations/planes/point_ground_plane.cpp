@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/planes/point_ground_plane.h"
+
+#include "proptests/forward_error.h"
+#include "robust/lines/explicit_line.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::point_ground_plane;
+
+Height other(Height h) { return h == Height::above ? Height::below : h == Height::below ? Height::above : Height::on; }
+
+}  // namespace
+
+TEST_CASE("point_ground_plane: seen in a mirror on the ground, above is below") {
+  law<Row>("reflection", [](const auto& ask, const auto& asked) {
+    const Point3d& p = std::get<0>(asked);
+    return ask(Row::Question{{p.x, -p.y, p.z}}) == other(ask(asked));
+  });
+}
+
+TEST_CASE("point_ground_plane: powers of two keep the answer") { law<Row>("scales by powers of two", scales<Row>); }
+
+TEST_CASE("point_ground_plane: x and z play no part, turned, exchanged or replaced") {
+  law<Row>("along the ground", [](const auto& ask, const auto& asked) {
+    const Point3d& p = std::get<0>(asked);
+    const Height height = ask(asked);
+    for (const Point3d& moved : {Point3d{p.z, p.y, p.x}, {-p.z, p.y, p.x}, {-p.x, p.y, -p.z}, {0, p.y, huge}}) {
+      if (ask(Row::Question{moved}) != height) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("point_ground_plane: the next double above is never lower, and only one height is on the ground") {
+  law<Row>("monotone", [](const auto& ask, const auto& asked) {
+    const Point3d& p = std::get<0>(asked);
+    const double higher = audit::moved_by_ulps(p.y, 1);
+    const Height height = ask(asked), then = ask(Row::Question{{p.x, higher, p.z}});
+    return height == Height::below || higher == p.y || then == Height::above;
+  });
+}
+
+TEST_CASE("point_ground_plane: it is explicit_line with slope and intercept 0, seen along z") {
+  robust_law<Row>("as explicit_line", [](const auto& ask, const auto& asked) {
+    const Point3d& p = std::get<0>(asked);
+    return robust::explicit_line(0, 0, {p.x, p.y}) == ask(asked) &&
+           robust::explicit_line(-0.0, 0, {p.z, p.y}) == ask(asked);
+  });
+}
+
+TEST_CASE("point_ground_plane: p. 20's sign of y worked by hand") {
+  example<Row>({{1, 2, 3}}, Height::above);
+  example<Row>({{1, 0, 3}}, Height::on);
+  example<Row>({{1, -2, 3}}, Height::below);
+  example<Row>({{-4, 0.5, -1e300}}, Height::above);
+}
+
+TEST_CASE("point_ground_plane: huge, subnormal and negative zero") {
+  example<Row>({{huge, -0.0, -huge}}, Height::on);
+  example<Row>({{huge, tiny, huge}}, Height::above);
+  example<Row>({{-huge, -tiny, 0}}, Height::below);
+  example<Row>({{0, huge, 0}}, Height::above);
+  example<Row>({{tiny, 0, tiny}}, Height::on);
+}
+
+TEST_CASE("point_ground_plane: what is not finite is refused by its field, also where it plays no part") {
+  refused<Row>({{infinity, 0, 0}}, "point[0]", "finite number");
+  refused<Row>({{0, not_a_number, 0}}, "point[1]", "finite number");
+  refused<Row>({{0, 1, -infinity}}, "point[2]", "finite number");
+  refused<Row>({{not_a_number, 1, -infinity}}, "point[0]", "finite number");
+}
+
+TEST_CASE("point_ground_plane: the one stage always decides") {
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    Stage decided{};
+    return robust::point_ground_plane(std::get<0>(asked), decided) == ask(asked) && decided == Stage::filter;
+  });
+}
+
+TEST_CASE("point_ground_plane: the formula in double is right everywhere, as in exact arithmetic") {
+  contract<Row>("always right",
+                [](const auto& truth, const auto& answer, const Point3d&) { return answer == truth.answer; });
+  right_in_exact_arithmetic<Row>();
+}
+
+}  // namespace touchstone::proptests

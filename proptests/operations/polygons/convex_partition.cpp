@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/polygons/convex_partition.h"
+
+#include "proptests/partition_laws.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::convex_partition;
+
+Stage decided_by(const Polygon2d& polygon) {
+  Stage decided{};
+  robust::convex_partition(polygon, decided);
+  return decided;
+}
+
+Polygon2d times(double factor, Polygon2d polygon) {
+  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
+  return polygon;
+}
+
+/// How many vertices of a lattice ring are reflex.
+std::size_t reflex(const Polygon2d& ring) {
+  Int128 area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) area += lattice_turn({0, 0}, ring[i], ring.next(i));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Int128 turn = lattice_turn(ring.previous(i), ring[i], ring.next(i));
+    count += area > 0 ? turn < 0 : turn > 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("convex_partition: pieces fit, from any vertex, either way round, in every image and scale") {
+  pieces_fit<Row>("pieces");
+}
+
+TEST_CASE(
+    "convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
+    "reflex angle") {
+  law<Row>("the number of pieces", [](const auto& ask, const auto& asked) {
+    const Polygon2d& ring = std::get<0>(asked);
+    if (!on_lattice(asked)) return true;
+    const std::size_t r = reflex(ring), pieces = ask(asked).size();
+    return pieces <= 2 * r + 1 && 2 * pieces >= r + 2;
+  });
+}
+
+TEST_CASE("convex_partition: rings with one partition that leaves no diagonal to take out, worked by hand") {
+  only_answer<Row>({{{0, 0}, {1, 0}, {0, 1}}}, {{0, 1, 2}});
+  only_answer<Row>({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, {{0, 1, 2, 3}});
+  only_answer<Row>({{{0, 4}, {4, 4}, {4, 0}, {0, 0}}}, {{0, 3, 2, 1}});          // clockwise
+  only_answer<Row>({{{0, 0}, {2, 1}, {4, 0}, {2, 4}}}, {{0, 1, 3}, {1, 2, 3}});  // a dart
+  only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {2, 2}, {1, 2}, {0, 2}}},
+                   {{0, 1, 2, 3, 4, 5}});  // flat vertices stay in their piece
+  only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}}, {{0, 1, 2, 3, 4}});
+}
+
+TEST_CASE("convex_partition: huge, subnormal, and where the formula's products leave the range") {
+  const Polygon2d dart{{{0, 0}, {2, 1}, {4, 0}, {2, 4}}}, square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  only_answer<Row>(times(0x1p1021, dart), {{0, 1, 3}, {1, 2, 3}});
+  only_answer<Row>(times(tiny, dart), {{0, 1, 3}, {1, 2, 3}}, false);
+  only_answer<Row>(times(tiny, square), {{0, 1, 2, 3}}, false);
+}
+
+TEST_CASE("convex_partition: rings that are not simple are refused by the first offending vertex") {
+  simple_rings_only<Row>();
+}
+
+TEST_CASE("convex_partition: the latest stage is that of the hardest decision") {
+  CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
+  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {0.3, 1}}}) == Stage::lattice);
+  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0.3, 1}}}) == Stage::exact);
+}
+
+TEST_CASE("convex_partition: the checker and that of certificates say the same of altered answers") {
+  checkers_agree<Row>();
+}
+
+TEST_CASE("convex_partition: rings drawn by others") {
+  if (real_rings<Row>() == 0) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
+}
+
+TEST_CASE("convex_partition: the formula in double is right beyond the margins of its contract") {
+  formula_keeps_contract<Row>();
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/polygons/polygon_polygon.h"
+
+#include <algorithm>
+
+#include "proptests/laws.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::polygon_polygon;
+
+const Polygon2d square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}};
+
+Polygon2d reversed(Polygon2d ring) {
+  std::reverse(ring.vertices.begin(), ring.vertices.end());
+  return ring;
+}
+Polygon2d rotated(Polygon2d ring) {
+  std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
+  return ring;
+}
+
+Stage decided_by(const Polygon2d& a, const Polygon2d& b) {
+  Stage decided{};
+  robust::polygon_polygon(a, b, decided);
+  return decided;
+}
+
+}  // namespace
+
+TEST_CASE("polygon_polygon: which comes first, where a ring begins and which way it runs do not matter") {
+  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
+    return ask(Row::Question{std::get<1>(asked), std::get<0>(asked)}) == ask(asked);
+  });
+  law<Row>("reversal and rotation", [](const auto& ask, const auto& asked) {
+    const auto& [a, b] = asked;
+    const Contact contact = ask(asked);
+    return ask(Row::Question{reversed(a), b}) == contact && ask(Row::Question{a, rotated(b)}) == contact;
+  });
+}
+
+TEST_CASE("polygon_polygon: a polygon overlaps itself, and touches its image in the line of an edge of its box") {
+  law<Row>("itself", [](const auto& ask, const auto& asked) {
+    const Polygon2d& a = std::get<0>(asked);
+    return ask(Row::Question{a, rotated(reversed(a))}) == Contact::overlapping;
+  });
+  law<Row>("mirrored", [](const auto& ask, const auto& asked) {
+    Polygon2d a = std::get<0>(asked), image;
+    double right = a[0].x;
+    for (const Point2d& p : a.vertices) right = std::max(right, p.x);
+    for (const Point2d& p : a.vertices) image.vertices.push_back({2 * right - p.x, p.y});
+    for (std::size_t i = 0; i < a.size(); ++i) {  // only where the image is exact
+      if (std::fabs(a[i].x) > 0x1p50 || a[i].x != std::trunc(a[i].x)) return true;
+    }
+    return ask(Row::Question{a, image}) == Contact::touching;
+  });
+}
+
+TEST_CASE("polygon_polygon: powers of two, the axes' symmetries and integer maps keep the answer") {
+  const auto same = [](const Affine&, const auto& answer) { return answer; };
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("the axes' symmetries", images(axis_symmetries, same));
+  law<Row>("integer maps of the lattice", lattice_images(same));
+}
+
+TEST_CASE("polygon_polygon: p. 18's tests worked by hand") {
+  example<Row>({square, {{{1, 1}, {9, 1}, {9, 9}}}}, Contact::overlapping);            // (1, 1) lies inside
+  example<Row>({square, {{{-1, 1}, {5, 1}, {5, 2}, {-1, 2}}}}, Contact::overlapping);  // no vertex inside, edges cross
+  example<Row>({square, {{{5, 0}, {9, 0}, {9, 9}}}}, Contact::disjoint);
+  example<Row>({square, {{{1, 1}, {2, 1}, {2, 2}}}}, Contact::overlapping);  // nested
+  example<Row>({{{{1, 1}, {2, 1}, {2, 2}}}, square}, Contact::overlapping);
+}
+
+TEST_CASE("polygon_polygon: common boundary points without a common inside are a touch") {
+  example<Row>({square, {{{4, 4}, {6, 5}, {5, 6}}}}, Contact::touching);          // one vertex
+  example<Row>({square, {{{4, 2}, {6, 1}, {6, 3}}}}, Contact::touching);          // a vertex on an edge
+  example<Row>({square, {{{4, 0}, {8, 0}, {8, 4}, {4, 4}}}}, Contact::touching);  // a whole edge
+  example<Row>({square, {{{4, 3}, {8, 3}, {8, 9}, {4, 9}}}}, Contact::touching);  // part of an edge
+  // A square in the bay of a U, against three of its walls.
+  const Polygon2d bay{{{-1, -1}, {3, -1}, {3, 4}, {2, 4}, {2, 0}, {0, 0}, {0, 4}, {-1, 4}}};
+  example<Row>({bay, {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}}, Contact::touching);
+  example<Row>({bay, {{{0.5, 0.5}, {1.5, 0.5}, {1.5, 2}, {0.5, 2}}}}, Contact::disjoint);
+}
+
+TEST_CASE("polygon_polygon: an overlap that no vertex and no crossing shows") {
+  example<Row>({square, square}, Contact::overlapping, "algorithm");
+  example<Row>({square, {{{2, 0}, {4, 2}, {2, 4}, {0, 2}}}}, Contact::overlapping, "algorithm");  // inscribed
+  example<Row>({square, {{{0, 0}, {4, 0}, {4, 2}, {0, 2}}}}, Contact::overlapping, "algorithm");  // shares three edges
+  example<Row>({square, {{{0, 0}, {4, 0}, {4, 4}}}}, Contact::overlapping, "algorithm");          // half of it
+  example<Row>({square, {{{0, 0}, {2, 1}, {1, 2}}}}, Contact::overlapping);  // nested, sharing a vertex
+  // A band through two opposite vertices.
+  example<Row>({square, {{{-1, -1}, {5, 5}, {6, 5}, {0, -1}}}}, Contact::overlapping);
+}
+
+TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {
+  example<Row>({{{{-huge, -huge}, {huge, -huge}, {huge, huge}}}, {{{-huge, -huge}, {huge, huge}, {-huge, huge}}}},
+               Contact::touching);
+  example<Row>({{{{0, 0}, {tiny, 0}, {tiny, tiny}}}, {{{0, 0}, {tiny, tiny}, {0, tiny}}}}, Contact::touching);
+  const double above = std::nextafter(4.0, 5.0), below = std::nextafter(4.0, 3.0);
+  example<Row>({square, {{{above, 2}, {6, 1}, {6, 3}}}}, Contact::disjoint);
+  example<Row>({square, {{{below, 2}, {6, 1}, {6, 3}}}}, Contact::overlapping);
+}
+
+TEST_CASE("polygon_polygon: what is no simple polygon is refused by its vertex") {
+  refused<Row>({{{{0, 0}, {1, 0}}}, square}, "a", "at least 3 vertices");
+  refused<Row>({square, {{{0, 0}, {1, 0}, {1, not_a_number}}}}, "b[2][1]", "finite number");
+  refused<Row>({square, {{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}}, "b[1]", "different from the next vertex");
+  refused<Row>({{{{0, 0}, {2, 0}, {0, 2}, {2, 2}}}, square}, "a[1]", "simple: its edge must not meet edge 3");
+  refused<Row>({{{{0, 0}, {2, 0}, {1, 0}, {1, 5}}}, square}, "a[0]", "simple: its edge must not meet edge 1");
+  refused<Row>({{{{0, 0}, {2, 0}, {4, 0}}}, square}, "a[0]", "simple: its edge must not meet edge 2");
+}
+
+TEST_CASE("polygon_polygon: turns that a filter cannot tell go on to the next stage") {
+  CHECK(decided_by(square, {{{1.5, 1}, {9.5, 2}, {9, 9}}}) == Stage::filter);
+  CHECK(decided_by(square, {{{4, 2}, {6, 1}, {6, 3}}}) == Stage::lattice);
+  CHECK(decided_by({{{0, 0}, {2, 2 * tiny}, {0, 1}}}, {{{1, tiny}, {3, 3}, {0.5, 3}}}) == Stage::exact);
+}
+
+}  // namespace touchstone::proptests

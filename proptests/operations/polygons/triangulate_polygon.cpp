@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/polygons/triangulate_polygon.h"
+
+#include "proptests/partition_laws.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::triangulate_polygon;
+
+Stage decided_by(const Polygon2d& polygon) {
+  Stage decided{};
+  robust::triangulate_polygon(polygon, decided);
+  return decided;
+}
+
+Polygon2d times(double factor, Polygon2d polygon) {
+  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
+  return polygon;
+}
+
+}  // namespace
+
+TEST_CASE("triangulate_polygon: triangles fit, from any vertex, either way round, in every image and scale") {
+  pieces_fit<Row>("triangles");
+}
+
+TEST_CASE("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
+  law<Row>("n - 2 triangles", [](const auto& ask, const auto& asked) {
+    const std::size_t n = std::get<0>(asked).size();
+    std::set<Index> corners;
+    const IndexLists triangles = ask(asked);
+    for (const auto& triangle : triangles) {
+      if (triangle.size() != 3) return false;
+      corners.insert(triangle.begin(), triangle.end());
+    }
+    return triangles.size() == n - 2 && corners.size() == n;
+  });
+}
+
+TEST_CASE("triangulate_polygon: rings with one triangulation, worked by hand") {
+  only_answer<Row>({{{0, 0}, {1, 0}, {0, 1}}}, {{0, 1, 2}});
+  only_answer<Row>({{{0, 1}, {1, 0}, {0, 0}}}, {{0, 2, 1}});                     // clockwise
+  only_answer<Row>({{{0, 0}, {2, 1}, {4, 0}, {2, 4}}}, {{0, 1, 3}, {1, 2, 3}});  // a dart: from its reflex vertex
+  only_answer<Row>({{{2, 4}, {4, 0}, {2, 1}, {0, 0}}}, {{0, 2, 1}, {0, 3, 2}});  // clockwise
+  only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {0, 2}}}, {{0, 1, 3}, {1, 2, 3}});  // a flat vertex
+  only_answer<Row>({{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}});
+}
+
+TEST_CASE("triangulate_polygon: huge, subnormal, and where the formula's products leave the range") {
+  const Polygon2d dart{{{0, 0}, {2, 1}, {4, 0}, {2, 4}}};
+  const IndexLists expected{{0, 1, 3}, {1, 2, 3}};
+  only_answer<Row>(times(0x1p1021, dart), expected);     // the area is NaN and not below 0
+  only_answer<Row>(times(tiny, dart), expected, false);  // all products are 0
+  only_answer<Row>({{{0, 0}, {huge, tiny}, {huge, huge}, {tiny, tiny}}}, {{0, 1, 3}, {1, 2, 3}});
+  // One ulp beside flat, far from the origin.
+  only_answer<Row>({{{1e6 + 0.1, 0}, {1e6 + 0.2, 0x1p-52}, {1e6 + 0.3, 0}, {1e6 + 0.2, 1}}}, expected);
+}
+
+TEST_CASE("triangulate_polygon: rings that are not simple are refused by the first offending vertex") {
+  simple_rings_only<Row>();
+}
+
+TEST_CASE("triangulate_polygon: the latest stage is that of the hardest decision") {
+  CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
+  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {3, 1}}}) == Stage::lattice);          // flat
+  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {3, 1}}}) == Stage::exact);  // flat, 1074 places apart
+}
+
+TEST_CASE("triangulate_polygon: a comb of 20,000 vertices, upright and lying") {
+  Polygon2d comb;
+  for (int i = 0; i < 10000; ++i)
+    comb.vertices.insert(comb.vertices.end(),
+                         {{2.0 * i, 0}, {2.0 * i + 1, 1 + i * 7919.0 - 1000 * std::floor(i * 7.919)}});
+  comb.vertices.insert(comb.vertices.end(), {{20000, 0}, {0, -1}});
+  for (int lying = 0; lying < 2; ++lying) {
+    const IndexLists triangles = robust::triangulate_polygon(comb);
+    CHECK(triangles.size() == comb.size() - 2);
+    CHECK(fits(comb, triangles));
+    for (Point2d& p : comb.vertices) p = {-p.y, p.x};
+  }
+}
+
+TEST_CASE("triangulate_polygon: the checker and that of certificates say the same of altered answers") {
+  checkers_agree<Row>();
+}
+
+TEST_CASE("triangulate_polygon: rings drawn by others") {
+  if (real_rings<Row>() == 0) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
+}
+
+TEST_CASE("triangulate_polygon: the formula in double is right beyond the margins of its contract") {
+  formula_keeps_contract<Row>();
+}
+
+}  // namespace touchstone::proptests

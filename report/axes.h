@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "report/viewport.h"
+
+namespace touchstone::audit {
+
+/// Ticks below and left of the frame, in round decimal numbers; where the numbers would all look alike, what the axis spans instead.
+std::string ticks(const Viewport& view);
+
+/// Lines through the doubles near (x, y) that lie in the frame, if they are few enough to be told apart, and what to say of them.
+struct DoubleGrid {
+  std::string svg, caption;
+};
+DoubleGrid double_grid(const Viewport& view, double x, double y);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "audit/engines/engine.h"
+#include "report/map_image.h"
+#include "audit/tally.h"
+
+namespace touchstone::audit {
+
+/// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there. Every page
+/// stands alone: no scripts, nothing fetched. The same tally gives the same bytes, whatever the jobs. With `engine` the failure maps show it too.
+/// Throws std::runtime_error naming the file that cannot be written.
+void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr);
+
+using OperationMaps =
+    std::vector<std::pair<std::string, std::vector<FailureMap>>>;  ///< by operation, in the tally's order
+std::string index_page(const Tally& tally, const OperationMaps& maps);
+std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps);
+/// A page with the maps of one operation alone.
+std::string map_page(const Operation& operation, bool binary32, const std::vector<FailureMap>& maps);
+
+/// Throws std::runtime_error naming the file.
+void write_whole_file(const std::string& file, const std::string& bytes);
+
+}  // namespace touchstone::audit

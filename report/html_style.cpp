@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/html_style.h"
+
+#include "report/palette.h"
+#include "report/svg.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr const char* light_variables =
+    "--paper:#fff;--ground:#f5f6f8;--ink:#1b2229;--quiet:#55606b;--faint:#b9c0c8;--line:#dfe4e9;--link:#17528f;"
+    "--code:#f1f3f5;--q0:#1d5fa6;--q1:#a4510c;--q2:#2c7347;--q3:#7a3f98;--truth:#c2186b;--said:#0b7a75;";
+
+constexpr const char* dark_variables =
+    "--paper:#1d2329;--ground:#14181c;--ink:#e6eaee;--quiet:#a3aeb9;--faint:#4c5761;--line:#323a42;--link:#8ec1f5;"
+    "--code:#252c33;--q0:#7db4f0;--q1:#f0a45c;--q2:#7fcf9c;--q3:#cf9cec;--truth:#ff7ab6;--said:#4fd1c7;"
+    "--agree:#5d7384;--algorithm:#b07ad8;--inexact:#35b3b5;--invalid:#f2f2f2;--unsupported:#59626b;";
+
+constexpr const char* rules = R"css(
+*{box-sizing:border-box}
+body{margin:0;background:var(--ground);color:var(--ink);font:16px/1.55 ui-sans-serif,system-ui,-apple-system,"Segoe UI",Roboto,"DejaVu Sans",sans-serif}
+main,header,footer,nav{max-width:1120px;margin:0 auto;padding:0 24px}
+header{padding-top:36px}
+footer{padding:24px;color:var(--quiet);font-size:13px}
+nav{padding-top:18px;font-size:14px;display:flex;gap:18px;flex-wrap:wrap}
+nav .end{margin-left:auto}
+a{color:var(--link)}a:hover{text-decoration-thickness:2px}
+:focus-visible{outline:3px solid var(--link);outline-offset:2px;border-radius:3px}
+.kicker{margin:0;color:var(--quiet);font-size:13px;letter-spacing:.06em;text-transform:uppercase}
+h1{font-size:30px;line-height:1.2;margin:2px 0 8px;letter-spacing:-.01em}
+h2{font-size:20px;margin:36px 0 10px}h3{font-size:16px;margin:0 0 6px}h4{font-size:14px;margin:0 0 6px;font-weight:600}
+p{margin:0 0 12px;max-width:78ch}.lead{font-size:17px}.quiet{color:var(--quiet)}.small{font-size:13.5px}
+.card{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:18px 20px;margin:0 0 18px}
+.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(176px,1fr));gap:10px;margin:20px 0 8px}
+.tile{background:var(--paper);border:1px solid var(--line);border-left:5px solid var(--c,var(--faint));border-radius:8px;padding:9px 12px}
+.tile b{display:block;font-size:20px;white-space:nowrap;line-height:1.25;font-variant-numeric:tabular-nums;font-weight:650}
+.tile span{color:var(--quiet);font-size:13px}
+.bar{display:flex;height:16px;border-radius:4px;overflow:hidden;background:var(--line);gap:1px}
+.bar i{display:block;background-color:var(--c);min-width:2px}
+.bar.thin{height:9px;min-width:80px}
+.algorithm.hatch{background-image:repeating-linear-gradient(45deg,#fff5 0 2px,#fff0 2px 6px)}
+.rounding.hatch{background-image:repeating-linear-gradient(-45deg,#fff4 0 1.5px,#fff0 1.5px 7px)}
+.swatch{display:inline-block;width:13px;height:13px;border-radius:3px;background:var(--c);vertical-align:-1px;margin-right:7px;border:1px solid #0003}
+.badge{display:inline-block;border:1px solid var(--line);border-left:5px solid var(--c);border-radius:4px;padding:0 8px;font-size:13px;font-weight:600;background:var(--paper);white-space:nowrap}
+dl.legend{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:0;font-size:14.5px}
+dl.legend dt{font-weight:600}dl.legend dd{margin:0;color:var(--quiet)}
+.scroll{overflow-x:auto}
+table{border-collapse:collapse;width:100%;font-size:14px}
+th,td{text-align:right;padding:4px 7px;font-variant-numeric:tabular-nums;white-space:nowrap;border-bottom:1px solid var(--line)}
+th{color:var(--quiet);font-weight:600;font-size:13px;vertical-align:bottom}
+th:first-child,td:first-child{text-align:left;padding-left:2px}
+tbody th{color:var(--ink);font-size:14px}
+tbody tr.total>*{font-weight:650;border-top:2px solid var(--faint);padding-top:8px}
+td.none{color:var(--faint)}td.wide{width:34%;min-width:160px}td.text,th.text{text-align:left;white-space:normal}
+td.found{font-weight:600}
+code,pre{font:13px/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
+code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:anywhere}
+pre{background:var(--code);border-radius:6px;padding:9px 12px;margin:4px 0 12px;white-space:pre-wrap;overflow-wrap:anywhere}
+pre.repeat{user-select:all}
+.facts{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
+.facts dt{color:var(--quiet)}.facts dd{margin:0;min-width:0}
+.facts dd code{display:inline-block}
+figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{color:var(--quiet);font-size:13.5px;overflow-wrap:anywhere}
+.said{margin:8px 0 4px}.said td,.said th{white-space:normal;vertical-align:top}.said td:nth-child(2){text-align:left}
+.said td:nth-child(2) code{overflow-wrap:break-word}.said tr.truth th{color:var(--truth)}
+details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
+.maps{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:24px}
+.maps img{image-rendering:pixelated}.maps img,.gallery img{width:100%;height:auto;display:block;border:1px solid var(--line);background:#fff}
+.maps ul{list-style:none;margin:10px 0 0;padding:0;font-size:14px}
+.maps li{display:flex;gap:4px;align-items:baseline}.maps li b{margin-left:auto;font-weight:500;font-variant-numeric:tabular-nums}
+.gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}
+.gallery a{min-width:0;overflow-wrap:anywhere;text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
+.chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
+.chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
+@media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}.seen figure{overflow-x:auto}.fig{max-width:none}.said td:nth-child(2) code{overflow-wrap:anywhere}}
+@page{margin:13mm}
+@media print{
+body{background:#fff;font-size:10pt}nav,.screen{display:none}
+main,header,footer{max-width:none;padding:0}header{padding-top:0}h2{margin-top:24px}h2,h3,h4{break-after:avoid}
+*{-webkit-print-color-adjust:exact;print-color-adjust:exact}
+.card{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
+p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
+.card>h3,.card>h3+p,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
+.tiles{grid-template-columns:repeat(auto-fit,minmax(88px,1fr))}.tile b{font-size:15pt}
+.scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}td.wide{min-width:90px}.bar.thin{min-width:40px}
+.seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.wide){flex-basis:100%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
+.maps{grid-template-columns:repeat(3,1fr);gap:16px}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
+.gallery{grid-template-columns:repeat(3,1fr)}
+details::details-content{content-visibility:visible;block-size:auto}
+}
+)css";
+
+std::string verdict_variables() {
+  std::string text;
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    text += std::string("--") + verdict_names[v] + ":" + hex_of(colour_of(static_cast<Verdict>(v))) + ";";
+  }
+  return text;
+}
+
+std::string verdict_classes() {
+  std::string text;
+  for (const char* name : verdict_names) text += std::string(".") + name + "{--c:var(--" + name + ")}";
+  return text;
+}
+
+}  // namespace
+
+const std::string& page_style() {
+  static const std::string style = std::string(":root{color-scheme:light dark;") + light_variables +
+                                   verdict_variables() + "}" + "@media screen and (prefers-color-scheme:dark){:root{" +
+                                   dark_variables + "}}" + rules + verdict_classes() + figure_style();
+  return style;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/viewport.h"
+
+namespace touchstone::audit {
+
+/// A text that wants to stand beside one of several places.
+struct LabelWish {
+  std::vector<Pixel> places;
+  std::string text, style;
+};
+
+/// The texts as SVG, each where it covers least of what is drawn and of the other texts.
+std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixel> drawn, const Frame& frame);
+
+/// For text and attribute values of HTML and SVG.
+std::string escaped(const std::string& text);
+
+}  // namespace touchstone::audit

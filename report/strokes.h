@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/labels.h"
+#include "catalogue/scene.h"
+#include "report/viewport.h"
+
+namespace touchstone::audit {
+
+/// What has been drawn in one frame.
+struct Drawing {
+  std::string lines, points;  ///< SVG; points are to lie above lines
+  std::vector<Pixel> drawn;   ///< places that a text should leave free
+  std::vector<LabelWish> wishes;
+};
+
+/// A style class, and how thick its strokes are: what is drawn first is thicker, so that it is still seen beneath what
+/// coincides with it.
+struct Style {
+  std::string name;
+  double thickness = 2;
+};
+
+/// Adds a figure as it is seen in the view.
+void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style);
+
+}  // namespace touchstone::audit

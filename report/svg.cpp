@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/svg.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/axes.h"
+#include "report/near_miss.h"
+#include "report/strokes.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr double left_room = 64, bottom_room = 44, top_room = 8, between_frames = 40, right_room = 10;
+constexpr Frame main_frame{400, 300}, inset_frame{300, 300};
+constexpr int inset_in_gaps = 4;
+constexpr double thicknesses[] = {4, 2, 1.4, 1};  // of the parts of the question, in order
+
+/// One frame with its figures; a nested svg element cuts off what leaves it.
+std::string framed(const Scene& scene, const Viewport& view, const std::string& below) {
+  Drawing drawing;
+  std::size_t part = 0;
+  for (const Figure& figure : scene.figures) {
+    if (figure.answer || figure.said) continue;
+    if (figure.label.empty()) {
+      stroke(drawing, figure, view, {"aid", 1.2});
+      continue;
+    }
+    const std::size_t style = part++ % std::size(thicknesses);
+    stroke(drawing, figure, view, {"q" + std::to_string(style), thicknesses[style]});
+  }
+  for (const Figure& figure : scene.figures) {
+    if (figure.answer || figure.said) stroke(drawing, figure, view, {figure.said ? "said" : "truth", 1.4});
+  }
+  const Frame& frame = view.frame();
+  return fmt::format(
+      "<rect class=\"frame\" width=\"{0}\" height=\"{1}\"/><svg width=\"{0}\" height=\"{1}\">{2}{3}{4}{5}</svg>",
+      pixels(frame.width), pixels(frame.height), below, drawing.lines, drawing.points,
+      placed_labels(drawing.wishes, drawing.drawn, frame));
+}
+
+/// Without figures that have a point beyond the range of doubles: a ray's second point may overflow, a formula's answer too.
+Scene drawable(const Scene& scene) {
+  Scene kept;
+  for (const Figure& figure : scene.figures) {
+    const bool finite =
+        std::all_of(figure.numbers.begin(), figure.numbers.end(), [](double x) { return std::isfinite(x); });
+    if (finite && !figure.numbers.empty()) kept.figures.push_back(figure);
+  }
+  return kept;
+}
+
+Viewport whole_view(const Scene& scene) {
+  std::vector<ExactPoint> points;
+  bool equal = false;
+  for (const Figure& figure : scene.figures) {
+    const std::vector<ExactPoint> vertices = vertices_of(figure);
+    if (figure.kind == Figure::Kind::circle) {
+      equal = true;
+      const mpq_class r = exact_point(figure.numbers[2], 0).x;
+      points.push_back({mpq_class(vertices[0].x - r), mpq_class(vertices[0].y - r)});
+      points.push_back({mpq_class(vertices[0].x + r), mpq_class(vertices[0].y + r)});
+    } else {
+      points.insert(points.end(), vertices.begin(), vertices.end());
+    }
+  }
+  return Viewport::fitted(points, main_frame, equal);
+}
+
+std::string stretch_in_words(const Viewport& view) {
+  if (!view.stretched()) return "";
+  const mpq_class ratio = view.pixels_per_unit_y() / view.pixels_per_unit_x();
+  return ratio > 1 ? "y stretched " + about(ratio, 2) + " times"
+                   : "x stretched " + about(mpq_class(1 / ratio), 2) + " times";
+}
+
+std::string caption(const Frame& frame, const std::string& text) {
+  if (text.empty()) return "";
+  return fmt::format("<text class=\"caption\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                     pixels(frame.width / 2), pixels(frame.height + 35), escaped(text));
+}
+
+/// Half the width of the magnified frame: a few gaps, and the nearest doubles too where those are in reach.
+mpq_class inset_half(const NearMiss& miss) {
+  const mpq_class gaps = inset_in_gaps * miss.gap;
+  const auto spacing = [](double at) {
+    return mpq_class(exact_point(std::nextafter(std::abs(at), 1e308), 0).x - exact_point(std::abs(at), 0).x);
+  };
+  const mpq_class x = abs(spacing(miss.x)), y = abs(spacing(miss.y));
+  const mpq_class doubles = mpq_class(5, 2) * (x < y ? y : x);
+  return gaps >= doubles || 8 * gaps < doubles ? gaps : doubles;
+}
+
+std::string magnified(const Scene& scene, const Viewport& whole, const NearMiss& miss) {
+  const Viewport view = Viewport::around(miss.vertex, inset_half(miss), inset_frame);
+  const DoubleGrid grid = double_grid(view, miss.x, miss.y);
+  const mpq_class width = view.far_corner().x - view.corner().x;
+  const Pixel at = whole.at(miss.vertex);
+  const double start = left_room + main_frame.width + between_frames;
+  std::string svg =
+      fmt::format("<path class=\"lens\" d=\"M{0} {1}h12v12h-12zM{2} {1}L{3} {4}M{2} {5}L{3} {6}\"/>",
+                  pixels(left_room + at.x - 6), pixels(top_room + at.y - 6), pixels(left_room + at.x + 6),
+                  pixels(start), pixels(top_room), pixels(top_room + at.y + 6), pixels(top_room + inset_frame.height));
+  svg += fmt::format("<g transform=\"translate({} {})\">", pixels(start), pixels(top_room)) +
+         framed(scene, view, grid.svg);
+  svg += fmt::format("<text class=\"scale\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+                     pixels(inset_frame.width / 2), pixels(inset_frame.height + 17),
+                     escaped("around " + (miss.label.empty() ? "the vertex" : miss.label) + ", " + about(width) +
+                             " wide; gap " + about(miss.gap)));
+  return svg + caption(inset_frame, grid.caption) + "</g>";
+}
+
+}  // namespace
+
+std::string figure_style() {
+  return ".fig{font:12px/1.2 ui-sans-serif,system-ui,sans-serif;max-width:100%;height:auto;display:block}"
+         ".fig .frame{fill:var(--paper,#fff);stroke:var(--faint,#b9c0c8)}"
+         ".fig .tick{stroke:var(--faint,#b9c0c8);fill:none}"
+         ".fig .scale,.fig .caption{fill:var(--quiet,#59636e);font-size:11px}"
+         ".fig .double{stroke:var(--faint,#b9c0c8);stroke-width:.8;fill:none}"
+         ".fig .lens{stroke:var(--quiet,#59636e);stroke-width:.8;stroke-dasharray:2 3;fill:none}"
+         ".fig .stroke{fill:none}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
+         ".fig .aid{--c:var(--quiet,#59636e)}.fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig "
+         ".q2{--c:var(--q2,#2c7347)}.fig "
+         ".q3{--c:var(--q3,#7a3f98)}"
+         ".fig .truth{--c:var(--truth,#c2186b)}.fig .said{--c:var(--said,#0b7a75)}.fig .stroke{stroke:var(--c)}.fig "
+         ".dot,.fig .head,.fig text.q0,.fig "
+         "text.q1,"
+         ".fig text.q2,.fig text.q3,.fig text.said,.fig text.truth{fill:var(--c)}"
+         ".fig text.q0,.fig text.q1,.fig text.q2,.fig text.q3,.fig text.said,.fig "
+         "text.truth{font-weight:600;paint-order:stroke;"
+         "stroke:var(--paper,#fff);stroke-width:3px;stroke-linejoin:round}"
+         ".fig .ring{fill:none;stroke:var(--c);stroke-width:2;stroke-dasharray:3 2}"
+         ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";
+}
+
+std::string scene_svg(const Scene& given, const std::string& title, bool standalone) {
+  const Scene scene = drawable(given);
+  if (scene.figures.empty()) return "";
+  const Viewport whole = whole_view(scene);
+  const auto miss = narrowest_gap(scene, whole);
+  const double width = left_room + main_frame.width + (miss ? between_frames + inset_frame.width : 0) + right_room;
+  const double height = top_room + main_frame.height + bottom_room;
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"fig{3}\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
+      "width=\"{0}\" height=\"{1}\"><title>{2}</title>",
+      pixels(width), pixels(height), escaped(title), miss ? " wide" : "");
+  if (standalone) svg += "<style>" + figure_style() + "</style>";
+  svg += fmt::format("<g transform=\"translate({} {})\">", pixels(left_room), pixels(top_room)) +
+         framed(scene, whole, "") + ticks(whole) + caption(main_frame, stretch_in_words(whole)) + "</g>";
+  if (miss) svg += magnified(scene, whole, *miss);
+  return svg + "</svg>";
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/wording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "catalogue/codec/json.h"
+
+namespace touchstone::audit {
+namespace {
+
+bool is_exact_value(const std::string& text) {
+  const std::size_t sign = !text.empty() && text[0] == '-' ? 1 : 0;
+  const bool plausible = text.find_first_not_of("0123456789/", sign) == std::string::npos;
+  return plausible && text.size() > sign && text.back() != '/' && text[sign] != '/' &&
+         std::count(text.begin(), text.end(), '/') <= 1;
+}
+
+/// What an engine typed where a number may stand: the number, or its characters if they are none.
+Json number_or_text(const Json& typed) {
+  try {
+    return written(read_answer_number(typed, "answer"));
+  } catch (const InvalidInput&) {
+    return typed_text(typed);
+  }
+}
+
+Json rewritten(const Json& answer, bool abbreviate) {
+  if (is_typed_number(answer)) return number_or_text(answer);
+  if (answer.is_string() && abbreviate) {
+    const std::string& text = answer.get_ref<const std::string&>();
+    if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text), 48, 20);
+    return answer;
+  }
+  if (!answer.is_structured()) return answer;
+  Json result = answer.is_array() ? Json::array() : Json::object();
+  for (const auto& [key, value] : answer.items()) {
+    if (answer.is_array()) {
+      result.push_back(rewritten(value, abbreviate));
+    } else {
+      result[key] = rewritten(value, abbreviate);
+    }
+  }
+  return result;
+}
+
+bool mentions_nan(const Json& answer) {
+  if (answer.is_string()) return answer.get_ref<const std::string&>() == "nan";
+  return answer.is_structured() &&
+         std::any_of(answer.begin(), answer.end(), [](const Json& part) { return mentions_nan(part); });
+}
+
+/// Whether the slide's formula in the engine's own number type decides rightly; empty where that cannot be asked.
+std::optional<bool> formula_is_right(const Finding& finding, const Operation* operation, bool binary32) {
+  if (!operation) return std::nullopt;
+  try {
+    const Verdict verdict = operation->examine(finding.question)->judge_reference(binary32).verdict;
+    return verdict != Verdict::rounding && verdict != Verdict::algorithm && verdict != Verdict::invalid;
+  } catch (const InvalidInput&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether a number of the answer is not 0 where the exact one is: a distance in ulps says nothing there.
+bool misses_a_zero(const Json& answer, const Json& truth) {
+  if (!truth.is_structured()) return truth == "0" && answer != 0;
+  if (answer.type() != truth.type()) return false;
+  if (truth.is_array()) {
+    for (std::size_t i = 0; i < truth.size() && i < answer.size(); ++i) {
+      if (misses_a_zero(answer[i], truth[i])) return true;
+    }
+    return false;
+  }
+  for (const auto& [key, value] : truth.items()) {
+    if (answer.contains(key) && misses_a_zero(answer[key], value)) return true;
+  }
+  return false;
+}
+
+bool misses_a_zero(const Finding& finding, const Operation* operation) {
+  if (!operation) return false;
+  try {
+    const auto examination = operation->examine(finding.question);
+    return misses_a_zero(finding.answer.is_null() ? examination->reference() : plain(finding.answer),
+                         examination->truth());
+  } catch (const InvalidInput&) {
+    return false;
+  }
+}
+
+std::string why_algorithm(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
+  switch (speaker) {
+    case Speaker::reference:
+      return std::string(
+                 "The slide's formula itself fails here: even in exact arithmetic it is wrong, or undefined such as "
+                 "0/0.") +
+             (mentions_nan(finding.answer) ? " The NaN in the answer is what 0/0 leaves behind." : "");
+    case Speaker::robust: return "robust promises the right answer for every finite input, so this is a bug of robust.";
+    case Speaker::foreign: break;
+  }
+  const auto right = formula_is_right(finding, operation, binary32);
+  return std::string(
+             "The slide's formula, evaluated in the engine's own number type, is certain of its decision here") +
+         (!right   ? ""
+          : *right ? ", which is right"
+                   : ", which is wrong too") +
+         ": the method is the presumed cause. The engine's own formula was not seen.";
+}
+
+std::string why_rounding(Speaker speaker) {
+  if (speaker == Speaker::reference) {
+    return "The slide's formula is right here: in exact arithmetic it gives the truth. Rounding its intermediate "
+           "results "
+           "changed the decision.";
+  }
+  return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this "
+         "input: "
+         "rounding is the presumed cause. The engine's own formula was not seen.";
+}
+
+}  // namespace
+
+std::string grouped(std::uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string counted(std::uint64_t n, const std::string& noun) { return grouped(n) + " " + noun + (n == 1 ? "" : "s"); }
+
+std::string share(std::uint64_t part, std::uint64_t whole) {
+  if (whole == 0 || part == 0) return "0%";
+  if (part == whole) return "100%";
+  const double percent = 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  if (percent < 0.01) return "<0.01%";
+  if (percent > 99.99) return ">99.99%";
+  return fmt::format("{:.{}f}%", percent, percent < 1 || percent > 99 ? 2 : 1);
+}
+
+std::string ulps_in_words(double ulps) {
+  if (ulps >= 0x1p990) return "more than 1e298 ulps";  // where the judge stops counting
+  return fmt::format("{:.3g}", ulps) + (ulps == 1 ? " ulp" : " ulps");
+}
+
+std::string subject(const Declaration& declaration) {
+  return (declaration.engine.empty() ? "reference" : declaration.engine) +
+         (declaration.binary32 ? " (binary32)" : " (binary64)");
+}
+
+std::string boundary_word(Declaration::Boundary boundary) {
+  switch (boundary) {
+    case Declaration::Boundary::closed: return "closed";
+    case Declaration::Boundary::open: return "open";
+    case Declaration::Boundary::unspecified: break;
+  }
+  return "unspecified";
+}
+
+std::string meaning(Verdict verdict, Speaker speaker) {
+  const bool foreign = speaker == Speaker::foreign;
+  switch (verdict) {
+    case Verdict::agree: return "right decision, every number within the stated bound";
+    case Verdict::rounding:
+      return foreign ? "wrong decision where the slide's formula in the engine's number type cannot be sure of its own"
+                     : "wrong decision; the same formula in exact arithmetic is right";
+    case Verdict::algorithm:
+      return foreign ? "wrong decision where the slide's formula in the engine's number type is certain of its own"
+                     : "wrong decision, or undefined, even in exact arithmetic";
+    case Verdict::inexact: return "right decision, a number further off than the stated bound";
+    case Verdict::convention: return "right for open sets, where the truth is a touch";
+    case Verdict::tolerance: return "wrong decision, within the tolerance that the engine declares";
+    case Verdict::invalid: return "NaN, infinity, exception, crash, no valid answer or none in time";
+    case Verdict::unsupported: return "the engine does not answer this";
+  }
+  return "";
+}
+
+Speaker speaker_of(const Declaration& declaration) {
+  return declaration.engine.empty() || declaration.engine == "reference" ? Speaker::reference : Speaker::foreign;
+}
+
+std::string not_asked_in_words(const Cell& cell) {
+  return counted(cell.not_asked, "question") + " not asked: the engine was " + cell.given_up;
+}
+
+std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
+  switch (finding.judgement.verdict) {
+    case Verdict::rounding: return why_rounding(speaker);
+    case Verdict::algorithm: return why_algorithm(finding, operation, speaker, binary32);
+    case Verdict::inexact: {
+      const std::string off = ulps_in_words(finding.judgement.ulps);
+      if (speaker == Speaker::robust)
+        return "The decision is right, but a number is " + off + " from the correctly rounded one.";
+      if (finding.judgement.ulps >= 0x1p52 && misses_a_zero(finding, operation)) {
+        return "The decision is right, but a number is not 0 where the exact value is 0.";
+      }
+      if (finding.judgement.ulps >= 0x1p52) {
+        return "The decision is right, but a number has no correct digit: it is " + off + " from the exact value.";
+      }
+      const std::string bound = operation ? " Stated bound: " + ulps_in_words(operation->card().ulps) + "." : "";
+      return "The decision is right, but a number is " + off + " from the exact value." + bound;
+    }
+    case Verdict::convention:
+      return "The truth is a touch, and the answer is right for open sets; the engine does not promise closed ones.";
+    case Verdict::tolerance: return "The margin is within the tolerance that the engine declares.";
+    case Verdict::invalid: return finding.judgement.remark.empty() ? "No valid answer." : finding.judgement.remark;
+    case Verdict::unsupported: return "The engine does not answer this input.";
+    case Verdict::agree: break;
+  }
+  return "The answer is right.";
+}
+
+std::string readable(const mpq_class& exact, std::size_t most, std::size_t digits_kept) {
+  std::string whole = exact.get_str();
+  if (whole.size() <= most) return whole;
+  mp_exp_t exponent = 0;
+  const mpf_class rounded(exact, 192);
+  std::string digits = rounded.get_str(exponent, 10, digits_kept);
+  const std::string sign = digits[0] == '-' ? "-" : "";
+  digits.erase(0, sign.size());
+  const long power = static_cast<long>(exponent) - 1;
+  if (power >= 0 && power < 6) {
+    digits.resize(std::max<std::size_t>(digits.size(), static_cast<std::size_t>(power) + 1), '0');
+    const std::string fraction = digits.substr(static_cast<std::size_t>(power) + 1);
+    return "about " + sign + digits.substr(0, static_cast<std::size_t>(power) + 1) +
+           (fraction.empty() ? "" : "." + fraction);
+  }
+  if (power < 0 && power > -5)
+    return "about " + sign + "0." + std::string(static_cast<std::size_t>(-power - 1), '0') + digits;
+  return fmt::format("about {}{}{}{}e{:+d}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), power);
+}
+
+Json readable(const Json& answer) { return rewritten(answer, true); }
+Json plain(const Json& answer) { return rewritten(answer, false); }
+
+std::string word_in(const Json& answer) {
+  if (answer.is_boolean()) return answer.get<bool>() ? "true" : "false";
+  if (!answer.is_object()) return "value";
+  for (const auto& [key, value] : answer.items()) {
+    if (!value.is_string() || is_typed_number(value)) continue;
+    const std::string& text = value.get_ref<const std::string&>();
+    if (text != "nan" && text != "inf" && text != "-inf" && !is_exact_value(text)) return text;
+  }
+  return "value";
+}
+
+std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker) {
+  return "echo '" + one_line(operation.print(question)) + "' | touchstone ask " + operation.name() +
+         (speaker == Speaker::foreign ? " --engine CMD" : " -");
+}
+
+Smallest smallest_of(const OperationTally& tally, Verdict verdict) {
+  Smallest best;
+  for (const auto& [family, cell] : tally.families) {
+    const auto& candidate = cell.smallest[static_cast<std::size_t>(verdict)];
+    if (!candidate || (best.finding && !smaller(candidate->question, best.finding->question))) continue;
+    best = {&*candidate, family};
+  }
+  return best;
+}
+
+Cell sum_of(const std::vector<OperationTally>& tallies) {
+  Cell sum;
+  for (const OperationTally& tally : tallies) sum.merge(tally.total());
+  return sum;
+}
+
+std::string summary_of(const Cell& sum) {
+  const std::uint64_t rounding = sum.count(Verdict::rounding), algorithm = sum.count(Verdict::algorithm);
+  const std::uint64_t invalid = sum.count(Verdict::invalid), unsupported = sum.count(Verdict::unsupported);
+  std::string text =
+      grouped(rounding + algorithm + invalid) + " of " + grouped(sum.cases() - unsupported) + " answers wrong";
+  std::string separator = ": ";
+  const auto name = [&](std::uint64_t n, const std::string& words) {
+    if (n == 0) return;
+    text += separator + grouped(n) + " " + words;
+    separator = ", ";
+  };
+  name(rounding, "by rounding");
+  name(algorithm, "by algorithm");
+  name(invalid, "invalid");
+  separator = "; ";
+  name(sum.count(Verdict::inexact), "inexact");
+  name(sum.count(Verdict::convention), "by another convention");
+  name(sum.count(Verdict::tolerance), "within tolerance");
+  name(unsupported, "not supported");
+  name(sum.not_asked, "not asked");
+  return text;
+}
+
+std::string closing_sentence(const Tally& tally) {
+  const Cell robust = sum_of(tally.robust);
+  return subject(tally.declaration) + ": " + summary_of(sum_of(tally.operations)) +
+         (tally.robust.empty() ? "" : "; robust: " + grouped(robust.cases() - robust.count(Verdict::agree))) + "\n";
+}
+
+}  // namespace touchstone::audit

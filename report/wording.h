@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "audit/tally.h"
+
+/// What tables and pages say in words, once for both.
+namespace touchstone::audit {
+
+/// 1234567 -> "1,234,567"
+std::string grouped(std::uint64_t n);
+/// 1234, "case" -> "1,234 cases"
+std::string counted(std::uint64_t n, const std::string& noun);
+/// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not whole.
+std::string share(std::uint64_t part, std::uint64_t whole);
+
+/// A distance in units in the last place: "0.5 ulps", "4.5e+15 ulps", "more than 1e298 ulps".
+std::string ulps_in_words(double ulps);
+
+/// "reference (binary64)"
+std::string subject(const Declaration& declaration);
+std::string boundary_word(Declaration::Boundary boundary);
+
+/// Whose answer it is: "by rounding" is decided, and so explained, differently for each.
+enum class Speaker { reference, robust, foreign };
+Speaker speaker_of(const Declaration& declaration);
+/// What a verdict means, in a few words.
+std::string meaning(Verdict verdict, Speaker speaker);
+/// Why an answer was given this verdict, in one or two plain sentences. binary32: the engine's number type.
+std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32);
+/// "12,345 questions not asked: the engine was given up after ..."
+std::string not_asked_in_words(const Cell& cell);
+
+/// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most` characters.
+std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);
+/// Any answer for the eye: numbers as they were typed become numbers, long exact values are abbreviated.
+Json readable(const Json& answer);
+/// Without abbreviation: what a file keeps of an answer.
+Json plain(const Json& answer);
+
+/// The first word in an answer ("left", "overlap"), or "value".
+std::string word_in(const Json& answer);
+
+/// The shell line that asks a question again, a foreign engine (CMD is its command) as well; the input as decimals that
+/// read back exactly.
+std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker);
+
+/// The smallest finding of a verdict over all families, with its family; nullptr where there is none.
+struct Smallest {
+  const Finding* finding = nullptr;
+  std::string family;
+};
+Smallest smallest_of(const OperationTally& tally, Verdict verdict);
+
+/// Sums over operations.
+Cell sum_of(const std::vector<OperationTally>& tallies);
+/// "1,234 of 200,000 answers wrong: 1,000 by rounding, 234 by algorithm".
+std::string summary_of(const Cell& sum);
+/// "reference (binary64): 1,234 of 200,000 answers wrong: ...; robust: 0"
+std::string closing_sentence(const Tally& tally);
+
+}  // namespace touchstone::audit
