@@ -39,6 +39,9 @@ enum class PlaneSide { front, on, back };
 enum class NormalClass { proper, degenerate };
 enum class HitRelation { hit, never };
 
+/// The coordinate axes.
+enum class Axis { x, y, z };
+
 /// relation `on`: point = a + t (b - a), 0 <= t <= 1; t is 0 on a segment of length zero. `off`: no t.
 template <class Real>
 struct PointOnSegment {
@@ -106,6 +109,13 @@ struct FirstHit {
   HitRelation relation;
   std::optional<Real> t;
   std::optional<Point3<Real>> point;
+};
+
+/// relation `hit`: the first t in [0, 1] at which two moving solids have a common point. `never`: no number.
+template <class Real>
+struct FirstContact {
+  HitRelation relation;
+  std::optional<Real> t;
 };
 
 template <class Real>

@@ -3,12 +3,15 @@
 
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "geometry/invalid_input.h"
 #include "geometry/polygons.h"
+#include "geometry/polyhedra.h"
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
+#include "geometry/volumes.h"
 
 /// Validation: what is valid input, written once for everybody. Each `validate` throws InvalidInput naming the field and the rule, or
 /// returns. Numbers are looked at as bits, so this holds in every floating-point environment and build type.
@@ -26,8 +29,12 @@ inline bool same(double a, double b) {
 inline void validate(const std::string& field, double value) {
   if (!finite(value)) throw InvalidInput(field, "finite number");
 }
-inline void validate(const std::string& field, const Point2d& p) { validate(field + "[0]", p.x), validate(field + "[1]", p.y); }
-inline void validate(const std::string& field, const Vector2d& v) { validate(field + "[0]", v.x), validate(field + "[1]", v.y); }
+inline void validate(const std::string& field, const Point2d& p) {
+  validate(field + "[0]", p.x), validate(field + "[1]", p.y);
+}
+inline void validate(const std::string& field, const Vector2d& v) {
+  validate(field + "[0]", v.x), validate(field + "[1]", v.y);
+}
 inline void validate(const std::string& field, const Segment2d& s) {
   validate(field + "[0]", s.a), validate(field + "[1]", s.b);
 }
@@ -61,6 +68,34 @@ inline void validate(const std::string& field, const Plane3d& plane) {
   if (zero(plane.normal.x) && zero(plane.normal.y) && zero(plane.normal.z)) {
     throw InvalidInput(field + ".normal", "nonzero normal");
   }
+}
+
+/// min <= max, of finite numbers as bits: in every floating-point environment.
+inline bool in_order(double min, double max) {
+  const auto key = [](double x) {
+    const auto bits = std::bit_cast<std::int64_t>(x);
+    return bits < 0 ? std::numeric_limits<std::int64_t>::min() - bits : bits;
+  };
+  return key(min) <= key(max);
+}
+inline void validate(const std::string& field, const Aabb2d& box) {
+  validate(field + ".min", box.min), validate(field + ".max", box.max);
+  if (!in_order(box.min.x, box.max.x)) throw InvalidInput(field + ".max[0]", "min <= max");
+  if (!in_order(box.min.y, box.max.y)) throw InvalidInput(field + ".max[1]", "min <= max");
+}
+inline void validate(const std::string& field, const Aabb3d& box) {
+  validate(field + ".min", box.min), validate(field + ".max", box.max);
+  if (!in_order(box.min.x, box.max.x)) throw InvalidInput(field + ".max[0]", "min <= max");
+  if (!in_order(box.min.y, box.max.y)) throw InvalidInput(field + ".max[1]", "min <= max");
+  if (!in_order(box.min.z, box.max.z)) throw InvalidInput(field + ".max[2]", "min <= max");
+}
+inline void validate(const std::string& field, const Sphere3d& ball) {
+  validate(field + ".center", ball.center), validate(field + ".radius", ball.radius);
+  if (negative(ball.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
+}
+template <class Shape>
+void validate(const std::string& field, const std::vector<Shape>& shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) validate(field + "[" + std::to_string(i) + "]", shapes[i]);
 }
 
 template <class Point>

@@ -15,6 +15,8 @@ namespace touchstone::oracle {
 struct Certificate {
   std::string kind;
   std::vector<std::pair<std::string, std::vector<Rational>>> facts;
+  /// Proofs of parts of the claim, by name: a certificate is a tree.
+  std::vector<std::pair<std::string, std::vector<Certificate>>> parts{};
 };
 
 }  // namespace touchstone::oracle

@@ -16,7 +16,8 @@ inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
 /// What is valid wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be forgotten.
 template <class Shape>
 concept AlwaysValid = std::is_same_v<Shape, oracle::Rational> || std::is_same_v<Shape, Point2<oracle::Rational>> ||
-    std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>>;
+    std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>> ||
+    std::is_same_v<Shape, Vector3<oracle::Rational>>;
 template <AlwaysValid Shape>
 void validate(const std::string&, const Shape&) {}
 
@@ -38,6 +39,18 @@ inline void validate(const std::string& field, const Circle2<oracle::Rational>& 
 inline void validate(const std::string& field, const Plane<oracle::Rational>& plane) {
   const auto& n = plane.normal;
   if (zero(n.x) && zero(n.y) && zero(n.z)) throw InvalidInput(field + ".normal", "nonzero normal");
+}
+inline void validate(const std::string& field, const Aabb2<oracle::Rational>& box) {
+  if (box.min.x > box.max.x) throw InvalidInput(field + ".max[0]", "min <= max");
+  if (box.min.y > box.max.y) throw InvalidInput(field + ".max[1]", "min <= max");
+}
+inline void validate(const std::string& field, const Aabb3<oracle::Rational>& box) {
+  if (box.min.x > box.max.x) throw InvalidInput(field + ".max[0]", "min <= max");
+  if (box.min.y > box.max.y) throw InvalidInput(field + ".max[1]", "min <= max");
+  if (box.min.z > box.max.z) throw InvalidInput(field + ".max[2]", "min <= max");
+}
+inline void validate(const std::string& field, const Sphere3<oracle::Rational>& ball) {
+  if (negative(ball.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
 inline void validate(const std::string& field, const Polygon2<oracle::Rational>& polygon) {
   if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");

@@ -12,4 +12,9 @@ inline bool valid(const Plane3d& plane) {
   return all_finite(n.x, n.y, n.z, plane.offset) && !(validation::zero(n.x) && validation::zero(n.y) && validation::zero(n.z));
 }
 
+inline bool valid(const Vector3d& v) { return all_finite(v.x, v.y, v.z); }
+inline bool valid(const Sphere3d& s) {
+  return all_finite(s.center.x, s.center.y, s.center.z, s.radius) && !validation::negative(s.radius);
+}
+
 }  // namespace touchstone::robust::kernel
