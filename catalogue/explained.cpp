@@ -15,6 +15,11 @@ Json certificate_json(const oracle::Certificate& certificate) {
     for (const oracle::Rational& value : values) list.push_back(written(value));
     result[name] = std::move(list);
   }
+  for (const auto& [name, proofs] : certificate.parts) {
+    Json list = Json::array();
+    for (const oracle::Certificate& proof : proofs) list.push_back(certificate_json(proof));
+    result[name] = std::move(list);
+  }
   return result;
 }
 
@@ -47,20 +52,23 @@ Json truth_of_decimals(const Operation& operation, const Json& printed) {
 }
 
 Json explained(const Operation& operation, const Question& question) {
-  const auto examination = operation.examine(question);
+  return explained(operation, question, *operation.examine(question));
+}
+
+Json explained(const Operation& operation, const Question& question, const Examination& examination) {
   Json line = Json::object();
   line["op"] = operation.name();
   line["input"] = operation.print(question);
-  line["truth"] = examination->truth();
-  line["margin"] = written(examination->margin());
-  line["certificate"] = certificate_json(examination->certificate());
-  line["robust"] = verdict_json(examination->judge_robust(), examination->robust());
-  line["reference"] = verdict_json(examination->judge_reference(), examination->reference());
+  line["truth"] = examination.truth();
+  if (examination.margin()) line["margin"] = written(*examination.margin());
+  line["certificate"] = certificate_json(examination.certificate());
+  line["robust"] = verdict_json(examination.judge_robust(), examination.robust());
+  line["reference"] = verdict_json(examination.judge_reference(), examination.reference());
   for (const Operation* method : catalogue()) {
     if (operation.name() != method->card().method_of) continue;
-    const auto by_method = method->examine(question);
+    const Examination by_method(*method, examination);
     line["reference" + method->name().substr(operation.name().size())] =
-        verdict_json(by_method->judge_reference(), by_method->reference());
+        verdict_json(by_method.judge_reference(), by_method.reference());
   }
   return line;
 }

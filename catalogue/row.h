@@ -3,29 +3,22 @@
 
 #include <string>
 #include <tuple>
+#include <variant>
 
-#include "catalogue/operation.h"
 #include "catalogue/families/numbers.h"
 #include "catalogue/judge/ulps.h"
+#include "catalogue/row_functions.h"
 #include "oracle/truth.h"
 
 /// A row of the catalogue is a struct named like its operation, in the file of that name. It holds
-///   TOUCHSTONE_ROOMS(op)                     the functions of the three rooms
-///   using Question = std::tuple<...>;        the arguments
+///   TOUCHSTONE_MODULES(op)                   the functions of the three modules
+///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
 ///   static const Card& card();               names, pages, kind of judgement
 ///   static std::vector<HardCase<Question>> hard_cases();
-/// and where the operation is particular
-///   static void scale(Question&, int k);     numbers that are no lengths stay (default: all times 2^k)
-///   static std::optional<Truth> as_open_sets(const Truth&, const Question&);   the answer for open sets, if the truth is a touch
-///   static void repair(Question&);       makes a question of the operation out of drawn numbers (a ring that does not cross itself)
-///   static std::string fault(const Question&, const Answer&);   where many answers are right: what is wrong with one; "" if it is right
-///   static Question map_centre();            a degenerate question for the failure map (default: the first hard case at its simplest)
-///   static std::pair<std::size_t, std::size_t> map_axes();      which of its numbers move (default: the last two)
-///   struct decision { robust(Question), oracle(Question), oracle(the same over std::int64_t) };   decisions alone, at full speed
-///   static Word relation(const Question&);   robust's decision alone, where it has a function for it and the row no `decision`
-///   static void draw(Scene&, const Question&);   (default: every argument by its type)
+///   struct decision { ... };                 decisions alone (below), or using decision = NoDecision;
+///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
-#define TOUCHSTONE_ROOMS(op)                                                                         \
+#define TOUCHSTONE_MODULES(op)                                                                       \
   static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); }              \
   static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }                    \
   static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {                   \
@@ -45,52 +38,80 @@ struct HardCase {
   Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
 };
 
-/// The function of a room on a tuple of arguments.
-template <class Row, class... Ts>
-auto ask_reference(const std::tuple<Ts...>& q) {
-  return std::apply([](const auto&... value) { return Row::reference(value...); }, q);
+/// robust has no function for the decision alone. Where it has, the row's `decision` holds robust(Question) -> enumerator, and, for
+/// exhaustive runs at full speed, oracle(Question) and oracle(the same over std::int64_t).
+struct NoDecision {};
+
+/// A function of the modules on a question.
+template <class Call, class... Ts>
+auto applied(const Call& call, const std::tuple<Ts...>& q) {
+  return std::apply(call, q);
 }
-template <class Row, class... Ts>
-auto ask_robust(const std::tuple<Ts...>& q) {
-  return std::apply([](const auto&... value) { return Row::robust(value...); }, q);
+template <class Call, class... Ts>
+auto applied(const Call& call, const std::variant<Ts...>& q) {
+  return std::visit([&](const auto& alternative) { return applied(call, alternative); }, q);
 }
-template <class Row, class... Ts>
-auto ask_oracle(const std::tuple<Ts...>& q) {
-  return std::apply([](const auto&... value) { return Row::oracle(value...); }, q);
+template <class Row, class Question>
+auto ask_reference(const Question& q) {
+  return applied([](const auto&... value) { return Row::reference(value...); }, q);
+}
+template <class Row, class Question>
+auto ask_robust(const Question& q) {
+  return applied([](const auto&... value) { return Row::robust(value...); }, q);
+}
+template <class Row, class Question>
+auto ask_oracle(const Question& q) {
+  return applied([](const auto&... value) { return Row::oracle(value...); }, q);
 }
 template <class Row>
 auto ask_certificate(const typename Row::Question& q) {
-  return std::apply([](const auto&... value) { return Row::certificate(value...); }, q);
+  return applied([](const auto&... value) { return Row::certificate(value...); }, q);
 }
 
 /// Whether the oracle also takes exact rationals, for numbers as they were typed.
-template <class Row, class Tuple>
+template <class Row, class Asked>
 inline constexpr bool oracle_takes = false;
 template <class Row, class... Ts>
 requires requires(const Ts&... q) { Row::oracle(q...); }
 inline constexpr bool oracle_takes<Row, std::tuple<Ts...>> = true;
-
-/// The operation made from a row. Defined in a translation unit of its own for every row, which CMake writes (cmake/rooms.cmake).
-template <class Row>
-const Operation& operation_of_row();
+template <class Row, class... Ts>
+inline constexpr bool oracle_takes<Row, std::variant<Ts...>> = (oracle_takes<Row, Ts> && ...);
 
 template <class Row>
 using answer_t = decltype(ask_robust<Row>(std::declval<const typename Row::Question&>()));
+/// The answer as the oracle gives it.
+template <class Row>
+using truth_t = decltype(ask_oracle<Row>(std::declval<const typename Row::Question&>()).answer);
 
-/// Whether robust decides without numbers in a function of its own, and what that says.
+/// What is particular about a row, as functions; each may be left out.
 template <class Row>
-inline constexpr bool decides_alone = requires(const typename Row::Question& q) {
-  Row::relation(q);
-}
-|| requires(const typename Row::Question& q) { Row::decision::robust(q); };
+struct Hooks {
+  using Question = typename Row::Question;
+  /// The answer for open sets, if the truth is a touch.
+  std::optional<truth_t<Row>> (*as_open_sets)(const truth_t<Row>& truth, const Question&) = nullptr;
+  /// Where many answers are right: what is wrong with one; "" if it is right.
+  std::string (*fault)(const Question&, const answer_t<Row>&) = nullptr;
+  /// Repairs random numbers into a valid question (a ring that does not cross itself).
+  void (*repair)(Question&) = nullptr;
+  /// Times 2^k what is a length (default: every number).
+  void (*scale)(Question&, int k) = nullptr;
+  /// What is 0 of every right answer, exactly (momentum gained, energy gained).
+  std::vector<mpq_class> (*residuals)(const Question&, const answer_t<Row>&) = nullptr;
+  /// A degenerate question for the failure map (default: the first hard case at its simplest), and which of its numbers move (default:
+  /// the last two).
+  Question (*map_centre)() = nullptr;
+  std::pair<std::size_t, std::size_t> (*map_axes)() = nullptr;
+  /// Draws the question (default: every argument by its type).
+  void (*draw)(Scene&, const Question&) = nullptr;
+  /// Questions of exhaustive runs of that size: how many, and the one of an index (default: a grid of all numbers).
+  std::uint64_t (*world_count)(int size) = nullptr;
+  Question (*world_at)(int size, std::uint64_t index) = nullptr;
+};
+
+class Operation;
+/// The operation made from a row. Defined in the unit of the row's chapter, which CMake writes (cmake/rooms.cmake).
 template <class Row>
-auto decision_alone(const typename Row::Question& q) {
-  if constexpr (requires { Row::relation(q); }) {
-    return Row::relation(q);
-  } else {
-    return Row::decision::robust(q);
-  }
-}
+const Operation& operation_of_row();
 
 /// A lattice point of the plane, near the origin first.
 inline Point2d lattice_point(Choices& choices, int bits = 26) {

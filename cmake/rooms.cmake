@@ -69,20 +69,32 @@ constexpr Checks (*checks_of_all_files[])() = {@listed@};
 
 list(FILTER audit_sources EXCLUDE REGEX "/program/main\\.cpp|/program/engines/")
 
-# catalogue/CHAPTER/OP.h -> a translation unit that makes the operation of this row: adding one compiles one.
+# catalogue/CHAPTER/*.h -> one translation unit that makes the operations of the chapter's rows: one for each row would take five times as
+# long, because it is the headers that cost.
 file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/catalogue/*/*.h)
 list(FILTER rows EXCLUDE REGEX "^catalogue/(codec|families|judge)/")
-set(row_sources "")
+set(row_chapters "")
 foreach(row ${rows})
-  cmake_path(GET row STEM row_name)
-  cmake_path(REPLACE_EXTENSION row cpp OUTPUT_VARIABLE row_source)
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${row_source} @ONLY CONTENT [[
-#include "catalogue/operation_of.h"
-#include "@row@"
-
-template const touchstone::audit::Operation& touchstone::audit::operation_of_row<touchstone::audit::rows::@row_name@>();
+  cmake_path(GET row STEM name)
+  cmake_path(GET row PARENT_PATH chapter)
+  cmake_path(GET chapter FILENAME chapter)
+  list(APPEND row_chapters ${chapter})
+  string(APPEND includes_of_${chapter} "#include \"${row}\"\n")
+  string(APPEND operations_of_${chapter} "template const Operation& operation_of_row<rows::${name}>();\n")
+endforeach()
+list(REMOVE_DUPLICATES row_chapters)
+set(row_sources "")
+foreach(chapter ${row_chapters})
+  set(includes "${includes_of_${chapter}}")
+  set(operations "${operations_of_${chapter}}")
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp @ONLY CONTENT [[
+#include "catalogue/row_of.h"
+@includes@
+namespace touchstone::audit {
+@operations@
+}  // namespace touchstone::audit
 ]])
-  list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${row_source})
+  list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp)
 endforeach()
 
 touchstone_room(geometry)

@@ -16,9 +16,9 @@ std::unique_ptr<Engine> engine_of(const AskCommand& command, const Operation& op
   throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name());
 }
 
-Json said_by(Engine& engine, const Operation& operation, const Question& question) {
+Json said_by(Engine& engine, const Operation& operation, const Question& question, const Examination& examination) {
   const Reply reply = engine.ask(operation, {question})[0];
-  const Judgement judgement = judged(reply, *operation.examine(question), engine.declaration());
+  const Judgement judgement = judged(reply, examination, engine.declaration());
   Json result = Json::object();
   result["name"] = engine.declaration().engine;
   result.update(verdict_json(judgement, plain(reply.answer)));
@@ -45,8 +45,9 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       const Json input = parse_line(text);
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
-      Json line = explained(operation, question);
-      if (engine) line["engine"] = said_by(*engine, operation, question);
+      const auto examination = operation.examine(question);
+      Json line = explained(operation, question, *examination);
+      if (engine) line["engine"] = said_by(*engine, operation, question, *examination);
       if (command.as_typed) {
         line["as_typed"] = Json::object();
         line["as_typed"]["truth"] = operation.truth_as_typed(input);

@@ -2,10 +2,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <map>
 
-#include "catalogue/answer_shape.h"
-#include "catalogue/catalogue.h"
+#include "catalogue/operation.h"
 #include "program/commands.h"
 #include "program/program.h"
 
@@ -28,8 +26,6 @@ int ops_command(bool json, std::ostream& out) {
   if (!json)
     out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input",
                        "question");
-  std::map<std::string, Json> answers;
-  for_each_row([&]<class Row>() { answers[Row::card().name] = answer_shape<Row>(); });
   Json list = Json::array();
   for (const Operation* operation : catalogue()) {
     const Card& card = operation->card();
@@ -47,7 +43,7 @@ int ops_command(bool json, std::ostream& out) {
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);
     entry["question"] = card.question;
-    entry["answer"] = answers.at(card.name);
+    entry["answer"] = operation->answer_description();
     entry["families"] = operation->families();
     list.push_back(std::move(entry));
   }

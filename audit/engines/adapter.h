@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/catalogue.h"
-#include "catalogue/codec/flat.h"
+#include "catalogue/operation.h"
 #include "audit/engines/engine_answer.h"
 #include "audit/engines/serve.h"
 
@@ -35,6 +35,8 @@ template <class Engine, class Row, class Tuple>
 inline constexpr bool answers_row = false;
 template <class Engine, class Row, class... Ts>
 inline constexpr bool answers_row<Engine, Row, std::tuple<Ts...>> = AnswersTo<Engine, Row, Ts...>;
+template <class Engine, class Row, class... Ts>
+inline constexpr bool answers_row<Engine, Row, std::variant<Ts...>> = (answers_row<Engine, Row, Ts> || ...);
 template <class Engine, class Row, class Real>
 inline constexpr bool has_operation = answers_row<Engine, Row, rebound_t<typename Row::Question, Real>>;
 
@@ -67,12 +69,26 @@ Declaration declaration_of() {
   return declaration;
 }
 
+/// An alternative of a question for which the engine has no overload is not supported.
+template <class Row, class Engine, class... Ts>
+std::optional<Json> said_to(Engine& engine, const std::tuple<Ts...>& asked) {
+  if constexpr (AnswersTo<Engine, Row, Ts...>) {
+    return std::apply([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
+  }
+  return std::nullopt;
+}
+template <class Row, class Engine, class... Ts>
+std::optional<Json> said_to(Engine& engine, const std::variant<Ts...>& asked) {
+  return std::visit([&](const auto& alternative) { return said_to<Row>(engine, alternative); }, asked);
+}
+
 /// What the engine says to one question of a row; empty: unsupported.
 template <class Row, class Engine>
 std::optional<Json> ask_engine(Engine& engine, const Question& question) {
   using Real = handed_number<Engine, Row>;
-  const auto asked = unflattened<rebound_t<typename Row::Question, Real>>(question.numbers);
-  return std::apply([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
+  const auto asked = unpacked<rebound_t<typename Row::Question, Real>>(
+      question, [](double number) { return static_cast<Real>(number); });
+  return said_to<Row>(engine, asked);
 }
 
 template <class Engine, class List>

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "catalogue/row.h"
-#include "catalogue/codec/json.h"
+#include "catalogue/codec/shape_json.h"
 
 /// What a member function of an engine may return, and how it reads in JSON.
 namespace touchstone::audit {

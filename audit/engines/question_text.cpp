@@ -28,8 +28,7 @@ void append_number(double number, std::string& text) {
 
 QuestionText::QuestionText(const Operation& operation) : operation_(operation) {
   Question marked = operation.zeros();
-  if (operation.coordinates(marked).size() != marked.numbers.size())
-    return;  // lists: their lengths are no numbers in the text
+  if (!marked.words.empty()) return;  // lists, enumerators: the codec alone reads them
   for (double& number : marked.numbers) number = placeholder;
   const std::string pattern = one_line(operation.print(marked));
   const std::string mark = decimal(placeholder);
@@ -42,7 +41,7 @@ QuestionText::QuestionText(const Operation& operation) : operation_(operation) {
 }
 
 void QuestionText::write(const Question& question, std::string& text) const {
-  if (question.numbers.size() + 1 != around_.size()) {
+  if (around_.empty()) {
     text += one_line(operation_.print(question));
     return;
   }
@@ -54,7 +53,7 @@ void QuestionText::write(const Question& question, std::string& text) const {
 }
 
 bool QuestionText::read(std::string_view text, Question& question) const {
-  question.numbers.clear();
+  question.clear();
   for (std::size_t i = 0; i < around_.size(); ++i) {
     if (text.substr(0, around_[i].size()) != around_[i]) return false;
     text.remove_prefix(around_[i].size());

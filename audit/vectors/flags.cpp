@@ -8,7 +8,7 @@ namespace touchstone::audit {
 std::vector<std::string> flags_of(const Question& question, const Examination& examination) {
   std::vector<std::string> flags;
   if (examination.touch()) flags.emplace_back("touch");
-  if (sgn(examination.margin()) == 0) flags.emplace_back("degenerate");
+  if (examination.margin() && sgn(*examination.margin()) == 0) flags.emplace_back("degenerate");
   switch (examination.judge_reference().verdict) {
     case Verdict::rounding: flags.emplace_back("formula_rounds"); break;
     case Verdict::algorithm: flags.emplace_back("formula_wrong"); break;

@@ -29,10 +29,10 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   line["input"] = operation.print(question);
   try {
     const auto examination = operation.examine(question);
-    Json all = explained(operation, question);
+    Json all = explained(operation, question, *examination);
     line["truth"] = all["truth"];
     line["rounded"] = examination->rounded_truth();
-    line["margin"] = all["margin"];
+    if (all.contains("margin")) line["margin"] = all["margin"];
     line["certificate"] = all["certificate"];
     line["flags"] = flags_of(question, *examination);
     const Json as_typed = truth_of_decimals(operation, line["input"]);
@@ -45,13 +45,13 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   return line;
 }
 
-/// Small integers, but for the number at a place.
-Question with_a_number_not_finite(const Operation& operation, const std::vector<std::size_t>& places, std::size_t bad) {
+/// Small integers, but for one number.
+Question with_a_number_not_finite(const Operation& operation, Question question, std::size_t bad) {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::array<double, 3> numbers{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
-  Question question = operation.zeros();
-  for (const std::size_t place : places) question.numbers[place] = static_cast<double>(1 + place % 3);
-  question.numbers[places[bad]] = numbers[bad % numbers.size()];
+  const std::vector<std::size_t> places = places_of_numbers(operation.question_shape(), question);
+  for (std::size_t i = 0; i < places.size(); ++i) question.numbers[i] = static_cast<double>(1 + places[i] % 3);
+  question.numbers[bad] = numbers[bad % numbers.size()];
   return question;
 }
 
@@ -132,9 +132,9 @@ std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t 
       lines.push_back(std::move(line));
     }
   }
-  const std::vector<std::size_t> places = operation.coordinates(operation.zeros());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    lines.push_back(one_line(vector_line(operation, not_finite, with_a_number_not_finite(operation, places, i))));
+  for (const Question& zeros : operation.zeros_of_alternatives()) {
+    for (std::size_t i = 0; i < zeros.numbers.size(); ++i)
+      lines.push_back(one_line(vector_line(operation, not_finite, with_a_number_not_finite(operation, zeros, i))));
   }
   return lines;
 }

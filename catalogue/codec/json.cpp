@@ -167,11 +167,11 @@ bool read_flag(const Json& value, const std::string& field) {
   return value.get<bool>();
 }
 
-Index read_index(const Json& value, const std::string& field) {
+std::uint32_t read_index(const Json& value, const std::string& field) {
   const double number = read_double(value, field);
   if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number)))
     throw InvalidInput(field, "whole number below 2^32");
-  return static_cast<Index>(number);
+  return static_cast<std::uint32_t>(number);
 }
 
 mpq_class read_exact(const Json& value, const std::string& field) {

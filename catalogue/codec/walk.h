@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/codec/described.h"
+#include "catalogue/codec/described_answers.h"
+#include "catalogue/codec/described_shapes.h"
 
 /// Walks over described values: every number in canonical order, and the same value over another number type.
 namespace touchstone::audit {
@@ -30,6 +31,15 @@ void walk(std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_
 template <class... Ts, class Visit, class VisitList>
 void walk(const std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
   std::apply([&](const auto&... value) { (walk(value, visit, visit_list), ...); }, values);
+}
+
+template <class... Ts, class Visit, class VisitList>
+void walk(std::variant<Ts...>& value, const Visit& visit, const VisitList& visit_list) {
+  std::visit([&](auto& alternative) { walk(alternative, visit, visit_list); }, value);
+}
+template <class... Ts, class Visit, class VisitList>
+void walk(const std::variant<Ts...>& value, const Visit& visit, const VisitList& visit_list) {
+  std::visit([&](const auto& alternative) { walk(alternative, visit, visit_list); }, value);
 }
 
 template <class T, class Visit>
@@ -65,6 +75,12 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
   }
 }
 
+template <class To, class... Ts, class Change>
+rebound_t<std::variant<Ts...>, To> converted(const std::variant<Ts...>& value, const Change& change) {
+  return std::visit(
+      [&](const auto& alternative) { return rebound_t<std::variant<Ts...>, To>(converted<To>(alternative, change)); },
+      value);
+}
 template <class To, class... Ts, class Change>
 rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
   return std::apply(

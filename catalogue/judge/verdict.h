@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace touchstone::audit {
@@ -35,6 +36,7 @@ struct Judgement {
   std::string remark;  ///< for `invalid`: what was wrong with the answer
   int touch_reading =
       0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
+  std::uint64_t surplus = 0;  ///< of an answer that must cover: what it holds beyond the truth
 };
 
 /// How a foreign engine wants to be judged.

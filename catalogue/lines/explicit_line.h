@@ -10,8 +10,10 @@
 namespace touchstone::audit::rows {
 
 struct explicit_line {
-  TOUCHSTONE_ROOMS(explicit_line)
+  TOUCHSTONE_MODULES(explicit_line)
   using Question = std::tuple<double, double, Point2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "explicit_line",
@@ -79,6 +81,8 @@ struct explicit_line {
   /// The point (0.5, 12.25) of y = x / 2 + 12: moves the slope and x, whose product is far finer than y.
   static Question map_centre() { return {0.5, 12, {0.5, 12.25}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 2}; }
+
+  static Hooks<explicit_line> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -9,8 +9,10 @@
 namespace touchstone::audit::rows {
 
 struct implicit_circle {
-  TOUCHSTONE_ROOMS(implicit_circle)
+  TOUCHSTONE_MODULES(implicit_circle)
   using Question = std::tuple<Circle2d, Point2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "implicit_circle",
@@ -86,7 +88,7 @@ struct implicit_circle {
   static constexpr int triples[][3] = {{3, 4, 5},   {0, 1, 1},    {5, 12, 13},     {8, 15, 17},
                                        {7, 24, 25}, {20, 21, 29}, {119, 120, 169}, {12, 35, 37}};
 
-  static std::optional<Location> as_open_sets(Location truth, const Question&) {
+  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
     if (truth != Location::boundary) return std::nullopt;
     return Location::outside;
   }
@@ -94,6 +96,8 @@ struct implicit_circle {
   /// The point (12.5, 5.5) of a circle by the triple 5, 12, 13; moves the centre.
   static Question map_centre() { return {{{0.5, 0.5}, 13}, {12.5, 5.5}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<implicit_circle> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
 };
 
 }  // namespace touchstone::audit::rows

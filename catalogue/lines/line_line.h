@@ -10,7 +10,7 @@
 namespace touchstone::audit::rows {
 
 struct line_line {
-  TOUCHSTONE_ROOMS(line_line)
+  TOUCHSTONE_MODULES(line_line)
   using Question = std::tuple<Line2d, Line2d>;
 
   static const Card& card() {
@@ -25,9 +25,11 @@ struct line_line {
     return card;
   }
 
-  static LineRelation relation(const Question& q) {
-    return ::touchstone::robust::line_line_relation(std::get<0>(q), std::get<1>(q));
-  }
+  struct decision {
+    static LineRelation robust(const Question& q) {
+      return ::touchstone::robust::line_line_relation(std::get<0>(q), std::get<1>(q));
+    }
+  };
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
@@ -86,6 +88,8 @@ struct line_line {
   /// Two times the diagonal, by points whose differences have to be rounded; moves the first point of a.
   static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{17, 17}, {24, 24}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<line_line> hooks() { return {.map_centre = map_centre, .map_axes = map_axes}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -9,8 +9,10 @@
 namespace touchstone::audit::rows {
 
 struct line_point_at {
-  TOUCHSTONE_ROOMS(line_point_at)
+  TOUCHSTONE_MODULES(line_point_at)
   using Question = std::tuple<ParametricLine2d, double>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "line_point_at",
@@ -81,6 +83,8 @@ struct line_point_at {
   /// x is near 0 by cancellation at t = 1/3; moves x of the origin and t.
   static Question map_centre() { return {{{-1, -12}, {3, 3}}, 1.0 / 3}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 4}; }
+
+  static Hooks<line_point_at> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -14,7 +14,7 @@
 namespace touchstone::audit::rows {
 
 struct orientation {
-  TOUCHSTONE_ROOMS(orientation)
+  TOUCHSTONE_MODULES(orientation)
   using Question = std::tuple<Point2d, Point2d, Point2d>;
 
   static const Card& card() {
@@ -113,6 +113,8 @@ struct orientation {
     audit::draw(scene, "p1", p1, false);
     audit::draw(scene, "p", p, false);
   }
+
+  static Hooks<orientation> hooks() { return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -9,8 +9,10 @@
 namespace touchstone::audit::rows {
 
 struct parametric_circle {
-  TOUCHSTONE_ROOMS(parametric_circle)
+  TOUCHSTONE_MODULES(parametric_circle)
   using Question = std::tuple<Circle2d, double>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{
@@ -73,6 +75,8 @@ struct parametric_circle {
 
   /// The unit circle at a quarter turn: moves the radius and the angle.
   static Question map_centre() { return {{{0, 0}, 1}, 0x1.921fb54442d18p+0}; }
+
+  static Hooks<parametric_circle> hooks() { return {.scale = scale, .map_centre = map_centre}; }
 };
 
 }  // namespace touchstone::audit::rows

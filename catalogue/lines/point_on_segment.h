@@ -10,7 +10,7 @@
 namespace touchstone::audit::rows {
 
 struct point_on_segment {
-  TOUCHSTONE_ROOMS(point_on_segment)
+  TOUCHSTONE_MODULES(point_on_segment)
   using Question = std::tuple<Point2d, Segment2d>;
 
   static const Card& card() {
@@ -25,9 +25,11 @@ struct point_on_segment {
     return card;
   }
 
-  static Incidence relation(const Question& q) {
-    return ::touchstone::robust::point_on_segment_relation(std::get<0>(q), std::get<1>(q));
-  }
+  struct decision {
+    static Incidence robust(const Question& q) {
+      return ::touchstone::robust::point_on_segment_relation(std::get<0>(q), std::get<1>(q));
+    }
+  };
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
@@ -104,6 +106,8 @@ struct point_on_segment {
   /// The point (12, 12) of the segment (0.5, 0.5) - (24, 24); moves the end near the origin.
   static Question map_centre() { return {{12, 12}, {{0.5, 0.5}, {24, 24}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
+
+  static Hooks<point_on_segment> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
 };
 
 }  // namespace touchstone::audit::rows

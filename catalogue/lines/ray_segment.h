@@ -10,7 +10,7 @@
 namespace touchstone::audit::rows {
 
 struct ray_segment {
-  TOUCHSTONE_ROOMS(ray_segment)
+  TOUCHSTONE_MODULES(ray_segment)
   using Question = std::tuple<Ray2d, Segment2d>;
 
   static const Card& card() {
@@ -25,9 +25,11 @@ struct ray_segment {
     return card;
   }
 
-  static RayRelation relation(const Question& q) {
-    return ::touchstone::robust::ray_segment_relation(std::get<0>(q), std::get<1>(q));
-  }
+  struct decision {
+    static RayRelation robust(const Question& q) {
+      return ::touchstone::robust::ray_segment_relation(std::get<0>(q), std::get<1>(q));
+    }
+  };
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
@@ -127,6 +129,8 @@ struct ray_segment {
   /// A ray along the diagonal through the end (24, 24) of the segment; moves the origin of the ray.
   static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{24, 24}, {24, 3}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<ray_segment> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -12,7 +12,7 @@
 namespace touchstone::audit::rows {
 
 struct segment_segment {
-  TOUCHSTONE_ROOMS(segment_segment)
+  TOUCHSTONE_MODULES(segment_segment)
   using Question = std::tuple<Segment2d, Segment2d>;
 
   static const Card& card() {
@@ -139,6 +139,8 @@ struct segment_segment {
   /// The end (12, 12) of b lies on a; moves the first end of a.
   static Question map_centre() { return {{{0.5, 0.5}, {24, 24}}, {{12, 12}, {24, 3}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<segment_segment> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -11,8 +11,10 @@
 namespace touchstone::audit::rows {
 
 struct point_ground_plane {
-  TOUCHSTONE_ROOMS(point_ground_plane)
+  TOUCHSTONE_MODULES(point_ground_plane)
   using Question = std::tuple<Point3d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "point_ground_plane",
@@ -71,6 +73,8 @@ struct point_ground_plane {
   /// Moves x and y: the formula is right everywhere.
   static Question map_centre() { return {{0.5, 0, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<point_ground_plane> hooks() { return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
 };
 
 }  // namespace touchstone::audit::rows

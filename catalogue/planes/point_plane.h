@@ -12,12 +12,14 @@
 namespace touchstone::audit::rows {
 
 struct point_plane {
-  TOUCHSTONE_ROOMS(point_plane)
+  TOUCHSTONE_MODULES(point_plane)
   using Question = std::tuple<Plane3d, Point3d>;
 
-  static PlaneSide relation(const Question& q) {
-    return ::touchstone::robust::point_plane_side(std::get<0>(q), std::get<1>(q));
-  }
+  struct decision {
+    static PlaneSide robust(const Question& q) {
+      return ::touchstone::robust::point_plane_side(std::get<0>(q), std::get<1>(q));
+    }
+  };
 
   static const Card& card() {
     static const Card card{
@@ -146,6 +148,8 @@ struct point_plane {
   /// The plane x + y + z = 3 and its point (1, 1, 1): moves x and y.
   static Question map_centre() { return {{{1, 1, 1}, -3}, {1, 1, 1}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {4, 5}; }
+
+  static Hooks<point_plane> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
 
  private:
   /// A lattice point that is `height` over a plane through lattice points, in units of the normal.

@@ -13,8 +13,10 @@
 namespace touchstone::audit::rows {
 
 struct point_plane_toi {
-  TOUCHSTONE_ROOMS(point_plane_toi)
+  TOUCHSTONE_MODULES(point_plane_toi)
   using Question = std::tuple<Plane3d, Point3d, Point3d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "point_plane_toi",
@@ -174,6 +176,8 @@ struct point_plane_toi {
   /// A step from one unit in front of x + y + z = 3 to its point (1, 1, 1): moves x and y of the end.
   static Question map_centre() { return {{{1, 1, 1}, -3}, {2, 1, 1}, {1, 1, 1}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {7, 8}; }
+
+  static Hooks<point_plane_toi> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
 
  private:
   /// A step on the lattice from one height over a plane through lattice points to another, in units of N . N.

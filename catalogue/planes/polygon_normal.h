@@ -13,8 +13,10 @@
 namespace touchstone::audit::rows {
 
 struct polygon_normal {
-  TOUCHSTONE_ROOMS(polygon_normal)
+  TOUCHSTONE_MODULES(polygon_normal)
   using Question = std::tuple<Polygon3d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{
@@ -147,6 +149,8 @@ struct polygon_normal {
   /// Three points of a line: moves x and y of the one in the middle.
   static Question map_centre() { return {{{{0, 0, 0}, {12, 12, 0}, {24, 24, 0}}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {4, 5}; }
+
+  static Hooks<polygon_normal> hooks() { return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
 
  private:
   struct Frame {

@@ -10,8 +10,10 @@
 namespace touchstone::audit::rows {
 
 struct convex_partition {
-  TOUCHSTONE_ROOMS(convex_partition)
+  TOUCHSTONE_MODULES(convex_partition)
   using Question = std::tuple<Polygon2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "convex_partition",
@@ -40,6 +42,8 @@ struct convex_partition {
 
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
+
+  static Hooks<convex_partition> hooks() { return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -10,8 +10,10 @@
 namespace touchstone::audit::rows {
 
 struct interior_angles {
-  TOUCHSTONE_ROOMS(interior_angles)
+  TOUCHSTONE_MODULES(interior_angles)
   using Question = std::tuple<Polygon2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "interior_angles",
@@ -98,6 +100,8 @@ struct interior_angles {
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 30}, {0.5, 0.5}}}}; }
 
   static void repair(Question& question) { untangle(std::get<0>(question)); }
+
+  static Hooks<interior_angles> hooks() { return {.repair = repair, .map_centre = map_centre}; }
 };
 
 }  // namespace touchstone::audit::rows

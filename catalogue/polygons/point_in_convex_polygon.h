@@ -13,8 +13,10 @@
 namespace touchstone::audit::rows {
 
 struct point_in_convex_polygon {
-  TOUCHSTONE_ROOMS(point_in_convex_polygon)
+  TOUCHSTONE_MODULES(point_in_convex_polygon)
   using Question = std::tuple<Polygon2d, Point2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "point_in_convex_polygon",
@@ -103,7 +105,7 @@ struct point_in_convex_polygon {
     };
   }
 
-  static std::optional<Location> as_open_sets(Location truth, const Question&) {
+  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
     if (truth != Location::boundary) return std::nullopt;
     return Location::outside;
   }
@@ -134,6 +136,8 @@ struct point_in_convex_polygon {
 
   /// The point (12, 12), on the edge from (24, 24) to (0.5, 0.5), is moved.
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
+
+  static Hooks<point_in_convex_polygon> hooks() { return {.as_open_sets = as_open_sets, .repair = repair, .map_centre = map_centre}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -12,7 +12,7 @@
 namespace touchstone::audit::rows {
 
 struct point_in_polygon {
-  TOUCHSTONE_ROOMS(point_in_polygon)
+  TOUCHSTONE_MODULES(point_in_polygon)
   using Question = std::tuple<Polygon2d, Point2d>;
 
   static const Card& card() {
@@ -190,7 +190,7 @@ struct point_in_polygon {
     };
   }
 
-  static std::optional<Location> as_open_sets(Location truth, const Question&) {
+  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
     if (truth != Location::boundary) return std::nullopt;
     return Location::outside;
   }
@@ -212,6 +212,8 @@ struct point_in_polygon {
 
   /// The point (12, 12), on the edge from (24, 24) to (0.5, 0.5), is moved.
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
+
+  static Hooks<point_in_polygon> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre}; }
 
  private:
   static Point2d any_vertex(const Polygon2d& ring, Choices& c) { return ring[c.below(ring.size())]; }

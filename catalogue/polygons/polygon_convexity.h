@@ -10,8 +10,10 @@
 namespace touchstone::audit::rows {
 
 struct polygon_convexity {
-  TOUCHSTONE_ROOMS(polygon_convexity)
+  TOUCHSTONE_MODULES(polygon_convexity)
   using Question = std::tuple<Polygon2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "polygon_convexity",
@@ -110,6 +112,8 @@ struct polygon_convexity {
     Polygon2d& ring = std::get<0>(question);
     if (ring.size() % 2 == 0) untangle(ring);
   }
+
+  static Hooks<polygon_convexity> hooks() { return {.repair = repair, .map_centre = map_centre}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -11,8 +11,10 @@
 namespace touchstone::audit::rows {
 
 struct polygon_polygon {
-  TOUCHSTONE_ROOMS(polygon_polygon)
+  TOUCHSTONE_MODULES(polygon_polygon)
   using Question = std::tuple<Polygon2d, Polygon2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "polygon_polygon",
@@ -134,6 +136,8 @@ struct polygon_polygon {
   /// A vertex of b on an edge of a.
   static Question map_centre() { return {{{{-12, -12}, {24, 24}, {-12, 30}}}, {{{0.5, 0.5}, {20, -5}, {16, -9}}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {8, 9}; }
+
+  static Hooks<polygon_polygon> hooks() { return {.as_open_sets = as_open_sets, .repair = repair, .map_centre = map_centre, .map_axes = map_axes}; }
 
  private:
   /// The ring moved so that one of its vertices is p.

@@ -10,8 +10,10 @@
 namespace touchstone::audit::rows {
 
 struct triangulate_polygon {
-  TOUCHSTONE_ROOMS(triangulate_polygon)
+  TOUCHSTONE_MODULES(triangulate_polygon)
   using Question = std::tuple<Polygon2d>;
+
+  using decision = NoDecision;
 
   static const Card& card() {
     static const Card card{.name = "triangulate_polygon",
@@ -40,6 +42,8 @@ struct triangulate_polygon {
 
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
+
+  static Hooks<triangulate_polygon> hooks() { return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw}; }
 };
 
 }  // namespace touchstone::audit::rows

@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "fuzz/driver/target.h"
 
 namespace {
 
-/// Bytes of an input: ten numbers, or eighty where there are lists.
-const char* longest() {
-  std::vector<double> numbers;
-  touchstone::fuzz::target().decode({}, numbers);
-  return touchstone::fuzz::target().layout(numbers).lists.empty() ? "-max_len=80" : "-max_len=640";
+/// Bytes of an input: ten numbers, or eighty where there are lists, more where one question is a mesh.
+std::string longest() {
+  const auto& operation = touchstone::fuzz::target().operation();
+  if (operation.question_shape().fixed) return "-max_len=80";
+  return operation.card().price == touchstone::audit::Price::mesh ? "-max_len=1600" : "-max_len=640";
 }
 
 }  // namespace
 
-/// libFuzzer's options where the command line does not name them. Its own start with short inputs, of which no number can be read.
+/// The operation from the command line, and libFuzzer's options where the command line does not name them. Its own start with short inputs,
+/// of which no number can be read.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  touchstone::fuzz::choose_target(*argc, *argv);
   static std::vector<char*> arguments(*argv, *argv + *argc);
-  for (const char* option : {longest(), "-len_control=0"}) {
-    const std::size_t name = std::strchr(option, '=') + 1 - option;
+  static std::vector<std::string> options{longest(), "-len_control=0"};
+  for (std::string& option : options) {
+    const std::size_t name = option.find('=') + 1;
     bool given = false;
-    for (const char* argument : arguments) given = given || std::strncmp(argument, option, name) == 0;
-    if (!given) arguments.push_back(const_cast<char*>(option));
+    for (const char* argument : arguments) given = given || option.compare(0, name, argument, 0, name) == 0;
+    if (!given) arguments.push_back(option.data());
   }
   *argc = static_cast<int>(arguments.size());
   arguments.push_back(nullptr);

@@ -7,6 +7,7 @@
 
 #include "catalogue/families/choices.h"
 #include "catalogue/families/numbers.h"
+#include "fuzz/driver/layout.h"
 #include "fuzz/driver/target.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
@@ -15,15 +16,15 @@ namespace touchstone::fuzz {
 namespace {
 
 using audit::Choices;
-using Numbers = std::vector<double>;
 
 class Mutation {
  public:
-  Mutation(Numbers& numbers, Choices& choices)
-      : numbers_(numbers), choices_(choices), layout_(target().layout(numbers)) {}
+  Mutation(const audit::Shape& shape, Question& question, Choices& choices)
+      : question_(question), numbers_(question.numbers), choices_(choices), layout_(layout_of(shape, question)) {}
 
   void apply() {
-    if (layout_.coordinates.empty()) return grow_or_shrink();
+    if (!layout_.words.empty() && choices_.below(numbers_.empty() ? 2 : 8) == 0) return change_word();
+    if (numbers_.empty()) return grow_or_shrink();
     if (choices_.below(128) == 0) return spoil();
     switch (choices_.below(layout_.lists.empty() ? 12 : 14)) {
       case 0:
@@ -43,8 +44,13 @@ class Mutation {
   }
 
  private:
-  double& any_number() { return numbers_[layout_.coordinates[choices_.below(layout_.coordinates.size())]]; }
+  double& any_number() { return numbers_[choices_.below(numbers_.size())]; }
   Layout::Point any_point() { return layout_.points[choices_.below(layout_.points.size())]; }
+  /// Another point of the same dimension, or the same one.
+  Layout::Point any_point_like(const Layout::Point& p) {
+    const Layout::Point q = any_point();
+    return q.dimension == p.dimension ? q : p;
+  }
 
   void nudge() {
     double& number = any_number();
@@ -55,7 +61,7 @@ class Mutation {
   /// r = p + k/8 (q - p), rounded: mostly next to the line, sometimes on it.
   void snap_to_line() {
     if (layout_.points.size() < 2) return nudge();
-    const auto p = any_point(), q = any_point(), r = any_point();
+    const auto p = any_point(), q = any_point_like(p), r = any_point_like(p);
     const double t = (static_cast<double>(choices_.below(25)) - 8) / 8;
     for (std::size_t i = 0; i < r.dimension; ++i) {
       numbers_[r.first + i] = numbers_[p.first + i] + t * (numbers_[q.first + i] - numbers_[p.first + i]);
@@ -64,30 +70,40 @@ class Mutation {
 
   void coincide() {
     if (layout_.points.size() < 2) return copy_number();
-    const auto p = any_point(), q = any_point();
+    const auto p = any_point(), q = any_point_like(p);
     for (std::size_t i = 0; i < q.dimension; ++i) numbers_[q.first + i] = numbers_[p.first + i];
+  }
+
+  void change_word() {
+    const Layout::Choosable word = layout_.words[choices_.below(layout_.words.size())];
+    question_.words[word.place] = static_cast<audit::Word>(choices_.below(word.values));
   }
 
   /// One element of a list is there twice, or is taken out.
   void grow_or_shrink() {
     if (layout_.lists.empty()) return;
-    const Layout::List list = layout_.lists[choices_.below(layout_.lists.size())];
-    double& length = numbers_[list.length];
+    const Layout::List& list = layout_.lists[choices_.below(layout_.lists.size())];
+    audit::Word& length = question_.words[list.length];
     if (length == 0) {
       length = 1;
-      numbers_.insert(numbers_.begin() + static_cast<std::ptrdiff_t>(list.length + 1), list.element, 0.0);
-      return;
+      return insert_zeros(*list.element, question_, list.elements[0]);
     }
-    const auto element = static_cast<std::ptrdiff_t>(list.element);
-    const auto at = numbers_.begin() + static_cast<std::ptrdiff_t>(list.length + 1) +
-                    static_cast<std::ptrdiff_t>(choices_.below(static_cast<std::uint64_t>(length))) * element;
-    if (choices_.below(2) == 1) {
-      length -= 1;
-      numbers_.erase(at, at + element);
+    const std::size_t which = choices_.below(length);
+    const Layout::Place first = list.elements[which], last = list.elements[which + 1];
+    const bool shrink = choices_.below(2) == 1;
+    length += shrink ? static_cast<audit::Word>(-1) : 1;
+    repeat_or_erase(numbers_, first.number, last.number, shrink);
+    repeat_or_erase(question_.words, first.word, last.word, shrink);
+  }
+  template <class T>
+  static void repeat_or_erase(std::vector<T>& values, std::size_t first, std::size_t last, bool erase) {
+    const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(last);
+    if (erase) {
+      values.erase(begin, end);
     } else {
-      length += 1;
-      const Numbers copied(at, at + element);
-      numbers_.insert(at, copied.begin(), copied.end());
+      const std::vector<T> copied(begin, end);
+      values.insert(begin, copied.begin(), copied.end());
     }
   }
 
@@ -102,15 +118,15 @@ class Mutation {
   void common_power() {
     const int power = choices_.below(2) == 1 ? static_cast<int>(choices_.below(2098)) - 1074
                                              : static_cast<int>(choices_.below(21)) - 10;
-    for (const std::size_t place : layout_.coordinates) {
-      const double multiplied = std::ldexp(numbers_[place], power);
-      if (std::isfinite(multiplied)) numbers_[place] = multiplied;
+    for (double& number : numbers_) {
+      const double multiplied = std::ldexp(number, power);
+      if (std::isfinite(multiplied)) number = multiplied;
     }
   }
 
   void swap_points() {
     if (layout_.points.size() < 2) return std::swap(any_number(), any_number());
-    const auto p = any_point(), q = any_point();
+    const auto p = any_point(), q = any_point_like(p);
     for (std::size_t i = 0; i < p.dimension; ++i) std::swap(numbers_[p.first + i], numbers_[q.first + i]);
   }
 
@@ -127,25 +143,19 @@ class Mutation {
     any_number() = numbers[choices_.below(3)];
   }
 
-  Numbers& numbers_;
+  Question& question_;
+  std::vector<double>& numbers_;
   Choices& choices_;
-  const Layout& layout_;
+  const Layout layout_;
 };
 
 }  // namespace
-
-void encode(const std::vector<double>& numbers, std::vector<std::uint8_t>& data) {
-  data.resize(1 + numbers.size() * sizeof(double));
-  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
-  data[0] = finite ? finite_numbers_follow : any_numbers_follow;
-  std::memcpy(data.data() + 1, numbers.data(), numbers.size() * sizeof(double));
-}
 
 /// A question of some family. What has become numbers never goes back to one, so that without this families would be asked seldom.
 void draw_afresh(Choices& choices, std::vector<std::uint8_t>& result) {
   result.resize(1 + choices.below(48));
   for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(choices.below(256));
-  result[0] = static_cast<std::uint8_t>(choices.below(target().families()));
+  result[0] = static_cast<std::uint8_t>(choices.below(target().operation().families().size()));
 }
 
 bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
@@ -156,12 +166,13 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
     draw_afresh(choices, result);
     return true;
   }
-  static thread_local Numbers numbers;
-  target().decode(data, numbers);
-  for (double& number : numbers)
+  static thread_local Question question;
+  target().decode(data, question);
+  for (double& number : question.numbers)
     number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
-  for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) Mutation(numbers, choices).apply();
-  encode(numbers, result);
+  const audit::Shape& shape = target().operation().question_shape();
+  for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) Mutation(shape, question, choices).apply();
+  encode(shape, question, result);
   return true;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "catalogue/judge/ulps.h"
-#include "fuzz/driver/fuzz_target.h"
+#include "fuzz/driver/target.h"
 
 namespace touchstone::fuzz {
 namespace {

@@ -10,9 +10,9 @@
 #include "catalogue/families/choices.h"
 #include "fuzz/driver/target.h"
 
-// What a fuzz target is without libFuzzer, for any compiler:
-//   OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (500 unless told)
-//   OP --write-seeds FOLDER             one file for every hard case of the operation
+// What the fuzz program is without libFuzzer, for any compiler:
+//   fuzz OP [--mutations N] FILE|FOLDER...   asks every file, and N mutations of each (500 unless told)
+//   fuzz OP --write-seeds FOLDER             one file for every hard case of the operation
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed);
@@ -75,6 +75,7 @@ int write_seeds(const fs::path& folder) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  touchstone::fuzz::choose_target(argc, argv);
   unsigned mutations = 500;
   std::size_t asked = 0;
   for (int i = 1; i < argc; ++i) {

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/codec/shape_json.h"
+
+#include <optional>
+
+#include "catalogue/judge/true_number.h"
+
+namespace touchstone::audit {
+namespace {
+
+std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
+
+/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
+bool may_be_left_out(const Shape& shape, bool partial) {
+  switch (shape.kind) {
+    case Shape::Kind::optional: return true;
+    case Shape::Kind::number: return partial;
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) {
+        if (!may_be_left_out(*part.shape, partial)) return false;
+      }
+      return true;
+    default: return false;
+  }
+}
+
+template <class Real>
+void leave_out(const Shape& shape, Tape<Real>& tape) {
+  if (shape.kind != Shape::Kind::record) return tape.words.push_back(0);
+  for (const Shape::Part& part : shape.parts) leave_out(*part.shape, tape);
+}
+
+void read_word(const Shape& shape, const Json& json, const std::string& path, std::vector<Word>& words) {
+  std::string rule;
+  for (std::size_t i = 0; i < shape.words.size(); ++i) {
+    if (json.is_string() && json.get_ref<const std::string&>() == shape.words[i]) {
+      words.push_back(static_cast<Word>(i));
+      return;
+    }
+    rule += (i == 0 ? "one of " : ", ") + std::string(shape.words[i]);
+  }
+  throw InvalidInput(path, rule);
+}
+
+void require_known(const Shape& shape, const Json& json, const std::string& path) {
+  if (!json.is_object()) throw InvalidInput(path, "object");
+  for (const auto& [key, value] : json.items()) {
+    bool known = false;
+    for (const Shape::Part& part : shape.parts) known = known || key == part.name;
+    if (!known) throw InvalidInput(member_path(path, key.c_str()), "known field");
+  }
+}
+
+template <class Real>
+void read_record(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
+                 bool partial) {
+  if (shape.form == Form::bare) return read_json(*shape.parts[0].shape, json, path, tape, read, partial);
+  if (shape.form == Form::list) {
+    require_array(json, path, shape.parts.size());
+    for (std::size_t i = 0; i < shape.parts.size(); ++i)
+      read_json(*shape.parts[i].shape, json[i], element(path, i), tape, read, partial);
+    return;
+  }
+  require_known(shape, json, path);
+  for (const Shape::Part& part : shape.parts) {
+    if (json.contains(part.name)) {
+      read_json(*part.shape, json[part.name], member_path(path, part.name), tape, read, partial);
+    } else if (may_be_left_out(*part.shape, partial)) {
+      leave_out(*part.shape, tape);
+    } else {
+      throw InvalidInput(member_path(path, part.name), "missing");
+    }
+  }
+}
+
+/// The first alternative that the document fits; where it fits none, the complaint of the one that could be read furthest.
+template <class Real>
+void read_choice(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
+                 bool partial) {
+  std::optional<InvalidInput> complaint;
+  std::size_t furthest = 0;
+  for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    Tape<Real> tried;
+    tried.words.push_back(static_cast<Word>(i));
+    try {
+      read_json(*shape.parts[i].shape, json, path, tried, read, partial);
+      tape.numbers.insert(tape.numbers.end(), tried.numbers.begin(), tried.numbers.end());
+      tape.words.insert(tape.words.end(), tried.words.begin(), tried.words.end());
+      return;
+    } catch (const InvalidInput& refused) {
+      const std::size_t reached = tried.numbers.size() + 1;
+      if (reached >= furthest) complaint.emplace(refused), furthest = reached;
+    }
+  }
+  throw InvalidInput(*complaint);
+}
+
+}  // namespace
+
+template <class Real>
+Json json_of(const Shape& shape, Cursor<Real>& at, WriteNumber<Real> write) {
+  switch (shape.kind) {
+    case Shape::Kind::number: return write(*at.number++);
+    case Shape::Kind::word: return shape.words[*at.word++];
+    case Shape::Kind::flag: return *at.word++ != 0;
+    case Shape::Kind::index: return *at.word++;
+    case Shape::Kind::choice: {
+      const Word which = *at.word++;
+      return json_of(*shape.parts[which].shape, at, write);
+    }
+    case Shape::Kind::optional: return *at.word++ != 0 ? json_of(*shape.parts[0].shape, at, write) : Json(nullptr);
+    case Shape::Kind::list: {
+      Json list = Json::array();
+      for (Word left = *at.word++; left > 0; --left) list.push_back(json_of(*shape.parts[0].shape, at, write));
+      return list;
+    }
+    case Shape::Kind::record: break;
+  }
+  if (shape.form == Form::bare) return json_of(*shape.parts[0].shape, at, write);
+  Json record = shape.form == Form::list ? Json::array() : Json::object();
+  for (const Shape::Part& part : shape.parts) {
+    const bool left_out = part.shape->kind == Shape::Kind::optional && *at.word == 0;
+    Json value = json_of(*part.shape, at, write);
+    if (left_out) continue;
+    if (shape.form == Form::list) record.push_back(std::move(value));
+    else record[part.name] = std::move(value);
+  }
+  return record;
+}
+
+template <class Real>
+void read_json(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
+               bool partial) {
+  switch (shape.kind) {
+    case Shape::Kind::number:
+      if (partial) tape.words.push_back(1);
+      tape.numbers.push_back(read(json, path));
+      return;
+    case Shape::Kind::word: return read_word(shape, json, path, tape.words);
+    case Shape::Kind::flag: tape.words.push_back(read_flag(json, path)); return;
+    case Shape::Kind::index: tape.words.push_back(read_index(json, path)); return;
+    case Shape::Kind::optional:
+      tape.words.push_back(1);
+      return read_json(*shape.parts[0].shape, json, path, tape, read, partial);
+    case Shape::Kind::list:
+      if (!json.is_array()) throw InvalidInput(path, "array");
+      tape.words.push_back(static_cast<Word>(json.size()));
+      for (std::size_t i = 0; i < json.size(); ++i)
+        read_json(*shape.parts[0].shape, json[i], element(path, i), tape, read, partial);
+      return;
+    case Shape::Kind::choice: return read_choice(shape, json, path, tape, read, partial);
+    case Shape::Kind::record: return read_record(shape, json, path, tape, read, partial);
+  }
+}
+
+Json json_of(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::number: return "number";
+    case Shape::Kind::flag: return "true | false";
+    case Shape::Kind::index: return "index";
+    case Shape::Kind::optional: return json_of(*shape.parts[0].shape);
+    case Shape::Kind::list: return Json::array({json_of(*shape.parts[0].shape), "..."});
+    case Shape::Kind::word: {
+      std::string words;
+      for (const char* word : shape.words) words += (words.empty() ? "" : " | ") + std::string(word);
+      return words;
+    }
+    case Shape::Kind::choice: {
+      Json alternatives = Json::object();
+      for (const Shape::Part& part : shape.parts) alternatives["one of"].push_back(json_of(*part.shape));
+      return alternatives;
+    }
+    case Shape::Kind::record: break;
+  }
+  if (shape.form == Form::bare) return json_of(*shape.parts[0].shape);
+  Json record = shape.form == Form::list ? Json::array() : Json::object();
+  for (const Shape::Part& part : shape.parts) {
+    if (shape.form == Form::list) record.push_back(json_of(*part.shape));
+    else record[std::string(part.name) + (part.shape->kind == Shape::Kind::optional ? "?" : "")] = json_of(*part.shape);
+  }
+  return record;
+}
+
+template Json json_of(const Shape&, Cursor<double>&, WriteNumber<double>);
+template Json json_of(const Shape&, Cursor<mpq_class>&, WriteNumber<mpq_class>);
+template void read_json(const Shape&, const Json&, const std::string&, Tape<double>&, ReadNumber<double>, bool);
+template void read_json(const Shape&, const Json&, const std::string&, Tape<mpq_class>&, ReadNumber<mpq_class>, bool);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/codec/json.h"
+#include "catalogue/shape.h"
+
+/// Values in JSON, by their shapes.
+namespace touchstone::audit {
+
+template <class Real>
+using WriteNumber = Json (*)(const Real&);
+template <class Real>
+using ReadNumber = Real (*)(const Json&, const std::string& field);
+
+/// Double, mpq_class, or the truth's numbers.
+template <class Real>
+Json json_of(const Shape& shape, Cursor<Real>& at, WriteNumber<Real> write);
+template <class Real>
+Json json_of(const Shape& shape, const Tape<Real>& tape, WriteNumber<Real> write) {
+  Cursor<Real> at(tape);
+  return json_of(shape, at, write);
+}
+
+/// Appends the value to the tape. Throws InvalidInput naming the path and the rule. In a partial reading any number may be left out: each
+/// is preceded on the tape by a word that says whether it is there. Double or mpq_class.
+template <class Real>
+void read_json(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
+               bool partial = false);
+
+/// The shape itself: "number", "on | off", ["number", "number"], {"t?": "number"}. A name that ends in ? may be left out.
+Json json_of(const Shape& shape);
+
+/// A typed value in JSON: numbers may be doubles or rationals.
+template <class T>
+Json to_json(const T& value) {
+  using Real = number_of_t<T>;
+  return json_of<Real>(shape_of<rebound_t<T, double>>(), packed_as<Real>(value),
+                       [](const Real& number) { return written(number); });
+}
+template <class T>
+void read(const Json& json, const std::string& path, T& value, ReadNumber<double> read_number) {
+  Tape<double> tape;
+  read_json(shape_of<T>(), json, path, tape, read_number);
+  value = unpacked<T>(tape);
+}
+
+}  // namespace touchstone::audit

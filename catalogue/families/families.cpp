@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/families/families.h"
+
+#include <cmath>
+#include <limits>
+
+#include "catalogue/families/numbers.h"
+
+namespace touchstone::audit {
+namespace {
+
+struct Derived {
+  const char* name;
+  double (*number)(Choices&);
+  bool scaled;
+};
+constexpr Derived derived_families[] = {
+    {"grid", [](Choices& c) { return static_cast<double>(c.below(4)); }, true},
+    {"typed", typed, false},
+    {"random", ordinary, false},
+    {"binary32", [](Choices& c) { return static_cast<double>(static_cast<float>(ordinary(c))); }, false},
+    {"mixed_exponents", mixed_exponent, false},
+    {"any_bits", any_finite, false},
+};
+
+/// Most indices name an element of a list of usual length.
+constexpr std::uint64_t most_indices = 8;
+
+void append_drawn(const Shape& shape, Choices& choices, double (*number)(Choices&), Question& question) {
+  const auto word = [&](std::uint64_t values) {
+    question.words.push_back(static_cast<Word>(choices.below(values)));
+    return question.words.back();
+  };
+  switch (shape.kind) {
+    case Shape::Kind::number: question.numbers.push_back(number(choices)); return;
+    case Shape::Kind::word: word(shape.words.size()); return;
+    case Shape::Kind::flag: word(2); return;
+    case Shape::Kind::index: word(most_indices); return;
+    case Shape::Kind::optional:
+      if (word(2) != 0) append_drawn(*shape.parts[0].shape, choices, number, question);
+      return;
+    case Shape::Kind::list: {
+      const std::size_t length = list_length(choices);
+      question.words.push_back(static_cast<Word>(length));
+      for (std::size_t i = 0; i < length; ++i) append_drawn(*shape.parts[0].shape, choices, number, question);
+      return;
+    }
+    case Shape::Kind::choice: {
+      const Word which = word(shape.parts.size());
+      return append_drawn(*shape.parts[which].shape, choices, number, question);
+    }
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) append_drawn(*part.shape, choices, number, question);
+  }
+}
+
+void scale(const RowFunctions& row, Question& question, int exponent) {
+  if (exponent == 0) return;
+  if (row.scale != nullptr) return row.scale(question, exponent);
+  for (double& number : question.numbers) number = std::ldexp(number, exponent);
+}
+
+/// What grew beyond the range, here or in the row, is the greatest double.
+void keep_finite(Question& question) {
+  for (double& number : question.numbers) {
+    if (!std::isfinite(number)) number = std::copysign(std::numeric_limits<double>::max(), number);
+  }
+}
+
+void nudge(Question& question, Choices& choices) {
+  const std::size_t which = choices.below(question.numbers.size());
+  const int sign = choices.below(2) == 1 ? -1 : 1, ulps = sign * (1 + static_cast<int>(choices.below(3)));
+  question.numbers[which] = moved_by_ulps(question.numbers[which], ulps);
+}
+
+Question drawn(const RowFunctions& row, Choices& choices, const Derived& family) {
+  Question question;
+  append_drawn(*row.question, choices, family.number, question);
+  if (row.repair != nullptr) row.repair(question);
+  if (family.scaled) scale(row, question, scale_exponent(choices));
+  keep_finite(question);
+  return question;
+}
+
+}  // namespace
+
+Families::Families(const RowFunctions& row) : row_(row) {
+  for (const std::string& hard : row.hard_cases) names_.push_back(hard);
+  for (const std::string& hard : row.hard_cases) names_.push_back(hard + "+ulp");
+  for (const Derived& derived : derived_families) names_.emplace_back(derived.name);
+}
+
+Question Families::draw(Choices& choices, std::size_t family) const {
+  const std::size_t hard = row_.hard_cases.size();
+  if (family >= 2 * hard) return drawn(row_, choices, derived_families[family - 2 * hard]);
+  Question question = row_.draw_hard_case(family % hard, choices);
+  scale(row_, question, scale_exponent(choices));
+  keep_finite(question);
+  if (family >= hard && !question.numbers.empty()) nudge(question, choices);
+  return question;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/judge/compare.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "catalogue/judge/ulps.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// Moves past a value.
+template <class At>
+void skip(const Shape& shape, At& at, bool partial = false) {
+  switch (shape.kind) {
+    case Shape::Kind::number:
+      if (!partial || *at.word++ != 0) ++at.number;
+      return;
+    case Shape::Kind::word:
+    case Shape::Kind::flag:
+    case Shape::Kind::index: ++at.word; return;
+    case Shape::Kind::optional:
+      if (*at.word++ != 0) skip(*shape.parts[0].shape, at, partial);
+      return;
+    case Shape::Kind::list:
+      for (Word left = *at.word++; left > 0; --left) skip(*shape.parts[0].shape, at, partial);
+      return;
+    case Shape::Kind::choice: {
+      const Word which = *at.word++;
+      return skip(*shape.parts[which].shape, at, partial);
+    }
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) skip(*part.shape, at, partial);
+  }
+}
+
+/// Walks over truth and answer side by side. OnWord(truth, answer) compares words, OnNumber(truth, answer) numbers.
+template <class Real>
+class SideBySide {
+ public:
+  SideBySide(const TrueTape& truth, const Tape<Real>& answer, Reading reading)
+      : truth_(truth), answer_(answer), reading_(reading) {}
+
+  template <class OnNumber>
+  bool walk(const Shape& shape, const OnNumber& on_number) {
+    switch (shape.kind) {
+      case Shape::Kind::number: {
+        const bool there = reading_ != Reading::partial || *answer_.word++ != 0;
+        if (there) on_number(*truth_.number, *answer_.number++);
+        ++truth_.number;
+        return true;
+      }
+      case Shape::Kind::word:
+      case Shape::Kind::flag:
+      case Shape::Kind::index: return *truth_.word++ == *answer_.word++;
+      case Shape::Kind::optional: return walk_optional(*shape.parts[0].shape, on_number);
+      case Shape::Kind::list: return walk_list(*shape.parts[0].shape, on_number);
+      case Shape::Kind::choice: {
+        const Word truth = *truth_.word++, answer = *answer_.word++;
+        if (truth == answer) return walk(*shape.parts[truth].shape, on_number);
+        skip(*shape.parts[truth].shape, truth_), skip(*shape.parts[answer].shape, answer_, partial());
+        return false;
+      }
+      case Shape::Kind::record: break;
+    }
+    bool same = true;
+    for (const Shape::Part& part : shape.parts) same = walk(*part.shape, on_number) && same;
+    return same;
+  }
+
+ private:
+  bool partial() const { return reading_ == Reading::partial; }
+
+  template <class OnNumber>
+  bool walk_optional(const Shape& part, const OnNumber& on_number) {
+    const bool in_truth = *truth_.word++ != 0, in_answer = *answer_.word++ != 0;
+    if (in_truth && in_answer) return walk(part, on_number);
+    if (in_truth) skip(part, truth_);
+    if (in_answer) skip(part, answer_, partial());
+    return in_truth == in_answer || reading_ != Reading::complete;
+  }
+
+  template <class OnNumber>
+  bool walk_list(const Shape& part, const OnNumber& on_number) {
+    const Word in_truth = *truth_.word++, in_answer = *answer_.word++;
+    bool same = in_truth == in_answer;
+    for (Word i = 0; i < std::min(in_truth, in_answer); ++i) same = walk(part, on_number) && same;
+    for (Word i = in_answer; i < in_truth; ++i) skip(part, truth_);
+    for (Word i = in_truth; i < in_answer; ++i) skip(part, answer_, partial());
+    return same;
+  }
+
+  Cursor<TrueNumber> truth_;
+  Cursor<Real> answer_;
+  Reading reading_;
+};
+
+/// A cursor over words alone.
+struct WordCursor {
+  struct {
+    void operator++() {}
+  } number;
+  const Word* word;
+};
+
+/// visit(shape, word) for every enumerator that is no part of anything optional or of a list.
+template <class Visit>
+void for_each_word(const Shape& shape, WordCursor& at, bool partial, const Visit& visit) {
+  if (shape.kind == Shape::Kind::word) return visit(shape, *at.word++);
+  if (shape.kind != Shape::Kind::record) return skip(shape, at, partial);
+  for (const Shape::Part& part : shape.parts) for_each_word(*part.shape, at, partial, visit);
+}
+
+void for_each_word_shape(const Shape& shape, const std::function<void(const Shape&)>& visit) {
+  if (shape.kind == Shape::Kind::word) visit(shape);
+  if (shape.kind != Shape::Kind::record) return;
+  for (const Shape::Part& part : shape.parts) for_each_word_shape(*part.shape, visit);
+}
+
+}  // namespace
+
+Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double>& answer, Reading reading,
+                    bool binary32) {
+  Comparison result;
+  SideBySide<double> both(truth, answer, reading);
+  result.decision = both.walk(shape, [&](const TrueNumber& right, double answered) {
+    const double ulps = distance_in_ulps(answered, right, binary32);
+    if (std::isinf(ulps)) result.finite = false;
+    result.ulps = std::max(result.ulps, ulps);
+  });
+  return result;
+}
+
+Covering covered(const TrueTape& truth, const Tape<double>& answer, std::size_t words_of_an_element) {
+  const auto elements = [&](const std::vector<Word>& words) {
+    std::vector<std::vector<Word>> list;
+    for (std::size_t at = 1; at + words_of_an_element <= words.size(); at += words_of_an_element) {
+      const auto first = words.begin() + static_cast<std::ptrdiff_t>(at);
+      list.emplace_back(first, first + static_cast<std::ptrdiff_t>(words_of_an_element));
+      std::sort(list.back().begin(), list.back().end());
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  };
+  const auto right = elements(truth.words), said = elements(answer.words);
+  std::vector<std::vector<Word>> common;
+  std::set_intersection(right.begin(), right.end(), said.begin(), said.end(), std::back_inserter(common));
+  return {right.size() - common.size(), said.size() - common.size()};
+}
+
+bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>& answer, Reading reading) {
+  bool numbers = true;
+  SideBySide<Exact> both(truth, answer, reading);
+  const bool words = both.walk(shape, [&](const TrueNumber& right, const Exact& answered) {
+    numbers = numbers && answered.defined() &&
+              (answered.value() == right || nearest(answered.value()) == nearest(right));
+  });
+  return words && numbers;
+}
+
+bool promise_holds(const Tape<double>& plain, const Tape<Tracked<double>>& tracked, const Tape<Exact>& exact) {
+  if (plain.words != tracked.words || plain.words != exact.words) return false;
+  for (std::size_t i = 0; i < plain.numbers.size(); ++i) {
+    const double number = plain.numbers[i];
+    const Tracked<double>& bounded = tracked.numbers[i];
+    const bool same_bits = number == bounded.value() || (number != number && bounded.value() != bounded.value());
+    if (!same_bits) return false;
+    if (!std::isfinite(number) || std::isinf(bounded.error()) || !exact.numbers[i].defined())
+      continue;  // nothing was promised
+    if (abs(exact_value(number) - exact.numbers[i].value()) > exact_value(bounded.error())) return false;
+  }
+  return true;
+}
+
+std::string outcome_of(const Shape& shape, const std::vector<Word>& words, bool partial) {
+  std::string outcome;
+  WordCursor at{{}, words.data()};
+  for_each_word(shape, at, partial, [&](const Shape& word, Word which) {
+    outcome += (outcome.empty() ? "" : "/") + std::string(word.words[which]);
+  });
+  return outcome.empty() ? "value" : outcome;
+}
+
+std::size_t outcome_number(const Shape& shape, const std::vector<Word>& words) {
+  std::size_t outcome = 0;
+  WordCursor at{{}, words.data()};
+  for_each_word(shape, at, false,
+                [&](const Shape& word, Word which) { outcome = outcome * word.words.size() + which; });
+  return outcome;
+}
+
+std::vector<std::string> words_of(const Shape& shape) {
+  std::vector<std::string> all;
+  for_each_word_shape(shape, [&](const Shape& part) {
+    for (const char* word : part.words) {
+      if (std::find(all.begin(), all.end(), word) == all.end()) all.emplace_back(word);
+    }
+  });
+  return all;
+}
+
+std::optional<Word> word_in(const Shape& shape, const std::vector<Word>& words, const Shape& type) {
+  std::optional<Word> found;
+  WordCursor at{{}, words.data()};
+  for_each_word(shape, at, false, [&](const Shape& word, Word which) {
+    if (!found && &word == &type) found = which;
+  });
+  return found;
+}
+
+std::optional<bool> yes_or_no(const Shape& shape, const std::vector<Word>& words) {
+  WordCursor at{{}, words.data()};
+  const auto reading = [](const Shape& word, Word which) -> std::optional<bool> {
+    if (word.kind != Shape::Kind::word || word.no < 0) return std::nullopt;
+    return which != static_cast<Word>(word.no);
+  };
+  if (shape.kind != Shape::Kind::record) return reading(shape, *at.word);
+  for (const Shape::Part& part : shape.parts) {
+    if (const auto found = part.shape->kind == Shape::Kind::word ? reading(*part.shape, *at.word) : std::nullopt)
+      return found;
+    skip(*part.shape, at);
+  }
+  return std::nullopt;
+}
+
+bool has_plain_reading(const Shape& shape) {
+  const auto reads = [](const Shape& word) { return word.kind == Shape::Kind::word && word.no >= 0; };
+  return reads(shape) || (shape.kind == Shape::Kind::record &&
+                          std::any_of(shape.parts.begin(), shape.parts.end(),
+                                      [&](const Shape::Part& part) { return reads(*part.shape); }));
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/judge/examination.h"
+
+#include "catalogue/judge/tolerated.h"
+#include "catalogue/judge/ulps.h"
+#include "catalogue/operation.h"
+
+namespace touchstone::audit {
+
+Examination::Examination(const Operation& operation, const Question& question)
+    : operation_(operation),
+      row_(operation.row()),
+      question_(question),
+      solution_(std::make_shared<Solution>(row_.solve(question))) {}
+
+Examination::Examination(const Operation& method, const Examination& of_operation)
+    : operation_(method), row_(method.row()), question_(of_operation.question_), solution_(of_operation.solution_) {}
+
+Json Examination::truth() const { return operation_.answer_json(solution_->answer); }
+Json Examination::rounded_truth() const {
+  return operation_.answer_json(
+      tape_with<double>(solution_->answer, [](const TrueNumber& number) { return nearest(number); }));
+}
+std::string Examination::outcome() const { return outcome_of(*row_.answer, solution_->answer.words); }
+bool Examination::touch() const { return open().has_value(); }
+oracle::Certificate Examination::certificate() const { return row_.certify(question_); }
+
+Tape<double> Examination::formula(bool binary32) const {
+  return binary32 ? row_.reference_in_float(question_) : row_.reference(question_);
+}
+
+Json Examination::reference(bool binary32) const { return operation_.answer_json(formula(binary32)); }
+
+Json Examination::robust() const {
+  try {
+    return operation_.answer_json(row_.robust(question_, 0));
+  } catch (const InvalidInput& refused) {
+    Json error = Json::object();
+    error["error"]["field"] = refused.field();
+    error["error"]["rule"] = refused.rule();
+    return error;
+  }
+}
+
+Comparison Examination::compared(const Tape<double>& answer, Reading reading, bool binary32, Judgement& judgement) const {
+  Comparison found;
+  if (row_.fault != nullptr) {
+    found.decision = row_.fault(question_, answer).empty();
+  } else if (row_.card->kind == Kind::covering && reading != Reading::complete) {
+    const Covering covering = covered(solution_->answer, answer, row_.answer->parts[0].shape->word_count);
+    found.decision = covering.missing == 0;
+    judgement.surplus = covering.surplus;
+  } else {
+    found = audit::compared(*row_.answer, solution_->answer, answer, reading, binary32);
+  }
+  return found;
+}
+
+bool Examination::right_in_exact_arithmetic() const {
+  const Tape<Exact> answer = row_.reference_exactly(question_);
+  const auto in_doubles = [&] {
+    return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
+  };
+  if (row_.fault != nullptr) return row_.fault(question_, in_doubles()).empty();
+  if (row_.card->kind == Kind::covering)
+    return covered(solution_->answer, in_doubles(), row_.answer->parts[0].shape->word_count).missing == 0;
+  return same_as_truth(*row_.answer, solution_->answer, answer,
+                       row_.card->formula_answers_less ? Reading::less : Reading::complete);
+}
+
+Judgement Examination::judge_reference(bool binary32) const {
+  const Tape<double> answer = formula(binary32);
+  const bool less = row_.card->formula_answers_less || row_.card->kind == Kind::covering;
+  Judgement judgement;
+  const Comparison found = compared(answer, less ? Reading::less : Reading::complete, binary32, judgement);
+  judgement.ulps = found.ulps;
+  if (!found.decision) {
+    judgement.verdict = right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
+  } else if (!found.finite) {
+    judgement.verdict = Verdict::invalid;
+    judgement.remark = "NaN or infinity where the truth is finite";
+  } else if (found.ulps > row_.card->ulps) {
+    judgement.verdict = right_in_exact_arithmetic() ? Verdict::inexact : Verdict::algorithm;
+  }
+  judgement.touch_reading = touch_reading(outcome_of(*row_.answer, answer.words));
+  return judgement;
+}
+
+Judgement Examination::judge_robust(std::size_t environment) const {
+  try {
+    Judgement judgement;
+    const Tape<double> answer = row_.robust(question_, environment);
+    const Comparison found = compared(answer, Reading::complete, false, judgement);
+    judgement.ulps = found.ulps;
+    // Whoever promises to be right for all finite doubles has only the algorithm to blame.
+    if (!found.decision) judgement.verdict = Verdict::algorithm;
+    else if (!found.finite) judgement.verdict = Verdict::invalid;
+    else if (found.ulps > 0) judgement.verdict = Verdict::inexact;
+    if (row_.decision != nullptr) {
+      const Word word = row_.decide(question_, environment);
+      if (word_in(*row_.answer, solution_->answer.words, *row_.decision) != word) {
+        return {Verdict::algorithm, 0, std::string("the decision alone is ") + row_.decision->words[word]};
+      }
+    }
+    return judgement;
+  } catch (const std::exception& thrown) {
+    return {Verdict::invalid, 0, thrown.what()};
+  }
+}
+
+std::string Examination::residual_complaint() const {
+  if (row_.residuals == nullptr) return "";
+  for (const mpq_class& residual : row_.residuals(question_, row_.robust(question_, 0))) {
+    if (sgn(residual) != 0) return "a residual that should be 0 is " + residual.get_str();
+  }
+  return "";
+}
+
+std::string Examination::broken_promise() const {
+  using Bounded = Tracked<double>;
+  Bounded::doubtful() = false;
+  const auto tracked = row_.reference_tracked(question_);
+  if (Bounded::doubtful()) return "";
+  return promise_holds(row_.reference(question_), tracked, row_.reference_exactly(question_))
+             ? ""
+             : "the reference in double is beyond its proved error bound";
+}
+
+bool Examination::doubtful(bool binary32) const {
+  if (binary32) {
+    Tracked<float>::doubtful() = false;
+    row_.track_in_float(question_);
+    return Tracked<float>::doubtful();
+  }
+  Tracked<double>::doubtful() = false;
+  row_.reference_tracked(question_);
+  return Tracked<double>::doubtful();
+}
+
+const std::optional<TrueTape>& Examination::open() const {
+  if (!open_) {
+    open_.emplace();
+    if (row_.as_open_sets != nullptr) *open_ = row_.as_open_sets(solution_->answer, question_);
+  }
+  return *open_;
+}
+
+int Examination::touch_reading(const std::string& outcome) const {
+  if (!open()) return 0;
+  return outcome == this->outcome() ? 1 : outcome == outcome_of(*row_.answer, open()->words) ? -1 : 0;
+}
+
+/// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be sure of its decision
+/// here either (running error analysis); else nothing but the algorithm can be.
+Judgement Examination::wrong(const Declaration& declaration, bool right_for_open_sets) const {
+  Judgement judgement;
+  if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
+    judgement.verdict = Verdict::convention;
+  } else if (margin() && tolerated(*margin(), declaration.tolerance, row_.card->margin_degree, question_)) {
+    judgement.verdict = Verdict::tolerance;
+  } else {
+    judgement.verdict = doubtful(declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
+  }
+  return judgement;
+}
+
+Judgement Examination::judge_yes_or_no(bool answer, const Declaration& declaration) const {
+  const std::optional<bool> right = yes_or_no(*row_.answer, solution_->answer.words);
+  if (!right) return {Verdict::invalid, 0, "a plain true or false is no answer to this operation"};
+  const bool right_for_open = open() && yes_or_no(*row_.answer, open()->words) == answer;
+  Judgement judgement = *right == answer ? Judgement{} : wrong(declaration, right_for_open);
+  if (open()) judgement.touch_reading = *right == answer ? 1 : right_for_open ? -1 : 0;
+  return judgement;
+}
+
+/// Any number may be left out, unless a checker must see them all.
+Tape<double> Examination::read_answer(const Json& json) const {
+  Tape<double> answer;
+  const bool partial = row_.fault == nullptr;
+  const char* const name = row_.card->answer;
+  if (name[0] == 0) {
+    read_json(*row_.answer, json, "", answer, read_answer_number, partial);
+    return answer;
+  }
+  require_fields(json, "", {name});
+  if (!json.contains(name)) throw InvalidInput(name, "missing");
+  read_json(*row_.answer, json[name], name, answer, read_answer_number, partial);
+  return answer;
+}
+
+Judgement Examination::judge_engine(const Json& json, const Declaration& declaration) const {
+  try {
+    if (json.is_boolean()) return judge_yes_or_no(json.get<bool>(), declaration);
+    const Tape<double> answer = read_answer(json);
+    Judgement judgement;
+    const Comparison found = compared(answer, Reading::partial, declaration.binary32, judgement);
+    const std::string outcome = outcome_of(*row_.answer, answer.words, row_.fault == nullptr);
+    if (!found.decision) {
+      judgement = wrong(declaration, touch_reading(outcome) == -1);
+    } else if (!found.finite) {
+      judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
+    } else if (found.ulps > row_.card->ulps) {
+      judgement.verdict = Verdict::inexact;
+    }
+    judgement.ulps = found.ulps;
+    judgement.touch_reading = touch_reading(outcome);
+    return judgement;
+  } catch (const InvalidInput& refused) {
+    return {Verdict::invalid, 0, "answer." + std::string(refused.what())};
+  }
+}
+
+}  // namespace touchstone::audit

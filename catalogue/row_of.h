@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "catalogue/judge/environment.h"
+#include "catalogue/operation.h"
+#include "catalogue/row.h"
+
+/// Makes an operation from its row: the one place where its types are forgotten.
+namespace touchstone::audit {
+
+/// SplitMix64's output function, as in Choices.
+inline std::uint64_t scattered(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+/// Every number 0, every list of that length.
+template <class Asked>
+Asked zeros(std::size_t length) {
+  Asked asked{};
+  walk(
+      asked, [](auto& number) { number = 0; }, [&](auto& list) { list.resize(length); });
+  return asked;
+}
+
+template <class Row>
+struct RowOf {
+  using Asked = typename Row::Question;
+  using Answer = answer_t<Row>;
+  using Truth = truth_t<Row>;
+  static constexpr bool decides = requires(const Asked& q) { Row::decision::robust(q); };
+  static constexpr bool decides_quickly = requires(const Asked& q) { Row::decision::oracle(q); };
+
+  template <class Real, class Convert>
+  static auto formula(const Question& question, const Convert& convert) {
+    return ask_reference<Row>(unpacked<rebound_t<Asked, Real>>(question, convert));
+  }
+  static Tape<double> reference(const Question& question) { return packed(ask_reference<Row>(unpacked<Asked>(question))); }
+  static Tape<double> reference_in_float(const Question& question) {
+    return packed(formula<float>(question, [](double number) { return static_cast<float>(number); }));
+  }
+  static Tape<Exact> reference_exactly(const Question& question) {
+    return packed_as<Exact>(formula<Exact>(question, [](double number) { return Exact(exact_value(number)); }));
+  }
+  static Tape<Tracked<double>> reference_tracked(const Question& question) {
+    using Bounded = Tracked<double>;
+    return packed_as<Bounded>(formula<Bounded>(question, [](double number) { return Bounded(number); }));
+  }
+  static void track_in_float(const Question& question) {
+    using Bounded = Tracked<float>;
+    formula<Bounded>(question, [](double number) { return Bounded(static_cast<float>(number)); });
+  }
+
+  static Tape<double> robust(const Question& question, std::size_t environment) {
+    return packed(in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_robust<Row>(q); }));
+  }
+  static Solution solve(const Question& question) {
+    auto truth = ask_oracle<Row>(unpacked<Asked>(question));
+    Solution solution{packed_as<TrueNumber>(truth.answer), std::nullopt};
+    if (Row::card().margin_degree > 0) solution.margin = std::move(truth.margin);
+    return solution;
+  }
+  static oracle::Certificate certify(const Question& question) { return ask_certificate<Row>(unpacked<Asked>(question)); }
+  static TrueTape solve_as_typed(const Tape<mpq_class>& question) {
+    using Typed = rebound_t<Asked, mpq_class>;
+    return packed_as<TrueNumber>(
+        ask_oracle<Row>(unpacked<Typed>(question, [](const mpq_class& number) { return number; })).answer);
+  }
+
+  static Word decide(const Question& question, std::size_t environment) {
+    return static_cast<Word>(in_environment(environment, unpacked<Asked>(question),
+                                            [](const Asked& q) { return Row::decision::robust(q); }));
+  }
+  static Word decide_by_oracle(const Question& question) {
+    return static_cast<Word>(Row::decision::oracle(unpacked<Asked>(question)));
+  }
+  static Word decide_by_integers(const Question& question) {
+    using Whole = rebound_t<Asked, std::int64_t>;
+    return static_cast<Word>(Row::decision::oracle(
+        unpacked<Whole>(question, [](double number) { return static_cast<std::int64_t>(number); })));
+  }
+  static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last);
+
+  static const std::vector<HardCase<Asked>>& hard_cases() {
+    static const std::vector<HardCase<Asked>> all = Row::hard_cases();
+    return all;
+  }
+  static Question draw_hard_case(std::size_t which, Choices& choices) {
+    return packed(hard_cases()[which].draw(choices));
+  }
+
+  /// The hooks with their types forgotten.
+  static constexpr auto hooks = [] { return Row::hooks(); };
+  static std::optional<TrueTape> as_open_sets(const TrueTape& truth, const Question& question) {
+    const auto open = hooks().as_open_sets(unpacked<Truth>(truth, [](const TrueNumber& number) { return number; }),
+                                           unpacked<Asked>(question));
+    if (!open) return std::nullopt;
+    return packed_as<TrueNumber>(*open);
+  }
+  static std::string fault(const Question& question, const Tape<double>& answer) {
+    return hooks().fault(unpacked<Asked>(question), unpacked<Answer>(answer));
+  }
+  static void repair(Question& question) {
+    auto asked = unpacked<Asked>(question);
+    hooks().repair(asked);
+    question = packed(asked);
+  }
+  static void scale(Question& question, int exponent) {
+    auto asked = unpacked<Asked>(question);
+    hooks().scale(asked, exponent);
+    question = packed(asked);
+  }
+  static std::vector<mpq_class> residuals(const Question& question, const Tape<double>& answer) {
+    return hooks().residuals(unpacked<Asked>(question), unpacked<Answer>(answer));
+  }
+  static Question map_centre() { return packed(hooks().map_centre()); }
+  static void draw(Scene& scene, const Question& question) { hooks().draw(scene, unpacked<Asked>(question)); }
+  static std::uint64_t world_count(int size) { return hooks().world_count(size); }
+  static Question world_at(int size, std::uint64_t index) { return packed(hooks().world_at(size, index)); }
+
+  static RowFunctions functions();
+};
+
+/// The inner loop of an exhaustive run of decisions, numbers counting up like digits.
+template <class Row>
+DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::uint64_t last) {
+  auto asked = zeros<Asked>(Row::card().list_length);
+  auto integers = zeros<rebound_t<Asked, std::int64_t>>(Row::card().list_length);
+  std::vector<double*> numbers;
+  std::vector<std::int64_t*> digits;
+  for_each_number(asked, [&](double& number) { numbers.push_back(&number); });
+  for_each_number(integers, [&](std::int64_t& number) { digits.push_back(&number); });
+  std::uint64_t rest = first;
+  for (std::size_t i = digits.size(); i-- > 0; rest /= static_cast<std::uint64_t>(size)) {
+    *digits[i] = static_cast<std::int64_t>(rest % static_cast<std::uint64_t>(size));
+    *numbers[i] = static_cast<double>(*digits[i]);
+  }
+  using Decision = decltype(Row::decision::robust(asked));
+  std::array<std::uint64_t, Words<Decision>::words.size()> outcomes{};
+  DecisionCount count;
+  for (std::uint64_t index = first; index < last; ++index) {
+    const Decision truth = Row::decision::oracle(integers);
+    const auto word = static_cast<std::size_t>(truth);
+    ++outcomes[word];
+    count.hash += scattered(index * 4 + word);
+    if (Row::decision::robust(asked) != truth && count.wrong++ == 0) count.first_wrong = index;
+    for (std::size_t i = digits.size(); i-- > 0;) {
+      if (++*digits[i] < size) {
+        *numbers[i] = static_cast<double>(*digits[i]);
+        break;
+      }
+      *digits[i] = 0;
+      *numbers[i] = 0;
+    }
+  }
+  count.cases = last - first;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) count.outcomes[Words<Decision>::words[i]] = outcomes[i];
+  return count;
+}
+
+template <class Row>
+RowFunctions RowOf<Row>::functions() {
+  RowFunctions f{};
+  f.card = &Row::card();
+  f.question = &shape_of<Asked>();
+  f.answer = &shape_of<Answer>();
+  f.reference = reference;
+  f.reference_in_float = reference_in_float;
+  f.reference_exactly = reference_exactly;
+  f.reference_tracked = reference_tracked;
+  f.track_in_float = track_in_float;
+  f.robust = robust;
+  f.solve = solve;
+  f.certify = certify;
+  if constexpr (oracle_takes<Row, rebound_t<Asked, mpq_class>>) f.solve_as_typed = solve_as_typed;
+  if constexpr (decides) {
+    f.decision = &shape_of<decltype(Row::decision::robust(std::declval<const Asked&>()))>();
+    f.decide = decide;
+  } else {
+    static_assert(std::is_same_v<typename Row::decision, NoDecision>, "decision: robust(Question), or NoDecision");
+  }
+  if constexpr (decides_quickly) {
+    f.decide_by_oracle = decide_by_oracle;
+    f.decide_by_integers = decide_by_integers;
+    f.count_decisions = count_decisions;
+  }
+  for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back(hard.name);
+  f.draw_hard_case = draw_hard_case;
+  const auto given = hooks();
+  if (given.as_open_sets) f.as_open_sets = as_open_sets;
+  if (given.fault) f.fault = fault;
+  if (given.repair) f.repair = repair;
+  if (given.scale) f.scale = scale;
+  if (given.residuals) f.residuals = residuals;
+  if (given.map_centre) f.map_centre = map_centre;
+  f.map_axes = given.map_axes;
+  if (given.draw) f.draw = draw;
+  if (given.world_count) f.world = World{world_count, world_at};
+  return f;
+}
+
+template <class Row>
+const Operation& operation_of_row() {
+  static const Operation operation(RowOf<Row>::functions());
+  return operation;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fuzz/driver/layout.h"
+
+namespace touchstone::fuzz {
+namespace {
+
+using audit::Question;
+using audit::Shape;
+
+/// Indices are mostly those of a short list.
+constexpr std::uint64_t usual_indices = 8;
+
+class Reader {
+ public:
+  explicit Reader(const Question& question) : words_(question.words.data()) {}
+
+  void read(const Shape& shape) {
+    switch (shape.kind) {
+      case Shape::Kind::number: ++at_.number; return;
+      case Shape::Kind::word: found.words.push_back({at_.word++, shape.words.size()}); return;
+      case Shape::Kind::flag: found.words.push_back({at_.word++, 2}); return;
+      case Shape::Kind::index: found.words.push_back({at_.word++, usual_indices}); return;
+      case Shape::Kind::optional:
+        if (words_[at_.word++] != 0) read(*shape.parts[0].shape);
+        return;
+      case Shape::Kind::choice: {
+        const audit::Word which = words_[at_.word++];
+        return read(*shape.parts[which].shape);
+      }
+      case Shape::Kind::list: return read_list(shape);
+      case Shape::Kind::record:
+        if (shape.meaning == audit::Meaning::place || shape.meaning == audit::Meaning::direction)
+          found.points.push_back({at_.number, shape.parts.size()});
+        for (const Shape::Part& part : shape.parts) read(*part.shape);
+    }
+  }
+
+  Layout found;
+
+ private:
+  void read_list(const Shape& shape) {
+    const std::size_t place = found.lists.size();
+    found.lists.push_back({at_.word, shape.parts[0].shape, {}});
+    const audit::Word length = words_[at_.word++];
+    for (audit::Word i = 0; i < length; ++i) {
+      found.lists[place].elements.push_back(at_);
+      read(*shape.parts[0].shape);
+    }
+    found.lists[place].elements.push_back(at_);
+  }
+
+  const audit::Word* words_;
+  Layout::Place at_{0, 0};
+};
+
+}  // namespace
+
+Layout layout_of(const Shape& shape, const Question& question) {
+  Reader reader(question);
+  reader.read(shape);
+  return std::move(reader.found);
+}
+
+void insert_zeros(const Shape& shape, Question& question, const Layout::Place& at) {
+  if (!shape.fixed) {  // lists of lists: an empty list
+    question.words.insert(question.words.begin() + static_cast<std::ptrdiff_t>(at.word), 0);
+    return;
+  }
+  question.numbers.insert(question.numbers.begin() + static_cast<std::ptrdiff_t>(at.number), shape.numbers, 0.0);
+  question.words.insert(question.words.begin() + static_cast<std::ptrdiff_t>(at.word), shape.word_count, 0);
+}
+
+}  // namespace touchstone::fuzz

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "catalogue/planes/point_ground_plane.h"
-
-#include "fuzz/driver/fuzz_target.h"
-
-TOUCHSTONE_FUZZ(point_ground_plane)

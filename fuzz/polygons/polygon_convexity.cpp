@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/polygon_convexity.h"
-
-#include "fuzz/driver/fuzz_target.h"
-
-TOUCHSTONE_FUZZ(polygon_convexity)
