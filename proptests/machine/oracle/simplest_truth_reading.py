@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the second truths share: numbers and points as JSON has them, vectors of the plane, intervals of a parameter."""
+from fractions import Fraction
+from math import isqrt
+
+ENDLESS = None
+
+
+def number(value):
+    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
+
+
+def point(value):
+    return number(value[0]), number(value[1])
+
+
+def minus(p, q):
+    return p[0] - q[0], p[1] - q[1]
+
+
+def dot(p, q):
+    return p[0] * q[0] + p[1] * q[1]
+
+
+def cross(p, q):
+    return p[0] * q[1] - p[1] * q[0]
+
+
+def at(start, t, direction):
+    return start[0] + t * direction[0], start[1] + t * direction[1]
+
+
+def written(p):
+    return [str(p[0]), str(p[1])]
+
+
+def cut(interval, slope, height):
+    """The part of (low, high) where slope t + height >= 0."""
+    if interval is None or (slope == 0 and height < 0):
+        return None
+    low, high = interval
+    if slope > 0:
+        low = max(low, -height / slope)
+    elif slope < 0:
+        high = -height / slope if high is ENDLESS else min(high, -height / slope)
+    return interval if slope == 0 else None if high is not ENDLESS and low > high else (low, high)
+
+
+def cut_to_zero(interval, slope, height):
+    return cut(cut(interval, slope, height), -slope, -height)
+
+
+def in_common(start, direction, last, ends):
+    """The interval of t in [0, last] where start + t direction is on the segment."""
+    v, w = minus(ends[1], ends[0]), minus(start, ends[0])
+    everything = (Fraction(0), last)
+    if v == (0, 0):
+        return cut_to_zero(cut_to_zero(everything, direction[0], w[0]), direction[1], w[1])
+    on_line = cut_to_zero(everything, cross(v, direction), cross(v, w))
+    return cut(cut(on_line, dot(v, direction), dot(v, w)), -dot(v, direction), dot(v, v) - dot(v, w))
+
+
+def parameter(p, start, direction):
+    axis = 0 if direction[0] != 0 else 1
+    return Fraction(0) if direction == (0, 0) else (p[axis] - start[axis]) / direction[axis]
+
+
+def squared_distance(p, start, direction, last):
+    length = dot(direction, direction)
+    t = Fraction(0) if length == 0 else max(Fraction(0), dot(minus(p, start), direction) / length)
+    nearest = at(start, t if last is ENDLESS else min(t, last), direction)
+    return dot(minus(p, nearest), minus(p, nearest))
+
+
+def by_sign(value, below, zero, above):
+    return below if value < 0 else above if value > 0 else zero
+
+
+class Root:
+    """A square root with a sign. Equal to it is what is exactly it; where no rational is, what is within 2^-60 units in
+    the last place."""
+
+    def __init__(self, square, sign):
+        self.square, self.sign = square, sign
+
+    def __repr__(self):
+        return f"{self.sign} sqrt({self.square})"
+
+    def __eq__(self, said):
+        value, square = self.sign * Fraction(said), self.square
+        if all(isqrt(part) ** 2 == part for part in (square.numerator, square.denominator)):
+            return value * value == square and value >= 0
+        room = max(value / 2**112, Fraction(1, 2**1134))
+        return value > 0 and max(Fraction(0), value - room) ** 2 < square < (value + room) ** 2
