@@ -1,37 +1,37 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Copies robust/ and plants bugs in the copy: instrument.py SOURCE_ROOT OUT
+"""Copies robust/ with every mutant in the copy: instrument.py SOURCE_ROOT OUT
 
-Each bug replaces one expression by (TOUCHSTONE_PLANTED(n) ? (bug) : (expression)), n its place in the list from 1; the
-environment variable TOUCHSTONE_PLANTED=n turns one of them on when the program starts. An expression that is not found
-exactly once stops the build: the list must follow the code."""
+Each mutant replaces one expression by (TOUCHSTONE_MUTANT(n) ? (mutant) : (expression)), n its number from 1; the environment
+variable TOUCHSTONE_MUTANT=n turns one of them on when the program starts. An expression that is not found exactly once
+stops the build: the list must follow the code."""
 import collections
 import pathlib
 import sys
 
-from planted import listed
+from mutants import listed
 
 
-def planted(text, place, bugs):
-    """text with every bug of one expression in it; place names the file."""
-    find, within = bugs[0][1]["find"], bugs[0][1].get("within", bugs[0][1]["find"])
+def mutated(text, place, mutants):
+    """text with every mutant of one expression in it; place names the file."""
+    find, within = mutants[0][1]["find"], mutants[0][1].get("within", mutants[0][1]["find"])
     if text.count(within) != 1 or within.count(find) != 1:
         sys.exit(f"{place}: expected exactly once, found {text.count(within)} times: {within}")
     expression = f"({find})"
-    for number, bug in reversed(bugs):
-        expression = f"(TOUCHSTONE_PLANTED({number}) ? ({bug['plant']}) : {expression})"
+    for number, mutant in reversed(mutants):
+        expression = f"(TOUCHSTONE_MUTANT({number}) ? ({mutant['plant']}) : {expression})"
     return text.replace(within, within.replace(find, expression))
 
 
 def main(source, out):
     places = collections.defaultdict(list)
-    for number, bug in listed():
-        places[bug["file"], bug["find"], bug.get("within")].append((number, bug))
+    for number, mutant in dict(reversed(listed())).items():  # one for each number
+        places[mutant["file"], mutant["find"], mutant.get("within")].append((number, mutant))
     texts = {path.relative_to(source).as_posix(): path.read_text()
              for path in sorted((source / "robust").rglob("*")) if path.suffix in (".h", ".cpp")}
     # Longer expressions first, so that one inside another is still found as it was.
-    for (file, find, _), bugs in sorted(places.items(), key=lambda item: -len(item[0][1])):
-        texts[file] = planted(texts[file], file, bugs)
+    for (file, find, _), mutants in sorted(places.items(), key=lambda item: -len(item[0][1])):
+        texts[file] = mutated(texts[file], file, mutants)
     for file, text in texts.items():
         target = out / file
         target.parent.mkdir(parents=True, exist_ok=True)

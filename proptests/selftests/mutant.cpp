@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "proptests/selftests/planted.h"
+#include "proptests/selftests/mutant.h"
 
 #include <cstdlib>
 
 namespace {
 int chosen() {
-  const char* number = std::getenv("TOUCHSTONE_PLANTED");
+  const char* number = std::getenv("TOUCHSTONE_MUTANT");
   return number == nullptr ? 0 : std::atoi(number);
 }
 }  // namespace
 
-const int touchstone_planted = chosen();
+const int touchstone_mutant = chosen();
