@@ -27,7 +27,8 @@ function(touchstone_test_program folder)
   endif()
   foreach(source ${ARGN})
     cmake_path(GET source STEM file)
-    add_test(NAME ${folder}/${file} COMMAND ${target} --filenames-as-tags --warn NoTests "[#${file}]"
+    # The durations are read by costs.py: a test that asks all operations says how long each took.
+    add_test(NAME ${folder}/${file} COMMAND ${target} --filenames-as-tags --warn NoTests --durations yes "[#${file}]"
              WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
   endforeach()
 endfunction()
@@ -64,6 +65,7 @@ endif()
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(rooms_line_up ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/rooms_line_up.py)
 add_test(NAME rooms_line_up/self_check COMMAND ${rooms_line_up} --self-check)
+add_test(NAME costs/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/costs.py --self-check)
 add_test(NAME coverage_gates/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/coverage/gates.py --self-check)
 if(TARGET touchstone)
   add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Copies robust/ with every mutant in the copy: instrument.py SOURCE_ROOT OUT
 
-Each mutant replaces one expression by (TOUCHSTONE_MUTANT(n) ? (mutant) : (expression)), n its number from 1; the environment
-variable TOUCHSTONE_MUTANT=n turns one of them on when the program starts. An expression that is not found exactly once
-stops the build: the list must follow the code."""
+Each mutant replaces one expression by (TOUCHSTONE_MUTANT(n) ? (mutant) : (expression)), n its number from 1; the
+environment variable TOUCHSTONE_MUTANT=n turns one of them on when the program starts. An expression that is not found
+exactly once stops the build: the list must follow the code."""
 import collections
 import pathlib
 import sys

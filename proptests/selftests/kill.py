@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the property suite alone, the vectors alone and fuzzing alone kill the mutants: kill.py PROGRAMS VECTORS MATRIX
-[--only OPERATION] [--share test|N/M]. Writes the matrix to the file MATRIX too. Exit code 1 if a mutant survives, or if
-something cries wolf while no mutant is on."""
+"""Whether the property suite alone, the vectors alone and fuzzing alone kill the mutants: kill.py PROGRAMS VECTORS
+MATRIX [--only OPERATION] [--share test|N/M]. Writes the matrix to the file MATRIX too. Exit code 1 if a mutant
+survives, or if something cries wolf while no mutant is on."""
 import argparse
 import collections
 import concurrent.futures
@@ -34,8 +34,8 @@ def run(command, mutant, limit, cwd=None):
 
 
 class Killers:
-    """The three ways of asking; each returns (killed, seconds). A crash or a hang kills too: `limit` is what the way took without a
-    mutant, and much more."""
+    """The three ways of asking; each returns (killed, seconds). A crash or a hang kills too: `limit` is what the way
+    took without a mutant, and much more."""
 
     def __init__(self, programs, vectors, calm):
         self.programs, self.vectors, self.calm = programs, vectors, calm
@@ -97,7 +97,8 @@ def main(programs, vectors, matrix, only=None, share="all"):
             seconds[operation] += done.result()[1]
         wolf = sorted({operation for (operation, _), done in calm.items() if done.result()[0]})
     killed = sum(dead for row in results.values() for dead, _ in row.values())
-    lines = ["mutants, and the time until each way alone killed them", f"{'':<26}" + "".join(f"{way:>12}" for way in WAYS)]
+    lines = ["mutants, and the time until each way alone killed them"]
+    lines.append(f"{'':<26}" + "".join(f"{way:>12}" for way in WAYS))
     lines += [line(mutant, results[mutant["id"]]) for _, mutant in mutants if mutant["id"] in results]
     lines.append(f"{len(results)} of {len(mutants)} mutants, {killed} of {len(cells)} times killed; without a mutant: "
                  + ("all silent" if not wolf else "FALSE ALARM in " + ", ".join(wolf)))
@@ -115,5 +116,5 @@ if __name__ == "__main__":
     for name in ("programs", "vectors", "matrix"):
         arguments.add_argument(name)
     arguments.add_argument("--only", metavar="OPERATION", help="the mutants of one operation")
-    arguments.add_argument("--share", default="all", help="all; test: the third that ./dev test asks; N/M: the N-th of M parts")
+    arguments.add_argument("--share", default="all", help="all; test: the third that ./dev test asks; N/M: a part")
     sys.exit(main(**vars(arguments.parse_args())))

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The mutants: a file for each operation, mutants/OPERATION.json, with a list of {"file", "find", "plant", "what"}: in that
-file of robust/ the expression `find`, which stands there once (or once in `within`, which does), becomes `plant`.
+"""The mutants: a file for each operation, mutants/OPERATION.json, with a list of {"file", "find", "plant", "what"}: in
+that file of robust/ the expression `find`, which stands there once (or once in `within`, which does), becomes `plant`.
 
-A mutant of a shared kernel may stand in the lists of several operations, each of which has to kill it; it has one number."""
+A mutant of a shared kernel may stand in the lists of several operations, which all have to kill it; it has one
+number."""
 import json
 import pathlib
 
@@ -24,9 +25,9 @@ def listed():
 
 
 def chosen(mutants, share):
-    """Which (number, mutant, way) are asked. share: "all"; "N/M", every M-th from the N-th; or "test", a third: each mutant in one
-    way, which changes with its place among those of its operation, so that every operation is asked in every way; and what
-    several operations list only for the first of them."""
+    """Which (number, mutant, way) are asked. share: "all"; "N/M", every M-th from the N-th; or "test", a third: each
+    mutant in one way, which changes with its place among those of its operation, so that every operation is asked in
+    every way; and what several operations list only for the first of them."""
     everything = [(number, mutant, way) for number, mutant in mutants for way in WAYS]
     if share == "all":
         return everything
