@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "catalogue/row.h"
-#include "catalogue/codec/flat.h"
+#include "catalogue/codec/tape.h"
 #include "catalogue/codec/walk.h"
 #include "catalogue/families/choices.h"
 #include "catalogue/families/numbers.h"

@@ -88,7 +88,7 @@ std::size_t wrong_answers(DataSet set) {
   const auto& operation = *audit::find_operation(Row::card().name);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < chunk; ++i) {
-    const audit::Question flat{audit::flattened(cases_of<Row>(set)[i])};
+    const audit::Question flat{audit::packed(cases_of<Row>(set)[i])};
     wrong += operation.examine(flat)->judge_robust().verdict != audit::Verdict::agree;
   }
   return wrong;

@@ -26,7 +26,7 @@ const std::vector<audit::Question>& questions_of(DataSet set) {
   if (questions.empty() || made != set) {
     questions.clear();
     for (const auto& q : cases_of<Row>(made = set)) {
-      questions.push_back({audit::flattened(q)});
+      questions.push_back({audit::packed(q)});
     }
   }
   return questions;

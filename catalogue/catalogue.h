@@ -21,6 +21,7 @@
 #include "catalogue/polygons/polygon_convexity.h"
 #include "catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "catalogue/polygons/polygon_polygon.h"
+#include "catalogue/operation.h"
 #include "catalogue/polygons/triangulate_polygon.h"
 
 namespace touchstone::audit {

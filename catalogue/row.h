@@ -32,6 +32,9 @@
 
 namespace touchstone::audit {
 
+/// The rows, each named like its operation.
+namespace rows {}
+
 template <class Question>
 struct HardCase {
   std::string name;            ///< the family: "collinear", "shared_end" ...

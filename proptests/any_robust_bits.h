@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/catalogue.h"
-#include "proptests/robust_bits.h"
+#include <bit>
 
-/// For tests that go through the whole catalogue; a test of one operation includes its row alone, so that a new row compiles no other.
+#include "catalogue/judge/environment.h"
+#include "catalogue/operation.h"
+#include "proptests/answer_bits.h"
+
 namespace touchstone::proptests {
 
-/// What robust answers in an environment.
+/// What robust answers in an environment; then its decision alone, where it has one.
 inline AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question,
                               std::size_t environment) {
   AnswerBits bits;
-  audit::for_each_row([&]<class Row>() {
-    if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
-  });
+  try {
+    const audit::Tape<double> answer = operation.row().robust(question, environment);
+    bits.words.assign(answer.words.begin(), answer.words.end());
+    for (const double number : answer.numbers) bits.words.push_back(std::bit_cast<std::uint64_t>(number));
+    if (operation.row().decision != nullptr) bits.words.push_back(operation.row().decide(question, environment));
+  } catch (const InvalidInput& refused) {
+    bits.refused = refused.what();
+  }
   return bits;
 }
 

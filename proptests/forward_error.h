@@ -108,24 +108,23 @@ void contract(const std::string& sentence, const Claim& claim, int usual = 6) {
       return "";
     }
   };
-  never(*audit::find_operation(Row::card().name), sentence, complaint, usual);
+  never(audit::operation_of_row<Row>(), sentence, complaint, usual);
 }
 
 /// The property that the formula in exact arithmetic is the truth.
 template <class Row>
 void right_in_exact_arithmetic() {
   const auto complaint = [&](const Question& question) -> std::string {
-    const auto asked = typed<Row>(question);
     try {
-      const auto truth = audit::ask_oracle<Row>(asked);
-      const auto formula = audit::ask_reference<Row>(
-          audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); }));
-      return audit::same_as_truth(truth.answer, formula) ? "" : "the formula is wrong even in exact arithmetic";
+      const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+      const bool same = audit::same_as_truth(*row.answer, row.solve(question).answer, row.reference_exactly(question),
+                                             audit::Reading::complete);
+      return same ? "" : "the formula is wrong even in exact arithmetic";
     } catch (const InvalidInput&) {
       return "";
     }
   };
-  never(*audit::find_operation(Row::card().name), "the formula is right in exact arithmetic", complaint, 3);
+  never(audit::operation_of_row<Row>(), "the formula is right in exact arithmetic", complaint, 3);
 }
 
 }  // namespace touchstone::proptests

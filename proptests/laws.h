@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/judge/examination_of.h"
 #include "proptests/drawn.h"
 #include "proptests/robust_bits.h"
 #include "robust/kernel/stage.h"
@@ -107,7 +106,7 @@ bool equal(const T& a, const T& b) {
 template <class Row, class Ask, class Holds>
 void law_of(const std::string& sentence, const Ask& ask, const Holds& holds, int usual) {
   never(
-      *audit::find_operation(Row::card().name), sentence,
+      audit::operation_of_row<Row>(), sentence,
       [&](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
         try {
@@ -243,41 +242,27 @@ bool stages_agree(const Word& word, Stage decided, const std::optional<Word>& fi
   return word == exact && (!filter || *filter == exact) && (!lattice || *lattice == exact) && decided == first;
 }
 
+template <class Row>
+std::unique_ptr<audit::Examination> examined(const typename Row::Question& question) {
+  return audit::operation_of_row<Row>().examine(audit::packed(question));
+}
+
 /// A worked example: the oracle answers exactly this, robust the nearest doubles of it, and so does the reference in double,
 /// unless `by_reference` says which verdict it gets instead.
+void example(const Operation& operation, const Question& question, const audit::TrueTape& expected,
+             const std::string& by_reference);
 template <class Row>
 void example(const typename Row::Question& question, const exact_answer_t<Row>& expected,
              const std::string& by_reference = "agree") {
-  const auto shown = [&] {
-    return audit::one_line(audit::find_operation(Row::card().name)->print({audit::flattened(question)}));
-  };
-  INFO(shown());
-  CHECK(audit::one_line(audit::to_json(audit::ask_oracle<Row>(question).answer)) ==
-        audit::one_line(audit::to_json(expected)));
-  audit::Comparison robust, reference;
-  audit::compare(expected, audit::ask_robust<Row>(question), true, false, robust);
-  CHECK(robust.decision);
-  CHECK(robust.ulps == 0);
-  CHECK(audit::name_of(audit::ExaminationOf<Row>(question).judge_reference(false).verdict) == by_reference);
-  if (by_reference != "agree") return;
-  audit::compare(expected, audit::ask_reference<Row>(question), true, false, reference);
-  CHECK(reference.decision);
-  CHECK(reference.ulps <= Row::card().ulps);
+  example(audit::operation_of_row<Row>(), audit::packed(question), audit::packed_as<audit::TrueNumber>(expected),
+          by_reference);
 }
 
 /// Robust and oracle both refuse, naming this field and rule.
+void refused(const Operation& operation, const Question& question, const std::string& expected);
 template <class Row>
 void refused(const typename Row::Question& question, const std::string& field, const std::string& rule) {
-  const auto refusal = [&](const auto& ask) -> std::string {
-    try {
-      ask();
-      return "answered";
-    } catch (const InvalidInput& thrown) {
-      return thrown.field() + ": " + thrown.rule();
-    }
-  };
-  CHECK(refusal([&] { audit::ask_robust<Row>(question); }) == field + ": " + rule);
-  CHECK(refusal([&] { audit::ask_oracle<Row>(question); }) == field + ": " + rule);
+  refused(audit::operation_of_row<Row>(), audit::packed(question), field + ": " + rule);
 }
 
 }  // namespace touchstone::proptests

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/row.h"
+#include "catalogue/row_of.h"
 #include "catalogue/judge/exact.h"
 #include "oracle/certificates/certificate.h"
 
@@ -10,6 +10,9 @@ namespace touchstone::proptests {
 /// A row for tests alone: a word and a number that is always there. How high is the point over y = 0?
 struct mandatory_number {
   using Question = std::tuple<Point2d>;
+  using decision = audit::NoDecision;
+  static std::vector<audit::HardCase<Question>> hard_cases() { return {}; }
+  static audit::Hooks<mandatory_number> hooks() { return {}; }
 
   static const audit::Card& card() {
     static const audit::Card card{.name = "mandatory_number", .fields = {"point"}};

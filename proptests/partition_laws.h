@@ -99,7 +99,7 @@ inline IndexLists sorted(IndexLists lists) {
 template <class Row>
 void only_answer(const Polygon2d& polygon, const IndexLists& expected, bool by_reference = true) {
   const typename Row::Question question{polygon};
-  INFO(audit::one_line(audit::find_operation(Row::card().name)->print({audit::flattened(question)})));
+  INFO(audit::one_line(audit::operation_of_row<Row>().print(audit::packed(question))));
   CHECK(sorted(audit::ask_robust<Row>(question)) == expected);
   CHECK(sorted(audit::ask_oracle<Row>(question).answer) == expected);
   CHECK((sorted(audit::ask_reference<Row>(question)) == expected) == by_reference);
@@ -138,7 +138,7 @@ inline bool beyond_margins(const Polygon2d& polygon) {
 /// The contract of the slide's formula: right beyond its margins (asked of rings of up to nine vertices), and in exact arithmetic.
 template <class Row>
 void formula_keeps_contract() {
-  const audit::Operation& operation = *audit::find_operation(Row::card().name);
+  const audit::Operation& operation = audit::operation_of_row<Row>();
   const auto refused_or = [](const auto& asked, const auto& wrong) -> std::string {
     try {
       audit::ask_oracle<Row>(asked);
@@ -205,7 +205,7 @@ inline IndexLists altered(audit::Choices& choices, IndexLists lists, std::size_t
 /// Whether the checker of the row and the one of certificates, which prove in different ways, say the same of altered answers.
 template <class Row>
 void checkers_agree() {
-  const audit::Operation& operation = *audit::find_operation(Row::card().name);
+  const audit::Operation& operation = audit::operation_of_row<Row>();
   int right = 0, wrong = 0, different = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
     audit::Choices choices = audit::Choices::seeded(audit::seed_of(i, "altered lists", 0));

@@ -7,20 +7,11 @@
 #include <vector>
 
 #include "catalogue/row.h"
-#include "catalogue/codec/flat.h"
-#include "catalogue/judge/environment.h"
+#include "catalogue/codec/tape.h"
+#include "proptests/answer_bits.h"
 
 /// What robust answers in any environment, bit by bit.
 namespace touchstone::proptests {
-
-using audit::Environment, audit::environment_count, audit::environment_name, audit::in_environment;
-
-/// An answer as words: enumerators, presence of optional parts, numbers bit by bit. Never compares doubles.
-struct AnswerBits {
-  std::vector<std::uint64_t> words;
-  std::string refused;
-  friend bool operator==(const AnswerBits&, const AnswerBits&) = default;
-};
 
 template <class T>
 void append_bits(const T& value, std::vector<std::uint64_t>& words) {
@@ -44,7 +35,7 @@ void append_bits(const T& value, std::vector<std::uint64_t>& words) {
 /// The question with its types.
 template <class Row>
 typename Row::Question typed(const audit::Question& question) {
-  return audit::unflattened<typename Row::Question>(question.numbers);
+  return audit::unpacked<typename Row::Question>(question);
 }
 
 /// What robust answers in an environment; then its decision alone, where it has one.
@@ -55,8 +46,8 @@ AnswerBits robust_bits(const audit::Question& question, std::size_t environment)
   try {
     const auto ask = [](const auto& argument) { return audit::ask_robust<Row>(argument); };
     append_bits(in_environment(environment, asked, ask), bits.words);
-    if constexpr (audit::decides_alone<Row>) {
-      const auto decide = [](const auto& argument) { return audit::decision_alone<Row>(argument); };
+    if constexpr (requires { Row::decision::robust(asked); }) {
+      const auto decide = [](const auto& argument) { return Row::decision::robust(argument); };
       append_bits(in_environment(environment, asked, decide), bits.words);
     }
   } catch (const InvalidInput& refused) {

@@ -35,12 +35,11 @@ PLACES = {
     "oracle": (".h", ".cpp"),
     "catalogue": (".h",),
     "proptests/operations": (".cpp",),
-    "fuzz": (".cpp",),
 }
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings"}, "oracle": {"exact", "certificates", "rings"}, "fuzz": {"driver", "corpus", "findings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings"}, "oracle": {"exact", "certificates", "rings"}}
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".mjs"}
 LONGEST = 400
@@ -224,7 +223,6 @@ def right_tree():
 
 # One fault each: what is written where (None removes it), and the file that must be blamed.
 PLANTED = [
-    ("fuzz/lines/touch.cpp", None, "fuzz/lines/touch.cpp: missing"),
     ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
     ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
     ("catalogue/lines/touch.h", None, "catalogue/lines/touch.h: missing"),

@@ -149,7 +149,7 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
     const auto question = operation.examine(finding.question);
     const bool narrow = operation.in_binary32(finding.question) == finding.question;
     text += what_was_said(*question, finding, declaration, speaker, narrow) + "</div>";
-    margin = readable(question->margin());
+    if (question->margin()) margin = readable(*question->margin());
     proof = certificate(*question);
   } catch (const InvalidInput& refused) {
     text += "<p>The oracle refuses this input: " + code(refused.what()) + "</p></div>";

@@ -134,7 +134,8 @@ std::string one_finding(const OperationTally& tally, Verdict verdict, const Smal
   line("hex", one_line(operation->print_hexadecimal(finding.question)));
   try {
     const auto examination = operation->examine(finding.question);
-    line("truth", one_line(readable(examination->truth())) + "   margin " + readable(examination->margin()));
+    const std::string margin = examination->margin() ? "   margin " + readable(*examination->margin()) : "";
+    line("truth", one_line(readable(examination->truth())) + margin);
   } catch (const InvalidInput& refused) {
     line("truth", std::string("refused: ") + refused.what());
   }

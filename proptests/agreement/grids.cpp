@@ -2,9 +2,6 @@
 #include <numeric>
 
 #include "catalogue/explained.h"
-#include "catalogue/judge/compare.h"
-#include "oracle/lines/orientation.h"
-#include "oracle/lines/segment_segment.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/each_operation.h"
 #include "proptests/property.h"
@@ -18,16 +15,8 @@ using audit::Verdict;
 
 /// The decision by the oracle's second method, where it has one.
 std::string second_truth(const Operation& operation, const Question& question) {
-  std::string word;
-  audit::for_each_row([&]<class Row>() {
-    if constexpr (requires { typename Row::decision; }) {
-      if (&Row::card() != &operation.card()) return;
-      const auto whole = audit::converted<std::int64_t>(
-          typed<Row>(question), [](double number) { return static_cast<std::int64_t>(number); });
-      word = audit::word_of(Row::decision::oracle(whole));
-    }
-  });
-  return word;
+  if (operation.row().decide_by_integers == nullptr) return "";
+  return operation.row().decision->words[operation.row().decide_by_integers(question)];
 }
 
 /// What is asked of a grid: configurations of the numbers first, first + 1, ..., `size` of them; of more than `most` (times
@@ -46,7 +35,7 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
   while (std::gcd(step, static_cast<std::uint64_t>(grid.size)) != 1) ++step;  // else the last numbers would stand still
   for (std::uint64_t index = 0; index < all; index += step) {
     Question question = operation.on_grid(grid.size, index, list_length);
-    for (const std::size_t place : operation.coordinates(question)) question.numbers[place] += grid.first;
+    for (double& number : question.numbers) number += grid.first;
     const auto shown = [&] { return audit::one_line(operation.print(question)); };
     try {
       const auto examination = operation.examine(question);

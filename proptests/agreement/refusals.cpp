@@ -41,16 +41,16 @@ std::string refusal_by_oracle(const Operation& operation, const Question& questi
 }  // namespace
 
 EACH_OPERATION("a number that is not finite is refused by its field, wherever it stands, in every environment") {
-  const std::vector<std::size_t> places = operation.coordinates(operation.zeros());
-  for (const std::size_t i : places) {
-    Question marked = operation.zeros();
-    marked.numbers[i] = 12345;
+  for (const Question& zeros : operation.zeros_of_alternatives())
+    for (std::size_t i = 0; i < zeros.numbers.size(); ++i) {
+      Question marked = zeros;
+      marked.numbers[i] = 12345;
     const std::string path = path_of_mark(operation.print(marked), "", 12345);
     REQUIRE(!path.empty());
     for (const double bad : {infinity, -infinity, not_a_number, -not_a_number}) {
       // Ones and twos: no other rule is broken, except perhaps by equal points, which come after the numbers.
-      Question question = operation.zeros();
-      for (const std::size_t j : places) question.numbers[j] = static_cast<double>(1 + j % 3);
+      Question question = zeros;
+      for (std::size_t j = 0; j < question.numbers.size(); ++j) question.numbers[j] = static_cast<double>(1 + j % 3);
       question.numbers[i] = bad;
       const std::string expected = path + ": finite number";
       CHECK(refusal_by_oracle(operation, question) == expected);
@@ -68,8 +68,7 @@ EACH_OPERATION("of several numbers that are not finite the first is named, and b
       [&] {
         Choices choices = Choices::seeded(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
         Question question = operation.draw(choices, choices.below(operation.families().size()));
-        for (const std::size_t place : operation.coordinates(question)) {
-          double& number = question.numbers[place];
+        for (double& number : question.numbers) {
           switch (choices.below(8)) {
             case 4: number = 0; break;
             case 5: number = -number; break;

@@ -2,7 +2,9 @@
 #include <cstdio>
 #include <cstring>
 
-#include "proptests/any_robust_bits.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/operation.h"
+#include "proptests/robust_bits.h"
 
 // robust_digest [--contracted] [OPERATION]
 //
@@ -27,6 +29,15 @@ class Digest {
   void mix(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3u; }
   std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
+
+/// Typed, so that what is inline in robust's headers is compiled here.
+AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
+  AnswerBits bits;
+  audit::for_each_row([&]<class Row>() {
+    if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
+  });
+  return bits;
+}
 
 void print_digest(const audit::Operation& operation, bool each_question) {
   Digest of_all;

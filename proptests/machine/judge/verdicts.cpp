@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 
-#include "catalogue/judge/examination_of.h"
 #include "proptests/mandatory_number.h"
 
 /// What the judge says of answers made by hand.
@@ -221,7 +220,7 @@ TEST_CASE("verdicts: robust agrees where the formula does not") {
 }
 
 TEST_CASE("verdicts: an engine may leave out every number, also one that is always there, but not the word") {
-  const ExaminationOf<proptests::mandatory_number> examination({{0, 3}});
+  const Examination examination(operation_of_row<proptests::mandatory_number>(), {{0, 3}, {}});
   const auto judged = [&](const char* answer) {
     return examination.judge_engine(parse_line(answer), Declaration{"by hand"});
   };

@@ -10,7 +10,7 @@ import json
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "oracle/certificates"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "oracle/certificates"))
 import certify  # noqa: E402
 
 

@@ -3,8 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/families/families.h"
-#include "catalogue/judge/examination_of.h"
+#include "catalogue/operation.h"
 #include "oracle/exact/decode.h"
 #include "oracle/exact/nearest_double.h"
 
@@ -31,7 +30,7 @@ template <class Row, class Question>
 std::string said(const Question& question) {
   try {
     const auto truth = audit::ask_oracle<Row>(question);
-    return audit::ExaminationOf<Row>::answer_json(truth.answer).dump() + ", margin " + truth.margin.get_str();
+    return audit::to_json(truth.answer).dump() + ", margin " + truth.margin.get_str();
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
@@ -96,18 +95,18 @@ std::string refusal(const Ask& ask) {
 
 TEST_CASE("rationals: the truth for doubles and for the rationals that they are is one truth") {
   audit::for_each_row([]<class Row>() {
-    const audit::Families<Row> families;
+    const audit::Operation& operation = audit::operation_of_row<Row>();
     int different = 0;
-    for (std::size_t family = 0; family < families.names().size(); ++family) {
+    for (std::size_t family = 0; family < operation.families().size(); ++family) {
       for (std::uint64_t i = 0; i < 40; ++i) {
         Choices choices = Choices::seeded(audit::seed_of(i, "rationals", family));
-        const auto question = families.draw(choices, family);
+        const auto question = audit::unpacked<typename Row::Question>(operation.draw(choices, family));
         if (said<Row>(question) == said<Row>(exactly<Row>(question))) continue;
         if constexpr (std::is_same_v<Row, audit::rows::parametric_circle>) {
           if (std::apply(same_circle_point, question)) continue;
         }
         ++different;
-        CAPTURE(Row::card().name, families.names()[family], i, said<Row>(question), said<Row>(exactly<Row>(question)));
+        CAPTURE(Row::card().name, operation.families()[family], i, said<Row>(question), said<Row>(exactly<Row>(question)));
         CHECK(different == 0);
       }
     }
@@ -118,17 +117,17 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
                    audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line,
                    audit::rows::segment_segment, audit::rows::ray_segment, audit::rows::orientation) {
   const Rational third(1, 3);
-  const audit::Families<TestType> families;
-  for (std::size_t family = 0; family < families.names().size(); ++family) {
+  const audit::Operation& operation = audit::operation_of_row<TestType>();
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       Choices choices = Choices::seeded(audit::seed_of(i, "thirds", family));
-      const auto question = exactly<TestType>(families.draw(choices, family));
+      const auto question = exactly<TestType>(audit::unpacked<typename TestType::Question>(operation.draw(choices, family)));
       const auto smaller = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
       try {
         auto truth = audit::ask_oracle<TestType>(question);
         truth.answer = enlarged(truth.answer, third), truth.margin /= 9;
         CHECK(said<TestType>(smaller) ==
-              audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() + ", margin " + truth.margin.get_str());
+              audit::to_json(truth.answer).dump() + ", margin " + truth.margin.get_str());
       } catch (const InvalidInput& refused) {
         CHECK(said<TestType>(smaller) == refused.what());
       }
@@ -161,7 +160,7 @@ TEMPLATE_TEST_CASE(
     try {
       auto truth = audit::ask_oracle<TestType>(question);
       truth.answer = enlarged(truth.answer, factor), truth.margin *= factor * factor;
-      different += said<TestType>(larger) != audit::ExaminationOf<TestType>::answer_json(truth.answer).dump() +
+      different += said<TestType>(larger) != audit::to_json(truth.answer).dump() +
                                                  ", margin " + truth.margin.get_str();
     } catch (const InvalidInput& refused) {
       different += said<TestType>(larger) != refused.what();

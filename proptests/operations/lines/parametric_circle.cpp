@@ -19,7 +19,7 @@ void gives(const Circle2d& circle, double u, const Point2d& expected, const std:
   const auto truth = oracle::parametric_circle(circle, u).answer;
   CHECK(audit::nearest(truth.x) == expected.x);
   CHECK(audit::nearest(truth.y) == expected.y);
-  CHECK(audit::name_of(audit::ExaminationOf<Row>({circle, u}).judge_reference(false).verdict) == by_reference);
+  CHECK(audit::name_of(examined<Row>({circle, u})->judge_reference().verdict) == by_reference);
 }
 
 }  // namespace

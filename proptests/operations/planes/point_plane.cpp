@@ -36,14 +36,14 @@ constexpr double root_half = 0x1.6a09e667f3bcdp-1;
 
 /// robust and the oracle, rounded, give this; the reference gets this verdict.
 void gives(const Row::Question& question, PlaneSide side, double distance, const std::string& by_reference = "agree") {
-  INFO(audit::one_line(audit::find_operation("point_plane")->print({audit::flattened(question)})));
+  INFO(audit::one_line(audit::find_operation("point_plane")->print(audit::packed(question))));
   const auto found = audit::ask_robust<Row>(question);
   CHECK(found.side == side);
   CHECK(found.signed_distance == distance);
   const auto truth = audit::ask_oracle<Row>(question).answer;
   CHECK(truth.side == side);
   CHECK(audit::nearest(truth.signed_distance) == distance);
-  CHECK(audit::name_of(audit::ExaminationOf<Row>(question).judge_reference(false).verdict) == by_reference);
+  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
 }
 
 }  // namespace

@@ -36,21 +36,21 @@ constexpr double sixth_root = 0x1.a20bd700c2c3ep-2,
 void gives(const Polygon3d& polygon, const Vector3d& normal, const Vector3d& unit,
            const std::string& by_reference = "agree") {
   const Row::Question question{polygon};
-  INFO(audit::one_line(audit::find_operation("polygon_normal")->print({audit::flattened(question)})));
+  INFO(audit::one_line(audit::find_operation("polygon_normal")->print(audit::packed(question))));
   const PolygonNormal<double> expected{NormalClass::proper, normal, unit};
   CHECK(equal(robust::polygon_normal(polygon), expected));
   const auto truth = audit::converted<double>(oracle::polygon_normal(polygon).answer,
                                               [](const Rational& n) { return audit::nearest(n); });
   CHECK(equal(truth, expected));
-  CHECK(audit::name_of(audit::ExaminationOf<Row>(question).judge_reference(false).verdict) == by_reference);
+  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
 }
 
 void degenerate(const Polygon3d& polygon, const std::string& by_reference = "agree") {
   const Row::Question question{polygon};
-  INFO(audit::one_line(audit::find_operation("polygon_normal")->print({audit::flattened(question)})));
+  INFO(audit::one_line(audit::find_operation("polygon_normal")->print(audit::packed(question))));
   CHECK(equal(robust::polygon_normal(polygon), {NormalClass::degenerate, std::nullopt, std::nullopt}));
   CHECK(oracle::polygon_normal(polygon).answer.normal_class == NormalClass::degenerate);
-  CHECK(audit::name_of(audit::ExaminationOf<Row>(question).judge_reference(false).verdict) == by_reference);
+  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
 }
 
 }  // namespace

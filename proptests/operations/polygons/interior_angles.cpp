@@ -22,12 +22,12 @@ Rational exactly(const Rational& x) { return x; }
 
 /// robust and the oracle, rounded, give these angles; the reference gets this verdict.
 void gives(const Polygon2d& polygon, const std::vector<double>& expected, const std::string& by_reference = "agree") {
-  INFO(audit::one_line(audit::find_operation("interior_angles")->print({audit::flattened(Row::Question{polygon})})));
+  INFO(audit::one_line(audit::find_operation("interior_angles")->print(audit::packed(Row::Question{polygon}))));
   CHECK(robust::interior_angles(polygon) == expected);
   std::vector<double> truth;
   for (const Rational& angle : oracle::interior_angles(polygon).answer) truth.push_back(audit::nearest(angle));
   CHECK(truth == expected);
-  CHECK(audit::name_of(audit::ExaminationOf<Row>(Row::Question{polygon}).judge_reference(false).verdict) ==
+  CHECK(audit::name_of(examined<Row>(Row::Question{polygon})->judge_reference().verdict) ==
         by_reference);
 }
 
