@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What certify.py checks of bounding volumes: one function an operation, as in check_volumes.cpp."""
+
+from certify_boxes import box
+from certify_reading import WRONG_KIND, expect
+
+
+def axis_of(claim, axes):
+    axis = claim.single("axis")
+    expect(axis in range(axes), "certificate.axis: no axis of the boxes")
+    return int(axis)
+
+
+def point_of(claim, axes):
+    point = claim.list("point")
+    expect(len(point) == axes, "certificate.point: as many coordinates as the boxes")
+    return point
+
+
+def holds(low, high, point):
+    return all(least <= p <= greatest for least, p, greatest in zip(low, point, high))
+
+
+def holds_inside(low, high, point):
+    return all(least < p < greatest for least, p, greatest in zip(low, point, high))
+
+
+def check_aabb_aabb(claim):
+    claim.inputs("a", "b"), claim.answers("contact")
+    a, b = box(claim.input["a"], "a"), box(claim.input["b"], "b")
+    axes = len(a[0])
+    expect(len(b[0]) == axes, "b: as many coordinates as a")
+    (a_min, a_max), (b_min, b_max) = a, b
+    contact = claim.word("contact")
+    if contact == "disjoint":
+        claim.expect_kind("separating_axis"), claim.facts("axis", "value")
+        k, value = axis_of(claim, axes), claim.single("value")
+        separated = a_max[k] < value < b_min[k] or b_max[k] < value < a_min[k]
+        expect(separated, "certificate: the axis does not separate")
+    elif contact == "touching":
+        flat = claim.kind() == "flat_axis"
+        expect(flat or claim.kind() == "supporting_axis", WRONG_KIND)
+        claim.facts("point", "axis")
+        point = point_of(claim, axes)
+        expect(holds(*a, point) and holds(*b, point), "certificate: the point is not in both boxes")
+        k = axis_of(claim, axes)
+        if flat:
+            expect(a_min[k] == a_max[k] or b_min[k] == b_max[k], "certificate: no box is flat on the axis")
+        else:
+            supported = a_max[k] <= point[k] <= b_min[k] or b_max[k] <= point[k] <= a_min[k]
+            expect(supported, "certificate: the axis does not support")
+    else:
+        expect(contact == "overlapping", "truth: contact is wrong")
+        claim.expect_kind("common_interior_point"), claim.facts("point")
+        point = point_of(claim, axes)
+        expect(holds_inside(*a, point) and holds_inside(*b, point), "certificate: the point is not inside both boxes")

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "oracle/certificates/check_boxes.h"
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+
+/// The fact `axis`: a number from 0.
+std::size_t axis_of(const Claim& claim, const Box& box) {
+  const Rational axis = claim.single("axis");
+  for (std::size_t k = 0; k < box.axes(); ++k)
+    if (axis == static_cast<unsigned long>(k)) return k;
+  throw Refusal("certificate.axis: no axis of the boxes");
+}
+
+std::vector<Rational> point_of(const Claim& claim, const Box& box) {
+  std::vector<Rational> point = claim.list("point");
+  expect(point.size() == box.axes(), "certificate.point: as many coordinates as the boxes");
+  return point;
+}
+
+bool holds(const Box& box, const std::vector<Rational>& point) {
+  for (std::size_t k = 0; k < box.axes(); ++k)
+    if (point[k] < box.min[k] || point[k] > box.max[k]) return false;
+  return true;
+}
+
+bool holds_inside(const Box& box, const std::vector<Rational>& point) {
+  for (std::size_t k = 0; k < box.axes(); ++k)
+    if (point[k] <= box.min[k] || point[k] >= box.max[k]) return false;
+  return true;
+}
+
+/// Every point of one box is below the value on that axis, every point of the other above.
+void check_separated(const Claim& claim, const Box& a, const Box& b) {
+  expect(claim.kind() == "separating_axis", wrong_kind), claim.facts({"axis", "value"});
+  const std::size_t k = axis_of(claim, a);
+  const Rational value = claim.single("value");
+  expect((a.max[k] < value && value < b.min[k]) || (b.max[k] < value && value < a.min[k]),
+         "certificate: the axis does not separate");
+}
+
+/// A common point, and an axis on which no number is strictly between min and max of both boxes.
+void check_touching(const Claim& claim, const Box& a, const Box& b) {
+  const bool flat = claim.kind() == "flat_axis";
+  expect(flat || claim.kind() == "supporting_axis", wrong_kind), claim.facts({"point", "axis"});
+  const std::vector<Rational> point = point_of(claim, a);
+  expect(holds(a, point) && holds(b, point), "certificate: the point is not in both boxes");
+  const std::size_t k = axis_of(claim, a);
+  if (flat) {
+    expect(a.min[k] == a.max[k] || b.min[k] == b.max[k], "certificate: no box is flat on the axis");
+  } else {
+    expect((a.max[k] <= point[k] && point[k] <= b.min[k]) || (b.max[k] <= point[k] && point[k] <= a.min[k]),
+           "certificate: the axis does not support");
+  }
+}
+
+void check_aabb_aabb(const Claim& claim) {
+  claim.inputs({"a", "b"}), claim.answers({"contact"});
+  const Box a = box(claim.input["a"], "a"), b = box(claim.input["b"], "b");
+  expect(b.axes() == a.axes(), "b: as many coordinates as a");
+  const std::string contact = claim.word("contact");
+  if (contact == "disjoint") {
+    check_separated(claim, a, b);
+  } else if (contact == "touching") {
+    check_touching(claim, a, b);
+  } else {
+    expect(contact == "overlapping", "truth: contact is wrong");
+    expect(claim.kind() == "common_interior_point", wrong_kind), claim.facts({"point"});
+    const std::vector<Rational> point = point_of(claim, a);
+    expect(holds_inside(a, point) && holds_inside(b, point), "certificate: the point is not inside both boxes");
+  }
+}
+
+}  // namespace
+
+Checks checks_of_volumes() { return {{"aabb_aabb", check_aabb_aabb}}; }
+
+}  // namespace touchstone::certify

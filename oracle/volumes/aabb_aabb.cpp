@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/aabb_aabb.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// Both boxes, axis by axis: a.min, a.max, b.min, b.max.
+template <class Number>
+CommonScale<Number, 8> scale_of(const Aabb2<Number>& a, const Aabb2<Number>& b) {
+  return CommonScale<Number, 8>({a.min.x, a.max.x, b.min.x, b.max.x, a.min.y, a.max.y, b.min.y, b.max.y});
+}
+template <class Number>
+CommonScale<Number, 12> scale_of(const Aabb3<Number>& a, const Aabb3<Number>& b) {
+  return CommonScale<Number, 12>(
+      {a.min.x, a.max.x, b.min.x, b.max.x, a.min.y, a.max.y, b.min.y, b.max.y, a.min.z, a.max.z, b.min.z, b.max.z});
+}
+
+/// What is asked of a common point's coordinate on one axis, in units of the scale.
+template <class Value>
+struct Inequalities {
+  Value a_min, a_max, b_min, b_max;
+
+  bool in_order() const { return a_min <= a_max && b_min <= b_max; }
+  Value low() const { return std::max(a_min, b_min); }
+  Value high() const { return std::min(a_max, b_max); }
+  bool hold(const Value& x) const { return a_min <= x && x <= a_max && b_min <= x && x <= b_max; }
+  /// Of the middle between low and high.
+  bool hold_strictly() const {
+    const Value twice(low() + high());
+    return 2 * a_min < twice && twice < 2 * a_max && 2 * b_min < twice && twice < 2 * b_max;
+  }
+  Value difference() const { return Value(high() - low()); }
+};
+
+template <class Value, class Number, std::size_t N>
+std::array<Inequalities<Value>, N / 4> axes_of(const CommonScale<Number, N>& n) {
+  std::array<Inequalities<Value>, N / 4> axes;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    axes[k] = {whole<Value>(n, 4 * k), whole<Value>(n, 4 * k + 1), whole<Value>(n, 4 * k + 2),
+               whole<Value>(n, 4 * k + 3)};
+  }
+  return axes;
+}
+
+template <class Axes>
+Contact contact_of(const Axes& axes) {
+  if (!std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.hold(axis.low()); }))
+    return Contact::disjoint;
+  const bool inside = std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.hold_strictly(); });
+  return inside ? Contact::overlapping : Contact::touching;
+}
+
+/// The axis of the least difference: what decides.
+template <class Axes>
+std::size_t deciding(const Axes& axes) {
+  const auto least = std::min_element(axes.begin(), axes.end(), [](const auto& first, const auto& second) {
+    return first.difference() < second.difference();
+  });
+  return static_cast<std::size_t>(least - axes.begin());
+}
+
+/// The axes of valid boxes; refuses others. (Validation itself builds the names of fields, which costs more than all
+/// else here.)
+template <class Value, class Box, class Scale>
+auto validated(const Scale& n, const Box& a, const Box& b) {
+  const auto validate = [&a, &b] { validation::validate("a", a), validation::validate("b", b); };
+  if (!n.finite()) validate();
+  const auto axes = axes_of<Value>(n);
+  if (!std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.in_order(); })) validate();
+  return axes;
+}
+
+template <class Value, class Scale, class Box>
+Truth<Contact> truth(const Scale& n, const Box& a, const Box& b) {
+  const auto axes = validated<Value>(n, a, b);
+  return {contact_of(axes), n.actual(absolute(axes[deciding(axes)].difference()), 1)};
+}
+
+template <class Box>
+Truth<Contact> truth_of(const Box& a, const Box& b) {
+  const auto n = scale_of(a, b);
+  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, a, b) : truth<Integer>(n, a, b);
+}
+
+template <class Box>
+Certificate certificate_of(const Box& a, const Box& b) {
+  const auto n = scale_of(a, b);
+  const auto axes = validated<Integer>(n, a, b);
+  const auto middle = [&n](const auto& axis) {
+    return n.actual(Rational(rational(Integer(axis.low() + axis.high())) / 2), 1);
+  };
+  const std::size_t least = deciding(axes);
+  const std::pair<std::string, std::vector<Rational>> axis{"axis", {Rational(static_cast<unsigned long>(least))}};
+  const Contact contact = contact_of(axes);
+  if (contact == Contact::disjoint) return {"separating_axis", {axis, {"value", {middle(axes[least])}}}};
+  std::vector<Rational> point;
+  for (const auto& each : axes) point.push_back(middle(each));
+  if (contact == Contact::overlapping) return {"common_interior_point", {{"point", std::move(point)}}};
+  const auto& [a_min, a_max, b_min, b_max] = axes[least];
+  const bool supports = a_max == b_min || b_max == a_min;
+  return {supports ? "supporting_axis" : "flat_axis", {{"point", std::move(point)}, axis}};
+}
+
+}  // namespace
+
+Truth<Contact> aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return truth_of(a, b); }
+Truth<Contact> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return truth_of(a, b); }
+
+template <Exact Number>
+Truth<Contact> aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b) {
+  return truth_of(a, b);
+}
+template <Exact Number>
+Truth<Contact> aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b) {
+  return truth_of(a, b);
+}
+template Truth<Contact> aabb_aabb(const Aabb2<Rational>&, const Aabb2<Rational>&);
+template Truth<Contact> aabb_aabb(const Aabb3<Rational>&, const Aabb3<Rational>&);
+
+Certificate aabb_aabb_certificate(const Aabb2d& a, const Aabb2d& b) { return certificate_of(a, b); }
+Certificate aabb_aabb_certificate(const Aabb3d& a, const Aabb3d& b) { return certificate_of(a, b); }
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and gives the answer and the
+margin."""
+from fractions import Fraction
+
+
+def number(value):
+    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
+
+
+def truth_aabb_aabb(q):
+    """On each axis the ends of the intervals, and a number between every two neighbours of these, are all that has to be tried: a common
+    coordinate, or one inside both, is among them if there is one. Margin: the least difference between a max and a min, of all pairs on an
+    axis; an axis where it is negative keeps the boxes apart, one where it is 0 keeps their interiors apart."""
+    axes = [[number(x) for x in ends] for ends in zip(q["a"]["min"], q["a"]["max"], q["b"]["min"], q["b"]["max"])]
+
+    def tried(ends):
+        ascending = sorted(ends)
+        return ascending + [(x + y) / 2 for x, y in zip(ascending, ascending[1:])]
+
+    meet = all(any(a <= x <= b and c <= x <= d for x in tried((a, b, c, d))) for a, b, c, d in axes)
+    inside = all(any(a < x < b and c < x < d for x in tried((a, b, c, d))) for a, b, c, d in axes)
+    least = min(high - low for a, b, c, d in axes for high in (b, d) for low in (a, c))
+    return {"contact": "overlapping" if inside else "touching" if meet else "disjoint"}, abs(least)

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "geometry/answers.h"
+#include "robust/kernel/stage.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+
+/// Contract: reference/response/reflect_wall.h. Exact for all finite doubles in every floating-point environment. There
+/// is one stage: the sign bit of one component is turned over, the other components are returned bit for bit.
+inline Vector3d reflect_wall(const Vector3d& velocity, Axis axis) {
+  if (!kernel::valid(velocity)) validation::validate("velocity", velocity);
+  const auto turned = [axis](double component, Axis along) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(component) ^ static_cast<std::uint64_t>(axis == along)
+                                                                               << 63);
+  };
+  return {turned(velocity.x, Axis::x), turned(velocity.y, Axis::y), turned(velocity.z, Axis::z)};
+}
+
+/// The same, and which stage decided: always Stage::filter.
+Vector3d reflect_wall(const Vector3d& velocity, Axis axis, Stage& decided);
+
+}  // namespace touchstone::robust

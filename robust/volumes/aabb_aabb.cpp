@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/volumes/aabb_aabb.h"
+
+#include <algorithm>
+
+#include "geometry/validation.h"
+#include "robust/kernel/ordered_bits.h"
+
+namespace touchstone::robust {
+namespace {
+
+/// What one axis says, as 0 or 1: so that axes are joined without branches, which touching boxes would mispredict.
+struct AxisContact {
+  int apart;     ///< no common point
+  int confined;  ///< no common interval of positive length
+  int invalid;   ///< min > max, or a number that is not finite
+};
+
+AxisContact contact_on_axis(double a_min, double a_max, double b_min, double b_max) {
+  using kernel::ordered_infinity;
+  const auto a_low = kernel::ordered_bits(a_min), a_high = kernel::ordered_bits(a_max);
+  const auto b_low = kernel::ordered_bits(b_min), b_high = kernel::ordered_bits(b_max);
+  const auto low = std::max(a_low, b_low), high = std::min(a_high, b_high);
+  const int swapped = static_cast<int>(a_low > a_high) | static_cast<int>(b_low > b_high);
+  // In order, so no min is above the greatest number unless its max is, and no max below the least.
+  const int infinite = static_cast<int>(std::min(a_low, b_low) <= -ordered_infinity) |
+                       static_cast<int>(std::max(a_high, b_high) >= ordered_infinity);
+  return {static_cast<int>(low > high), static_cast<int>(low >= high), swapped | infinite};
+}
+
+AxisContact together(const AxisContact& s, const AxisContact& t) {
+  return {s.apart | t.apart, s.confined | t.confined, s.invalid | t.invalid};
+}
+
+AxisContact on_all_axes(const Aabb2d& a, const Aabb2d& b) {
+  return together(contact_on_axis(a.min.x, a.max.x, b.min.x, b.max.x),
+                  contact_on_axis(a.min.y, a.max.y, b.min.y, b.max.y));
+}
+AxisContact on_all_axes(const Aabb3d& a, const Aabb3d& b) {
+  return together(together(contact_on_axis(a.min.x, a.max.x, b.min.x, b.max.x),
+                           contact_on_axis(a.min.y, a.max.y, b.min.y, b.max.y)),
+                  contact_on_axis(a.min.z, a.max.z, b.min.z, b.max.z));
+}
+
+Contact contact_of(const AxisContact& all) {
+  return all.apart != 0 ? Contact::disjoint : all.confined != 0 ? Contact::touching : Contact::overlapping;
+}
+
+template <class Box>
+Contact past_filter(const Box& a, const Box& b) {
+  const AxisContact all = on_all_axes(a, b);
+  if (all.invalid != 0) validation::validate("a", a), validation::validate("b", b);
+  return contact_of(all);
+}
+
+}  // namespace
+
+Contact aabb_aabb_exact(const Aabb2d& a, const Aabb2d& b) { return contact_of(on_all_axes(a, b)); }
+Contact aabb_aabb_exact(const Aabb3d& a, const Aabb3d& b) { return contact_of(on_all_axes(a, b)); }
+
+Contact aabb_aabb_past_filter(const Aabb2d& a, const Aabb2d& b) { return past_filter(a, b); }
+Contact aabb_aabb_past_filter(const Aabb3d& a, const Aabb3d& b) { return past_filter(a, b); }
+
+}  // namespace touchstone::robust
