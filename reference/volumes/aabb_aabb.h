@@ -37,8 +37,8 @@ Contact contact_of_intervals(std::initializer_list<IntervalPair<Real>> axes) {
 /// NaN or infinity: refused by robust and oracle (field "a.min[0]" ..., "finite number"); so is min > max (field
 /// "a.max[0]" ..., "min <= max").
 ///
-/// The test of boxes without their boundary takes for granted that they have an interior. Where a box is flat within the
-/// open interval of the other, and nothing else touches, the formula answers `overlapping`, in exact arithmetic too
+/// The test of boxes without their boundary takes for granted that they have an interior. Where a box is flat within
+/// the open interval of the other, and nothing else touches, the formula answers `overlapping`, in exact arithmetic too
 /// (cause: algorithm). For all other boxes it is right in exact arithmetic.
 ///
 /// Rounding: none; comparisons are exact. So in every environment that does not read subnormals as zero the double

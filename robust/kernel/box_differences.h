@@ -25,8 +25,8 @@ struct BoxDifferences {
     return (static_cast<int>(total <= std::numeric_limits<double>::max()) & static_cast<int>(extent > 0) &
             static_cast<int>((depth > 0) | (depth < 0))) != 0;
   }
-  /// Where certain. depth > 0: on every axis the intervals have more than a point in common. depth < 0: on some axis they
-  /// have nothing in common.
+  /// Where certain. depth > 0: on every axis the intervals have more than a point in common. depth < 0: on some axis
+  /// they have nothing in common.
   Contact contact() const { return depth > 0 ? Contact::overlapping : Contact::disjoint; }
 };
 

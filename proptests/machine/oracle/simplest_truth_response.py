@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The second truths of collision response, for simplest_truth.py: each takes an input as it stands in a claim and gives the answer and the
-margin."""
+"""The second truths of collision response, for simplest_truth.py: each takes an input as it stands in a claim and
+gives the answer and the margin."""
 from fractions import Fraction
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and gives the answer and the
-margin."""
+"""The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and
+gives the answer and the margin."""
 from fractions import Fraction
 
 
@@ -9,9 +9,10 @@ def number(value):
 
 
 def truth_aabb_aabb(q):
-    """On each axis the ends of the intervals, and a number between every two neighbours of these, are all that has to be tried: a common
-    coordinate, or one inside both, is among them if there is one. Margin: the least difference between a max and a min, of all pairs on an
-    axis; an axis where it is negative keeps the boxes apart, one where it is 0 keeps their interiors apart."""
+    """On each axis the ends of the intervals, and a number between every two neighbours of these, are all that has to
+    be tried: a common coordinate, or one inside both, is among them if there is one. Margin: the least difference
+    between a max and a min, of all pairs on an axis; an axis where it is negative keeps the boxes apart, one where it
+    is 0 keeps their interiors apart."""
     axes = [[number(x) for x in ends] for ends in zip(q["a"]["min"], q["a"]["max"], q["b"]["min"], q["b"]["max"])]
 
     def tried(ends):
