@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/broad_phase/all_pairs.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/whole_list.h"
+#include "oracle/exact/wide.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Ball = Sphere3<Integer>;
+using Box = Aabb3<Integer>;
+using Point = Point3<Integer>;
+
+constexpr std::array axes{&Point::x, &Point::y, &Point::z};
+
+/// Solids in integers.
+template <class Solid>
+struct Scaled {
+  std::vector<Solid> solids;
+  WholeList numbers;
+};
+
+template <class Solid>
+void validate(const std::string& field, const std::vector<Solid>& solids) {
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    validation::validate(field + "[" + std::to_string(i) + "]", solids[i]);
+  }
+}
+
+template <class Number>
+Scaled<Ball> validated(const std::vector<Sphere3<Number>>& spheres) {
+  validate("spheres", spheres);
+  std::vector<Number> numbers;
+  for (const auto& [c, r] : spheres) numbers.insert(numbers.end(), {c.x, c.y, c.z, r});
+  Scaled<Ball> scaled{{}, whole_list(numbers)};
+  const auto& n = scaled.numbers.whole;
+  for (std::size_t i = 0; i < n.size(); i += 4) scaled.solids.push_back({{n[i], n[i + 1], n[i + 2]}, n[i + 3]});
+  return scaled;
+}
+
+template <class Number>
+Scaled<Box> validated(const std::vector<Aabb3<Number>>& boxes) {
+  validate("boxes", boxes);
+  std::vector<Number> numbers;
+  for (const auto& [p, q] : boxes) numbers.insert(numbers.end(), {p.x, p.y, p.z, q.x, q.y, q.z});
+  Scaled<Box> scaled{{}, whole_list(numbers)};
+  const auto& n = scaled.numbers.whole;
+  for (std::size_t i = 0; i < n.size(); i += 6) {
+    scaled.solids.push_back({{n[i], n[i + 1], n[i + 2]}, {n[i + 3], n[i + 4], n[i + 5]}});
+  }
+  return scaled;
+}
+
+Integer squared_distance(const Ball& a, const Ball& b) {
+  const Vector3<Integer> between = b.center - a.center;
+  return dot(between, between);
+}
+
+/// What two solids have to spare before they part, to the power `degree`; less than 0: what they lack.
+Integer spare(const Ball& a, const Ball& b) {
+  const Integer reach = a.radius + b.radius;
+  return Integer(reach * reach - squared_distance(a, b));
+}
+Integer spare(const Box& a, const Box& b) {
+  std::optional<Integer> least;
+  for (const auto axis : axes) {
+    for (const Integer& room : {Integer(a.max.*axis - b.min.*axis), Integer(b.max.*axis - a.min.*axis)}) {
+      if (!least || room < *least) least = room;
+    }
+  }
+  return *least;
+}
+constexpr int degree(const Ball*) { return 2; }
+constexpr int degree(const Box*) { return 1; }
+
+template <class Solid>
+Truth<std::vector<IndexPair>> truth(const Scaled<Solid>& scaled) {
+  const auto& [solids, numbers] = scaled;
+  std::vector<IndexPair> pairs;
+  std::optional<Integer> least;
+  for (Index i = 0; i < solids.size(); ++i) {
+    for (Index j = i + 1; j < solids.size(); ++j) {
+      Integer room = spare(solids[i], solids[j]);
+      if (sgn(room) >= 0) pairs.push_back({i, j});
+      room = abs(room);
+      if (!least || room < *least) least = std::move(room);
+    }
+  }
+  const Solid* kind = nullptr;
+  return {std::move(pairs), least ? numbers.actual(Rational(*least), degree(kind)) : no_other_answer()};
+}
+
+std::vector<Rational> actual_point(const WholeList& numbers, const Point3<Rational>& p) {
+  return {numbers.actual(p.x, 1), numbers.actual(p.y, 1), numbers.actual(p.z, 1)};
+}
+
+/// Of balls that meet: the point that divides the way from center to center as the radii do.
+Point3<Rational> common_point(const Ball& a, const Ball& b) {
+  const Integer reach = a.radius + b.radius;
+  const auto divided = [&](const Integer& p, const Integer& q) {
+    return sgn(reach) == 0 ? Rational(p) : quotient(Integer(p * b.radius + q * a.radius), reach);
+  };
+  return {divided(a.center.x, b.center.x), divided(a.center.y, b.center.y), divided(a.center.z, b.center.z)};
+}
+/// Of boxes that meet: the least corner of what they have in common.
+Point3<Rational> common_point(const Box& a, const Box& b) {
+  const auto larger = [](const Integer& p, const Integer& q) { return Rational(p < q ? q : p); };
+  return {larger(a.min.x, b.min.x), larger(a.min.y, b.min.y), larger(a.min.z, b.min.z)};
+}
+
+Certificate apart(const WholeList& numbers, const IndexPair& pair, const Ball& a, const Ball& b) {
+  return {"distance",
+          {{"pair", {Rational(pair.i), Rational(pair.j)}},
+           {"squared_distance", {numbers.actual(Rational(squared_distance(a, b)), 2)}}}};
+}
+Certificate apart(const WholeList&, const IndexPair& pair, const Box& a, const Box& b) {
+  long axis = 0;
+  while (a.max.*axes[static_cast<std::size_t>(axis)] >= b.min.*axes[static_cast<std::size_t>(axis)] &&
+         b.max.*axes[static_cast<std::size_t>(axis)] >= a.min.*axes[static_cast<std::size_t>(axis)]) {
+    ++axis;
+  }
+  return {"gap", {{"pair", {Rational(pair.i), Rational(pair.j)}}, {"axis", {Rational(axis)}}}};
+}
+
+Integer low(const Ball& ball, Integer Point::*axis) { return Integer(ball.center.*axis - ball.radius); }
+Integer high(const Ball& ball, Integer Point::*axis) { return Integer(ball.center.*axis + ball.radius); }
+const Integer& low(const Box& box, Integer Point::*axis) { return box.min.*axis; }
+const Integer& high(const Box& box, Integer Point::*axis) { return box.max.*axis; }
+
+/// All solids by their lower ends on an axis, and the pairs whose intervals meet there.
+struct Sweep {
+  std::vector<Index> order;
+  std::vector<IndexPair> meeting;
+};
+
+template <class Solid>
+Sweep sweep(const std::vector<Solid>& solids, Integer Point::*axis) {
+  std::vector<Integer> lows, highs;
+  for (const Solid& solid : solids) lows.push_back(low(solid, axis)), highs.push_back(high(solid, axis));
+  Sweep result{std::vector<Index>(solids.size()), {}};
+  auto& order = result.order;
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return lows[i] < lows[j]; });
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    for (std::size_t q = p + 1; q < order.size() && lows[order[q]] <= highs[order[p]]; ++q) {
+      result.meeting.push_back({std::min(order[p], order[q]), std::max(order[p], order[q])});
+    }
+  }
+  return result;
+}
+
+/// The sweep on which fewest pairs are left, and each of those.
+template <class Solid>
+Certificate certificate(const Scaled<Solid>& scaled) {
+  const auto& [solids, numbers] = scaled;
+  std::size_t best = 0;
+  Sweep least = sweep(solids, axes[0]);
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    Sweep other = sweep(solids, axes[axis]);
+    if (other.meeting.size() < least.meeting.size()) best = axis, least = std::move(other);
+  }
+  std::vector<Certificate> meet, asunder;
+  std::sort(least.meeting.begin(), least.meeting.end(),
+            [](const IndexPair& p, const IndexPair& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
+  for (const IndexPair& pair : least.meeting) {
+    const Solid &a = solids[pair.i], &b = solids[pair.j];
+    if (sgn(spare(a, b)) >= 0) {
+      meet.push_back({"common_point", {{"point", actual_point(numbers, common_point(a, b))}}});
+    } else {
+      asunder.push_back(apart(numbers, pair, a, b));
+    }
+  }
+  const std::vector<Rational> order(least.order.begin(), least.order.end());
+  return {"sweep",
+          {{"axis", {Rational(static_cast<long>(best))}}, {"order", order}},
+          {{"meet", std::move(meet)}, {"apart", std::move(asunder)}}};
+}
+
+}  // namespace
+
+Rational no_other_answer() { return scaled(Rational(1), 2100); }
+
+Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres) { return truth(validated(spheres)); }
+Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes) { return truth(validated(boxes)); }
+
+template <Exact Number>
+Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Number>>& spheres) {
+  return truth(validated(spheres));
+}
+template <Exact Number>
+Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes) {
+  return truth(validated(boxes));
+}
+template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Rational>>&);
+template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Rational>>&);
+
+Certificate all_pairs_certificate(const std::vector<Sphere3d>& spheres) { return certificate(validated(spheres)); }
+Certificate all_pairs_certificate(const std::vector<Aabb3d>& boxes) { return certificate(validated(boxes)); }
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which solids of a list meet, as in check_broad_phase.cpp, where the proof is written down."""
+
+from certify_reading import WRONG_KIND, Claim, expect, number, only
+from certify_space import dot, exact_triple, point_in_space
+
+
+class Ball:
+    def __init__(self, value, what):
+        only(value, what, ["center", "radius"])
+        self.center = point_in_space(value["center"], what + ".center")
+        self.radius = number(value["radius"], what + ".radius")
+        expect(self.radius >= 0, what + ".radius: radius >= 0")
+        self.low = [c - self.radius for c in self.center]
+        self.high = [c + self.radius for c in self.center]
+
+    def holds(self, p):
+        return squared_distance(self.center, p) <= self.radius**2
+
+
+class Box:
+    def __init__(self, value, what):
+        only(value, what, ["min", "max"])
+        self.low, self.high = point_in_space(value["min"], what + ".min"), point_in_space(value["max"], what + ".max")
+        for axis in range(3):
+            expect(self.low[axis] <= self.high[axis], f"{what}.max[{axis}]: min <= max")
+
+    def holds(self, p):
+        return all(low <= x <= high for low, x, high in zip(self.low, p, self.high))
+
+
+def squared_distance(p, q):
+    between = [b - a for a, b in zip(p, q)]
+    return dot(between, between)
+
+
+def solids(claim):
+    """Either field."""
+    boxes = isinstance(claim.input, dict) and "boxes" in claim.input
+    field = "boxes" if boxes else "spheres"
+    claim.inputs(field)
+    values = claim.input[field]
+    expect(isinstance(values, list), field + ": a list")
+    return [(Box if boxes else Ball)(value, f"{field}[{i}]") for i, value in enumerate(values)]
+
+
+def axis(claim):
+    which = claim.single("axis")
+    expect(which in (0, 1, 2), "certificate: not an axis")
+    return int(which)
+
+
+def place(index, size):
+    expect(index.denominator == 1 and 0 <= index < size, "certificate: not an index")
+    return int(index)
+
+
+def proof_of(claim, written):
+    return Claim({"input": claim.input, "truth": claim.truth, "certificate": written})
+
+
+def proved_to_meet(claim, everything):
+    """The truth's pairs, with a common point each."""
+    listed, proofs = claim.truth["pairs"], claim.certificate["meet"]
+    expect(isinstance(listed, list), "truth.pairs: a list")
+    expect(isinstance(proofs, list), "certificate.meet: a list")
+    expect(len(listed) == len(proofs), "certificate: a common point for each pair")
+    pairs, last = set(), (-1, -1)
+    for pair, written in zip(listed, proofs):
+        expect(isinstance(pair, list) and len(pair) == 2, "truth.pairs: a list of two in each place")
+        for index in pair:
+            expect(type(index) is int and 0 <= index < len(everything), "truth.pairs: not an index")
+        i, j = pair
+        expect(i < j and last < (i, j), "truth: the pairs are not sorted")
+        proof = proof_of(claim, written)
+        proof.expect_kind("common_point"), proof.facts("point")
+        p = exact_triple(written["point"], "certificate.point")
+        expect(everything[i].holds(p) and everything[j].holds(p), "certificate: a point is not in both")
+        last = (i, j)
+        pairs.add(last)
+    return pairs
+
+
+def proved_apart(claim, everything):
+    """The pairs that have a proof of their own to be apart."""
+    expect(isinstance(claim.certificate["apart"], list), "certificate.apart: a list")
+    pairs = set()
+    for written in claim.certificate["apart"]:
+        proof = proof_of(claim, written)
+        distance = proof.kind() == "distance"
+        expect(distance or proof.kind() == "gap", WRONG_KIND)
+        proof.facts("pair", "squared_distance" if distance else "axis")
+        i, j = (place(index, len(everything)) for index in proof.pair("pair"))
+        expect(i < j, "certificate: not a pair i < j")
+        a, b = everything[i], everything[j]
+        if distance:
+            expect(isinstance(a, Ball), WRONG_KIND)
+            squared = squared_distance(a.center, b.center)
+            expect(proof.single("squared_distance") == squared, "certificate: the squared distance is wrong")
+            expect(squared > (a.radius + b.radius) ** 2, "certificate: a pair is not apart")
+        else:
+            along = axis(proof)
+            gap = a.high[along] < b.low[along] or b.high[along] < a.low[along]
+            expect(gap, "certificate: a pair is not apart")
+        expect((i, j) not in pairs, "certificate: a pair is listed twice")
+        pairs.add((i, j))
+    return pairs
+
+
+def check_all_pairs(claim):
+    everything = solids(claim)
+    claim.answers("pairs")
+    claim.expect_kind("sweep"), claim.facts("axis", "order", "meet", "apart")
+    meeting, apart = proved_to_meet(claim, everything), proved_apart(claim, everything)
+    along = axis(claim)
+    order, seen = [], set()
+    for index in claim.list("order"):
+        order.append(place(index, len(everything)))
+        expect(order[-1] not in seen, "certificate: the order has a place twice")
+        seen.add(order[-1])
+    expect(len(order) == len(everything), "certificate: the order is not of all")
+    for i, j in zip(order, order[1:]):
+        expect(everything[i].low[along] <= everything[j].low[along], "certificate: the order is not that of the axis")
+    for p, i in enumerate(order):
+        for q in range(p + 1, len(order)):
+            j = order[q]
+            if everything[j].low[along] > everything[i].high[along]:
+                break
+            pair = (min(i, j), max(i, j))
+            expect((pair in meeting) + (pair in apart) == 1, "certificate: a pair is left open")

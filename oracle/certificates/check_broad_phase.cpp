@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oracle/certificates/check_space.h"
+
+/// Which solids of a list meet. What is checked, and why that proves it:
+///
+/// Each listed pair has a point in common. All solids are in the order of their lower ends on one axis: whoever comes
+/// after the first in it that begins beyond a solid's upper end begins beyond it too, and has no point in common with
+/// that solid. Each pair that is left is listed, or its own proof shows it to be apart. So no pair is missing. The time
+/// is that of reading the claim, but for looking pairs up.
+namespace touchstone::certify {
+namespace {
+
+using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
+
+Rational square(const Rational& x) { return Rational(x * x); }
+
+/// A closed ball in a radius, or a closed box.
+struct Solid {
+  bool ball;
+  Triple center;
+  Rational radius;
+  Triple low, high;  ///< a ball's: the least box that holds it
+};
+
+Solid sphere(const json& value, const std::string& what) {
+  only(value, what, {"center", "radius"});
+  const Triple c = point_in_space(value["center"], what + ".center");
+  const Rational r = number(value["radius"], what + ".radius");
+  expect(sgn(r) >= 0, what + ".radius: radius >= 0");
+  const Triple low{Rational(c.x - r), Rational(c.y - r), Rational(c.z - r)};
+  return {true, c, r, low, {Rational(c.x + r), Rational(c.y + r), Rational(c.z + r)}};
+}
+
+Solid box(const json& value, const std::string& what) {
+  only(value, what, {"min", "max"});
+  const Triple min = point_in_space(value["min"], what + ".min"), max = point_in_space(value["max"], what + ".max");
+  expect(min.x <= max.x, what + ".max[0]: min <= max");
+  expect(min.y <= max.y, what + ".max[1]: min <= max");
+  expect(min.z <= max.z, what + ".max[2]: min <= max");
+  return {false, {}, {}, min, max};
+}
+
+/// Either field.
+std::vector<Solid> solids(const Claim& claim) {
+  const bool boxes = claim.input.is_object() && claim.input.contains("boxes");
+  const std::string field = boxes ? "boxes" : "spheres";
+  claim.inputs({field.c_str()});
+  expect(claim.input[field].is_array(), field + ": a list");
+  std::vector<Solid> found;
+  for (const json& value : claim.input[field]) {
+    const std::string what = field + "[" + std::to_string(found.size()) + "]";
+    found.push_back(boxes ? box(value, what) : sphere(value, what));
+  }
+  return found;
+}
+
+bool holds(const Solid& solid, const Triple& p) {
+  if (solid.ball) return dot(p - solid.center, p - solid.center) <= square(solid.radius);
+  const Triple &low = solid.low, &high = solid.high;
+  return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
+}
+
+Rational Triple::*axis(const Claim& claim) {
+  const Rational which = claim.single("axis");
+  expect(which == 0 || which == 1 || which == 2, "certificate: not an axis");
+  return which == 0 ? &Triple::x : which == 1 ? &Triple::y : &Triple::z;
+}
+
+/// A number of the certificate that says which solid.
+std::size_t place(const Rational& index, std::size_t size) {
+  expect(index.get_den() == 1 && sgn(index) >= 0 && index < Rational(mpz_class(size)), "certificate: not an index");
+  return index.get_num().get_ui();
+}
+
+const json& list(const json& object, const char* name, const std::string& what) {
+  expect(object[name].is_array(), what + ": a list");
+  return object[name];
+}
+
+/// The truth's pairs, with a common point each.
+Pairs proved_to_meet(const Claim& claim, const std::vector<Solid>& solids) {
+  const json &listed = list(claim.truth, "pairs", "truth.pairs"),
+             &proofs = list(claim.certificate, "meet", "certificate.meet");
+  expect(listed.size() == proofs.size(), "certificate: a common point for each pair");
+  Pairs pairs;
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const json& pair = listed[k];
+    expect(pair.is_array() && pair.size() == 2, "truth.pairs: a list of two in each place");
+    for (const json& index : pair) {
+      expect(index.is_number_unsigned() && index.get<std::uint64_t>() < solids.size(), "truth.pairs: not an index");
+    }
+    const auto i = pair[0].get<std::size_t>(), j = pair[1].get<std::size_t>();
+    expect(i < j && (pairs.empty() || *pairs.rbegin() < std::pair{i, j}), "truth: the pairs are not sorted");
+    const Claim proof{claim.input, claim.truth, proofs[k]};
+    expect(proof.kind() == "common_point", "certificate: no such kind for this truth");
+    proof.facts({"point"});
+    const Triple p = triple(proof, "point");
+    expect(holds(solids[i], p) && holds(solids[j], p), "certificate: a point is not in both");
+    pairs.insert({i, j});
+  }
+  return pairs;
+}
+
+/// The pairs that have a proof of their own to be apart.
+Pairs proved_apart(const Claim& claim, const std::vector<Solid>& solids) {
+  Pairs pairs;
+  for (const json& written : list(claim.certificate, "apart", "certificate.apart")) {
+    const Claim proof{claim.input, claim.truth, written};
+    const bool distance = proof.kind() == "distance";
+    expect(distance || proof.kind() == "gap", "certificate: no such kind for this truth");
+    if (distance) proof.facts({"pair", "squared_distance"});
+    else proof.facts({"pair", "axis"});
+    const Pair named = proof.pair("pair");
+    const std::size_t i = place(named.x, solids.size()), j = place(named.y, solids.size());
+    expect(i < j, "certificate: not a pair i < j");
+    const Solid &a = solids[i], &b = solids[j];
+    if (distance) {
+      expect(a.ball, "certificate: no such kind for this truth");
+      const Rational squared = dot(b.center - a.center, b.center - a.center);
+      expect(proof.single("squared_distance") == squared, "certificate: the squared distance is wrong");
+      expect(squared > square(Rational(a.radius + b.radius)), "certificate: a pair is not apart");
+    } else {
+      const auto along = axis(proof);
+      expect(a.high.*along < b.low.*along || b.high.*along < a.low.*along, "certificate: a pair is not apart");
+    }
+    expect(pairs.insert({i, j}).second, "certificate: a pair is listed twice");
+  }
+  return pairs;
+}
+
+void check_all_pairs(const Claim& claim) {
+  const std::vector<Solid> all = solids(claim);
+  claim.answers({"pairs"});
+  expect(claim.kind() == "sweep", "certificate: no such kind for this truth");
+  claim.facts({"axis", "order", "meet", "apart"});
+  const Pairs meeting = proved_to_meet(claim, all), apart = proved_apart(claim, all);
+  const auto along = axis(claim);
+  std::vector<std::size_t> order;
+  std::set<std::size_t> seen;
+  for (const Rational& index : claim.list("order")) {
+    order.push_back(place(index, all.size()));
+    expect(seen.insert(order.back()).second, "certificate: the order has a place twice");
+  }
+  expect(order.size() == all.size(), "certificate: the order is not of all");
+  for (std::size_t p = 1; p < order.size(); ++p) {
+    expect(all[order[p - 1]].low.*along <= all[order[p]].low.*along, "certificate: the order is not that of the axis");
+  }
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    for (std::size_t q = p + 1; q < order.size() && all[order[q]].low.*along <= all[order[p]].high.*along; ++q) {
+      const std::pair<std::size_t, std::size_t> pair = std::minmax({order[p], order[q]});
+      expect(meeting.count(pair) + apart.count(pair) == 1, "certificate: a pair is left open");
+    }
+  }
+}
+
+}  // namespace
+
+Checks checks_of_broad_phase() { return {{"all_pairs", check_all_pairs}}; }
+
+}  // namespace touchstone::certify

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The second truth of the broad phase, as simplest_truth.py has that of other chapters: each pair by its difference, which is a
+ball or a box and holds the origin if the two meet."""
+from fractions import Fraction
+
+
+def number(value):
+    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
+
+
+def triple(value):
+    return [number(x) for x in value]
+
+
+def square(v):
+    return sum(x * x for x in v)
+
+
+def lack_of_balls(a, b):
+    """What the squared radii's sum lacks to the squared distance."""
+    between = [q - p for p, q in zip(triple(a["center"]), triple(b["center"]))]
+    return square(between) - (number(a["radius"]) + number(b["radius"])) ** 2
+
+
+def lack_of_boxes(a, b):
+    """How far the difference of the two is from holding the origin, along the axes; below 0: how deep it does."""
+    low = [p - q for p, q in zip(triple(a["min"]), triple(b["max"]))]
+    high = [p - q for p, q in zip(triple(a["max"]), triple(b["min"]))]
+    return max(low + [-x for x in high])
+
+
+def all_pairs(q):
+    solids, lack = (q["spheres"], lack_of_balls) if "spheres" in q else (q["boxes"], lack_of_boxes)
+    lacks = {(i, j): lack(solids[i], solids[j]) for j in range(len(solids)) for i in range(j)}
+    pairs = sorted([i, j] for (i, j), lacking in lacks.items() if lacking <= 0)
+    return {"pairs": pairs}, min(map(abs, lacks.values()), default=Fraction(2) ** 2100)
