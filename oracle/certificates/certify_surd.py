@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Exact numbers with a square root, as in check_surd.cpp."""
+
+import re
+from fractions import Fraction
+
+from certify_reading import expect
+
+FRACTION = r"[0-9]+(?:/0*[1-9][0-9]*)?"
+RATIONAL = re.compile(rf"-?{FRACTION}")
+ROOTED = re.compile(rf"(?:(-?{FRACTION})(?=[+-]))?([+-]?)(?:({FRACTION})\*)?sqrt\(([0-9]+)\)")
+
+
+class Surd:
+    """p + q sqrt(r), r >= 0."""
+
+    def __init__(self, p, q=0, r=0):
+        self.p, self.q, self.r = p, q, r
+
+    def __add__(self, other):
+        if isinstance(other, Surd):  # over one root
+            return Surd(self.p + other.p, self.q + other.q, self.r)
+        return Surd(self.p + other, self.q, self.r)
+
+    def __mul__(self, factor):
+        return Surd(self.p * factor, self.q * factor, self.r)
+
+    def square(self):
+        return Surd(self.p**2 + self.q**2 * self.r, 2 * self.p * self.q, self.r)
+
+    def sign(self):
+        """By squares."""
+        def of(x):
+            return (x > 0) - (x < 0)
+
+        of_p, of_root = of(self.p), of(self.q) * of(self.r)
+        if of_p * of_root >= 0:
+            return of_p or of_root
+        return of_p * of(self.p**2 - self.q**2 * self.r)
+
+
+def exact_surd(value, what):
+    malformed = what + ': an exact value "p/q" or "p+q*sqrt(r)"'
+    expect(isinstance(value, str), malformed)
+    if RATIONAL.fullmatch(value):
+        return Surd(Fraction(value))
+    found = ROOTED.fullmatch(value)
+    expect(found is not None, malformed)
+    part, sign, size, radicand = found.groups()
+    expect(part is not None or sign != "+", malformed)
+    coefficient = Fraction(size or 1)
+    return Surd(Fraction(part or 0), -coefficient if sign == "-" else coefficient, int(radicand))

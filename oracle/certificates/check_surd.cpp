@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_surd.h"
+
+#include <optional>
+
+namespace touchstone::certify {
+namespace {
+
+std::optional<mpz_class> digits(const std::string& text) {
+  if (text.empty() || text.find_first_not_of("0123456789") != std::string::npos) return std::nullopt;
+  return mpz_class(text, 10);
+}
+
+/// digits ["/" digits], the second not 0
+std::optional<Rational> fraction(const std::string& text) {
+  const auto bar = text.find('/');
+  const auto above = digits(text.substr(0, bar));
+  const auto below = bar == std::string::npos ? mpz_class(1) : digits(text.substr(bar + 1));
+  if (!above || !below || sgn(*below) == 0) return std::nullopt;
+  Rational value(*above, *below);
+  value.canonicalize();
+  return value;
+}
+
+std::optional<Rational> signed_fraction(const std::string& text) {
+  if (!text.starts_with('-')) return fraction(text);
+  const auto size = fraction(text.substr(1));
+  return size ? std::optional<Rational>(-*size) : std::nullopt;
+}
+
+/// [rational sign | "-"] [fraction "*"] "sqrt(" digits ")"
+std::optional<Surd> rooted(const std::string& text, std::size_t root) {
+  const auto radicand = text.ends_with(')') ? digits(text.substr(root + 5, text.size() - root - 6)) : std::nullopt;
+  const std::string before = text.substr(0, root);
+  const auto sign = before.find_last_of("+-");
+  const bool has_sign = sign != std::string::npos;
+  const std::string size = has_sign ? before.substr(sign + 1) : before;
+  std::optional<Rational> part(0), coefficient(1);
+  if (!size.empty()) coefficient = size.ends_with('*') ? fraction(size.substr(0, size.size() - 1)) : std::nullopt;
+  if (has_sign && sign > 0) part = signed_fraction(before.substr(0, sign));
+  if (!radicand || !part || !coefficient || (has_sign && sign == 0 && before[0] == '+')) return std::nullopt;
+  const bool negative = has_sign && before[sign] == '-';
+  return Surd{*part, negative ? Rational(-*coefficient) : *coefficient, Rational(*radicand)};
+}
+
+}  // namespace
+
+int sign(const Surd& x) {
+  const int of_p = sgn(x.p), of_root = sgn(x.q) * sgn(x.r);
+  if (of_p * of_root >= 0) return of_p != 0 ? of_p : of_root;
+  return of_p * sgn(Rational(x.p * x.p - x.q * x.q * x.r));
+}
+
+Surd operator+(const Surd& x, const Rational& y) { return {Rational(x.p + y), x.q, x.r}; }
+Surd operator*(const Surd& x, const Rational& y) { return {Rational(x.p * y), Rational(x.q * y), x.r}; }
+Surd square(const Surd& x) { return {Rational(x.p * x.p + x.q * x.q * x.r), Rational(2 * x.p * x.q), x.r}; }
+Surd sum_over_one_root(const Surd& x, const Surd& y) { return {Rational(x.p + y.p), Rational(x.q + y.q), x.r}; }
+
+Surd exact_surd(const json& value, const std::string& what) {
+  std::optional<Surd> result;
+  if (value.is_string()) {
+    const std::string text = value.get<std::string>();
+    const auto root = text.find("sqrt(");
+    if (root != std::string::npos) {
+      result = rooted(text, root);
+    } else if (const auto rational = signed_fraction(text)) {
+      result = Surd{*rational, 0, 0};
+    }
+  }
+  expect(result.has_value(), what + ": an exact value \"p/q\" or \"p+q*sqrt(r)\"");
+  return *result;
+}
+
+}  // namespace touchstone::certify

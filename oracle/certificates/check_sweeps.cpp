@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_space.h"
+#include "oracle/certificates/check_surd.h"
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+const char* const no_proof = "certificate: the kind does not hold";
+
+struct Ball {
+  Triple center;
+  Rational radius;
+};
+
+Ball ball(const json& value, const std::string& what) {
+  only(value, what, {"center", "radius"});
+  const Ball result{point_in_space(value["center"], what + ".center"), number(value["radius"], what + ".radius")};
+  expect(sgn(result.radius) >= 0, what + ".radius: radius >= 0");
+  return result;
+}
+
+/// constant + linear t + square t^2
+struct Polynomial {
+  Rational constant, linear, square;
+  Surd at(const Surd& t) const { return sum_over_one_root(certify::square(t) * square, t * linear) + constant; }
+  Surd slope_at(const Surd& t) const { return t * Rational(2 * square) + linear; }
+};
+
+/// |c + t v|^2 - r^2 for the position c and velocity v of a as b sees them and the sum r of the radii: at most 0 where
+/// the balls meet.
+Polynomial squared_gap(const Claim& claim) {
+  const Ball a = ball(claim.input["a"], "a"), b = ball(claim.input["b"], "b");
+  const Triple velocity_a = point_in_space(claim.input["velocity_a"], "velocity_a"),
+               velocity_b = point_in_space(claim.input["velocity_b"], "velocity_b");
+  const Triple c = a.center - b.center, v = velocity_a - velocity_b;
+  const Rational r(a.radius + b.radius);
+  return {Rational(dot(c, c) - r * r), Rational(2 * dot(c, v)), dot(v, v)};
+}
+
+/// f(0) > 0, and the square term is not negative: f' grows, and
+/// - it is not negative from the start on: f does not fall; or
+/// - it is at most 0 at the end: f falls to f(1) and no further; or
+/// - 4 A f(t) = (2 A t + B)^2 + 4 A C - B^2 is positive for all t.
+bool never_zero(const std::string& kind, const Polynomial& f) {
+  if (sgn(f.constant) <= 0) return false;
+  if (kind == "receding") return sgn(f.linear) >= 0;
+  if (kind == "too_late") {
+    return sgn(Rational(f.constant + f.linear + f.square)) > 0 && sgn(Rational(2 * f.square + f.linear)) <= 0;
+  }
+  expect(kind == "no_root", wrong_kind);
+  return sgn(Rational(4 * f.square * f.constant - f.linear * f.linear)) > 0;
+}
+
+void check_swept_sphere_sphere(const Claim& claim) {
+  claim.inputs({"a", "b", "velocity_a", "velocity_b"});
+  const Polynomial f = squared_gap(claim);
+  const std::string relation = claim.word("relation"), kind = claim.kind();
+  expect(relation == "hit" || relation == "never", "truth: relation is wrong");
+  claim.facts({"polynomial"});
+  const Triple claimed = triple(claim, "polynomial");
+  expect(claimed == Triple{f.constant, f.linear, f.square}, "certificate: the polynomial is wrong");
+  if (relation == "never") {
+    claim.answers({"relation"});
+    expect(never_zero(kind, f), no_proof);
+    return;
+  }
+  claim.answers({"relation", "t"});
+  const Surd t = exact_surd(claim.truth["t"], "truth.t");
+  if (kind == "start") {
+    expect(sgn(f.constant) <= 0, no_proof);
+    expect(sign(t) == 0, "truth: t is wrong");
+    return;
+  }
+  expect(kind == "first_root", wrong_kind);
+  expect(sgn(f.constant) > 0, no_proof);
+  // f' grows and is at most 0 at t, so f falls all the way to its zero at t: before, it is positive.
+  const bool first = sign(t) > 0 && sign(t + Rational(-1)) <= 0 && sign(f.at(t)) == 0 && sign(f.slope_at(t)) <= 0;
+  expect(first, "truth: t is wrong");
+}
+
+}  // namespace
+
+Checks checks_of_sweeps() { return {{"swept_sphere_sphere", check_swept_sphere_sphere}}; }
+
+}  // namespace touchstone::certify

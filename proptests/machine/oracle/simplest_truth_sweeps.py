@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The second truth of moving shapes, in the style of simplest_truth.py."""
+from fractions import Fraction
+
+
+def number(value):
+    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
+
+
+class FirstRoot:
+    """The least zero of a polynomial C + B t + A t^2 that is positive at 0. Equal to it is its text: a rational zero
+    that is not beyond the vertex, or the vertex less a root, of which the square is compared."""
+
+    def __init__(self, constant, linear, square):
+        self.constant, self.linear, self.square = constant, linear, square
+
+    def __repr__(self):
+        return f"least t with {self.constant} + {self.linear} t + {self.square} t^2 = 0"
+
+    def __eq__(self, said):
+        vertex = -self.linear / (2 * self.square)
+        lead, _, radicand = said.partition("sqrt(")
+        if not radicand:
+            t = Fraction(said)
+            return t <= vertex and self.constant + self.linear * t + self.square * t * t == 0
+        lead = lead.removesuffix("*")
+        cut = max(lead.rfind("+"), lead.rfind("-"))
+        part, size = Fraction(lead[: max(cut, 0)] or 0), Fraction(lead[cut + 1 :] or 1)
+        beyond = size * size * Fraction(radicand.removesuffix(")")) - (vertex**2 - self.constant / self.square)
+        return part == vertex and lead[cut : cut + 1] == "-" and beyond == 0
+
+
+def swept_sphere_sphere(q):
+    """The gap, the squared distance of the centers over that of touching balls, falls to its vertex: it is looked at
+    there, or at the end of the step that is nearer to it."""
+    p, w = ([number(q["a"]["center"][i]) - number(q["b"]["center"][i]) for i in range(3)],
+            [number(q["velocity_a"][i]) - number(q["velocity_b"][i]) for i in range(3)])
+    reach = number(q["a"]["radius"]) + number(q["b"]["radius"])
+
+    def gap(t):
+        return sum((x + t * y) ** 2 for x, y in zip(p, w)) - reach * reach
+
+    square = sum(y * y for y in w)
+    constant, linear = gap(0), gap(1) - gap(0) - square
+    nearest = min(max(-linear / (2 * square), Fraction(0)), Fraction(1)) if square else Fraction(0)
+    if constant <= 0:
+        return {"relation": "hit", "t": "0"}, abs(gap(nearest))
+    if gap(nearest) > 0:
+        return {"relation": "never"}, gap(nearest)
+    return {"relation": "hit", "t": FirstRoot(constant, linear, square)}, -gap(nearest)

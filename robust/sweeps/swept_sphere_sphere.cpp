@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/sweeps/swept_sphere_sphere.h"
+
+#include <cmath>
+
+#include "robust/kernel/integers.h"
+#include "robust/kernel/quadratic_root.h"
+#include "robust/kernel/sweep_filter.h"
+#include "robust/kernel/term_sum.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+using filters::Sign;
+using kernel::Int128;
+using kernel::UInt128;
+
+/// When two moving spheres meet first, as far as signs tell.
+enum class Meeting { at_start, later, never };
+
+/// The square of a length, which on a lattice is below 3 2^126.
+UInt128 square(std::int64_t x, std::int64_t y, std::int64_t z) {
+  const auto of = [](std::int64_t n) { return static_cast<UInt128>(static_cast<Int128>(n) * n); };
+  return of(x) + of(y) + of(z);
+}
+mpz_class square(const mpz_class& x, const mpz_class& y, const mpz_class& z) { return x * x + y * y + z * z; }
+
+Int128 product(const Vector3<std::int64_t>& v, const Vector3<std::int64_t>& w) {
+  const auto of = [](std::int64_t a, std::int64_t b) { return static_cast<Int128>(a) * b; };
+  return of(v.x, w.x) + of(v.y, w.y) + of(v.z, w.z);
+}
+mpz_class product(const Vector3<mpz_class>& v, const Vector3<mpz_class>& w) { return dot(v, w); }
+
+int order(const UInt128& a, const UInt128& b) { return (a > b) - (a < b); }
+int order(const mpz_class& a, const mpz_class& b) { return cmp(a, b); }
+
+mpz_class integer_of(const UInt128& n) { return kernel::scaled(kernel::Term{n, 0, false}, 0); }
+mpz_class integer_of(const Int128& n) { return kernel::integer_of(n); }
+const mpz_class& integer_of(const mpz_class& n) { return n; }
+
+/// The sign of product^2 - first (second - third), second >= third.
+int discriminant_sign(const Int128& product, const UInt128& first, const UInt128& second, const UInt128& third) {
+  const UInt128 size = kernel::magnitude_of(product);
+  return kernel::compare_products(size, size, first, second - third);
+}
+int discriminant_sign(const mpz_class& product, const mpz_class& first, const mpz_class& second,
+                      const mpz_class& third) {
+  return sgn(mpz_class(product * product - first * (second - third)));
+}
+
+/// The sweep as integers on one power of two: std::int64_t on a lattice, where positions and velocities are below 2^62,
+/// so that sums of three products of them, and the squares of where a is at the end, fit 128 bits; or mpz_class.
+template <class Integer>
+class Motion {
+ public:
+  template <class Numbers>
+  explicit Motion(const Numbers& n)
+      : position_{n[0] - n[4], n[1] - n[5], n[2] - n[6]},
+        velocity_{n[8] - n[11], n[9] - n[12], n[10] - n[13]},
+        radii_(square(Integer(n[3] + n[7]), Integer(0), Integer(0))) {}
+
+  /// f(t) = |position + t velocity|^2 - radii falls as long as position . velocity + t velocity . velocity < 0.
+  Meeting meeting() const {
+    const Vector3<Integer>&p = position_, &v = velocity_;
+    const auto distance = square(p.x, p.y, p.z);
+    if (order(distance, radii_) <= 0) return Meeting::at_start;
+    const auto half_slope = product(p, v);
+    if (kernel::sign_of(half_slope) >= 0) return Meeting::never;
+    const Vector3<Integer> last{p.x + v.x, p.y + v.y, p.z + v.z};
+    if (order(square(last.x, last.y, last.z), radii_) <= 0) return Meeting::later;
+    if (kernel::sign_of(product(last, v)) <= 0) return Meeting::never;
+    const bool passes = discriminant_sign(half_slope, square(v.x, v.y, v.z), distance, radii_) < 0;
+    return passes ? Meeting::never : Meeting::later;
+  }
+
+  /// The smaller zero of f.
+  double first_zero() const {
+    const Vector3<Integer>&p = position_, &v = velocity_;
+    const mpz_class half_slope = integer_of(product(p, v)), speed = integer_of(square(v.x, v.y, v.z));
+    const mpz_class gap = integer_of(square(p.x, p.y, p.z)) - integer_of(radii_);
+    return kernel::round_quadratic_root(-half_slope, -1, half_slope * half_slope - speed * gap, speed);
+  }
+
+  FirstContact<double> contact() const {
+    const Meeting m = meeting();
+    if (m == Meeting::never) return {HitRelation::never, std::nullopt};
+    return {HitRelation::hit, m == Meeting::at_start ? 0.0 : first_zero()};
+  }
+
+ private:
+  Vector3<Integer> position_, velocity_;
+  decltype(square(Integer(), Integer(), Integer())) radii_;
+};
+
+HitRelation relation_of(Meeting meeting) { return meeting == Meeting::never ? HitRelation::never : HitRelation::hit; }
+
+std::optional<Motion<std::int64_t>> on_lattice(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
+                                               const Vector3d& vb) {
+  const auto lattice = kernel::lattice_of(a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y,
+                                          b.center.z, b.radius, va.x, va.y, va.z, vb.x, vb.y, vb.z);
+  if (!lattice) return std::nullopt;
+  return Motion<std::int64_t>(lattice->at);
+}
+
+Motion<mpz_class> on_integers(const Sphere3d& a, const Sphere3d& b, const Vector3d& va, const Vector3d& vb) {
+  return Motion<mpz_class>(kernel::integers_of(a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y,
+                                               b.center.z, b.radius, va.x, va.y, va.z, vb.x, vb.y, vb.z)
+                               .at);
+}
+
+void validate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a, const Vector3d& velocity_b) {
+  if (kernel::valid(a) && kernel::valid(b) && kernel::valid(velocity_a) && kernel::valid(velocity_b)) return;
+  validation::validate("a", a), validation::validate("b", b);
+  validation::validate("velocity_a", velocity_a), validation::validate("velocity_b", velocity_b);
+}
+
+/// What the filter is sure of, `later` by its end or by the line of the sweep.
+std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                         const Vector3d& velocity_b) {
+  if (std::signbit(a.radius) || std::signbit(b.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
+  const Sign start = sweep.start();
+  if (start == Sign::negative) return Meeting::at_start;
+  if (start == Sign::unknown) return std::nullopt;
+  const Sign slope = sweep.slope_at_start();
+  if (slope == Sign::positive) return Meeting::never;
+  const Sign end = sweep.end();
+  if (end == Sign::negative) return Meeting::later;
+  const Sign slope_at_end = sweep.slope_at_end();
+  if (end == Sign::positive && slope_at_end == Sign::negative) return Meeting::never;
+  const Sign passage = sweep.passage();
+  if (passage == Sign::positive) return Meeting::never;
+  const bool turns = slope == Sign::negative && slope_at_end == Sign::positive;
+  if (turns && passage == Sign::negative) return Meeting::later;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FirstContact<double>> swept_sphere_sphere_filter(const Sphere3d& a, const Sphere3d& b,
+                                                               const Vector3d& velocity_a, const Vector3d& velocity_b) {
+  const auto meeting = meeting_by_filter(a, b, velocity_a, velocity_b);
+  if (meeting == Meeting::never) return FirstContact<double>{HitRelation::never, std::nullopt};
+  if (meeting == Meeting::at_start) return FirstContact<double>{HitRelation::hit, 0.0};
+  return std::nullopt;
+}
+
+std::optional<FirstContact<double>> swept_sphere_sphere_lattice(const Sphere3d& a, const Sphere3d& b,
+                                                                const Vector3d& velocity_a,
+                                                                const Vector3d& velocity_b) {
+  const auto motion = on_lattice(a, b, velocity_a, velocity_b);
+  if (!motion) return std::nullopt;
+  return motion->contact();
+}
+
+FirstContact<double> swept_sphere_sphere_exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                               const Vector3d& velocity_b) {
+  return on_integers(a, b, velocity_a, velocity_b).contact();
+}
+
+FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                         const Vector3d& velocity_b, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = swept_sphere_sphere_filter(a, b, velocity_a, velocity_b)) return *answer;
+  validate(a, b, velocity_a, velocity_b);
+  decided = Stage::lattice;
+  if (const auto answer = swept_sphere_sphere_lattice(a, b, velocity_a, velocity_b)) return *answer;
+  decided = Stage::exact;
+  return swept_sphere_sphere_exact(a, b, velocity_a, velocity_b);
+}
+
+FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                         const Vector3d& velocity_b) {
+  Stage ignored;
+  return swept_sphere_sphere(a, b, velocity_a, velocity_b, ignored);
+}
+
+std::optional<HitRelation> swept_sphere_sphere_relation_filter(const Sphere3d& a, const Sphere3d& b,
+                                                               const Vector3d& velocity_a, const Vector3d& velocity_b) {
+  const auto meeting = meeting_by_filter(a, b, velocity_a, velocity_b);
+  if (!meeting) return std::nullopt;
+  return relation_of(*meeting);
+}
+
+std::optional<HitRelation> swept_sphere_sphere_relation_lattice(const Sphere3d& a, const Sphere3d& b,
+                                                                const Vector3d& velocity_a,
+                                                                const Vector3d& velocity_b) {
+  const auto motion = on_lattice(a, b, velocity_a, velocity_b);
+  if (!motion) return std::nullopt;
+  return relation_of(motion->meeting());
+}
+
+HitRelation swept_sphere_sphere_relation_exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                               const Vector3d& velocity_b) {
+  return relation_of(on_integers(a, b, velocity_a, velocity_b).meeting());
+}
+
+HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                         const Vector3d& velocity_b, Stage& decided) {
+  decided = Stage::filter;
+  if (const auto answer = swept_sphere_sphere_relation_filter(a, b, velocity_a, velocity_b)) return *answer;
+  validate(a, b, velocity_a, velocity_b);
+  decided = Stage::lattice;
+  if (const auto answer = swept_sphere_sphere_relation_lattice(a, b, velocity_a, velocity_b)) return *answer;
+  decided = Stage::exact;
+  return swept_sphere_sphere_relation_exact(a, b, velocity_a, velocity_b);
+}
+
+HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                         const Vector3d& velocity_b) {
+  Stage ignored;
+  return swept_sphere_sphere_relation(a, b, velocity_a, velocity_b, ignored);
+}
+
+}  // namespace touchstone::robust
