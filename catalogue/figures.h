@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <type_traits>
+#include <vector>
+
 #include "catalogue/codec/json.h"
 #include "catalogue/scene.h"
 #include "geometry/polygons.h"
+#include "geometry/polyhedra.h"
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
+#include "geometry/volumes.h"
 
 /// How each shape is drawn; a new type of geometry adds its overload.
 namespace touchstone::audit {
@@ -42,12 +48,66 @@ inline void draw(Scene& scene, const std::string& label, const Circle2d& c, bool
   scene.figures.push_back({Figure::Kind::circle, label, {c.center.x, c.center.y, c.radius}, answer});
 }
 
-/// Positions and vectors of space are told; which view shows them, each row knows (space_figures.h).
-inline void draw(Scene& scene, const std::string& label, const Point3d& p, bool) {
-  scene.notes.push_back(label + ": (" + decimal(p.x) + ", " + decimal(p.y) + ", " + decimal(p.z) + ")");
+inline void draw(Scene& scene, const std::string& label, const Aabb2d& box, bool answer) {
+  scene.figures.push_back({Figure::Kind::polygon,
+                           label,
+                           {box.min.x, box.min.y, box.max.x, box.min.y, box.max.x, box.max.y, box.min.x, box.max.y},
+                           answer});
+}
+
+/// Numbers one after the other, as a figure in space takes them.
+inline std::vector<double> coordinates_of(const std::vector<Point3d>& points) {
+  std::vector<double> numbers;
+  for (const Point3d& p : points) numbers.insert(numbers.end(), {p.x, p.y, p.z});
+  return numbers;
+}
+inline std::string in_words(const Point3d& p) {
+  return "(" + decimal(p.x) + ", " + decimal(p.y) + ", " + decimal(p.z) + ")";
+}
+
+/// What a view of space cannot show to the last digit is told as well.
+inline void draw(Scene& scene, const std::string& label, const Point3d& p, bool answer) {
+  scene.space.push_back({SpaceFigure::Kind::point, label, {p.x, p.y, p.z}, {}, answer});
+  scene.notes.push_back(label + ": " + in_words(p));
+}
+/// A vector that belongs to a place, which its row knows.
+inline void draw_from(Scene& scene, const std::string& label, const Point3d& start, const Vector3d& v, bool answer) {
+  scene.space.push_back({SpaceFigure::Kind::arrow, label, coordinates_of({start, start + v}), {}, answer});
+  scene.notes.push_back(label + ": " + in_words({v.x, v.y, v.z}));
 }
 inline void draw(Scene& scene, const std::string& label, const Vector3d& v, bool answer) {
-  draw(scene, label, Point3d{v.x, v.y, v.z}, answer);
+  draw_from(scene, label, {0, 0, 0}, v, answer);
+}
+inline void draw(Scene& scene, const std::string& label, const Plane3d& plane, bool answer) {
+  const Vector3d& n = plane.normal;
+  scene.space.push_back({SpaceFigure::Kind::plane, label, {n.x, n.y, n.z, plane.offset}, {}, answer});
+  scene.notes.push_back(label + ": normal " + in_words({n.x, n.y, n.z}) + ", offset " + decimal(plane.offset));
+}
+inline void draw(Scene& scene, const std::string& label, const Polygon3d& polygon, bool answer) {
+  scene.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of(polygon.vertices), {}, answer});
+}
+inline void draw(Scene& scene, const std::string& label, const Aabb3d& box, bool answer) {
+  scene.space.push_back({SpaceFigure::Kind::box, label, coordinates_of({box.min, box.max}), {}, answer});
+  scene.notes.push_back(label + ": " + in_words(box.min) + " to " + in_words(box.max));
+}
+inline void draw(Scene& scene, const std::string& label, const Sphere3d& s, bool answer) {
+  scene.space.push_back({SpaceFigure::Kind::sphere, label, {s.center.x, s.center.y, s.center.z, s.radius}, {}, answer});
+  scene.notes.push_back(label + ": center " + in_words(s.center) + ", radius " + decimal(s.radius));
+}
+inline void draw(Scene& scene, const std::string& label, const Meshd& mesh, bool answer) {
+  SpaceFigure figure{SpaceFigure::Kind::mesh, label, coordinates_of(mesh.vertices), {}, answer};
+  for (const Face& face : mesh.faces) figure.faces.push_back({face.a, face.b, face.c});
+  scene.space.push_back(std::move(figure));
+}
+
+/// The elements of a list, numbered; their numbers stand in the input already, unless they are all there is to show.
+template <class T>
+requires requires(Scene& scene, const T& element) { draw(scene, std::string(), element, false); }
+void draw(Scene& scene, const std::string& label, const std::vector<T>& list, bool answer) {
+  const std::vector<std::string> notes = scene.notes;
+  for (std::size_t i = 0; i < list.size(); ++i) draw(scene, label + "[" + std::to_string(i) + "]", list[i], answer);
+  if constexpr (!std::is_arithmetic_v<T>) scene.notes = notes;
+  if (list.empty()) scene.notes.push_back(label + ": none");
 }
 
 }  // namespace touchstone::audit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,25 @@ struct Figure {
   bool said = false;    ///< is what an implementation answered, right or wrong
 };
 
+/// A figure in space, y up.
+struct SpaceFigure {
+  enum class Kind { point, segment, arrow, plane, polygon, box, sphere, mesh };
+  Kind kind = Kind::point;
+  std::string label;  ///< as of a Figure
+  /// point x y z; segment, arrow x y z x y z; plane its normal and offset; polygon, mesh x y z x y z ...; box its
+  /// least and greatest corner; sphere x y z r
+  std::vector<double> numbers;
+  /// Of a mesh: each the places of its corners in the list of points, counter-clockwise as seen from outside.
+  std::vector<std::vector<std::uint32_t>> faces;
+  bool answer = false;
+  bool said = false;
+};
+
+/// What is drawn of a question and its truth. A scene with figures in the plane is shown in the plane: a row that
+/// draws a side view of its own knows best. Else its figures in space are shown as a view that the reader turns.
 struct Scene {
   std::vector<Figure> figures;
+  std::vector<SpaceFigure> space;
   std::vector<std::string> notes;  ///< what cannot be drawn, in words
 };
 

@@ -88,6 +88,8 @@ std::vector<double> doubles_between(double value, const mpq_class& low, const mp
 
 }  // namespace
 
+mpq_class round_length(const mpq_class& span) { return round_step(span).size; }
+
 std::string ticks(const Viewport& view) {
   const Frame& frame = view.frame();
   const ExactPoint low = view.corner(), high = view.far_corner();

@@ -9,9 +9,10 @@
 
 namespace touchstone::audit {
 
-/// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there. Every page
-/// stands alone: no scripts, nothing fetched. The same tally gives the same bytes, whatever the jobs. With `engine` the failure maps show it too.
-/// Throws std::runtime_error naming the file that cannot be written.
+/// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there.
+/// Every page stands alone: nothing fetched, and all to be read without scripts; where a figure can be turned, one
+/// script in the page does it. The same tally gives the same bytes, whatever the jobs. With `engine` the failure maps
+/// show it too. Throws std::runtime_error naming the file that cannot be written.
 void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr);
 
 using OperationMaps =

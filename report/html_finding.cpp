@@ -3,13 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "catalogue/codec/json.h"
-#include "report/html_parts.h"
-#include "report/svg.h"
 #include "geometry/invalid_input.h"
+#include "report/answered.h"
+#include "report/html_parts.h"
+#include "report/space_svg.h"
+#include "report/svg.h"
 
 namespace touchstone::audit {
 namespace {
@@ -34,59 +35,16 @@ std::string in_short(const std::string& note) {
   return shorter.size() > longest ? shorter.substr(0, longest) + " \u2026" : shorter;
 }
 
-/// The numbers of the points in a field of an answer; empty where it has none or they are not finite.
-std::vector<double> points_in(const Json& field) {
-  std::vector<double> numbers;
-  const Json flat = field.flatten();
-  for (const auto& number : flat) {
-    if (!number.is_number()) return {};
-    numbers.push_back(number.get<double>());
-  }
-  return numbers;
-}
-
-/// Whether the numbers lie where the input does, so that drawing them does not shrink everything else to a dot.
-bool near_the_input(const Scene& scene, const std::vector<double>& numbers) {
-  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-  for (const Figure& figure : scene.figures) {
-    for (std::size_t i = 0; i < figure.numbers.size() && (figure.kind != Figure::Kind::circle || i < 2); ++i) {
-      const double room = figure.kind == Figure::Kind::circle ? figure.numbers[2] : 0;
-      low[i % 2] = std::min(low[i % 2], figure.numbers[i] - room);
-      high[i % 2] = std::max(high[i % 2], figure.numbers[i] + room);
-    }
-  }
-  const double size = std::max(high[0] - low[0], high[1] - low[1]);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!(numbers[i] >= low[i % 2] - size && numbers[i] <= high[i % 2] + size)) return false;
-  }
-  return true;
-}
-
-/// What was answered, where it can be drawn and differs from the truth.
-void add_answer(Scene& scene, const Json& answer) {
-  if (!answer.is_object()) return;
-  for (const char* name : {"point", "overlap"}) {
-    if (!answer.contains(name)) continue;
-    const std::vector<double> numbers = points_in(answer[name]);
-    const bool drawable = numbers.size() == (name == std::string("point") ? 2u : 4u) && near_the_input(scene, numbers);
-    for (const Figure& figure : scene.figures) {
-      if (figure.answer && figure.numbers == numbers) return;
-    }
-    if (drawable)
-      scene.figures.push_back(
-          {numbers.size() == 2 ? Figure::Kind::point : Figure::Kind::segment, "answered", numbers, false, true});
-  }
-}
-
 std::string figure(const Operation& operation, const Finding& finding) {
   const Question& question = finding.question;
   Scene scene = operation.scene(question);
-  add_answer(scene, plain(finding.answer));
+  draw_answered(scene, plain(finding.answer));
   std::string notes;
   for (const std::string& note : scene.notes) {
     notes += (notes.empty() ? "" : "; ") + in_short(note);
   }
-  const std::string svg = scene_svg(scene, operation.name() + ": the input " + one_line(operation.print(question)));
+  const std::string title = operation.name() + ": the input " + one_line(operation.print(question));
+  const std::string svg = scene.figures.empty() ? space_svg(scene, title) : scene_svg(scene, title);
   return "<figure>" + svg + (notes.empty() ? "" : "<figcaption>" + escaped(notes) + "</figcaption>") + "</figure>";
 }
 

@@ -9,6 +9,8 @@
 #include "catalogue/judge/ulps.h"
 #include "report/html_style.h"
 #include "report/palette.h"
+#include "report/space_script.h"
+#include "report/space_svg.h"
 
 namespace touchstone::audit {
 namespace {
@@ -46,9 +48,11 @@ std::string axis_in_words(const MapGrid& grid, std::size_t number, const std::st
 }  // namespace
 
 std::string page(const std::string& title, const std::string& body) {
+  const std::string script =
+      has_space_svg(body) ? std::string("\n<script>") + space_script + "</script>" : std::string();
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
          "content=\"width=device-width,initial-scale=1\">\n<title>" +
-         escaped(title) + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body>\n" + body +
+         escaped(title) + "</title>\n<style>" + page_style() + "</style>\n</head>\n<body>\n" + body + script +
          "\n</body>\n</html>\n";
 }
 

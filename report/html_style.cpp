@@ -2,6 +2,7 @@
 #include "report/html_style.h"
 
 #include "report/palette.h"
+#include "report/space_svg.h"
 #include "report/svg.h"
 
 namespace touchstone::audit {
@@ -109,7 +110,7 @@ std::string verdict_classes() {
 const std::string& page_style() {
   static const std::string style = std::string(":root{color-scheme:light dark;") + light_variables +
                                    verdict_variables() + "}" + "@media screen and (prefers-color-scheme:dark){:root{" +
-                                   dark_variables + "}}" + rules + verdict_classes() + figure_style();
+                                   dark_variables + "}}" + rules + verdict_classes() + figure_style() + space_style();
   return style;
 }
 

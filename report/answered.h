@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/codec/json.h"
+#include "catalogue/scene.h"
+
+namespace touchstone::audit {
+
+/// Adds what was answered, where it can be drawn, differs from the truth, and lies where the input does: else it
+/// would shrink everything else to a dot.
+void draw_answered(Scene& scene, const Json& answer);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+#include <vector>
+
+#include "catalogue/scene.h"
+
+/// From the coordinates of a scene in space to whole steps from the middle of its box, exactly.
+namespace touchstone::audit {
+
+/// Steps from the middle of the scene's box to the end of its longest side.
+constexpr int steps_of_box = 100000;
+
+struct SpacePoint {
+  int x = 0, y = 0, z = 0;
+};
+
+using ExactPlace = std::array<mpq_class, 3>;
+
+/// Whether a figure has its numbers, all finite, and a plane a normal: a formula's answer may have neither.
+bool drawable(const SpaceFigure& figure);
+
+/// The points of a drawable figure that are given by coordinates; a plane has none.
+std::vector<ExactPlace> places_of(const SpaceFigure& figure);
+
+mpq_class radius_of(const SpaceFigure& sphere);
+
+struct SpaceScale {
+  ExactPlace low, high, middle;             ///< the scene's box
+  std::array<mpq_class, 3> steps_per_unit;  ///< along x, y, z
+  ExactPlace middle_but_planes;  ///< of the box of everything but planes; the origin where there is nothing else
+  bool only_planes = false;
+
+  /// Each axis takes its own scale where the extents are far apart, so that a thin scene is still seen; not where a
+  /// figure is a sphere, which would not be one any more, or a plane, whose normal would not be upright.
+  static SpaceScale of(const std::vector<SpaceFigure>& drawable_figures);
+
+  /// To the nearest whole step.
+  SpacePoint at(const ExactPlace& place) const;
+  int radius_in_steps(const SpaceFigure& sphere) const;
+  /// The point of a plane at which it is shown: the one that is nearest to everything else.
+  ExactPlace foot(const SpaceFigure& plane) const;
+};
+
+}  // namespace touchstone::audit
