@@ -22,13 +22,19 @@ constexpr double thicknesses[] = {4, 2, 1.4, 1};  // of the parts of the questio
 std::string framed(const Scene& scene, const Viewport& view, const std::string& below) {
   Drawing drawing;
   std::size_t part = 0;
+  std::string list;
   for (const Figure& figure : scene.figures) {
     if (figure.answer || figure.said) continue;
     if (figure.label.empty()) {
       stroke(drawing, figure, view, {"aid", 1.2});
       continue;
     }
-    const std::size_t style = part++ % std::size(thicknesses);
+    // The elements of a list, "points[0]" and on, look alike.
+    const std::size_t bracket = figure.label.find('[');
+    const bool same_list = bracket != std::string::npos && figure.label.compare(0, bracket, list) == 0;
+    if (!same_list) ++part;
+    list = bracket == std::string::npos ? "" : figure.label.substr(0, bracket);
+    const std::size_t style = (part - 1) % std::size(thicknesses);
     stroke(drawing, figure, view, {"q" + std::to_string(style), thicknesses[style]});
   }
   for (const Figure& figure : scene.figures) {
