@@ -59,9 +59,7 @@ struct RowOf {
   }
   static Solution solve(const Question& question) {
     auto truth = ask_oracle<Row>(unpacked<Asked>(question));
-    Solution solution{packed_as<TrueNumber>(truth.answer), std::nullopt};
-    if (Row::card().margin_degree > 0) solution.margin = std::move(truth.margin);
-    return solution;
+    return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
   }
   static oracle::Certificate certify(const Question& question) { return ask_certificate<Row>(unpacked<Asked>(question)); }
   static TrueTape solve_as_typed(const Tape<mpq_class>& question) {
@@ -94,9 +92,12 @@ struct RowOf {
 
   /// The hooks with their types forgotten.
   static constexpr auto hooks = [] { return Row::hooks(); };
+  static auto typed_number(const TrueNumber& number) {
+    if constexpr (std::is_same_v<number_of_t<Truth>, TrueNumber>) return number;
+    else return number.rational_part();
+  }
   static std::optional<TrueTape> as_open_sets(const TrueTape& truth, const Question& question) {
-    const auto open = hooks().as_open_sets(unpacked<Truth>(truth, [](const TrueNumber& number) { return number; }),
-                                           unpacked<Asked>(question));
+    const auto open = hooks().as_open_sets(unpacked<Truth>(truth, typed_number), unpacked<Asked>(question));
     if (!open) return std::nullopt;
     return packed_as<TrueNumber>(*open);
   }

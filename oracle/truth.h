@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <concepts>
+#include <optional>
 
 namespace touchstone::oracle {
 
@@ -15,11 +16,12 @@ template <class Number>
 concept Exact = std::same_as<Number, Rational>;
 
 /// The one right answer and the margin: how far the input is, along the deciding quantity of the operation (named in
-/// the operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative.
+/// the operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative; none where
+/// no other answer exists, or nothing is decided.
 template <class Answer>
 struct Truth {
   Answer answer;
-  Rational margin;
+  std::optional<Rational> margin;
 };
 
 }  // namespace touchstone::oracle

@@ -24,9 +24,9 @@ inline constexpr double tiny = 5e-324, huge = 1e308;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// The answer of a row's operation over exact rationals.
+/// The answer of a row's operation as the oracle gives it, over rationals or surds.
 template <class Row>
-using exact_answer_t = audit::rebound_t<audit::answer_t<Row>, Rational>;
+using exact_answer_t = audit::truth_t<Row>;
 
 /// Calls `change` with every point, vector and other number of a question or answer.
 template <class T, class Change>

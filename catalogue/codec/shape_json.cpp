@@ -183,6 +183,7 @@ Json json_of(const Shape& shape) {
 
 template Json json_of(const Shape&, Cursor<double>&, WriteNumber<double>);
 template Json json_of(const Shape&, Cursor<mpq_class>&, WriteNumber<mpq_class>);
+template Json json_of(const Shape&, Cursor<TrueNumber>&, WriteNumber<TrueNumber>);
 template void read_json(const Shape&, const Json&, const std::string&, Tape<double>&, ReadNumber<double>, bool);
 template void read_json(const Shape&, const Json&, const std::string&, Tape<mpq_class>&, ReadNumber<mpq_class>, bool);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "catalogue/judge/true_number.h"
 #include "catalogue/judge/ulps.h"
 
 namespace touchstone::audit {

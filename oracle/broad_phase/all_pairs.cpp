@@ -95,7 +95,9 @@ Truth<std::vector<IndexPair>> truth(const Scaled<Solid>& scaled) {
     }
   }
   const Solid* kind = nullptr;
-  return {std::move(pairs), least ? numbers.actual(Rational(*least), degree(kind)) : no_other_answer()};
+  if (!least) return {std::move(pairs), std::nullopt};
+  if (degree(kind) == 1) *least *= *least;
+  return {std::move(pairs), numbers.actual(Rational(*least), 2)};
 }
 
 std::vector<Rational> actual_point(const WholeList& numbers, const Point3<Rational>& p) {
@@ -186,7 +188,6 @@ Certificate certificate(const Scaled<Solid>& scaled) {
 
 }  // namespace
 
-Rational no_other_answer() { return scaled(Rational(1), 2100); }
 
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres) { return truth(validated(spheres)); }
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes) { return truth(validated(boxes)); }

@@ -10,10 +10,10 @@ namespace touchstone::oracle {
 
 /// Truth: each pair on its own, on integers. Spheres meet if the squared distance of their centres is not greater than
 /// the squared sum of the radii; boxes if on each axis neither begins beyond the other's end.
-/// Margin: the least over all pairs. Of spheres, the difference of these two squares (degree 2); of boxes, how far one
-/// must be moved for them to part or to touch: along the axes, the longest way is counted where they are apart and the
-/// shortest where they meet (degree 1).
-/// Fewer than two solids have no other answer however they change: `no_other_answer`.
+/// Margin: the least over all pairs, a squared length. Of spheres, the difference of these two squares; of boxes, the
+/// square of how far one must be moved for them to part or to touch: along the axes, the longest way is counted where
+/// they are apart and the shortest where they meet.
+/// Fewer than two solids have no other answer however they change: there is no margin.
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres);
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes);
 template <Exact Number>
@@ -22,9 +22,5 @@ template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes);
 Certificate all_pairs_certificate(const std::vector<Sphere3d>& spheres);
 Certificate all_pairs_certificate(const std::vector<Aabb3d>& boxes);
-
-/// 2^2100, the margin that stands for none: greater than that of every pair of solids given in doubles, all of which
-/// are below 2^2052.
-Rational no_other_answer();
 
 }  // namespace touchstone::oracle

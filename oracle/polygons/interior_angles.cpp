@@ -55,7 +55,7 @@ Truth<std::vector<Rational>> truth(const Polygon2<Number>& polygon) {
   Truth<std::vector<Rational>> result{{}, Rational(1, 2)};
   for (const AngleBetween& angle : enclosures(polygon)) {
     result.answer.push_back(middle(angle));
-    result.margin = std::min(result.margin, rounding_margin(result.answer.back()));
+    result.margin = std::min(*result.margin, rounding_margin(result.answer.back()));
   }
   return result;
 }

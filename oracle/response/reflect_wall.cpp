@@ -23,12 +23,12 @@ Bounce bounce(const Vector3<Number>& velocity, Axis axis) {
 }  // namespace
 
 Truth<Vector3<Rational>> reflect_wall(const Vector3d& velocity, Axis axis) {
-  return {bounce(velocity, axis).after, Rational(0)};
+  return {bounce(velocity, axis).after, std::nullopt};
 }
 
 template <Exact Number>
 Truth<Vector3<Rational>> reflect_wall(const Vector3<Number>& velocity, Axis axis) {
-  return {bounce(velocity, axis).after, Rational(0)};
+  return {bounce(velocity, axis).after, std::nullopt};
 }
 template Truth<Vector3<Rational>> reflect_wall(const Vector3<Rational>&, Axis);
 

@@ -30,7 +30,7 @@ template <class Row, class Question>
 std::string said(const Question& question) {
   try {
     const auto truth = audit::ask_oracle<Row>(question);
-    return audit::to_json(truth.answer).dump() + ", margin " + truth.margin.get_str();
+    return audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str();
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
@@ -52,7 +52,7 @@ bool same_circle_point(const Circle2d& circle, double u) {
   const auto rationals = oracle::parametric_circle(exact_circle, oracle::exact(u));
   return as_close_as_promised(doubles.answer.x, rationals.answer.x) &&
          as_close_as_promised(doubles.answer.y, rationals.answer.y) &&
-         abs(Rational(doubles.margin - rationals.margin)) < half_to_the(58);
+         abs(Rational(*doubles.margin - *rationals.margin)) < half_to_the(58);
 }
 
 /// The points of an answer, times a factor.
@@ -125,9 +125,9 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
       const auto smaller = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
       try {
         auto truth = audit::ask_oracle<TestType>(question);
-        truth.answer = enlarged(truth.answer, third), truth.margin /= 9;
+        truth.answer = enlarged(truth.answer, third), *truth.margin /= 9;
         CHECK(said<TestType>(smaller) ==
-              audit::to_json(truth.answer).dump() + ", margin " + truth.margin.get_str());
+              audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str());
       } catch (const InvalidInput& refused) {
         CHECK(said<TestType>(smaller) == refused.what());
       }
@@ -159,9 +159,9 @@ TEMPLATE_TEST_CASE(
     const auto larger = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * factor); });
     try {
       auto truth = audit::ask_oracle<TestType>(question);
-      truth.answer = enlarged(truth.answer, factor), truth.margin *= factor * factor;
+      truth.answer = enlarged(truth.answer, factor), *truth.margin *= factor * factor;
       different += said<TestType>(larger) != audit::to_json(truth.answer).dump() +
-                                                 ", margin " + truth.margin.get_str();
+                                                 ", margin " + truth.margin->get_str();
     } catch (const InvalidInput& refused) {
       different += said<TestType>(larger) != refused.what();
     }

@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truth of the broad phase, as simplest_truth.py has that of other chapters: each pair by its difference, which is a
 ball or a box and holds the origin if the two meet."""
-from fractions import Fraction
-
-
-def number(value):
-    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
+from simplest_truth_reading import number
 
 
 def triple(value):
@@ -29,8 +25,9 @@ def lack_of_boxes(a, b):
     return max(low + [-x for x in high])
 
 
-def all_pairs(q):
+def truth_all_pairs(q):
     solids, lack = (q["spheres"], lack_of_balls) if "spheres" in q else (q["boxes"], lack_of_boxes)
     lacks = {(i, j): lack(solids[i], solids[j]) for j in range(len(solids)) for i in range(j)}
     pairs = sorted([i, j] for (i, j), lacking in lacks.items() if lacking <= 0)
-    return {"pairs": pairs}, min(map(abs, lacks.values()), default=Fraction(2) ** 2100)
+    size = abs if "spheres" in q else lambda lacking: lacking * lacking
+    return {"pairs": pairs}, min(map(size, lacks.values()), default=None)

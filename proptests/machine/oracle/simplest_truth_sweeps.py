@@ -2,9 +2,8 @@
 """The second truth of moving shapes, in the style of simplest_truth.py."""
 from fractions import Fraction
 
+from simplest_truth_reading import number
 
-def number(value):
-    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
 
 
 class FirstRoot:
@@ -30,7 +29,7 @@ class FirstRoot:
         return part == vertex and lead[cut : cut + 1] == "-" and beyond == 0
 
 
-def swept_sphere_sphere(q):
+def truth_swept_sphere_sphere(q):
     """The gap, the squared distance of the centers over that of touching balls, falls to its vertex: it is looked at
     there, or at the end of the step that is nearer to it."""
     p, w = ([number(q["a"]["center"][i]) - number(q["b"]["center"][i]) for i in range(3)],

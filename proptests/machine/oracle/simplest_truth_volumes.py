@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
-from fractions import Fraction
+from simplest_truth_reading import number
 
-
-def number(value):
-    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
 
 
 def truth_aabb_aabb(q):

@@ -122,7 +122,7 @@ TEST_CASE(
       "the forward error bounds hold", [](const auto& truth, const auto& answer, const Line2d& a, const Line2d& b) {
         const Vector2d da = a.q - a.p, db = b.q - b.p, w = b.p - a.p;
         const CrossBound d(da, db, 3), na(w, db, 3), nb(w, da, 3);
-        if (d.overflow || truth.margin <= d.before) return true;
+        if (d.overflow || *truth.margin <= d.before) return true;
         if (answer.relation != LineRelation::crossing || truth.answer.relation != LineRelation::crossing) return false;
         const QuotientBound ta(na, d), tb(nb, d);
         if (ta.defined && !within(*answer.ta, *truth.answer.ta, ta.error)) return false;

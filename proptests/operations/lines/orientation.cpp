@@ -111,7 +111,7 @@ TEST_CASE("orientation: the formula in double is right beyond the margin of its 
                   if (!finite(left, right, left - right)) return true;
                   const Rational u = unit();
                   const Rational bound = (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
-                  return truth.margin <= bound || answer == truth.answer;
+                  return *truth.margin <= bound || answer == truth.answer;
                 });
   right_in_exact_arithmetic<Row>();
 }

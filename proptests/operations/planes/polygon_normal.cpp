@@ -237,9 +237,10 @@ TEST_CASE("polygon_normal: the formula in double keeps its contract for the firs
   robust_law<Row>("of a triangle the formula is right in exact arithmetic", [](const auto&, const auto& asked) {
     const auto& ring = std::get<0>(asked);
     if (ring.size() != 3) return true;
-    const auto formula = audit::ask_reference<Row>(
-        audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); }));
-    return audit::same_as_truth(oracle::polygon_normal(ring).answer, formula, false);
+    const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+    const Question question = audit::packed(asked);
+    return audit::same_as_truth(*row.answer, row.solve(question).answer, row.reference_exactly(question),
+                                audit::Reading::less);
   });
 }
 

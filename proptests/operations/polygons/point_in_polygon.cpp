@@ -268,7 +268,7 @@ TEST_CASE("point_in_polygon: the formula in double is right beyond the margin of
   contract<Row>("the forward error bound holds",
                 [](const auto& truth, Location answer, const Polygon2d& ring, const Point2d& p) {
                   const auto error = greatest_error(ring, p);
-                  return !error || truth.margin <= *error * *error || answer == truth.answer;
+                  return !error || *truth.margin <= *error * *error || answer == truth.answer;
                 });
   right_in_exact_arithmetic<Row>();
 }
