@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -133,5 +134,56 @@ struct RingDefect {
 
 inline void validate(const std::string& field, const Polygon2d& polygon) { validate_ring(field, polygon.vertices); }
 inline void validate(const std::string& field, const Polygon3d& polygon) { validate_ring(field, polygon.vertices); }
+
+/// Every face of a mesh names vertices that are there.
+template <class Real>
+void validate_indices(const std::string& field, const Mesh<Real>& mesh) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const std::array<Index, 3> corners{mesh.faces[i].a, mesh.faces[i].b, mesh.faces[i].c};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners[k] < mesh.vertices.size()) continue;
+      throw InvalidInput(field + ".faces[" + std::to_string(i) + "][" + std::to_string(k) + "]", "index of a vertex");
+    }
+  }
+}
+inline void validate(const std::string& field, const Meshd& mesh) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Point3d& p = mesh.vertices[i];
+    if (finite(p.x) && finite(p.y) && finite(p.z)) continue;
+    validate(field + ".vertices[" + std::to_string(i) + "]", p);
+  }
+  validate_indices(field, mesh);
+}
+
+/// What every surface of triangles around a solid needs before anything is measured.
+template <class Real>
+void validate_triangles(const std::string& field, const Mesh<Real>& mesh) {
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const Face& f = mesh.faces[i];
+    if (f.a == f.b || f.b == f.c || f.c == f.a)
+      throw InvalidInput(field + ".faces[" + std::to_string(i) + "]", "three different vertices");
+  }
+  if (mesh.faces.size() < 4) throw InvalidInput(field, "at least 4 faces");
+}
+
+/// Why a mesh is no closed convex surface, in this order: an edge of a face that another face has in the same direction
+/// or that none has in the opposite one; a face of area zero; all vertices on one plane; a vertex beyond the plane of a
+/// face. Of several the first face counts, in it the first edge (a to b, b to c, c to a) or the first vertex.
+[[noreturn]] inline void refuse_face(const std::string& field, std::size_t face, const std::string& rule) {
+  throw InvalidInput(field + ".faces[" + std::to_string(face) + "]", rule);
+}
+[[noreturn]] inline void refuse_edge(const std::string& field, std::size_t face, Index from, Index to) {
+  const std::string a = std::to_string(from), b = std::to_string(to);
+  refuse_face(field, face, "closed: edge " + a + " -> " + b + " must occur once, and " + b + " -> " + a + " once");
+}
+[[noreturn]] inline void refuse_area(const std::string& field, std::size_t face) {
+  refuse_face(field, face, "nonzero area");
+}
+[[noreturn]] inline void refuse_flat_mesh(const std::string& field) {
+  throw InvalidInput(field, "convex: vertices on one plane have no inside");
+}
+[[noreturn]] inline void refuse_beyond(const std::string& field, std::size_t face, std::size_t vertex) {
+  refuse_face(field, face, "convex: vertex " + std::to_string(vertex) + " must not lie beyond its plane");
+}
 
 }  // namespace touchstone::validation

@@ -58,5 +58,6 @@ inline void validate(const std::string& field, const Polygon2<oracle::Rational>&
 inline void validate(const std::string& field, const Polygon3<oracle::Rational>& polygon) {
   if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
 }
+inline void validate(const std::string& field, const Mesh<oracle::Rational>& mesh) { validate_indices(field, mesh); }
 
 }  // namespace touchstone::validation

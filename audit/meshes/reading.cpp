@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/meshes/reading.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+
+#include "geometry/invalid_input.h"
+
+namespace touchstone::audit::meshes {
+namespace {
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Whether a decimal number is at least 1: where its first digit that counts stands, moved by the exponent.
+bool at_least_one(std::string_view text) {
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view digits = text.substr(0, e);
+  const std::size_t dot = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
+  if (first == digits.npos) return false;
+  const long long place = first < dot ? static_cast<long long>(dot - first) - 1 : -static_cast<long long>(first - dot);
+  long long exponent = 0;
+  if (e < text.size()) {
+    std::string_view power = text.substr(e + 1);
+    const bool negative = power.starts_with('-');
+    if (negative || power.starts_with('+')) power.remove_prefix(1);
+    const long long huge = std::numeric_limits<long long>::max() / 2;
+    if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec != std::errc() || exponent > huge)
+      exponent = huge;
+    if (negative) exponent = -exponent;
+  }
+  return place + exponent >= 0;
+}
+
+}  // namespace
+
+std::optional<double> nearest_double(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  if (text.empty() || !(digit(text[0]) || text[0] == '.')) return std::nullopt;  // from_chars takes "inf" and "-1"
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (stop != text.data() + text.size()) return std::nullopt;
+  if (error == std::errc::result_out_of_range) {
+    value = at_least_one(text) ? std::numeric_limits<double>::infinity() : 0.0;
+  } else if (error != std::errc()) {
+    return std::nullopt;
+  }
+  return negative ? -value : value;
+}
+
+void Text::refuse(std::size_t line, const std::string& rule) const {
+  throw InvalidInput(name_ + ":" + std::to_string(line), rule);
+}
+
+bool Text::next(char comment) {
+  words_.clear(), used_ = 0;
+  if (rest_.empty()) return false;
+  ++number_;
+  const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+  line_ = rest_.substr(0, end);
+  rest_.remove_prefix(end);
+  if (rest_.starts_with("\r\n")) rest_.remove_prefix(2);
+  else if (!rest_.empty()) rest_.remove_prefix(1);
+  split(comment);
+  return true;
+}
+
+bool Text::next_words(char comment) {
+  while (next(comment)) {
+    if (!words_.empty()) return true;
+  }
+  return false;
+}
+
+void Text::split(char comment) {
+  std::string_view left = comment == '\0' ? line_ : line_.substr(0, std::min(line_.find(comment), line_.size()));
+  const char* const blank = " \t\v\f";
+  for (;;) {
+    const std::size_t start = left.find_first_not_of(blank);
+    if (start == std::string_view::npos) return;
+    const std::size_t length = std::min(left.find_first_of(blank, start), left.size()) - start;
+    words_.push_back(left.substr(start, length));
+    left.remove_prefix(start + length);
+  }
+}
+
+bool Text::more_words() { return used_ < words_.size() || next_words('\0'); }
+
+std::string_view Text::word() {
+  if (!more_words()) refuse("more numbers: the file ends too early");
+  return words_[used_++];
+}
+
+double Text::number(std::string_view word) const {
+  const auto value = nearest_double(word);
+  if (!value) {
+    std::string spelled;
+    for (const char c : word.substr(word.starts_with('-') || word.starts_with('+'), 3))
+      spelled += static_cast<char>(c | 0x20);
+    refuse(spelled == "nan" || spelled == "inf" ? "finite number" : "number");
+  }
+  if (std::isinf(*value)) refuse("finite number");
+  return *value;
+}
+
+long long Text::whole(std::string_view word) const {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  long long value = 0;
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc::result_out_of_range) refuse("whole number of less than 64 bits");
+  if (error != std::errc() || stop != word.data() + word.size()) refuse("whole number");
+  return value;
+}
+
+Point3d Text::position(std::size_t skipped) const {
+  if (words_.size() < skipped + 3) refuse("three coordinates");
+  const double x = number(words_[skipped]), y = number(words_[skipped + 1]), z = number(words_[skipped + 2]);
+  return {x, y, z};
+}
+
+void add_fan(Meshd& mesh, const std::vector<Index>& corners) {
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) mesh.faces.push_back({corners[0], corners[k], corners[k + 1]});
+}
+
+}  // namespace touchstone::audit::meshes

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/polyhedra.h"
+
+/// What the readers of mesh files share.
+namespace touchstone::audit::meshes {
+
+/// The text of a file, line by line; a line ends with LF, CR LF or CR.
+class Text {
+ public:
+  Text(std::string name, std::string_view bytes) : name_(std::move(name)), rest_(bytes) {}
+
+  /// To the next line, whose words are those outside what follows `comment`; false behind the last.
+  bool next(char comment = '\0');
+  /// To the next line that holds a word.
+  bool next_words(char comment);
+  /// The next word of this line or, beyond its end, of those that follow; refuses the end of the file.
+  std::string_view word();
+  /// Whether there is one.
+  bool more_words();
+
+  const std::vector<std::string_view>& words() const { return words_; }
+  std::string_view line() const { return line_; }
+  std::string_view rest() const { return rest_; }
+
+  [[noreturn]] void refuse(const std::string& rule) const { refuse(number_ == 0 ? 1 : number_, rule); }
+  [[noreturn]] void refuse(std::size_t line, const std::string& rule) const;
+  std::size_t number() const { return number_; }
+  const std::string& name() const { return name_; }
+
+  /// The nearest double, and a whole number.
+  double number(std::string_view word) const;
+  long long whole(std::string_view word) const;
+  /// The vertex that the first three words behind `skipped` ones make.
+  Point3d position(std::size_t skipped) const;
+
+ private:
+  void split(char comment);
+
+  std::string name_;
+  std::string_view rest_, line_;
+  std::vector<std::string_view> words_;
+  std::size_t number_ = 0, used_ = 0;
+};
+
+/// The double nearest to a decimal number, which may have a sign; infinity beyond the greatest; empty where the text is
+/// none.
+std::optional<double> nearest_double(std::string_view text);
+
+/// Appends a fan from the first corner.
+void add_fan(Meshd& mesh, const std::vector<Index>& corners);
+
+Meshd read_obj(const std::string& name, std::string_view bytes);
+Meshd read_off(const std::string& name, std::string_view bytes);
+Meshd read_ply(const std::string& name, std::string_view bytes);
+Meshd read_stl(const std::string& name, std::string_view bytes);
+
+}  // namespace touchstone::audit::meshes

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "oracle/certificates/check_space.h"
+
+/// What the checks of polyhedra share.
+namespace touchstone::certify {
+
+/// Triangles over vertices, each three places in that list.
+struct Mesh {
+  std::vector<Triple> vertices;
+  std::vector<std::array<std::size_t, 3>> faces;
+};
+
+/// Input, by the field's name: every face names three different vertices, and there are at least 4 faces.
+Mesh mesh(const json& value, const std::string& what);
+
+/// The mesh is closed and convex: every edge of a face is in one other face, in the opposite direction; every face has
+/// an area; its plane has a vertex beside it, and all such vertices lie on one side, which is the same one, as the
+/// faces turn, for all faces. (Why the solid is then what these planes enclose stands in
+/// reference/polyhedra/point_in_convex_polyhedron.h.) Returns the faces' planes, positive outside. Takes faces times
+/// vertices steps.
+std::vector<Plane> outward_planes(const Mesh& mesh);
+
+}  // namespace touchstone::certify

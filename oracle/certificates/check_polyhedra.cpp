@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "oracle/certificates/check_meshes.h"
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+
+/// A number of the certificate that counts from 0.
+std::size_t index(const Rational& value, std::size_t count) {
+  const bool there = value.get_den() == 1 && sgn(value) >= 0 && value < static_cast<unsigned long>(count);
+  expect(there, "certificate: not an index");
+  return value.get_num().get_ui();
+}
+
+void check_point_in_convex_polyhedron(const Claim& claim) {
+  claim.inputs({"mesh", "point"}), claim.answers({"location"});
+  const Mesh surface = mesh(claim.input["mesh"], "mesh");
+  const Triple p = point_in_space(claim.input["point"], "point");
+  const std::vector<Plane> planes = outward_planes(surface);
+  if (claim.kind() == "separating_face") {
+    claim.facts({"face"});
+    const Plane& plane = planes[index(claim.single("face"), planes.size())];
+    expect(sgn(plane.at(p)) > 0, "certificate: the face does not separate");
+    expect(claim.word("location") == "outside", "truth: location is wrong");
+    return;
+  }
+  expect(claim.kind() == "barycentric", wrong_kind), claim.facts({"corners", "weights"});
+  const std::vector<Rational> corners = claim.list("corners"), weights = claim.list("weights");
+  expect(corners.size() == 4 && weights.size() == 4, "certificate: four corners and their weights");
+  Rational sum;
+  Triple combination{0, 0, 0};
+  for (std::size_t k = 0; k < 4; ++k) {
+    expect(sgn(weights[k]) >= 0, "certificate: a weight is negative");
+    sum += weights[k];
+    combination = along(combination, weights[k], surface.vertices[index(corners[k], surface.vertices.size())]);
+  }
+  expect(sum == 1 && combination == p, "certificate: the weights give another point");
+  bool on = false;
+  for (const Plane& plane : planes) on = on || sgn(plane.at(p)) == 0;
+  expect(claim.word("location") == (on ? "boundary" : "inside"), "truth: location is wrong");
+}
+
+}  // namespace
+
+Checks checks_of_polyhedra() { return {{"point_in_convex_polyhedron", check_point_in_convex_polyhedron}}; }
+
+}  // namespace touchstone::certify

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polyhedra/point_in_convex_polyhedron.h"
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+
+#include "oracle/exact/convex_mesh.h"
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/wide.h"
+
+namespace touchstone::oracle {
+namespace {
+
+struct Question {
+  ConvexMesh mesh;
+  HomogeneousPoint point;
+};
+
+template <class Number>
+Question validated(const Mesh<Number>& mesh, const Point3<Number>& point) {
+  ConvexMesh whole("mesh", mesh);
+  validation::validate("point", point);
+  HomogeneousPoint at = whole.whole(point);
+  return {std::move(whole), std::move(at)};
+}
+
+Integer determinant(const Vector3<Integer>& u, const Vector3<Integer>& v, const Vector3<Integer>& w) {
+  return dot(u, cross(v, w));
+}
+
+/// The tetrahedron of vertex 0 and a face that holds the point: the weights of its corners times `whole` > 0.
+struct Tetrahedron {
+  std::array<Index, 4> corners;
+  std::array<Integer, 4> weights;
+  Integer whole;
+};
+
+/// By Cramer's rule: the point less vertex 0 as a sum of multiples of the other three corners less vertex 0.
+std::optional<Tetrahedron> holding(const Question& q, const Face& face) {
+  const auto& vertices = q.mesh.vertices;
+  const Point3<Integer>& apex = vertices[0];
+  const Integer& w = q.point.w;
+  const Vector3<Integer> a = vertices[face.a] - apex, b = vertices[face.b] - apex, c = vertices[face.c] - apex,
+                         p{Integer(q.point.x - w * apex.x), Integer(q.point.y - w * apex.y),
+                           Integer(q.point.z - w * apex.z)};
+  Integer volume = determinant(a, b, c);
+  if (sgn(volume) == 0) return std::nullopt;
+  const int turned = sgn(volume);
+  const auto positive = [turned](const Integer& value) { return Integer(turned * value); };
+  Tetrahedron found{
+      {0, face.a, face.b, face.c},
+      {Integer(0), positive(determinant(p, b, c)), positive(determinant(a, p, c)), positive(determinant(a, b, p))},
+      Integer(positive(volume) * w)};
+  found.weights[0] = found.whole - found.weights[1] - found.weights[2] - found.weights[3];
+  for (const Integer& weight : found.weights) {
+    if (sgn(weight) < 0) return std::nullopt;
+  }
+  return found;
+}
+
+std::optional<Tetrahedron> holding(const Question& q) {
+  for (const Face& face : q.mesh.faces) {
+    if (auto found = holding(q, face)) return found;
+  }
+  return std::nullopt;
+}
+
+Location located(const Question& q) {
+  if (!holding(q)) return Location::outside;
+  for (const WholePlane& plane : q.mesh.planes) {
+    if (sgn(plane.at(q.point)) == 0) return Location::boundary;
+  }
+  return Location::inside;
+}
+
+/// The squared distance of the point from a plane, in squared units.
+Rational squared_distance(const Question& q, const WholePlane& plane) {
+  const Integer height = plane.at(q.point);
+  return quotient(Integer(height * height), Integer(dot(plane.normal, plane.normal) * q.point.w * q.point.w));
+}
+
+template <class Number>
+Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) {
+  const Question q = validated(mesh, point);
+  const Location location = located(q);
+  if (location == Location::boundary) return {location, Rational(0)};
+  std::optional<Rational> deciding;
+  for (const WholePlane& plane : q.mesh.planes) {
+    if (location == Location::outside && sgn(plane.at(q.point)) <= 0) continue;
+    Rational distance = squared_distance(q, plane);
+    if (!deciding || (location == Location::outside) == (distance > *deciding)) deciding = std::move(distance);
+  }
+  return {location, Rational(deciding.value() * q.mesh.unit * q.mesh.unit)};
+}
+
+}  // namespace
+
+Truth<Location> point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) { return truth_of(mesh, point); }
+
+template <Exact Number>
+Truth<Location> point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point) {
+  return truth_of(mesh, point);
+}
+template Truth<Location> point_in_convex_polyhedron(const Mesh<Rational>&, const Point3<Rational>&);
+
+Certificate point_in_convex_polyhedron_certificate(const Meshd& mesh, const Point3d& point) {
+  const Question q = validated(mesh, point);
+  if (const auto found = holding(q)) {
+    std::vector<Rational> corners, weights;
+    for (const Index corner : found->corners) corners.emplace_back(corner);
+    for (const Integer& weight : found->weights) weights.push_back(quotient(weight, found->whole));
+    return {"barycentric", {{"corners", corners}, {"weights", weights}}};
+  }
+  for (std::size_t i = 0; i < q.mesh.planes.size(); ++i) {
+    if (sgn(q.mesh.planes[i].at(q.point)) > 0) return {"separating_face", {{"face", {Rational(i)}}}};
+  }
+  throw std::logic_error("a point outside a convex solid lies beyond one of its faces");
+}
+
+}  // namespace touchstone::oracle
