@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/broad_phase/all_pairs.h"
 #include "catalogue/lines/explicit_line.h"
 #include "catalogue/lines/implicit_circle.h"
 #include "catalogue/lines/line_line.h"
@@ -10,6 +11,7 @@
 #include "catalogue/lines/point_on_segment.h"
 #include "catalogue/lines/ray_segment.h"
 #include "catalogue/lines/segment_segment.h"
+#include "catalogue/operation.h"
 #include "catalogue/planes/point_ground_plane.h"
 #include "catalogue/planes/point_plane.h"
 #include "catalogue/planes/point_plane_toi.h"
@@ -21,8 +23,11 @@
 #include "catalogue/polygons/polygon_convexity.h"
 #include "catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "catalogue/polygons/polygon_polygon.h"
-#include "catalogue/operation.h"
 #include "catalogue/polygons/triangulate_polygon.h"
+#include "catalogue/polyhedra/point_in_convex_polyhedron.h"
+#include "catalogue/response/reflect_wall.h"
+#include "catalogue/sweeps/swept_sphere_sphere.h"
+#include "catalogue/volumes/aabb_aabb.h"
 
 namespace touchstone::audit {
 
@@ -40,7 +45,8 @@ using Rows = RowList<rows::explicit_line, rows::implicit_circle, rows::parametri
                      rows::orientation, rows::polygon_convexity, rows::polygon_convexity_interior_angles,
                      rows::interior_angles, rows::triangulate_polygon, rows::convex_partition, rows::point_in_polygon,
                      rows::point_in_convex_polygon, rows::polygon_polygon, rows::point_ground_plane,
-                     rows::polygon_normal, rows::point_plane, rows::point_plane_toi>;
+                     rows::polygon_normal, rows::point_plane, rows::point_plane_toi, rows::aabb_aabb,
+                     rows::swept_sphere_sphere, rows::point_in_convex_polyhedron, rows::all_pairs, rows::reflect_wall>;
 
 /// visit.template operator()<Row>() for every row.
 template <class Visit>
