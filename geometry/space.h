@@ -51,6 +51,16 @@ Point3<Real> operator+(const Point3<Real>& p, const Vector3<Real>& v) {
 }
 
 template <class Real>
+Vector3<Real> operator+(const Vector3<Real>& v, const Vector3<Real>& w) {
+  return {Real(v.x + w.x), Real(v.y + w.y), Real(v.z + w.z)};
+}
+
+template <class Real>
+Vector3<Real> operator-(const Vector3<Real>& v, const Vector3<Real>& w) {
+  return {Real(v.x - w.x), Real(v.y - w.y), Real(v.z - w.z)};
+}
+
+template <class Real>
 Vector3<Real> operator*(const Real& t, const Vector3<Real>& v) {
   return {Real(t * v.x), Real(t * v.y), Real(t * v.z)};
 }

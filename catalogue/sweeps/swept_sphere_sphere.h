@@ -44,8 +44,8 @@ struct swept_sphere_sphere {
            const double s = 1 + static_cast<double>(c.below(8)), f = 1 + static_cast<double>(c.below(16)),
                         k = static_cast<double>(c.below(20));
            const Vector3d along{-n, m, small_integer(c, 4)};
-           const Vector3d p = Vector3d{m * s, n * s, 0} + scaled(k, along);
-           return common_motion(p, scaled(-f, along), r * s, c);
+           const Vector3d p = Vector3d{m * s, n * s, 0} + k * along;
+           return common_motion(p, -f * along, r * s, c);
          }},
         {"touching_at_start",
          [](Choices& c) -> Question {
@@ -66,9 +66,10 @@ struct swept_sphere_sphere {
          }},
         {"aimed",
          [](Choices& c) -> Question {
-           const Vector3d p = lattice_normal(c, 6), v = scaled(-1 - static_cast<double>(c.below(2)), p);
+           const Vector3d p = lattice_normal(c, 6), v = (-1 - static_cast<double>(c.below(2))) * p;
            const double x = small_integer(c, 2), y = small_integer(c, 2);
-           return common_motion(p, v + Vector3d{x, y, small_integer(c, 2)}, static_cast<double>(c.below(12)), c);
+           const Vector3d aside{x, y, small_integer(c, 2)};
+           return common_motion(p, v + aside, static_cast<double>(c.below(12)), c);
          }},
         {"same_velocity",
          [](Choices& c) -> Question {
@@ -78,12 +79,12 @@ struct swept_sphere_sphere {
         {"points",
          [](Choices& c) -> Question {
            const Vector3d p = lattice_normal(c, 8);
-           return common_motion(p, scaled(-static_cast<double>(c.below(3)), p), 0, c);
+           return common_motion(p, -static_cast<double>(c.below(3)) * p, 0, c);
          }},
         {"one_inside",
          [](Choices& c) -> Question {
-           const Vector3d p = lattice_normal(c, 4);
-           return common_motion(p, lattice_normal(c, 6), 64 + static_cast<double>(c.below(8)), c);
+           const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 6);
+           return common_motion(p, v, 64 + static_cast<double>(c.below(8)), c);
          }},
         {"fast",
          [](Choices& c) -> Question {
@@ -135,10 +136,6 @@ struct swept_sphere_sphere {
   }
 
  private:
-  static Vector3d scaled(double t, const Vector3d& v) { return t * v; }
-  friend Vector3d operator+(const Vector3d& v, const Vector3d& w) { return {v.x + w.x, v.y + w.y, v.z + w.z}; }
-  friend Vector3d operator-(const Vector3d& v, const Vector3d& w) { return {v.x - w.x, v.y - w.y, v.z - w.z}; }
-
   /// A vector of whole length, and that length.
   static std::pair<Vector3d, double> hypotenuse(Choices& c) {
     static constexpr std::array<std::array<double, 4>, 5> quadruples{
