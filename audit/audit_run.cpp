@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "catalogue/families/shrink.h"
 #include "audit/parallel.h"
+#include "catalogue/families/shrink.h"
 
 namespace touchstone::audit {
 namespace {

@@ -5,7 +5,6 @@
 #include "oracle/certificates/check.h"
 
 namespace touchstone::audit {
-namespace {
 
 Json certificate_json(const oracle::Certificate& certificate) {
   Json result = Json::object();
@@ -22,8 +21,6 @@ Json certificate_json(const oracle::Certificate& certificate) {
   }
   return result;
 }
-
-}  // namespace
 
 Json verdict_json(const Judgement& judgement, Json answer) {
   Json result = Json::object();

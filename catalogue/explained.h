@@ -12,6 +12,8 @@ Json explained(const Operation& operation, const Question& question);
 /// The same of a question that has been examined: the oracle is not asked again.
 Json explained(const Operation& operation, const Question& question, const Examination& examination);
 
+Json certificate_json(const oracle::Certificate& certificate);
+
 /// An answer and the verdict on it.
 Json verdict_json(const Judgement& judgement, Json answer);
 

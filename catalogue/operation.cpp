@@ -64,25 +64,30 @@ std::string refusal(const auto& ask) {
 class AnswerDrawing {
  public:
   AnswerDrawing(Scene& scene, const TrueTape& truth)
-      : scene_(scene), rounded_(tape_with<double>(truth, [](const TrueNumber& n) { return nearest(n); })), exact_(truth), at_(rounded_) {}
+      : scene_(scene),
+        rounded_(tape_with<double>(truth, [](const TrueNumber& n) { return nearest(n); })),
+        exact_(truth),
+        at_(rounded_) {}
 
   void draw(const Shape& shape, const std::string& label) {
+    if (shape.draw != nullptr) {
+      shape.draw(scene_, label, at_, true);
+      return pass(shape);
+    }
     switch (shape.kind) {
       case Shape::Kind::optional:
         if (*at_.word++ != 0) ++exact_.word, draw(*shape.parts[0].shape, label);
         else ++exact_.word;
         return;
-      case Shape::Kind::word: scene_.notes.push_back(label + ": " + shape.words[*at_.word++]); ++exact_.word; return;
+      case Shape::Kind::word:
+        scene_.notes.push_back(label + ": " + shape.words[*at_.word++]);
+        ++exact_.word;
+        return;
       case Shape::Kind::number:
         scene_.notes.push_back(label + " = " + in_words(*exact_.number++));
         ++at_.number;
         return;
       case Shape::Kind::record:
-        if (shape.draw != nullptr) {
-          shape.draw(scene_, label, at_, true);
-          pass(shape);
-          return;
-        }
         if (shape.form == Form::bare) break;
         for (const Shape::Part& part : shape.parts) draw(*part.shape, part.name);
         return;
@@ -94,7 +99,8 @@ class AnswerDrawing {
       default: break;
     }
     const Cursor<TrueNumber> before = exact_;
-    scene_.notes.push_back(label + ": " + one_line(json_of<TrueNumber>(shape, exact_, [](const TrueNumber& n) { return written(n); })));
+    scene_.notes.push_back(
+        label + ": " + one_line(json_of<TrueNumber>(shape, exact_, [](const TrueNumber& n) { return written(n); })));
     at_.number += exact_.number - before.number;
     at_.word += exact_.word - before.word;
   }

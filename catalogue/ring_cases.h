@@ -4,9 +4,9 @@
 #include <tuple>
 #include <vector>
 
+#include "catalogue/families/rings.h"
 #include "catalogue/figures.h"
 #include "catalogue/row.h"
-#include "catalogue/families/rings.h"
 
 /// What the operations on one simple polygon that cut it into pieces are asked, and how their pieces are drawn.
 namespace touchstone::audit {

@@ -109,6 +109,8 @@ struct Hooks {
   /// Questions of exhaustive runs of that size: how many, and the one of an index (default: a grid of all numbers).
   std::uint64_t (*world_count)(int size) = nullptr;
   Question (*world_at)(int size, std::uint64_t index) = nullptr;
+  /// Exact symmetries, asked of robust and oracle.
+  Laws laws{};
 };
 
 class Operation;

@@ -12,6 +12,7 @@
 #include "catalogue/judge/exact.h"
 #include "catalogue/judge/tracked.h"
 #include "catalogue/judge/true_number.h"
+#include "catalogue/laws.h"
 #include "catalogue/scene.h"
 #include "catalogue/shape.h"
 #include "oracle/certificates/certificate.h"
@@ -60,8 +61,8 @@ struct RowFunctions {
   /// Decisions alone; `decision` is the shape of the enumerator, nullptr where robust has no function for it.
   const Shape* decision;
   Word (*decide)(const Question&, std::size_t environment);
-  Word (*decide_by_oracle)(const Question&);           ///< nullptr: the oracle has no quick decision
-  Word (*decide_by_integers)(const Question&);         ///< of whole numbers below 2^31; nullptr likewise
+  Word (*decide_by_oracle)(const Question&);    ///< nullptr: the oracle has no quick decision
+  Word (*decide_by_integers)(const Question&);  ///< of whole numbers below 2^31; nullptr likewise
   DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last);  ///< nullptr likewise
 
   /// Hard cases in the order of the row.
@@ -78,6 +79,7 @@ struct RowFunctions {
   std::pair<std::size_t, std::size_t> (*map_axes)();
   void (*draw)(Scene&, const Question&);
   std::optional<World> world;
+  Laws laws;
 };
 
 }  // namespace touchstone::audit

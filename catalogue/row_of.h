@@ -38,7 +38,9 @@ struct RowOf {
   static auto formula(const Question& question, const Convert& convert) {
     return ask_reference<Row>(unpacked<rebound_t<Asked, Real>>(question, convert));
   }
-  static Tape<double> reference(const Question& question) { return packed(ask_reference<Row>(unpacked<Asked>(question))); }
+  static Tape<double> reference(const Question& question) {
+    return packed(ask_reference<Row>(unpacked<Asked>(question)));
+  }
   static Tape<double> reference_in_float(const Question& question) {
     return packed(formula<float>(question, [](double number) { return static_cast<float>(number); }));
   }
@@ -55,13 +57,16 @@ struct RowOf {
   }
 
   static Tape<double> robust(const Question& question, std::size_t environment) {
-    return packed(in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_robust<Row>(q); }));
+    return packed(
+        in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_robust<Row>(q); }));
   }
   static Solution solve(const Question& question) {
     auto truth = ask_oracle<Row>(unpacked<Asked>(question));
     return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
   }
-  static oracle::Certificate certify(const Question& question) { return ask_certificate<Row>(unpacked<Asked>(question)); }
+  static oracle::Certificate certify(const Question& question) {
+    return ask_certificate<Row>(unpacked<Asked>(question));
+  }
   static TrueTape solve_as_typed(const Tape<mpq_class>& question) {
     using Typed = rebound_t<Asked, mpq_class>;
     return packed_as<TrueNumber>(
@@ -199,6 +204,7 @@ RowFunctions RowOf<Row>::functions() {
   if (given.map_centre) f.map_centre = map_centre;
   f.map_axes = given.map_axes;
   if (given.draw) f.draw = draw;
+  f.laws = given.laws;
   if (given.world_count) f.world = World{world_count, world_at};
   return f;
 }

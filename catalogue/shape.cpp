@@ -49,7 +49,8 @@ void draw_value(Scene& scene, const Shape& shape, const std::string& label, Curs
       return;
     case Shape::Kind::list: {
       const Word length = *at.word++;
-      for (Word i = 0; i < length; ++i) draw_value(scene, *shape.parts[0].shape, label + "[" + std::to_string(i) + "]", at);
+      for (Word i = 0; i < length; ++i)
+        draw_value(scene, *shape.parts[0].shape, label + "[" + std::to_string(i) + "]", at);
       return;
     }
     case Shape::Kind::choice: {

@@ -31,7 +31,7 @@ struct Shape {
   Form form = Form::record;           ///< of a record: how JSON writes it
   Meaning meaning = Meaning::number;  ///< of a record's own numbers, else of the number
   std::vector<const char*> words;     ///< of a word: its enumerators
-  int no = -1;                        ///< of a word: the enumerator that means "no common point", -1 where there is none
+  int no = -1;  ///< of a word: the enumerator that means "no common point", -1 where there is none
   std::vector<Part> parts;
   /// Draws a value over doubles; nullptr where the type has no figure of its own.
   void (*draw)(Scene&, const std::string& label, Cursor<double>& from, bool answer) = nullptr;
@@ -48,6 +48,12 @@ Shape measured(Shape shape);
 
 template <class T>
 const Shape& shape_of(Meaning meaning = Meaning::number);
+
+/// Numbers, flags and indices alone have none.
+template <class T>
+inline constexpr bool has_figure = Composite<T>;
+template <class T>
+inline constexpr bool has_figure<std::vector<T>> = has_figure<T>;
 
 template <class T>
 Shape made_shape() {
@@ -84,7 +90,8 @@ Shape made_shape() {
       shape.parts.push_back({member.name, &shape_of<Part>(shape.meaning)});
     });
   }
-  if constexpr (Composite<T> && requires(Scene& scene, const T& value) { draw(scene, std::string(), value, false); }) {
+  if constexpr (has_figure<T> &&
+                requires(Scene & scene, const T& value) { draw(scene, std::string(), value, false); }) {
     shape.draw = [](Scene& scene, const std::string& label, Cursor<double>& from, bool answer) {
       T value{};
       unpack(value, from, [](double number) { return number; });

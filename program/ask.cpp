@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/audit_run.h"
+#include "audit/engines/engine.h"
 #include "catalogue/explained.h"
 #include "program/commands.h"
 #include "program/program.h"
-#include "audit/engines/engine.h"
-#include "audit/audit_run.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <mutex>
 
-#include "program/commands.h"
-#include "program/program.h"
 #include "audit/audit_run.h"
 #include "audit/parallel.h"
+#include "audit/tally_json.h"
+#include "program/commands.h"
+#include "program/program.h"
 #include "report/html.h"
 #include "report/table.h"
-#include "audit/tally_json.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {

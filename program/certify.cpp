@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check.h"
 #include "program/commands.h"
 #include "program/program.h"
-#include "oracle/certificates/check.h"
 
 namespace touchstone::audit {
 

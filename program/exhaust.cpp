@@ -3,11 +3,11 @@
 
 #include <charconv>
 
+#include "audit/audit_run.h"
+#include "audit/tally_json.h"
 #include "program/commands.h"
 #include "program/program.h"
-#include "audit/audit_run.h"
 #include "report/table.h"
-#include "audit/tally_json.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <iostream>
 
+#include "audit/parallel.h"
 #include "program/commands.h"
 #include "program/program.h"
-#include "audit/parallel.h"
 #include "report/html.h"
 
 namespace touchstone::audit {

@@ -20,18 +20,25 @@ std::string joined(const std::vector<const char*>& words) {
   return text;
 }
 
+/// "spheres | boxes"
+std::string all_fields(const Card& card) {
+  std::string text = joined(card.fields);
+  for (const auto& other : card.other_fields) text += " | " + joined(other);
+  return text;
+}
+
 }  // namespace
 
 int ops_command(bool json, std::ostream& out) {
   if (!json)
-    out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", "operation", "chapter", "pages", "judged", "input",
+    out << fmt::format("{:<34} {:<11} {:<6} {:<9} {:<25} {}\n", "operation", "chapter", "pages", "judged", "input",
                        "question");
   Json list = Json::array();
   for (const Operation* operation : catalogue()) {
     const Card& card = operation->card();
     if (!json) {
-      out << fmt::format("{:<34} {:<8} {:<6} {:<9} {:<16} {}\n", card.name, card.chapter, card.pages,
-                         kind_name(card.kind), joined(card.fields), card.question);
+      out << fmt::format("{:<34} {:<11} {:<6} {:<9} {:<25} {}\n", card.name, card.chapter, card.pages,
+                         kind_name(card.kind), all_fields(card), card.question);
       continue;
     }
     Json entry = Json::object();
@@ -39,9 +46,11 @@ int ops_command(bool json, std::ostream& out) {
     entry["chapter"] = card.chapter;
     entry["pages"] = card.pages;
     entry["fields"] = card.fields;
+    if (!card.other_fields.empty()) entry["other_fields"] = card.other_fields;
     if (card.is_method()) entry["method_of"] = card.method_of;
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);
+    entry["price"] = static_cast<int>(card.price);
     entry["question"] = card.question;
     entry["answer"] = operation->answer_description();
     entry["families"] = operation->families();

@@ -7,9 +7,9 @@
 #include <charconv>
 #include <iostream>
 
+#include "audit/engines/engine.h"
 #include "program/commands.h"
 #include "program/map.h"
-#include "audit/engines/engine.h"
 
 namespace touchstone::audit {
 namespace {

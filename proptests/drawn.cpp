@@ -33,6 +33,8 @@ static void showValue(const Drawn& drawn, std::ostream& os) {
 
 namespace {
 
+constexpr std::uint64_t least_cases = 8;
+
 /// Shorter streams first, then those of smaller bytes.
 std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& bytes) {
   std::vector<std::vector<std::uint8_t>> found;
@@ -88,6 +90,11 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 
 void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
            std::uint64_t size) {
+  // A dear question is asked less often.
+  const auto cases = std::max<std::uint64_t>(
+      least_cases, static_cast<std::uint64_t>(usual) * size / static_cast<std::uint64_t>(operation.card().price));
+  size = std::min(size, cases);
+  usual = static_cast<int>(cases / size);
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     property(
         operation.name() + ", " + operation.families()[family] + ": " + sentence,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/row_of.h"
 #include "catalogue/judge/exact.h"
+#include "catalogue/row_of.h"
 #include "oracle/certificates/certificate.h"
 
 namespace touchstone::proptests {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/row.h"
 #include "catalogue/codec/tape.h"
+#include "catalogue/row.h"
 #include "proptests/answer_bits.h"
 
 /// What robust answers in any environment, bit by bit.

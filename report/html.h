@@ -4,8 +4,8 @@
 #include <string>
 
 #include "audit/engines/engine.h"
-#include "report/map_image.h"
 #include "audit/tally.h"
+#include "report/map_image.h"
 
 namespace touchstone::audit {
 

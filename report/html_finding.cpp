@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catalogue/codec/json.h"
+#include "catalogue/explained.h"
 #include "geometry/invalid_input.h"
 #include "report/answered.h"
 #include "report/html_parts.h"
@@ -78,13 +79,7 @@ std::string what_was_said(const Examination& question, const Finding& finding, c
 }
 
 std::string certificate(const Examination& question) {
-  const oracle::Certificate proof = question.certificate();
-  Json facts = Json::object();
-  for (const auto& [name, numbers] : proof.facts) {
-    Json& list = facts[name] = Json::array();
-    for (const mpq_class& number : numbers) list.push_back(written(number));
-  }
-  const Json json = {{"kind", proof.kind}, {"facts", facts}};
+  const Json json = certificate_json(question.certificate());
   return "<details><summary>Certificate of the truth</summary><pre>" + escaped(json.dump(1)) +
          "</pre><p class=\"small quiet\">Checked by <code>touchstone certify</code>, which knows no geometry: it "
          "multiplies, adds and "

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "audit/tally.h"
 #include "report/labels.h"
 #include "report/map_image.h"
-#include "audit/tally.h"
 #include "report/wording.h"
 
 /// Pieces that several pages of the report are made of. Arguments are plain text, results are HTML.

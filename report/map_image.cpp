@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "audit/parallel.h"
+#include "geometry/invalid_input.h"
 #include "report/palette.h"
 #include "report/wording.h"
-#include "geometry/invalid_input.h"
 
 namespace touchstone::audit {
 namespace {

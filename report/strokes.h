@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "report/labels.h"
 #include "catalogue/scene.h"
+#include "report/labels.h"
 #include "report/viewport.h"
 
 namespace touchstone::audit {

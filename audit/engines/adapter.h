@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/catalogue.h"
-#include "catalogue/operation.h"
 #include "audit/engines/engine_answer.h"
 #include "audit/engines/serve.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/operation.h"
 
 /// Audits a C++ implementation. An engine is a struct:
 ///

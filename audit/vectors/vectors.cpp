@@ -5,10 +5,10 @@
 #include <limits>
 #include <map>
 
-#include "catalogue/explained.h"
 #include "audit/audit_run.h"
-#include "catalogue/judge/environment.h"
 #include "audit/vectors/flags.h"
+#include "catalogue/explained.h"
+#include "catalogue/judge/environment.h"
 #include "oracle/certificates/check.h"
 
 namespace touchstone::audit {

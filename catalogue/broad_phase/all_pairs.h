@@ -107,7 +107,8 @@ struct all_pairs {
            const auto small = [&c] { return static_cast<double>(c.below(256)) * 0x1p-60; };
            const double x = large(), r = large(), y = small(), s = small();
            const int e = static_cast<int>(c.below(601)) - 300;
-           Spheres two{{{std::ldexp(x, e), 0, 0}, std::ldexp(s, e)}, {{std::ldexp(c.below(2) == 1 ? -y : y, e), 0, 0}, std::ldexp(r, e)}};
+           Spheres two{{{std::ldexp(x, e), 0, 0}, std::ldexp(s, e)},
+                       {{std::ldexp(c.below(2) == 1 ? -y : y, e), 0, 0}, std::ldexp(r, e)}};
            if (c.below(2) == 1) std::swap(two[0], two[1]);
            return std::tuple(two);
          }},
@@ -145,7 +146,12 @@ struct all_pairs {
   static Question map_centre() { return std::tuple(Spheres{{{0, 0, 0}, 2}, {{3, 4, 0}, 3}}); }
   static std::pair<std::size_t, std::size_t> map_axes() { return {3, 5}; }
 
-  static Hooks<all_pairs> hooks() { return {.repair = repair, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<all_pairs> hooks() {
+    return {.repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
 
  private:
   /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.

@@ -97,8 +97,8 @@ concept Plain = std::same_as<T, bool> || std::same_as<T, Index>;
 
 /// Whatever is neither described nor an enumeration nor a container nor plain is a number.
 template <class T>
-concept Number = !Enumeration<T> && !Composite<T> && !Plain<T> && !is_optional<T> && !is_vector<T> &&
-    !is_variant<T> && !is_tuple<T>;
+concept Number =
+    !Enumeration<T> && !Composite<T> && !Plain<T> && !is_optional<T> && !is_vector<T> && !is_variant<T> && !is_tuple<T>;
 
 /// The same shape over another number type.
 template <class T, class To>

@@ -104,8 +104,7 @@ struct Described<Face> {
 template <class R>
 struct Described<Mesh<R>> {
   static constexpr Form form = Form::record;
-  static constexpr auto members =
-      std::tuple{member("vertices", &Mesh<R>::vertices), member("faces", &Mesh<R>::faces)};
+  static constexpr auto members = std::tuple{member("vertices", &Mesh<R>::vertices), member("faces", &Mesh<R>::faces)};
 };
 template <>
 struct Described<IndexPair> {

@@ -155,8 +155,8 @@ bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>&
   bool numbers = true;
   SideBySide<Exact> both(truth, answer, reading);
   const bool words = both.walk(shape, [&](const TrueNumber& right, const Exact& answered) {
-    numbers = numbers && answered.defined() &&
-              (answered.value() == right || nearest(answered.value()) == nearest(right));
+    numbers =
+        numbers && answered.defined() && (answered.value() == right || nearest(answered.value()) == nearest(right));
   });
   return words && numbers;
 }

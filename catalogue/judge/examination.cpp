@@ -42,7 +42,8 @@ Json Examination::robust() const {
   }
 }
 
-Comparison Examination::compared(const Tape<double>& answer, Reading reading, bool binary32, Judgement& judgement) const {
+Comparison Examination::compared(const Tape<double>& answer, Reading reading, bool binary32,
+                                 Judgement& judgement) const {
   Comparison found;
   if (row_.fault != nullptr) {
     found.decision = row_.fault(question_, answer).empty();

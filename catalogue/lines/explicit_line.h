@@ -82,7 +82,9 @@ struct explicit_line {
   static Question map_centre() { return {0.5, 12, {0.5, 12.25}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 2}; }
 
-  static Hooks<explicit_line> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
+  static Hooks<explicit_line> hooks() {
+    return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw, .laws = {.scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

@@ -97,7 +97,12 @@ struct implicit_circle {
   static Question map_centre() { return {{{0.5, 0.5}, 13}, {12.5, 5.5}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<implicit_circle> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<implicit_circle> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

@@ -89,7 +89,11 @@ struct line_line {
   static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{17, 17}, {24, 24}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<line_line> hooks() { return {.map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<line_line> hooks() {
+    return {.map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1, {{"ta", "tb"}}}}}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

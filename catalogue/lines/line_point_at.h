@@ -84,7 +84,12 @@ struct line_point_at {
   static Question map_centre() { return {{{-1, -12}, {3, 3}}, 1.0 / 3}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 4}; }
 
-  static Hooks<line_point_at> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<line_point_at> hooks() {
+    return {.scale = scale,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

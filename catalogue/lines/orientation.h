@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/codec/walk.h"
 #include "catalogue/figures.h"
 #include "catalogue/long_choices.h"
 #include "catalogue/rounded_choices.h"
 #include "catalogue/row.h"
-#include "catalogue/codec/walk.h"
 #include "oracle/exact/elimination.h"
 #include "oracle/lines/orientation.h"
 #include "reference/lines/orientation.h"
@@ -114,7 +114,12 @@ struct orientation {
     audit::draw(scene, "p", p, false);
   }
 
-  static Hooks<orientation> hooks() { return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
+  static Hooks<orientation> hooks() {
+    return {.map_centre = map_centre,
+            .map_axes = map_axes,
+            .draw = draw,
+            .laws = {.maps = Laws::Maps::affine, .scales = true, .reflected = {{"left", "right"}}}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

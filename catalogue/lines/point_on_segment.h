@@ -107,7 +107,12 @@ struct point_on_segment {
   static Question map_centre() { return {{12, 12}, {{0.5, 0.5}, {24, 24}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
 
-  static Hooks<point_on_segment> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<point_on_segment> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

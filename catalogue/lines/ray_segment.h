@@ -130,7 +130,12 @@ struct ray_segment {
   static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{24, 24}, {24, 3}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<ray_segment> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<ray_segment> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

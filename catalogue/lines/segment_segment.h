@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/codec/walk.h"
 #include "catalogue/long_choices.h"
 #include "catalogue/row.h"
-#include "catalogue/codec/walk.h"
 #include "oracle/exact/elimination.h"
 #include "oracle/lines/segment_segment.h"
 #include "reference/lines/segment_segment.h"
@@ -140,7 +140,14 @@ struct segment_segment {
   static Question map_centre() { return {{{0.5, 0.5}, {24, 24}}, {{12, 12}, {24, 3}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<segment_segment> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<segment_segment> hooks() {
+    return {
+        .as_open_sets = as_open_sets,
+        .map_centre = map_centre,
+        .map_axes = map_axes,
+        .laws = {
+            .maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1, {{"ta", "tb"}}}}, .sorted = {"overlap"}}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

@@ -74,7 +74,9 @@ struct point_ground_plane {
   static Question map_centre() { return {{0.5, 0, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  static Hooks<point_ground_plane> hooks() { return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
+  static Hooks<point_ground_plane> hooks() {
+    return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw, .laws = {.scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

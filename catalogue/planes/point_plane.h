@@ -149,7 +149,9 @@ struct point_plane {
   static Question map_centre() { return {{{1, 1, 1}, -3}, {1, 1, 1}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {4, 5}; }
 
-  static Hooks<point_plane> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
+  static Hooks<point_plane> hooks() {
+    return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw};
+  }
 
  private:
   /// A lattice point that is `height` over a plane through lattice points, in units of the normal.

@@ -177,7 +177,9 @@ struct point_plane_toi {
   static Question map_centre() { return {{{1, 1, 1}, -3}, {2, 1, 1}, {1, 1, 1}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {7, 8}; }
 
-  static Hooks<point_plane_toi> hooks() { return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw}; }
+  static Hooks<point_plane_toi> hooks() {
+    return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .draw = draw};
+  }
 
  private:
   /// A step on the lattice from one height over a plane through lattice points to another, in units of N . N.

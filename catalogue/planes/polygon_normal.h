@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/rings.h"
 #include "catalogue/figures.h"
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
 #include "catalogue/space_figures.h"
-#include "catalogue/families/rings.h"
 #include "oracle/planes/polygon_normal.h"
 #include "reference/planes/polygon_normal.h"
 #include "robust/planes/polygon_normal.h"
@@ -28,6 +28,7 @@ struct polygon_normal {
         .fields = {"polygon"},
         .ulps = 22,
         .margin_degree = 2,
+        .price = Price::ring,
         .list_length = 4,
         .formula_answers_less = true,
         .longest_vector = 2300};

@@ -24,6 +24,7 @@ struct convex_partition {
                            .fields = {"polygon"},
                            .answer = "pieces",
                            .margin_degree = 2,
+                           .price = Price::ring,
                            .list_length = 4};
     return card;
   }
@@ -43,7 +44,9 @@ struct convex_partition {
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
-  static Hooks<convex_partition> hooks() { return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw}; }
+  static Hooks<convex_partition> hooks() {
+    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw};
+  }
 };
 
 }  // namespace touchstone::audit::rows

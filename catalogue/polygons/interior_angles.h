@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/row.h"
 #include "catalogue/families/rings.h"
+#include "catalogue/row.h"
 #include "oracle/polygons/interior_angles.h"
 #include "reference/polygons/interior_angles.h"
 #include "robust/polygons/interior_angles.h"
@@ -24,6 +24,7 @@ struct interior_angles {
                            .fields = {"polygon"},
                            .answer = "angles",
                            .ulps = 18,
+                           .price = Price::ring,
                            .list_length = 4};
     return card;
   }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "catalogue/row.h"
 #include "catalogue/families/rings.h"
+#include "catalogue/row.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/polygons/point_in_convex_polygon.h"
 #include "reference/polygons/point_in_convex_polygon.h"
@@ -27,6 +27,7 @@ struct point_in_convex_polygon {
                            .fields = {"polygon", "point"},
                            .answer = "location",
                            .margin_degree = 2,
+                           .price = Price::ring,
                            .list_length = 4};
     return card;
   }
@@ -137,7 +138,12 @@ struct point_in_convex_polygon {
   /// The point (12, 12), on the edge from (24, 24) to (0.5, 0.5), is moved.
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
 
-  static Hooks<point_in_convex_polygon> hooks() { return {.as_open_sets = as_open_sets, .repair = repair, .map_centre = map_centre}; }
+  static Hooks<point_in_convex_polygon> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
+            .map_centre = map_centre,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

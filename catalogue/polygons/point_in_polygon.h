@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/rounded_choices.h"
-#include "catalogue/row.h"
 #include "catalogue/codec/walk.h"
 #include "catalogue/families/rings.h"
+#include "catalogue/rounded_choices.h"
+#include "catalogue/row.h"
 #include "oracle/polygons/point_in_polygon.h"
 #include "reference/polygons/point_in_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
@@ -24,6 +24,7 @@ struct point_in_polygon {
                            .fields = {"polygon", "point"},
                            .answer = "location",
                            .margin_degree = 2,
+                           .price = Price::ring,
                            .list_length = 4};
     return card;
   }
@@ -213,7 +214,10 @@ struct point_in_polygon {
   /// The point (12, 12), on the edge from (24, 24) to (0.5, 0.5), is moved.
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
 
-  static Hooks<point_in_polygon> hooks() { return {.as_open_sets = as_open_sets, .map_centre = map_centre}; }
+  static Hooks<point_in_polygon> hooks() {
+    return {
+        .as_open_sets = as_open_sets, .map_centre = map_centre, .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
 
  private:
   static Point2d any_vertex(const Polygon2d& ring, Choices& c) { return ring[c.below(ring.size())]; }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/row.h"
 #include "catalogue/families/rings.h"
+#include "catalogue/row.h"
 #include "oracle/polygons/polygon_convexity.h"
 #include "reference/polygons/polygon_convexity.h"
 #include "robust/polygons/polygon_convexity.h"
@@ -23,6 +23,7 @@ struct polygon_convexity {
                            .kind = Kind::decision,
                            .fields = {"polygon"},
                            .margin_degree = 2,
+                           .price = Price::ring,
                            .list_length = 4};
     return card;
   }
@@ -113,7 +114,11 @@ struct polygon_convexity {
     if (ring.size() % 2 == 0) untangle(ring);
   }
 
-  static Hooks<polygon_convexity> hooks() { return {.repair = repair, .map_centre = map_centre}; }
+  static Hooks<polygon_convexity> hooks() {
+    return {.repair = repair,
+            .map_centre = map_centre,
+            .laws = {.maps = Laws::Maps::affine, .scales = true, .reflected = {{"ccw", "cw"}}}};
+  }
 };
 
 }  // namespace touchstone::audit::rows

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/rings.h"
 #include "catalogue/figures.h"
 #include "catalogue/row.h"
-#include "catalogue/families/rings.h"
 #include "oracle/polygons/polygon_polygon.h"
 #include "reference/polygons/polygon_polygon.h"
 #include "robust/polygons/polygon_polygon.h"
@@ -25,6 +25,7 @@ struct polygon_polygon {
                            .fields = {"a", "b"},
                            .answer = "contact",
                            .margin_degree = 2,
+                           .price = Price::ring,
                            .list_length = 3};
     return card;
   }
@@ -137,7 +138,13 @@ struct polygon_polygon {
   static Question map_centre() { return {{{{-12, -12}, {24, 24}, {-12, 30}}}, {{{0.5, 0.5}, {20, -5}, {16, -9}}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {8, 9}; }
 
-  static Hooks<polygon_polygon> hooks() { return {.as_open_sets = as_open_sets, .repair = repair, .map_centre = map_centre, .map_axes = map_axes}; }
+  static Hooks<polygon_polygon> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1}}}};
+  }
 
  private:
   /// The ring moved so that one of its vertices is p.

@@ -140,7 +140,8 @@ struct point_in_convex_polyhedron {
             .repair = repair,
             .map_centre = map_centre,
             .world_count = world_count,
-            .world_at = world_at};
+            .world_at = world_at,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 };
 

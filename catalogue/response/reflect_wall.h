@@ -73,7 +73,7 @@ struct reflect_wall {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static Hooks<reflect_wall> hooks() {
-    return {.residuals = residuals, .map_centre = map_centre, .map_axes = map_axes};
+    return {.residuals = residuals, .map_centre = map_centre, .map_axes = map_axes, .laws = {.scales = true}};
   }
 
  private:

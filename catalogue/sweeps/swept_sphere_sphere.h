@@ -30,7 +30,8 @@ struct swept_sphere_sphere {
 
   struct decision {
     static HitRelation robust(const Question& q) {
-      return applied([](const auto&... value) { return ::touchstone::robust::swept_sphere_sphere_relation(value...); }, q);
+      return applied([](const auto&... value) { return ::touchstone::robust::swept_sphere_sphere_relation(value...); },
+                     q);
     }
   };
 
@@ -39,7 +40,8 @@ struct swept_sphere_sphere {
         {"tangent",
          [](Choices& c) -> Question {
            // A line at the distance of the radii from the origin, by a Pythagorean triple.
-           static constexpr std::array<std::array<double, 3>, 4> triples{{{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}}};
+           static constexpr std::array<std::array<double, 3>, 4> triples{
+               {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}}};
            const auto [m, n, r] = triples[c.below(4)];
            const double s = 1 + static_cast<double>(c.below(8)), f = 1 + static_cast<double>(c.below(16)),
                         k = static_cast<double>(c.below(20));
@@ -108,9 +110,13 @@ struct swept_sphere_sphere {
          }},
         {"least_beside_greatest",
          [](Choices& c) -> Question {
-           const double tiny = std::ldexp(small_integer(c), -1074), huge = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
+           const double tiny = std::ldexp(small_integer(c), -1074),
+                        huge = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
            const Vector3d v = c.below(2) == 1 ? Vector3d{-huge, 0, 0} : Vector3d{-4, tiny, 0};
-           return {{{c.below(2) == 1 ? huge : 3.0, tiny, 0}, 1}, {{0, 0, 0}, c.below(2) == 1 ? 1.0 : std::fabs(tiny)}, v, {0, 0, 0}};
+           return {{{c.below(2) == 1 ? huge : 3.0, tiny, 0}, 1},
+                   {{0, 0, 0}, c.below(2) == 1 ? 1.0 : std::fabs(tiny)},
+                   v,
+                   {0, 0, 0}};
          }},
         {"either_zero",
          [](Choices& c) -> Question {
@@ -132,7 +138,10 @@ struct swept_sphere_sphere {
   static std::pair<std::size_t, std::size_t> map_axes() { return {1, 3}; }
 
   static Hooks<swept_sphere_sphere> hooks() {
-    return {.repair = repair, .map_centre = map_centre, .map_axes = map_axes};
+    return {.repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 
  private:

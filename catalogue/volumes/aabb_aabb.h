@@ -111,7 +111,11 @@ struct aabb_aabb {
   static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
 
   static Hooks<aabb_aabb> hooks() {
-    return {.as_open_sets = as_open_sets, .repair = repair, .map_centre = map_centre, .map_axes = map_axes};
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true, .exchanges = {{0, 1}}}};
   }
 
  private:

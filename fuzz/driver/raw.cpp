@@ -21,7 +21,8 @@ class Slots {
   double number() {
     const double number = next();
     if (!make_finite_ || std::isfinite(number)) return number;
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) & ~(std::uint64_t{1} << 62));  // the exponent of 1
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) &
+                                 ~(std::uint64_t{1} << 62));  // the exponent of 1
   }
   /// Below `values`.
   Word word(std::uint64_t values) {

@@ -73,7 +73,8 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
     const audit::Examination examination(operation_, question);
     const audit::Judgement judgement = examination.judge_robust(environment);
     if (judgement.verdict != audit::Verdict::agree)
-      return "robust and oracle differ: " + std::string(name_of(judgement.verdict)) + " " + judgement.remark + in_words();
+      return "robust and oracle differ: " + std::string(name_of(judgement.verdict)) + " " + judgement.remark +
+             in_words();
     if (examination.margin()) {
       const std::size_t count = std::min<std::size_t>(question.numbers.size(), 16);
       report_margin(*examination.margin(), operation_.card().margin_degree, {question.numbers.data(), count},

@@ -31,7 +31,10 @@ struct Grid {
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
   const std::uint64_t all = operation.configurations(grid.size, list_length).value();
-  std::uint64_t step = all / (static_cast<std::uint64_t>(scaled(grid.most)) + 1) + 1, valid = 0;
+  std::uint64_t step = all / (static_cast<std::uint64_t>(scaled(grid.most / static_cast<int>(operation.card().price))) +
+                              1) +
+                       1,
+                valid = 0;
   while (std::gcd(step, static_cast<std::uint64_t>(grid.size)) != 1) ++step;  // else the last numbers would stand still
   for (std::uint64_t index = 0; index < all; index += step) {
     Question question = operation.on_grid(grid.size, index, list_length);
@@ -61,11 +64,11 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
 
 // Without lists no operation has more than 8 numbers: 4^8 = 65536 configurations.
 EACH_OPERATION("every configuration of the numbers -1, 0, 1") {
-  exhaust(operation, {.size = 3, .first = -1, .most = 1 << 17, .every = 3}, operation.card().list_length);
+  exhaust(operation, {.size = 3, .first = -1, .most = 1 << 16, .every = 16}, operation.card().list_length);
 }
 EACH_OPERATION("every configuration of the numbers 0, 1, 2, 3") {
   if (operation.card().is_method()) return;  // its formula alone is new
-  exhaust(operation, {.size = 4, .first = 0, .most = 1 << 17, .every = 64}, operation.card().list_length);
+  exhaust(operation, {.size = 4, .first = 0, .most = 1 << 16, .every = 64}, operation.card().list_length);
 }
 EACH_OPERATION("configurations of the numbers -1, 0, 1 with one vertex more") {
   if (operation.card().is_method()) return;

@@ -25,7 +25,7 @@ LONGEST = 600  # of the other ways, without a mutant
 def run(command, mutant, limit, cwd=None):
     """(exit code or None after `limit` seconds, seconds)"""
     started = time.monotonic()
-    environment = dict(os.environ, TOUCHSTONE_MUTANT=str(mutant), TOUCHSTONE_CASES="1")
+    environment = dict(os.environ, TOUCHSTONE_MUTANT=str(mutant), TOUCHSTONE_CASES="4")
     try:
         code = subprocess.run(command, env=environment, cwd=cwd, timeout=limit, capture_output=True).returncode
     except subprocess.TimeoutExpired:

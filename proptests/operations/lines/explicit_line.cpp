@@ -30,7 +30,6 @@ TEST_CASE("explicit_line: reflected in the x axis above becomes below, in the y 
 }
 
 TEST_CASE("explicit_line: powers of two keep the answer") {
-  law<Row>("scales by powers of two", scales<Row>);
   law<Row>("a steeper line and a nearer point", [](const auto& ask, const auto& asked) {
     const auto& [m, b, p] = asked;
     for (const int k : {1, 10, 300}) {

@@ -8,8 +8,6 @@ namespace {
 
 using Row = rows::implicit_circle;
 
-auto unchanged = [](const Affine&, Location answer) { return answer; };
-
 Stage decided_by(const Circle2d& circle, const Point2d& point) {
   Stage decided{};
   robust::implicit_circle(circle, point, decided);
@@ -22,23 +20,6 @@ TEST_CASE("implicit_circle: centre and point may be swapped") {
   law<Row>("argument swap", [](const auto& ask, const auto& asked) {
     const auto& [circle, p] = asked;
     return ask(asked) == ask(Row::Question{{p, circle.radius}, circle.center});
-  });
-}
-
-TEST_CASE("implicit_circle: powers of two, the axes' symmetries and integer similarities keep the answer") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("the axes' symmetries", images(axis_symmetries, unchanged));
-  law<Row>("integer similarities of the lattice", [](const auto& ask, const auto& asked) {
-    if (!on_lattice(asked)) return true;
-    // (3, 4) and (5, 12) are of length 5 and 13, and so are their quarter turns.
-    const std::pair<Affine, double> similar[] = {
-        {{1, 0, 0, 1, 123, -456}, 1}, {{3, -4, 4, 3, 7, 1e6}, 5}, {{5, 12, 12, -5, -1, 0}, 13}};
-    for (const auto& [map, factor] : similar) {
-      auto image = map(asked);
-      std::get<0>(image).radius *= factor;
-      if (ask(image) != ask(asked)) return false;
-    }
-    return true;
   });
 }
 

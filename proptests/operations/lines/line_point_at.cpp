@@ -42,12 +42,6 @@ TEST_CASE("line_point_at: a power of two may go from t to the direction") {
   });
 }
 
-TEST_CASE("line_point_at: powers of two, the axes' symmetries and integer maps give the point's image") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("the axes' symmetries", images(axis_symmetries, [](const Affine& map, const auto& p) { return map(p); }));
-  law<Row>("integer maps of the lattice", lattice_images([](const Affine& map, const auto& p) { return map(p); }));
-}
-
 TEST_CASE("line_point_at: IEEE 754's own sum and product are its special cases") {
   robust_law<Row>("t = 1 is a sum, from (0, 0) it is a product", [](const auto& ask, const auto& asked) {
     const auto& [line, t] = asked;

@@ -9,7 +9,6 @@ namespace {
 using Row = rows::orientation;
 
 Side other(Side side) { return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::on; }
-Side turned_over(const Affine& map, Side side) { return map.determinant() < 0 ? other(side) : side; }
 
 Stage decided_by(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   Stage decided{};
@@ -27,12 +26,6 @@ TEST_CASE("orientation: two points swapped turn the side over, a cyclic shift ke
     return of(p1, p, p0) == side && of(p, p0, p1) == side && of(p1, p0, p) == other(side) &&
            of(p0, p, p1) == other(side) && of(p, p1, p0) == other(side);
   });
-}
-
-TEST_CASE("orientation: powers of two, the axes' symmetries and integer maps give the image's side") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("the axes' symmetries", images(axis_symmetries, turned_over));
-  law<Row>("integer maps of the lattice", lattice_images(turned_over));
 }
 
 TEST_CASE("orientation: both points of the line are on it, and every point on a line of one point") {

@@ -20,7 +20,6 @@ TEST_CASE("point_ground_plane: seen in a mirror on the ground, above is below") 
   });
 }
 
-TEST_CASE("point_ground_plane: powers of two keep the answer") { law<Row>("scales by powers of two", scales<Row>); }
 
 TEST_CASE("point_ground_plane: x and z play no part, turned, exchanged or replaced") {
   law<Row>("along the ground", [](const auto& ask, const auto& asked) {

@@ -12,8 +12,6 @@ using Row = rows::point_in_convex_polygon;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
-auto unchanged = [](const Affine&, Location location) { return location; };
-
 Stage decided_by(const Polygon2d& polygon, const Point2d& point) {
   Stage decided{};
   robust::point_in_convex_polygon(polygon, point, decided);
@@ -50,12 +48,6 @@ TEST_CASE("point_in_convex_polygon: it does not matter where the ring starts, no
     std::rotate(other.vertices.begin(), other.vertices.begin() + 1, other.vertices.end());
     return ask(Row::Question{other, p}) == location;
   });
-}
-
-TEST_CASE("point_in_convex_polygon: powers of two, the axes' symmetries and integer maps keep the answer") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("the axes' symmetries", images(axis_symmetries, unchanged));
-  law<Row>("integer maps of the lattice", lattice_images(unchanged));
 }
 
 TEST_CASE("point_in_convex_polygon: as the ray test for any ring says") {

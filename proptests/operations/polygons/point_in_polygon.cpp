@@ -12,8 +12,6 @@ using Row = rows::point_in_polygon;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
-auto unchanged = [](const Affine&, Location location) { return location; };
-
 Stage decided_by(const Polygon2d& polygon, const Point2d& point) {
   Stage decided{};
   robust::point_in_polygon(polygon, point, decided);
@@ -75,12 +73,6 @@ TEST_CASE("point_in_polygon: it does not matter where the ring starts, nor in wh
     }
     return true;
   });
-}
-
-TEST_CASE("point_in_polygon: powers of two, the axes' symmetries and integer maps keep the answer") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("the axes' symmetries", images(axis_symmetries, unchanged));
-  law<Row>("integer maps of the lattice", lattice_images(unchanged));
 }
 
 TEST_CASE("point_in_polygon: the boundary is the union of the edges") {

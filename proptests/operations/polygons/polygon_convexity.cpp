@@ -27,9 +27,6 @@ PolygonConvexity turned_over(PolygonConvexity answer) {
                                                            : Winding::none;
   return answer;
 }
-PolygonConvexity image(const Affine& map, const PolygonConvexity& answer) {
-  return map.determinant() < 0 ? turned_over(answer) : answer;
-}
 
 /// A worked example for both methods of the deck.
 void both(const Polygon2d& polygon, const PolygonConvexity& expected, const std::string& by_lines = "agree",
@@ -55,12 +52,6 @@ TEST_CASE("polygon_convexity: the ring from another vertex on is the same, the o
     std::reverse(ring.vertices.begin(), ring.vertices.end());
     return equal(ask(Row::Question{ring}), turned_over(answer));
   });
-}
-
-TEST_CASE("polygon_convexity: powers of two, the axes' symmetries and integer maps give the image's answer") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("the axes' symmetries", images(axis_symmetries, image));
-  law<Row>("integer maps of the lattice", lattice_images(image));
 }
 
 TEST_CASE("polygon_convexity: a repeated vertex makes a ring degenerate, a spike makes it no longer simple") {
