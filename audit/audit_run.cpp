@@ -177,6 +177,7 @@ void count(Cell& cell, const Question& question, const Judgement& judgement, con
   const bool meant = judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::invalid;
   if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
   if (meant && judgement.touch_reading < 0) ++cell.touches_open;
+  cell.surplus += judgement.surplus;
   if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }

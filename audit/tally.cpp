@@ -142,6 +142,7 @@ void Cell::merge(const Cell& other) {
   for (const auto& [outcome, n] : other.outcomes) outcomes[outcome] += n;
   touches_closed += other.touches_closed;
   touches_open += other.touches_open;
+  surplus += other.surplus;
   refused += other.refused;
   not_asked += other.not_asked;
   if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;

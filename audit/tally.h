@@ -28,6 +28,7 @@ struct Cell {
   double worst_ulps = 0;                                         ///< over the answers whose decision is right
   std::map<std::string, std::uint64_t> outcomes;                 ///< how often the truth was what
   std::uint64_t touches_closed = 0, touches_open = 0;  ///< touches answered as closed sets do, as open sets do
+  std::uint64_t surplus = 0;                           ///< elements that answers which must cover hold beyond the truth
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
   std::uint64_t not_asked = 0;                         ///< the engine had been given up before their turn: no cases
   std::string given_up;                        ///< why, in the engine's or our words; empty where all were asked

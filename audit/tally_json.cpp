@@ -35,6 +35,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
                  {"rules", rules},
                  {"worst_ulps", written(cell.worst_ulps)},
                  {"smallest", smallest}};
+  if (cell.surplus > 0) result["surplus"] = cell.surplus;
   if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
   return result;
 }
@@ -128,6 +129,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   });
   cell.touches_closed = place.at("touches").at("closed").count();
   cell.touches_open = place.at("touches").at("open").count();
+  if (place.value.contains("surplus")) cell.surplus = place.at("surplus").count();
   cell.refused = place.at("refused").count();
   place.at("rules").each_member([&](const std::string& key, const Place& n) { cell.rules[key] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();

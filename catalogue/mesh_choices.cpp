@@ -180,7 +180,7 @@ void map_linearly(Meshd& mesh, Point3d& point, Choices& choices) {
 
 Meshd broken(Meshd mesh, Choices& choices) {
   const std::size_t which = choices.below(mesh.faces.size());
-  switch (choices.below(6)) {
+  switch (choices.below(7)) {
     case 0: mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(which)); break;
     case 1: mesh.faces.push_back(mesh.faces[which]); break;
     case 2: turn_over(mesh.faces[which]); break;
@@ -188,6 +188,7 @@ Meshd broken(Meshd mesh, Choices& choices) {
     case 4:
       for (Point3d& vertex : mesh.vertices) vertex.z = 0;
       break;
+    case 5: break;  // whole, so that the family has answers too
     default: {
       const auto count = static_cast<Index>(mesh.vertices.size());
       const std::vector<Face> faces = mesh.faces;

@@ -25,7 +25,7 @@ Point3d between_vertices(const Meshd& mesh, Choices& choices);
 /// Mesh and point by one integer map of determinant not 0, entries at most 4.
 void map_linearly(Meshd& mesh, Point3d& point, Choices& choices);
 
-/// A mesh that breaks a rule: a face missing, doubled or turned over, a vertex moved, all in one plane, two solids.
+/// Mostly a mesh that breaks a rule: a face missing, doubled, turned over or of two vertices, all in one plane, two solids.
 Meshd broken(Meshd mesh, Choices& choices);
 
 /// The faces of a tetrahedron over the first four vertices, the others taken away; fewer stay as they are.

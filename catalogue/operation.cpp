@@ -51,6 +51,19 @@ GridWords grid_words(const Shape& shape, const Question& question) {
   return found;
 }
 
+/// Of one alternative; empty beyond 2^64.
+std::optional<std::uint64_t> configurations_of(const Shape& shape, const Question& zero, int size) {
+  std::uint64_t total = 1;
+  const auto times = [&total](std::uint64_t factor) { return __builtin_mul_overflow(total, factor, &total); };
+  for (std::size_t i = zero.numbers.size(); i > 0; --i) {
+    if (times(static_cast<std::uint64_t>(size))) return std::nullopt;
+  }
+  for (const auto& [place, values] : grid_words(shape, zero).places) {
+    if (times(values)) return std::nullopt;
+  }
+  return total;
+}
+
 std::string refusal(const auto& ask) {
   try {
     ask();
@@ -153,10 +166,10 @@ Question Operation::zeros(std::size_t list_length, std::size_t alternative) cons
   return question;
 }
 
-std::vector<Question> Operation::zeros_of_alternatives() const {
+std::vector<Question> Operation::zeros_of_alternatives(std::size_t list_length) const {
   std::vector<Question> all;
   const std::size_t count = question_.kind == Shape::Kind::choice ? question_.parts.size() : 1;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(zeros(card().list_length, i));
+  for (std::size_t i = 0; i < count; ++i) all.push_back(zeros(list_length, i));
   return all;
 }
 
@@ -215,28 +228,31 @@ Json Operation::truth_as_typed(const Json& input) const {
 
 std::optional<std::uint64_t> Operation::configurations(int size, std::size_t list_length) const {
   if (row_.world) return row_.world->count(size);
-  const Question zero = zeros(list_length);
-  std::uint64_t total = 1;
-  const auto times = [&total](std::uint64_t factor) { return __builtin_mul_overflow(total, factor, &total); };
-  for (std::size_t i = zero.numbers.size(); i > 0; --i) {
-    if (times(static_cast<std::uint64_t>(size))) return std::nullopt;
-  }
-  for (const auto& [place, values] : grid_words(question_, zero).places) {
-    if (times(values)) return std::nullopt;
+  std::uint64_t total = 0;
+  for (const Question& zero : zeros_of_alternatives(list_length)) {
+    const auto configurations = configurations_of(question_, zero, size);
+    if (!configurations || __builtin_add_overflow(total, *configurations, &total)) return std::nullopt;
   }
   return total;
 }
 
 Question Operation::on_grid(int size, std::uint64_t index, std::size_t list_length) const {
   if (row_.world) return row_.world->at(size, index);
-  Question question = zeros(list_length);
+  std::vector<Question> alternatives = zeros_of_alternatives(list_length);
+  std::size_t which = 0;
+  for (; which + 1 < alternatives.size(); ++which) {
+    const auto configurations = configurations_of(question_, alternatives[which], size);
+    if (!configurations || index < *configurations) break;
+    index -= *configurations;
+  }
+  Question& question = alternatives[which];
   for (const auto& [place, values] : grid_words(question_, question).places) {
     question.words[place] = static_cast<Word>(index % values);
     index /= values;
   }
   for (std::size_t i = question.numbers.size(); i-- > 0; index /= static_cast<std::uint64_t>(size))
     question.numbers[i] = static_cast<double>(index % static_cast<std::uint64_t>(size));
-  return question;
+  return std::move(question);
 }
 
 std::optional<DecisionCount> Operation::count_decisions(int size, std::uint64_t first, std::uint64_t last) const {

@@ -41,7 +41,8 @@ class Operation {
   /// Lists as long as in exhaustive runs.
   Question zeros() const { return zeros(card().list_length); }
   /// One of each alternative; one where there are none.
-  std::vector<Question> zeros_of_alternatives() const;
+  std::vector<Question> zeros_of_alternatives(std::size_t list_length) const;
+  std::vector<Question> zeros_of_alternatives() const { return zeros_of_alternatives(card().list_length); }
   /// Every number rounded to the nearest float.
   Question in_binary32(const Question& question) const;
 
@@ -69,7 +70,7 @@ class Operation {
   std::optional<std::uint64_t> configurations(int size) const { return configurations(size, card().list_length); }
   std::optional<std::uint64_t> configurations(int size, std::size_t list_length) const;
   /// The question of that index. On a plain grid every number runs over 0 .. size - 1 and every word over what it may be; the first
-  /// number is the slowest, words are faster than numbers.
+  /// number is the slowest, words are faster than numbers, and one alternative comes after the other.
   Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, card().list_length); }
   Question on_grid(int size, std::uint64_t index, std::size_t list_length) const;
   /// Configurations `first` <= index < `last` of that grid, decisions alone. Empty where the operation has no such fast pair of decisions.

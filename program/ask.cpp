@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/audit_run.h"
 #include "audit/engines/engine.h"
+#include "audit/meshes.h"
 #include "catalogue/explained.h"
 #include "program/commands.h"
 #include "program/program.h"
@@ -25,12 +26,24 @@ Json said_by(Engine& engine, const Operation& operation, const Question& questio
   return result;
 }
 
+/// The meshes that the command line names, by field.
+Json meshes_of(const AskCommand& command) {
+  Json meshes = Json::object();
+  for (const std::string& named : command.meshes) {
+    const std::size_t equals = named.find('=');
+    if (equals == std::string::npos || equals == 0) throw UsageError("--mesh " + named + ": field=FILE");
+    meshes[named.substr(0, equals)] = parse_line(one_line(to_json(read_mesh(named.substr(equals + 1)))));
+  }
+  return meshes;
+}
+
 }  // namespace
 
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
   const Operation& operation = operation_named(command.operation);
   const std::unique_ptr<Engine> engine = engine_of(command, operation);
   const std::string& file = command.file;
+  const Json meshes = meshes_of(command);
   bool refused_any = false;
   const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
     Json error = Json::object();
@@ -42,7 +55,8 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   };
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
     try {
-      const Json input = parse_line(text);
+      Json input = parse_line(text);
+      if (!meshes.empty() && input.is_object()) input.update(meshes);
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);

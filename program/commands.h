@@ -34,6 +34,7 @@ struct AskCommand {
   bool as_typed = false;
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = 5;
+  std::vector<std::string> meshes;  ///< "field=FILE": a mesh field of every line, from a file
 };
 
 int ops_command(bool json, std::ostream& out);

@@ -23,12 +23,16 @@ int vectors_write_command(const std::string& directory, std::uint64_t seed, std:
   write_text(std::filesystem::path(directory) / "schema.json", vector_schema().dump(1) + "\n");
   for (const Operation* operation : catalogue()) {
     if (operation->card().is_method()) continue;  // the vectors of the operation itself serve
-    const std::vector<std::string> lines = vector_lines(*operation, seed);
+    const Vectors vectors = vectors_of(*operation, seed);
     std::string text;
-    for (const std::string& line : lines) text += line + "\n";
+    for (const std::string& line : vectors.lines) text += line + "\n";
     const auto path = std::filesystem::path(directory) / (operation->name() + ".jsonl");
     write_text(path, text);
-    out << path.string() << ": " << lines.size() << " vectors\n";
+    out << path.string() << ": " << vectors.lines.size() << " vectors";
+    if (vectors.left_out > 0) {
+      out << ", " << vectors.left_out << " longer than " << operation->card().longest_vector << " characters left out";
+    }
+    out << '\n';
   }
   return nothing_found;
 }

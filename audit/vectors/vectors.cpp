@@ -116,8 +116,8 @@ std::string other_complaint(const Operation& operation, const Json& line, const 
 
 }  // namespace
 
-std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t seed) {
-  std::vector<std::string> lines;
+Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
+  Vectors vectors;
   const std::size_t longest = operation.card().longest_vector;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     std::map<std::string, std::size_t> seen;
@@ -127,16 +127,19 @@ std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t 
       const Question question = operation.draw(choices, family);
       if (seen[likeness(operation, question)]++ >= most_alike) continue;
       std::string line = one_line(vector_line(operation, operation.families()[family], question));
-      if (longest != 0 && line.size() > longest) continue;
+      if (longest != 0 && line.size() > longest) {
+        ++vectors.left_out;
+        continue;
+      }
       ++kept;
-      lines.push_back(std::move(line));
+      vectors.lines.push_back(std::move(line));
     }
   }
   for (const Question& zeros : operation.zeros_of_alternatives()) {
     for (std::size_t i = 0; i < zeros.numbers.size(); ++i)
-      lines.push_back(one_line(vector_line(operation, not_finite, with_a_number_not_finite(operation, zeros, i))));
+      vectors.lines.push_back(one_line(vector_line(operation, not_finite, with_a_number_not_finite(operation, zeros, i))));
   }
-  return lines;
+  return vectors;
 }
 
 Json vector_schema() {

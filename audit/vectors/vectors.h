@@ -11,7 +11,11 @@ namespace touchstone::audit {
 
 /// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in which
 /// the slide's formula fails. The same seed gives the same bytes on every machine.
-std::vector<std::string> vector_lines(const Operation& operation, std::uint64_t seed);
+struct Vectors {
+  std::vector<std::string> lines;
+  std::size_t left_out = 0;  ///< longer than the operation's longest vector (Card::longest_vector)
+};
+Vectors vectors_of(const Operation& operation, std::uint64_t seed);
 
 /// The JSON Schema of a line, with every flag explained.
 Json vector_schema();

@@ -76,15 +76,16 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
 }
 
 template <class To, class... Ts, class Change>
+rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
+  return std::apply(
+      [&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; }, values);
+}
+
+template <class To, class... Ts, class Change>
 rebound_t<std::variant<Ts...>, To> converted(const std::variant<Ts...>& value, const Change& change) {
   return std::visit(
       [&](const auto& alternative) { return rebound_t<std::variant<Ts...>, To>(converted<To>(alternative, change)); },
       value);
-}
-template <class To, class... Ts, class Change>
-rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
-  return std::apply(
-      [&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; }, values);
 }
 
 }  // namespace touchstone::audit

@@ -389,7 +389,7 @@ EACH_OPERATION("the symmetries that its row declares hold for the oracle") {
         return broken<TrueNumber>(operation, question,
                                   [&](const Question& q) { return operation.row().solve(q).answer; });
       },
-      3);
+      1);
 }
 
 }  // namespace touchstone::proptests
