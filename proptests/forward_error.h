@@ -96,7 +96,7 @@ inline bool within(double computed, const Rational& truth, const Rational& error
 /// The property that `claim(truth, answer, arguments...)` holds for the slide's formula in double on every valid question: the contract's
 /// promise, as it is written there.
 template <class Row, class Claim>
-void contract(const std::string& sentence, const Claim& claim, int usual = 6) {
+void contract(const std::string& sentence, const Claim& claim, int usual = 12) {
   const auto complaint = [&](const Question& question) -> std::string {
     const auto asked = typed<Row>(question);
     try {

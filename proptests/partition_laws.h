@@ -159,7 +159,7 @@ void formula_keeps_contract() {
           return Row::fault(asked, audit::ask_reference<Row>(asked));
         });
       },
-      1);
+      4);
   CHECK(beyond > 100);
   never(
       operation, "the formula is right in exact arithmetic",

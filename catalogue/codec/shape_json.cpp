@@ -73,13 +73,26 @@ void read_record(const Shape& shape, const Json& json, const std::string& path, 
   }
 }
 
-/// The first alternative that the document fits; where it fits none, the complaint of the one that could be read furthest.
+/// Whether a document has a field of an alternative; true where the alternative is no record of fields.
+bool has_a_field_of(const Shape& alternative, const Json& json) {
+  if (alternative.kind != Shape::Kind::record || alternative.form != Form::record || !json.is_object()) return true;
+  for (const Shape::Part& part : alternative.parts) {
+    if (json.contains(part.name)) return true;
+  }
+  return false;
+}
+
+/// The first alternative that the document fits; where it fits none, the complaint of the one that could be read furthest, of those that
+/// have a field of that name.
 template <class Real>
 void read_choice(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
                  bool partial) {
   std::optional<InvalidInput> complaint;
   std::size_t furthest = 0;
+  bool named = false;
+  for (const Shape::Part& part : shape.parts) named = named || has_a_field_of(*part.shape, json);
   for (std::size_t i = 0; i < shape.parts.size(); ++i) {
+    if (named && !has_a_field_of(*shape.parts[i].shape, json)) continue;
     Tape<Real> tried;
     tried.words.push_back(static_cast<Word>(i));
     try {
@@ -89,7 +102,7 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
       return;
     } catch (const InvalidInput& refused) {
       const std::size_t reached = tried.numbers.size() + 1;
-      if (reached >= furthest) complaint.emplace(refused), furthest = reached;
+      if (reached > furthest) complaint.emplace(refused), furthest = reached;
     }
   }
   throw InvalidInput(*complaint);

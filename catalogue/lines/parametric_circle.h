@@ -23,7 +23,8 @@ struct parametric_circle {
         .kind = Kind::measure,
         .fields = {"circle", "u"},
         .answer = "point",
-        .ulps = 3};
+        .ulps = 3,
+        .price = Price::ring};
     return card;
   }
 

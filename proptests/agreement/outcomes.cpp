@@ -11,7 +11,8 @@
 namespace touchstone::proptests {
 namespace {
 
-constexpr std::uint64_t drawn_of_a_family = 1500;
+/// Of a family; a third of it where a question is dear.
+constexpr std::uint64_t drawn = 1500, drawn_dear = 500;
 
 /// The words of an outcome: "convex/ccw" has two.
 std::vector<std::string> split(const std::string& outcome) {
@@ -36,7 +37,8 @@ struct Reached {
 
 Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
-  for (std::uint64_t i = 0; i < drawn_of_a_family; ++i) {
+  const std::uint64_t cases = operation.card().price == audit::Price::thin ? drawn : drawn_dear;
+  for (std::uint64_t i = 0; i < cases; ++i) {
     Choices choices = Choices::seeded(audit::seed_of(1, operation.families()[family].c_str(), i));
     try {
       ++reached.outcomes[operation.examine(operation.draw(choices, family))->outcome()];

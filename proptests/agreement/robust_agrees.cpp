@@ -38,7 +38,7 @@ EACH_OPERATION("robust agrees with the oracle on every family, in every environm
   if (operation.card().is_method()) return;  // robust and oracle are those of the operation
   never(
       operation, "robust agrees with the oracle",
-      [&](const Question& question) { return complaint(operation, question); }, 128);
+      [&](const Question& question) { return complaint(operation, question); }, 64);
 }
 
 }  // namespace touchstone::proptests

@@ -31,7 +31,7 @@ class Digest {
 };
 
 /// Typed, so that what is inline in robust's headers is compiled here.
-AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
+AnswerBits typed_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
   AnswerBits bits;
   audit::for_each_row([&]<class Row>() {
     if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
@@ -48,7 +48,7 @@ void print_digest(const audit::Operation& operation, bool each_question) {
       const audit::Question question = operation.draw(choices, family);
       Digest of_one;
       for (std::size_t environment = 0; environment < environment_count; ++environment) {
-        const AnswerBits bits = robust_bits(operation, question, environment);
+        const AnswerBits bits = typed_bits(operation, question, environment);
         of_all.add(bits), of_one.add(bits);
       }
       if (!each_question) continue;

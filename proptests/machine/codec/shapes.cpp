@@ -121,7 +121,7 @@ EACH_OPERATION("a field that is not known is named") {
 }
 
 /// In these documents lists of points have at least three; a point of space holds numbers, a segment two points.
-bool is_list(const Json& array) { return array.size() > 2 && array[0].is_array(); }
+bool is_list(const Json& array) { return array[0].is_object() || (array.size() > 2 && array[0].is_array()); }
 
 EACH_OPERATION("an array of another size, and what is no array, is refused by its path; a list may have any length") {
   std::string rule;
@@ -132,7 +132,10 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
       return change(value), true;
     };
   };
+  // Where the same field is read in the plane and in space, what is of neither size is refused as either.
+  const bool ambiguous = operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
+    if (ambiguous && rule != "read") return CHECK(refusal(operation, document).find(": array") != std::string::npos);
     CHECK(refusal(operation, document) == (rule == "read" ? rule : path + rule));
   };
   with_each_changed(operation, change_by([](Json& value) { value.push_back(Json(value[0])); }, true), refused);

@@ -95,7 +95,7 @@ TEST_CASE("tallies: merging cells in any order gives the same cell") {
     Choices choices = Choices::seeded(seed_of(1, "cells", i));
     const auto verdict = static_cast<Verdict>(choices.below(verdict_count));
     const double x = static_cast<double>(choices.below(5)), y = static_cast<double>(choices.below(5));
-    count(parts[choices.below(3)], {{x, y}},
+    count(parts[choices.below(3)], {{x, y, 0, 0, 0, 0}, {}},
           {verdict, static_cast<double>(choices.below(100)), "", static_cast<int>(choices.below(3)) - 1},
           choices.below(2) == 1 ? "left" : "on", i, nullptr);
   }

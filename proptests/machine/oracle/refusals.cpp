@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
-#include <limits>
-#include <set>
 #include <string>
-#include <vector>
 
-#include "catalogue/catalogue.h"
-#include "catalogue/codec/walk.h"
+#include "catalogue/lines/implicit_circle.h"
+#include "catalogue/lines/line_line.h"
+#include "catalogue/lines/line_point_at.h"
+#include "catalogue/lines/parametric_circle.h"
+#include "catalogue/lines/ray_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -22,30 +22,6 @@ std::string refusal(const Question& question) {
 }
 
 }  // namespace
-
-TEST_CASE("truth: a number that is not finite is refused, wherever it stands, each by a name of its own") {
-  const double infinity = std::numeric_limits<double>::infinity();
-  audit::for_each_row([&]<class Row>() {
-    audit::Choices simplest = audit::Choices::replayed({});
-    const auto valid = Row::hard_cases()[0].draw(simplest);
-    REQUIRE(refusal<Row>(valid) == "answered");
-    std::set<std::string> named;
-    std::size_t numbers = 0;
-    audit::for_each_number(valid, [&](const double&) { ++numbers; });
-    for (std::size_t i = 0; i < numbers; ++i) {
-      for (const double wrong : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
-        auto question = valid;
-        std::size_t at = 0;
-        audit::for_each_number(question, [&](double& number) { number = at++ == i ? wrong : number; });
-        const std::string said = refusal<Row>(question), rule = ": finite number";
-        CHECK(said.size() > rule.size());
-        CHECK(said.substr(said.size() - rule.size()) == rule);
-        named.insert(said);
-      }
-    }
-    CHECK(named.size() == numbers);
-  });
-}
 
 TEST_CASE("truth: shapes without a meaning are refused by field and rule") {
   const Point2d p{0.5, -2};

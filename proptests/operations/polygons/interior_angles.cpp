@@ -153,7 +153,8 @@ TEST_CASE("interior_angles: the formula in double stays within the bound of its 
                     if (!within(answer[i], truth.answer[i], bound)) return false;
                   }
                   return true;
-                });
+                },
+                96);
   CHECK(promised > 100);
 }
 

@@ -248,7 +248,8 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
                        }
                        ++promised;
                        return equal(answer, truth.answer);
-                     });
+                     },
+                     96);
   CHECK(promised > 100);
 }
 
