@@ -102,7 +102,8 @@ void contract(const std::string& sentence, const Claim& claim, int usual = 12) {
     try {
       const auto truth = audit::ask_oracle<Row>(asked);
       const auto answer = audit::ask_reference<Row>(asked);
-      const bool kept = std::apply([&](const auto&... argument) { return claim(truth, answer, argument...); }, asked);
+      const bool kept =
+          audit::applied([&](const auto&... argument) { return claim(truth, answer, argument...); }, asked);
       return kept ? "" : "the reference in double breaks its contract";
     } catch (const InvalidInput&) {
       return "";

@@ -35,6 +35,8 @@ void for_each_part(T& value, const Change& change) {
     change.place(value);
   } else if constexpr (requires { std::tuple_size<T>::value; }) {
     std::apply([&](auto&... part) { (for_each_part(part, change), ...); }, value);
+  } else if constexpr (audit::is_variant<T>) {
+    std::visit([&](auto& alternative) { for_each_part(alternative, change); }, value);
   } else if constexpr (audit::is_optional<T>) {
     if (value) for_each_part(*value, change);
   } else if constexpr (audit::is_vector<T>) {
