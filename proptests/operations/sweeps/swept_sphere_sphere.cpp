@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/sweeps/swept_sphere_sphere.h"
+
+#include "proptests/space_laws.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::swept_sphere_sphere;
+using Answer = exact_answer_t<Row>;
+using oracle::Surd;
+
+const Answer misses{HitRelation::never, std::nullopt};
+Answer at(const Surd& t) { return {HitRelation::hit, t}; }
+
+/// p and v: position and velocity of a as b sees them; r: the sum of the radii, halved between the two.
+Row::Question seen(const Vector3d& p, const Vector3d& v, double r) {
+  return {{{p.x, p.y, p.z}, r / 2}, {{0, 0, 0}, r / 2}, v, {0, 0, 0}};
+}
+
+void worked(const Row::Question& question, const Answer& answer, const Rational& margin,
+            const std::string& by_reference = "agree") {
+  example<Row>(question, answer, by_reference);
+  CHECK(*audit::ask_oracle<Row>(question).margin == margin);
+}
+
+Stage decided_by(const Row::Question& question) {
+  const auto& [a, b, va, vb] = question;
+  Stage decided{};
+  robust::swept_sphere_sphere(a, b, va, vb, decided);
+  return decided;
+}
+Stage relation_decided_by(const Row::Question& question) {
+  const auto& [a, b, va, vb] = question;
+  Stage decided{};
+  robust::swept_sphere_sphere_relation(a, b, va, vb, decided);
+  return decided;
+}
+
+/// x + y where that is a double.
+std::optional<double> sum(double x, double y) {
+  const double s = x + y;
+  if (!finite(s) || exact(s) != Rational(exact(x) + exact(y))) return std::nullopt;
+  return s;
+}
+template <class Triple>
+std::optional<Triple> sum(const Triple& a, const Vector3d& b) {
+  const auto x = sum(a.x, b.x), y = sum(a.y, b.y), z = sum(a.z, b.z);
+  if (!x || !y || !z) return std::nullopt;
+  return Triple{*x, *y, *z};
+}
+
+/// A vector that belongs to the question, of about its size.
+Vector3d some_vector(const Row::Question& question) {
+  const auto& [a, b, va, vb] = question;
+  return {b.center.y, va.x, a.center.z};
+}
+
+/// (v.x, v.y, v.z) times 2^k where that is exact.
+std::optional<Vector3d> times_two_to(const Vector3d& v, int k) {
+  const Vector3d w = std::ldexp(1, k) * v;
+  const bool kept =
+      finite(w.x, w.y, w.z) && std::ldexp(w.x, -k) == v.x && std::ldexp(w.y, -k) == v.y && std::ldexp(w.z, -k) == v.z;
+  return kept ? std::optional(w) : std::nullopt;
+}
+
+/// Whether `found` is the answer after all velocities have been multiplied by 2^k: t is divided by it. What is never
+/// met may be met by a faster motion, and a slower one may not get there.
+bool divided(const Answer& answer, const Answer& found, int k) {
+  if (!answer.t) return k > 0 || !found.t;
+  if (*answer.t > Surd(power_of_two(k))) return !found.t;
+  return found.t && *found.t == *answer.t * Surd(power_of_two(-k));
+}
+bool divided(const FirstContact<double>& answer, const FirstContact<double>& found, int k) {
+  if (!answer.t) return k > 0 || !found.t;
+  // A rounded t that is 2^k may have been more.
+  if (!found.t) return *answer.t >= std::ldexp(1, k);
+  return scaled_number(*answer.t, *found.t, -k);
+}
+
+struct Distance {
+  Surd squared, half_slope;  ///< of the centers at t, and half of how fast that grows
+};
+
+Distance distance_at(const Row::Question& question, const Surd& t) {
+  const auto& [a, b, va, vb] = question;
+  Distance total{Rational(0), Rational(0)};
+  const auto add = [&](double from, double to, double v, double w) {
+    const Surd velocity = Rational(exact(v) - exact(w)), d = Surd(Rational(exact(from) - exact(to))) + t * velocity;
+    total = {total.squared + d * d, total.half_slope + d * velocity};
+  };
+  add(a.center.x, b.center.x, va.x, vb.x), add(a.center.y, b.center.y, va.y, vb.y);
+  add(a.center.z, b.center.z, va.z, vb.z);
+  return total;
+}
+
+bool zero(double t) { return t == 0; }
+bool zero(const Surd& t) { return sgn(t) == 0; }
+
+Rational reach(const Row::Question& question) {
+  return exact(std::get<0>(question).radius) + exact(std::get<1>(question).radius);
+}
+
+}  // namespace
+
+TEST_CASE("swept_sphere_sphere: the balls may be exchanged with their velocities") {
+  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    return equal(ask(Row::Question{b, a, vb, va}), ask(asked));
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: powers of two and exchanges of the axes with signs keep the answer") {
+  law<Row>("scales by powers of two", scales<Row>);
+  law<Row>("axes", [](const auto& ask, const auto& asked) {
+    const auto answer = ask(asked);
+    return std::all_of(axis_maps.begin(), axis_maps.end(),
+                       [&](const AxisMap& map) { return equal(ask(map(asked)), answer); });
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: a common velocity and a common place play no part") {
+  law<Row>("common motion", [](const auto& ask, const auto& asked) {
+    const auto answer = ask(asked);
+    const Vector3d offset = some_vector(asked);
+    for (const Vector3d& w : {offset, Vector3d{3, -5, 7}}) {
+      const auto& [a, b, va, vb] = asked;
+      const auto at_a = sum(a.center, w), at_b = sum(b.center, w);
+      if (at_a && at_b && !equal(ask(Row::Question{{*at_a, a.radius}, {*at_b, b.radius}, va, vb}), answer))
+        return false;
+      const auto to_a = sum(va, w), to_b = sum(vb, w);
+      if (to_a && to_b && !equal(ask(Row::Question{a, b, *to_a, *to_b}), answer)) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: only the sum of the radii counts") {
+  law<Row>("radii", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    const auto both = sum(a.radius, b.radius);
+    return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: velocities times a power of two divide t by it") {
+  law<Row>("faster and slower", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    const auto answer = ask(asked);
+    for (const int k : {1, -1, 3, 40, -40, 500}) {
+      const auto v = times_two_to(va, k), w = times_two_to(vb, k);
+      if (v && w && !divided(answer, ask(Row::Question{a, b, *v, *w}), k)) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: larger balls never meet later") {
+  law<Row>("monotone", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    const auto answer = ask(asked);
+    for (const double larger : {audit::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
+      if (!finite(larger)) continue;
+      const auto then = ask(Row::Question{{a.center, larger}, b, va, vb});
+      if (answer.t && (!then.t || *then.t > *answer.t)) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: a motion and the same backwards both meet, or neither does") {
+  law<Row>("backwards", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    const auto end_a = sum(a.center, va), end_b = sum(b.center, vb);
+    if (!end_a || !end_b) return true;
+    const Row::Question back{{*end_a, a.radius}, {*end_b, b.radius}, -1.0 * va, -1.0 * vb};
+    return ask(back).relation == ask(asked).relation;
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: with equal velocities, and at rest, the balls meet at the start or never") {
+  law<Row>("at rest", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    const auto rest = ask(Row::Question{a, b, {0, 0, 0}, {0, 0, 0}}), together = ask(Row::Question{a, b, va, va});
+    const bool meet = distance_at(asked, Rational(0)).squared <= Surd(Rational(reach(asked) * reach(asked)));
+    return equal(rest, together) && rest.t.has_value() == meet && (!meet || zero(*rest.t));
+  });
+}
+
+TEST_CASE(
+    "swept_sphere_sphere: at the exact t the centers are as far apart as the radii reach, and were further before") {
+  law_of<Row>(
+      "oracle: first contact", [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      [](const auto& ask, const auto& asked) {
+        const auto answer = ask(asked);
+        const Surd touch(Rational(reach(asked) * reach(asked)));
+        const bool apart = distance_at(asked, Rational(0)).squared > touch;
+        if (!answer.t) return apart && distance_at(asked, Rational(1)).squared > touch;
+        if (zero(*answer.t)) return !apart;
+        // A parabola that is above at the start and does not rise where it touches has not touched before.
+        const Distance first = distance_at(asked, *answer.t);
+        return apart && first.squared == touch && sgn(first.half_slope) <= 0 && sgn(*answer.t) > 0 &&
+               *answer.t <= Surd(Rational(1));
+      },
+      3);
+}
+
+TEST_CASE("swept_sphere_sphere: p. 23's smaller root worked by hand") {
+  worked(seen({-6, 0, 0}, {8, 0, 0}, 2), at(Rational(1, 2)), 4);  // (8 t - 6)^2 = 4; the least is 0 - 4
+  // (3 t - 2)^2 + 1 = 4: t = (2 - sqrt(3)) / 3; the least is 1 - 4.
+  worked(seen({-2, 1, 0}, {3, 0, 0}, 2), at(Surd(Rational(2, 3), Rational(-1, 3), 3)), 3);
+  worked(seen({-2, 2, 0}, {4, 0, 0}, 2), at(Rational(1, 2)), 0);  // (4 t - 2)^2 = 0: tangent
+  worked(seen({-4, 0, 0}, {2, 0, 0}, 2), at(Rational(1)), 0);     // (2 t - 4)^2 = 4: at the very end
+  worked(seen({-5, 0, 0}, {2, 0, 0}, 2), misses, 5);              // short of it: 3^2 - 4
+  worked(seen({-2, 3, 0}, {4, 0, 0}, 2), misses, 5);              // past it: 9 - 4
+  worked(seen({-5, 0, 0}, {-2, 0, 0}, 2), misses, 21);            // away: 25 - 4 at the start
+  worked(seen({-5, 0, 0}, {0, 0, 0}, 2), misses, 21);             // at rest: 0 / 0 is no t
+  // p = (1, 2, 2) times 3, v = -p, r = 3: |1 - t| 9 = 3.
+  worked(seen({3, 6, 6}, {-3, -6, -6}, 3), at(Rational(2, 3)), 9);
+}
+
+TEST_CASE("swept_sphere_sphere: p. 51's two moving balls worked by hand") {
+  // Seen from b: from (-12, 5, 0) with (24, 0, 0), radii 5 in all: tangent halfway.
+  worked({{{-11, 6, 1}, 2}, {{1, 1, 1}, 3}, {12, 1, 0}, {-12, 1, 0}}, at(Rational(1, 2)), 0);
+  // From (0, 0, 10) with (0, 0, -8), radii 4 in all: 10 - 8 t = 4.
+  worked({{{0, 0, 5}, 1}, {{0, 0, -5}, 3}, {0, 0, -4}, {0, 0, 4}}, at(Rational(3, 4)), 12);
+  // Points: from (4, 0, 0) with (-5, 0, 0); and with (-5, 1, 0), |p x v|^2 / v . v = 16 / 26.
+  worked({{{4, 0, 0}, 0}, {{0, 0, 0}, 0}, {-5, 0, 0}, {0, 0, 0}}, at(Rational(4, 5)), 0);
+  worked({{{4, 0, 0}, 0}, {{0, 0, 0}, 0}, {-5, 1, 0}, {0, 0, 0}}, misses, Rational(8, 13));
+}
+
+TEST_CASE(
+    "swept_sphere_sphere: balls that meet at the start hit there; the smaller root is not where the balls first meet") {
+  worked(seen({-2, 0, 0}, {-1, 0, 0}, 2), at(Rational(0)), 0, "algorithm");  // touching, they part: -4
+  worked(seen({-2, 0, 0}, {1, 0, 0}, 2), at(Rational(0)), 3);                // touching, they go deeper: (t - 2)^2 = 4
+  worked(seen({0, 2, 0}, {3, 0, 0}, 2), at(Rational(0)), 0);                 // touching, along each other: 9 t^2 = 0
+  worked(seen({-1, 0, 0}, {4, 0, 0}, 2), at(Rational(0)), 4, "algorithm");   // one in the other: -1/4
+  worked(seen({-1, 0, 0}, {0, 0, 0}, 2), at(Rational(0)), 3, "algorithm");   // 0 / 0
+  worked(seen({-2, 0, 0}, {0, 0, 0}, 2), at(Rational(0)), 0, "algorithm");   // 0 / 0
+  worked(seen({0, 0, 0}, {0, 0, 0}, 0), at(Rational(0)), 0, "algorithm");    // one point
+}
+
+TEST_CASE("swept_sphere_sphere: rounding misses a tangent, and sees a hit far from the line") {
+  // The line passes at sqrt((93/64)^2 + (124/64)^2) = 155/64, the radii together. With X = 2^54 + 3 2^28, exact is
+  // C = X + 9. Doubles there are multiples of 4: B^2 / (4 A) = X + 8 by rounding, but p . p is X + 8, then X + 12, then
+  // X + 16, and C is X + 12.
+  const double x = -(0x1p27 + 3);
+  worked({{{x, 93.0 / 64, 124.0 / 64}, 1}, {{0, 0, 0}, 91.0 / 64}, {0x1p28, 0, 0}, {0, 0, 0}},
+         at(Rational(Rational(-x) / Rational(0x1p28))), 0, "rounding");
+  // It passes at 2, the radii reach to 1; p . p and C are 2^60.
+  worked(seen({-0x1p30, 2, 0}, {0x1p31, 0, 0}, 1), misses, 3, "rounding");
+}
+
+TEST_CASE("swept_sphere_sphere: huge, subnormal and negative zero") {
+  worked(seen({-huge, 0, 0}, {huge, 0, 0}, 0), at(Rational(1)), 0, "rounding");  // infinity - infinity
+  worked(seen({-3 * tiny, 0, 0}, {4 * tiny, 0, 0}, 2 * tiny), at(Rational(1, 4)),
+         Rational(4 * exact(tiny) * exact(tiny)),
+         "rounding");  // 0 / 0
+  worked(seen({-3, 0, 0}, {2 * tiny, 0, 0}, 2), misses, Rational((3 - 2 * exact(tiny)) * (3 - 2 * exact(tiny)) - 4));
+  worked({{{-0.0, 0, 0}, -0.0}, {{0, -0.0, 0}, 0}, {1, 0, 0}, {0, -0.0, 0}}, at(Rational(0)), 0);
+  worked({{{-1, -0.0, 0}, -0.0}, {{0, 0, 0}, 0}, {2, 0, -0.0}, {0, 0, 0}}, at(Rational(1, 2)), 0);
+  // (2^1023 t - 2)^2 = 1: t = 2^-1023, which is subnormal, and |v|^2 overflows.
+  worked(seen({-2, 0, 0}, {0x1p1023, 0, 0}, 1), at(Surd(power_of_two(-1023))), 1, "rounding");
+}
+
+TEST_CASE("swept_sphere_sphere: what is not finite is refused by its field, and a negative radius") {
+  const Sphere3d ball{{0, 0, 0}, 1};
+  const Vector3d still{0, 0, 0};
+  refused<Row>({{{infinity, 0, 0}, 1}, ball, still, still}, "a.center[0]", "finite number");
+  refused<Row>({{{0, 0, 0}, not_a_number}, ball, still, still}, "a.radius", "finite number");
+  refused<Row>({ball, {{0, 0, -infinity}, 1}, still, still}, "b.center[2]", "finite number");
+  refused<Row>({ball, ball, {0, not_a_number, 0}, still}, "velocity_a[1]", "finite number");
+  refused<Row>({ball, ball, still, {0, 0, infinity}}, "velocity_b[2]", "finite number");
+  refused<Row>({{{9, 0, 0}, -1}, ball, still, still}, "a.radius", "radius >= 0");
+  refused<Row>({ball, {{9, 0, 0}, -tiny}, still, still}, "b.radius", "radius >= 0");
+  // A shape's numbers come before its rule, the first shape before the second.
+  refused<Row>({{{9, 0, 0}, -infinity}, ball, still, still}, "a.radius", "finite number");
+  refused<Row>({{{9, 0, 0}, -1}, {{infinity, 0, 0}, 1}, still, still}, "a.radius", "radius >= 0");
+  refused<Row>({ball, {{9, 0, 0}, -1}, {infinity, 0, 0}, still}, "b.radius", "radius >= 0");
+}
+
+TEST_CASE("swept_sphere_sphere: the relation alone is that of the answer") {
+  robust_law<Row>("relation", [](const auto& ask, const auto& asked) {
+    const auto answer = ask(asked);
+    return Row::decision::robust(asked) == answer.relation &&
+           (answer.relation == HitRelation::hit) == answer.t.has_value();
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: each stage decides what is meant for it, and gives the same answer") {
+  const auto hits = seen({-6, 0, 0}, {8, 0, 0}, 2), overlap = seen({-1, 0, 0}, {8, 0, 0}, 2);
+  const auto passes = seen({-2, 3, 0}, {4, 0, 0}, 2), tangent = seen({-2, 2, 0}, {4, 0, 0}, 2);
+  const auto wide = seen({-6, tiny, 0}, {8, 0, 0}, 2), wide_tangent = seen({-2, 2, 0}, {4, tiny, 0}, 2);
+  for (const auto& question : {overlap, passes}) {
+    CHECK(decided_by(question) == Stage::filter);
+    CHECK(relation_decided_by(question) == Stage::filter);
+  }
+  CHECK(decided_by(hits) == Stage::lattice);  // t has to be found
+  CHECK(relation_decided_by(hits) == Stage::filter);
+  CHECK(decided_by(wide) == Stage::exact);  // 1074 places apart
+  CHECK(relation_decided_by(wide) == Stage::filter);
+  CHECK(decided_by(tangent) == Stage::lattice);
+  CHECK(relation_decided_by(tangent) == Stage::lattice);
+  CHECK(decided_by(wide_tangent) == Stage::exact);
+  CHECK(relation_decided_by(wide_tangent) == Stage::exact);
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, va, vb] = asked;
+    const auto answer = ask(asked), by_integers = robust::swept_sphere_sphere_exact(a, b, va, vb);
+    const auto by_filter = robust::swept_sphere_sphere_filter(a, b, va, vb),
+               by_lattice = robust::swept_sphere_sphere_lattice(a, b, va, vb);
+    Stage decided{};
+    const HitRelation relation = robust::swept_sphere_sphere_relation(a, b, va, vb, decided);
+    return equal(by_integers, answer) && (!by_filter || equal(*by_filter, answer)) &&
+           (!by_lattice || equal(*by_lattice, answer)) &&
+           decided_by(asked) == (by_filter    ? Stage::filter
+                                 : by_lattice ? Stage::lattice
+                                              : Stage::exact) &&
+           relation == answer.relation &&
+           stages_agree<HitRelation>(relation, decided, robust::swept_sphere_sphere_relation_filter(a, b, va, vb),
+                                     robust::swept_sphere_sphere_relation_lattice(a, b, va, vb),
+                                     robust::swept_sphere_sphere_relation_exact(a, b, va, vb));
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: the formula in double keeps its contract") {
+  contract<Row>("relation and t beyond the margin", [](const auto& truth, const auto& answer, const Sphere3d& a,
+                                                       const Sphere3d& b, const Vector3d& va, const Vector3d& vb) {
+    const Vector3d p = a.center - b.center, v = va - vb;
+    const double r = a.radius + b.radius, square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
+    const double d = linear * linear - 4 * square * constant;
+    const Row::Question question{a, b, va, vb};
+    const Rational q = distance_at(question, Rational(0)).squared.rational_part() + reach(question) * reach(question);
+    const Rational speed = distance_at({{{0, 0, 0}, 0}, {{0, 0, 0}, 0}, va, vb}, Rational(1)).squared.rational_part();
+    for (const Rational& x : {q, speed})
+      if (x < power_of_two(-480) || x > power_of_two(480)) return true;
+    const Rational u = unit(), error_of_d = 104 * u * speed * q, found = exact(d);
+    if (found < -error_of_d)
+      return answer.relation == HitRelation::never && equal(truth.answer.relation, answer.relation);
+    if (!(found > error_of_d)) return true;
+    // e(t), put together in double: (1 + 2^-40) is more than all roundings of that.
+    const double s = std::sqrt(d), t = (-linear - s) / (2 * square), size = q.get_d();
+    const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * size / s + 9 * std::fabs(t)) * 0x1p-53 + tiny;
+    const Rational error = exact(e) * (1 + power_of_two(-40)), at = exact(t);
+    if (at > error && at < 1 - error) {
+      return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
+             Surd(Rational(at - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(at + error));
+    }
+    if (at > 1 + error || (at < -error && exact(constant) > 7 * u * q))
+      return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
+    return true;
+  });
+}
+
+TEST_CASE("swept_sphere_sphere: in exact arithmetic the formula is wrong of balls alone that meet at the start") {
+  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+  never(
+      audit::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start",
+      [&](const Question& question) -> std::string {
+        try {
+          const auto truth = row.solve(question).answer;
+          if (!truth.numbers.empty() && truth.numbers[0] == Surd(Rational(0))) return "";
+          const bool same =
+              audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
+          return same ? "" : "the formula is wrong even in exact arithmetic";
+        } catch (const InvalidInput&) {
+          return "";
+        }
+      },
+      3);
+}
+
+}  // namespace touchstone::proptests
