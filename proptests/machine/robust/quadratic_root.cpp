@@ -32,9 +32,9 @@ struct Root {
   double rounded() const { return kernel::round_quadratic_root(n, sign, square, d, exponent); }
 };
 
-/// The nearest double by 6000 digits. A root drawn here and the middle between two doubles, if they are not equal, differ
-/// by more than 2^-4000 of n: times its conjugate, which has fewer than 900 digits, such a difference is a fraction whose
-/// denominator has fewer than 2200.
+/// The nearest double by 6000 digits. A root drawn here and the middle between two doubles, if they are not equal,
+/// differ by more than 2^-4000 of n: times its conjugate, which has fewer than 900 digits, such a difference is a
+/// fraction whose denominator has fewer than 2200.
 double by_mpfr(const Root& root) {
   mpfr_t value;
   mpfr_init2(value, 6000);

@@ -75,7 +75,7 @@ TEST_CASE("reflect_wall: only the component along the axis changes, by twice its
   law<Row>("the mean of before and after is along the wall", [](const auto& ask, const auto& asked) {
     const auto& [v, axis] = asked;
     const auto after = ask(asked);
-    const auto change = [axis](Axis along, const Rational& from, const Rational& to) {
+    const auto change = [axis = axis](Axis along, const Rational& from, const Rational& to) {
       return axis == along ? to + from == 0 : to == from;
     };
     return change(Axis::x, exact(v.x), exact(after.x)) && change(Axis::y, exact(v.y), exact(after.y)) &&
