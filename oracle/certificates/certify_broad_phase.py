@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which solids of a list meet, as in check_broad_phase.cpp, where the proof is written down."""
 
-from certify_reading import WRONG_KIND, Claim, expect, number, only
-from certify_space import dot, exact_triple, point_in_space
+from certify_reading import WRONG_KIND, Claim, expect
+from certify_space import ball, box_holds, box_in_space, dot, exact_triple
 
 
 class Ball:
     def __init__(self, value, what):
-        only(value, what, ["center", "radius"])
-        self.center = point_in_space(value["center"], what + ".center")
-        self.radius = number(value["radius"], what + ".radius")
-        expect(self.radius >= 0, what + ".radius: radius >= 0")
+        self.center, self.radius = ball(value, what)
         self.low = [c - self.radius for c in self.center]
         self.high = [c + self.radius for c in self.center]
 
@@ -20,13 +17,10 @@ class Ball:
 
 class Box:
     def __init__(self, value, what):
-        only(value, what, ["min", "max"])
-        self.low, self.high = point_in_space(value["min"], what + ".min"), point_in_space(value["max"], what + ".max")
-        for axis in range(3):
-            expect(self.low[axis] <= self.high[axis], f"{what}.max[{axis}]: min <= max")
+        self.low, self.high = box_in_space(value, what)
 
     def holds(self, p):
-        return all(low <= x <= high for low, x, high in zip(self.low, p, self.high))
+        return box_holds(self.low, self.high, p)
 
 
 def squared_distance(p, q):

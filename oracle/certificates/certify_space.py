@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How certify.py reads shapes of space, as check_space.cpp does."""
+"""How certify.py reads shapes of space, and boxes of the plane, as check_space.cpp does."""
 
 from certify_reading import exact_value, expect, number, only
 
@@ -23,6 +23,36 @@ def plane(value, what):
 def polygon_in_space(value, what):
     expect(isinstance(value, list) and len(value) >= 3, what + ": at least 3 vertices")
     return [point_in_space(vertex, f"{what}[{i}]") for i, vertex in enumerate(value)]
+
+
+def ball(value, what):
+    only(value, what, ["center", "radius"])
+    center, radius = point_in_space(value["center"], what + ".center"), number(value["radius"], what + ".radius")
+    expect(radius >= 0, what + ".radius: radius >= 0")
+    return center, radius
+
+
+def two_or_three(value, what):
+    expect(isinstance(value, list) and len(value) in (2, 3), what + ": a list of two or three")
+    return tuple(number(coordinate, f"{what}[{axis}]") for axis, coordinate in enumerate(value))
+
+
+def box(value, what, corner=two_or_three):
+    """(min, max), two or three coordinates of each."""
+    only(value, what, ["min", "max"])
+    low, high = corner(value["min"], what + ".min"), corner(value["max"], what + ".max")
+    expect(len(high) == len(low), what + ".max: as many coordinates as min")
+    for axis, (least, greatest) in enumerate(zip(low, high)):
+        expect(least <= greatest, f"{what}.max[{axis}]: min <= max")
+    return low, high
+
+
+def box_in_space(value, what):
+    return box(value, what, point_in_space)
+
+
+def box_holds(low, high, p):
+    return all(least <= x <= greatest for least, x, greatest in zip(low, p, high))
 
 
 def exact_triple(value, what):

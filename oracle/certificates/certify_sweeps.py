@@ -1,18 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of moving shapes: one function an operation, as in check_sweeps.cpp."""
 
-from certify_reading import WRONG_KIND, expect, number, only
-from certify_space import dot, point_in_space, triple
+from certify_reading import WRONG_KIND, expect
+from certify_space import ball, dot, point_in_space, triple
 from certify_surd import exact_surd
 
 NO_PROOF = "certificate: the kind does not hold"
-
-
-def ball(value, what):
-    only(value, what, ["center", "radius"])
-    center, radius = point_in_space(value["center"], what + ".center"), number(value["radius"], what + ".radius")
-    expect(radius >= 0, what + ".radius: radius >= 0")
-    return center, radius
 
 
 def minus(p, q):

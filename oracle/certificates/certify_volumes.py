@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of bounding volumes: one function an operation, as in check_volumes.cpp."""
 
-from certify_boxes import box
 from certify_reading import WRONG_KIND, expect
+from certify_space import box, box_holds
 
 
 def axis_of(claim, axes):
@@ -15,10 +15,6 @@ def point_of(claim, axes):
     point = claim.list("point")
     expect(len(point) == axes, "certificate.point: as many coordinates as the boxes")
     return point
-
-
-def holds(low, high, point):
-    return all(least <= p <= greatest for least, p, greatest in zip(low, point, high))
 
 
 def holds_inside(low, high, point):
@@ -42,7 +38,7 @@ def check_aabb_aabb(claim):
         expect(flat or claim.kind() == "supporting_axis", WRONG_KIND)
         claim.facts("point", "axis")
         point = point_of(claim, axes)
-        expect(holds(*a, point) and holds(*b, point), "certificate: the point is not in both boxes")
+        expect(box_holds(*a, point) and box_holds(*b, point), "certificate: the point is not in both boxes")
         k = axis_of(claim, axes)
         if flat:
             expect(a_min[k] == a_max[k] or b_min[k] == b_max[k], "certificate: no box is flat on the axis")

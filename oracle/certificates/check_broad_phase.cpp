@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -22,28 +23,15 @@ Rational square(const Rational& x) { return Rational(x * x); }
 
 /// A closed ball in a radius, or a closed box.
 struct Solid {
-  bool ball;
-  Triple center;
-  Rational radius;
-  Triple low, high;  ///< a ball's: the least box that holds it
+  std::optional<Ball> ball;
+  Box box;  ///< a ball's: the least that holds it
 };
 
-Solid sphere(const json& value, const std::string& what) {
-  only(value, what, {"center", "radius"});
-  const Triple c = point_in_space(value["center"], what + ".center");
-  const Rational r = number(value["radius"], what + ".radius");
-  expect(sgn(r) >= 0, what + ".radius: radius >= 0");
-  const Triple low{Rational(c.x - r), Rational(c.y - r), Rational(c.z - r)};
-  return {true, c, r, low, {Rational(c.x + r), Rational(c.y + r), Rational(c.z + r)}};
-}
-
-Solid box(const json& value, const std::string& what) {
-  only(value, what, {"min", "max"});
-  const Triple min = point_in_space(value["min"], what + ".min"), max = point_in_space(value["max"], what + ".max");
-  expect(min.x <= max.x, what + ".max[0]: min <= max");
-  expect(min.y <= max.y, what + ".max[1]: min <= max");
-  expect(min.z <= max.z, what + ".max[2]: min <= max");
-  return {false, {}, {}, min, max};
+Solid solid_ball(const json& value, const std::string& what) {
+  const Ball result = ball(value, what);
+  const auto& [c, r] = result;
+  const Box around{{c.x - r, c.y - r, c.z - r}, {c.x + r, c.y + r, c.z + r}};
+  return {result, around};
 }
 
 /// Either field.
@@ -55,21 +43,21 @@ std::vector<Solid> solids(const Claim& claim) {
   std::vector<Solid> found;
   for (const json& value : claim.input[field]) {
     const std::string what = field + "[" + std::to_string(found.size()) + "]";
-    found.push_back(boxes ? box(value, what) : sphere(value, what));
+    found.push_back(boxes ? Solid{{}, box_in_space(value, what)} : solid_ball(value, what));
   }
   return found;
 }
 
 bool holds(const Solid& solid, const Triple& p) {
-  if (solid.ball) return dot(p - solid.center, p - solid.center) <= square(solid.radius);
-  const Triple &low = solid.low, &high = solid.high;
-  return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y && low.z <= p.z && p.z <= high.z;
+  if (!solid.ball) return solid.box.holds({p.x, p.y, p.z});
+  const Triple from_center = p - solid.ball->center;
+  return dot(from_center, from_center) <= square(solid.ball->radius);
 }
 
-Rational Triple::*axis(const Claim& claim) {
+std::size_t axis(const Claim& claim) {
   const Rational which = claim.single("axis");
   expect(which == 0 || which == 1 || which == 2, "certificate: not an axis");
-  return which == 0 ? &Triple::x : which == 1 ? &Triple::y : &Triple::z;
+  return which.get_num().get_ui();
 }
 
 /// A number of the certificate that says which solid.
@@ -121,13 +109,15 @@ Pairs proved_apart(const Claim& claim, const std::vector<Solid>& solids) {
     expect(i < j, "certificate: not a pair i < j");
     const Solid &a = solids[i], &b = solids[j];
     if (distance) {
-      expect(a.ball, "certificate: no such kind for this truth");
-      const Rational squared = dot(b.center - a.center, b.center - a.center);
+      expect(a.ball.has_value(), "certificate: no such kind for this truth");
+      const Triple between = b.ball->center - a.ball->center;
+      const Rational squared = dot(between, between);
       expect(proof.single("squared_distance") == squared, "certificate: the squared distance is wrong");
-      expect(squared > square(Rational(a.radius + b.radius)), "certificate: a pair is not apart");
+      expect(squared > square(Rational(a.ball->radius + b.ball->radius)), "certificate: a pair is not apart");
     } else {
-      const auto along = axis(proof);
-      expect(a.high.*along < b.low.*along || b.high.*along < a.low.*along, "certificate: a pair is not apart");
+      const std::size_t along = axis(proof);
+      expect(a.box.max[along] < b.box.min[along] || b.box.max[along] < a.box.min[along],
+             "certificate: a pair is not apart");
     }
     expect(pairs.insert({i, j}).second, "certificate: a pair is listed twice");
   }
@@ -140,7 +130,7 @@ void check_all_pairs(const Claim& claim) {
   expect(claim.kind() == "sweep", "certificate: no such kind for this truth");
   claim.facts({"axis", "order", "meet", "apart"});
   const Pairs meeting = proved_to_meet(claim, all), apart = proved_apart(claim, all);
-  const auto along = axis(claim);
+  const std::size_t along = axis(claim);
   std::vector<std::size_t> order;
   std::set<std::size_t> seen;
   for (const Rational& index : claim.list("order")) {
@@ -149,10 +139,11 @@ void check_all_pairs(const Claim& claim) {
   }
   expect(order.size() == all.size(), "certificate: the order is not of all");
   for (std::size_t p = 1; p < order.size(); ++p) {
-    expect(all[order[p - 1]].low.*along <= all[order[p]].low.*along, "certificate: the order is not that of the axis");
+    expect(all[order[p - 1]].box.min[along] <= all[order[p]].box.min[along],
+           "certificate: the order is not that of the axis");
   }
   for (std::size_t p = 0; p < order.size(); ++p) {
-    for (std::size_t q = p + 1; q < order.size() && all[order[q]].low.*along <= all[order[p]].high.*along; ++q) {
+    for (std::size_t q = p + 1; q < order.size() && all[order[q]].box.min[along] <= all[order[p]].box.max[along]; ++q) {
       const std::pair<std::size_t, std::size_t> pair = std::minmax({order[p], order[q]});
       expect(meeting.count(pair) + apart.count(pair) == 1, "certificate: a pair is left open");
     }

@@ -8,7 +8,37 @@ void array_of_three(const json& value, const std::string& what) {
   expect(value.is_array() && value.size() == 3, what + ": a list of three");
 }
 
+using Coordinates = std::vector<Rational>;
+
+Coordinates two_or_three(const json& value, const std::string& what) {
+  expect(value.is_array() && (value.size() == 2 || value.size() == 3), what + ": a list of two or three");
+  Coordinates coordinates;
+  for (const json& coordinate : value)
+    coordinates.push_back(number(coordinate, what + "[" + std::to_string(coordinates.size()) + "]"));
+  return coordinates;
+}
+
+Coordinates three(const json& value, const std::string& what) {
+  array_of_three(value, what);
+  return two_or_three(value, what);
+}
+
+Box box_of(const json& value, const std::string& what, Coordinates (*corner)(const json&, const std::string&)) {
+  only(value, what, {"min", "max"});
+  const Box result{corner(value["min"], what + ".min"), corner(value["max"], what + ".max")};
+  expect(result.max.size() == result.axes(), what + ".max: as many coordinates as min");
+  for (std::size_t k = 0; k < result.axes(); ++k)
+    expect(result.min[k] <= result.max[k], what + ".max[" + std::to_string(k) + "]: min <= max");
+  return result;
+}
+
 }  // namespace
+
+bool Box::holds(const std::vector<Rational>& p) const {
+  for (std::size_t k = 0; k < axes(); ++k)
+    if (p[k] < min[k] || p[k] > max[k]) return false;
+  return true;
+}
 
 Triple point_in_space(const json& value, const std::string& what) {
   array_of_three(value, what);
@@ -29,6 +59,16 @@ std::vector<Triple> polygon_in_space(const json& value, const std::string& what)
     vertices.push_back(point_in_space(vertex, what + "[" + std::to_string(vertices.size()) + "]"));
   return vertices;
 }
+
+Ball ball(const json& value, const std::string& what) {
+  only(value, what, {"center", "radius"});
+  const Ball result{point_in_space(value["center"], what + ".center"), number(value["radius"], what + ".radius")};
+  expect(sgn(result.radius) >= 0, what + ".radius: radius >= 0");
+  return result;
+}
+
+Box box(const json& value, const std::string& what) { return box_of(value, what, two_or_three); }
+Box box_in_space(const json& value, const std::string& what) { return box_of(value, what, three); }
 
 Triple exact_triple(const json& value, const std::string& what) {
   array_of_three(value, what);

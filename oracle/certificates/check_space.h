@@ -5,7 +5,7 @@
 
 #include "oracle/certificates/check_reading.h"
 
-/// Shapes of space as claims write them, each with the rules of its shape.
+/// Shapes of space, and boxes of the plane, as claims write them, each with the rules of its shape.
 namespace touchstone::certify {
 
 /// A position or a displacement.
@@ -29,10 +29,27 @@ struct Plane {
   Rational at(const Triple& p) const { return Rational(dot(normal, p) + offset); }
 };
 
+/// Closed, of a radius that is not negative.
+struct Ball {
+  Triple center;
+  Rational radius;
+};
+
+/// The points p with min[k] <= p[k] <= max[k]; two or three of each, min[k] <= max[k].
+struct Box {
+  std::vector<Rational> min, max;
+  std::size_t axes() const { return min.size(); }
+  bool holds(const std::vector<Rational>& p) const;
+};
+
 /// Input, by the field's name; `what` is how the field is called in a refusal.
 Triple point_in_space(const json& value, const std::string& what);
 Plane plane(const json& value, const std::string& what);
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what);
+Ball ball(const json& value, const std::string& what);
+/// Of the plane or of space.
+Box box(const json& value, const std::string& what);
+Box box_in_space(const json& value, const std::string& what);
 
 /// Exact values of the truth and of the certificate.
 Triple exact_triple(const json& value, const std::string& what);

@@ -8,18 +8,6 @@ namespace {
 const char* const wrong_kind = "certificate: no such kind for this truth";
 const char* const no_proof = "certificate: the kind does not hold";
 
-struct Ball {
-  Triple center;
-  Rational radius;
-};
-
-Ball ball(const json& value, const std::string& what) {
-  only(value, what, {"center", "radius"});
-  const Ball result{point_in_space(value["center"], what + ".center"), number(value["radius"], what + ".radius")};
-  expect(sgn(result.radius) >= 0, what + ".radius: radius >= 0");
-  return result;
-}
-
 /// constant + linear t + square t^2
 struct Polynomial {
   Rational constant, linear, square;

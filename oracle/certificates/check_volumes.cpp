@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "oracle/certificates/check_boxes.h"
+#include "oracle/certificates/check_space.h"
 
 namespace touchstone::certify {
 namespace {
@@ -20,12 +20,6 @@ std::vector<Rational> point_of(const Claim& claim, const Box& box) {
   std::vector<Rational> point = claim.list("point");
   expect(point.size() == box.axes(), "certificate.point: as many coordinates as the boxes");
   return point;
-}
-
-bool holds(const Box& box, const std::vector<Rational>& point) {
-  for (std::size_t k = 0; k < box.axes(); ++k)
-    if (point[k] < box.min[k] || point[k] > box.max[k]) return false;
-  return true;
 }
 
 bool holds_inside(const Box& box, const std::vector<Rational>& point) {
@@ -48,7 +42,7 @@ void check_touching(const Claim& claim, const Box& a, const Box& b) {
   const bool flat = claim.kind() == "flat_axis";
   expect(flat || claim.kind() == "supporting_axis", wrong_kind), claim.facts({"point", "axis"});
   const std::vector<Rational> point = point_of(claim, a);
-  expect(holds(a, point) && holds(b, point), "certificate: the point is not in both boxes");
+  expect(a.holds(point) && b.holds(point), "certificate: the point is not in both boxes");
   const std::size_t k = axis_of(claim, a);
   if (flat) {
     expect(a.min[k] == a.max[k] || b.min[k] == b.max[k], "certificate: no box is flat on the axis");

@@ -4,37 +4,37 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "robust/kernel/control_word.h"
-#include "robust/kernel/order_key.h"
+#include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/spheres.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
 namespace {
 
-using kernel::order_key;
-using kernel::OrderKey;
+using kernel::ordered_bits;
 
 constexpr std::array coordinates{&Point3d::x, &Point3d::y, &Point3d::z};
 
-/// What a solid takes up of an axis: its middle and half its length, and keys of its ends.
+/// What a solid takes up of an axis: its middle and half its length, and its ends as integers.
 struct Interval {
   double middle, half;
-  OrderKey low, high;
+  std::int64_t low, high;
 };
 
 Interval interval(const Aabb3d& box, double Point3d::*axis) {
   const double low = box.min.*axis, high = box.max.*axis;
-  return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low, order_key(low), order_key(high)};
+  return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low, ordered_bits(low), ordered_bits(high)};
 }
 
 /// Rounding is monotone, and the same for all ends under a guard: intervals that meet still do, infinite ones included.
 Interval interval(const Sphere3d& ball, double Point3d::*axis) {
   const double middle = ball.center.*axis;
-  return {middle, ball.radius, order_key(middle - ball.radius), order_key(middle + ball.radius)};
+  return {middle, ball.radius, ordered_bits(middle - ball.radius), ordered_bits(middle + ball.radius)};
 }
 
 using Intervals = std::array<std::vector<Interval>, 3>;
@@ -73,15 +73,15 @@ std::size_t least_crowded_axis(const Intervals& intervals) {
 
 /// A solid on its way: its ends on the axis of the sweep and on the two others.
 struct Swept {
-  OrderKey low, high;
-  std::array<OrderKey, 2> other_low, other_high;
+  std::int64_t low, high;
+  std::array<std::int64_t, 2> other_low, other_high;
   Index place;
 };
 
 std::vector<Swept> in_order_of_sweep(const Intervals& intervals, std::size_t axis) {
   const std::vector<Interval>&along = intervals[axis], &second = intervals[(axis + 1) % 3],
         &third = intervals[(axis + 2) % 3];
-  std::vector<std::pair<OrderKey, Index>> order;
+  std::vector<std::pair<std::int64_t, Index>> order;
   order.reserve(along.size());
   for (std::size_t i = 0; i < along.size(); ++i) order.emplace_back(along[i].low, static_cast<Index>(i));
   std::sort(order.begin(), order.end());
@@ -127,16 +127,9 @@ std::vector<IndexPair> swept_pairs(const std::vector<Solid>& solids, const Meet&
   return sorted_by(&IndexPair::i, sorted_by(&IndexPair::j, pairs, solids.size()), solids.size());
 }
 
-bool valid(const Sphere3d& ball) { return kernel::valid(ball); }
-bool valid(const Aabb3d& box) {
-  const auto in_order = [&box](double Point3d::*axis) { return order_key(box.min.*axis) <= order_key(box.max.*axis); };
-  return kernel::valid(box.min) && kernel::valid(box.max) && in_order(&Point3d::x) && in_order(&Point3d::y) &&
-         in_order(&Point3d::z);
-}
-
 template <class Solid>
 void validate(const char* field, const std::vector<Solid>& solids) {
-  if (std::all_of(solids.begin(), solids.end(), [](const Solid& solid) { return valid(solid); })) return;
+  if (std::all_of(solids.begin(), solids.end(), [](const Solid& solid) { return kernel::valid(solid); })) return;
   validation::validate(field, solids);
 }
 

@@ -11,8 +11,9 @@ namespace touchstone::robust {
 /// Contract: reference/broad_phase/all_pairs.h. Right for all finite doubles in every floating-point environment.
 ///
 /// Sort and sweep along the axis on which the solids overlap least: time n log n for the order and then one look at
-/// each pair whose intervals meet on that axis. Ends of intervals are compared as integers (robust/kernel/order_key.h);
-/// a sphere's are rounded, all of them to nearest, and what is left of the pairs is decided by robust/kernel/spheres.h.
+/// each pair whose intervals meet on that axis. Ends of intervals are compared as integers
+/// (robust/kernel/ordered_bits.h); a sphere's are rounded, all of them to nearest, and what is left of the pairs is
+/// decided by robust/kernel/spheres.h.
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
 

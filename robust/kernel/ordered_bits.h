@@ -9,14 +9,11 @@
 
 namespace touchstone::robust::kernel {
 
-/// Integers in the order of the doubles, -0.0 being 0.0: read from the bits, so that rounding mode and
-/// denormals-are-zero cannot touch it. A NaN is beyond the infinity of its sign.
+/// Integers in the order of the doubles, infinities at both ends, -0.0 being 0.0: read from the bits, so that rounding
+/// mode and denormals-are-zero cannot touch it. Neighbours differ by 1; a NaN is beyond the infinity of its sign.
 inline std::int64_t ordered_bits(double value) {
   const auto bits = std::bit_cast<std::int64_t>(value), sign = bits >> 63;
   return (bits ^ (sign & std::numeric_limits<std::int64_t>::max())) - sign;
 }
-
-/// That of infinity. Finite is what lies between this and its negative.
-inline constexpr std::int64_t ordered_infinity = std::int64_t{0x7ff} << 52;
 
 }  // namespace touchstone::robust::kernel

@@ -5,6 +5,7 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
 namespace {
@@ -13,23 +14,17 @@ namespace {
 struct AxisContact {
   int apart;     ///< no common point
   int confined;  ///< no common interval of positive length
-  int invalid;   ///< min > max, or a number that is not finite
 };
 
 AxisContact contact_on_axis(double a_min, double a_max, double b_min, double b_max) {
-  using kernel::ordered_infinity;
-  const auto a_low = kernel::ordered_bits(a_min), a_high = kernel::ordered_bits(a_max);
-  const auto b_low = kernel::ordered_bits(b_min), b_high = kernel::ordered_bits(b_max);
-  const auto low = std::max(a_low, b_low), high = std::min(a_high, b_high);
-  const int swapped = static_cast<int>(a_low > a_high) | static_cast<int>(b_low > b_high);
-  // In order, so no min is above the greatest number unless its max is, and no max below the least.
-  const int infinite = static_cast<int>(std::min(a_low, b_low) <= -ordered_infinity) |
-                       static_cast<int>(std::max(a_high, b_high) >= ordered_infinity);
-  return {static_cast<int>(low > high), static_cast<int>(low >= high), swapped | infinite};
+  using kernel::ordered_bits;
+  const auto low = std::max(ordered_bits(a_min), ordered_bits(b_min));
+  const auto high = std::min(ordered_bits(a_max), ordered_bits(b_max));
+  return {static_cast<int>(low > high), static_cast<int>(low >= high)};
 }
 
 AxisContact together(const AxisContact& s, const AxisContact& t) {
-  return {s.apart | t.apart, s.confined | t.confined, s.invalid | t.invalid};
+  return {s.apart | t.apart, s.confined | t.confined};
 }
 
 AxisContact on_all_axes(const Aabb2d& a, const Aabb2d& b) {
@@ -48,9 +43,8 @@ Contact contact_of(const AxisContact& all) {
 
 template <class Box>
 Contact past_filter(const Box& a, const Box& b) {
-  const AxisContact all = on_all_axes(a, b);
-  if (all.invalid != 0) validation::validate("a", a), validation::validate("b", b);
-  return contact_of(all);
+  if (!kernel::valid(a) || !kernel::valid(b)) validation::validate("a", a), validation::validate("b", b);
+  return contact_of(on_all_axes(a, b));
 }
 
 }  // namespace
