@@ -223,7 +223,7 @@ std::string Operation::refusal_mismatch(const Question& question, std::size_t en
 Json Operation::truth_as_typed(const Json& input) const {
   const Tape<mpq_class> exact = read<mpq_class>(input, read_exact);
   if (row_.solve_as_typed == nullptr) throw InvalidInput("--as-typed", "an operation whose truth is rational");
-  return answer_json(row_.solve_as_typed(exact));
+  return answer_json(row_.solve_as_typed(exact).answer);
 }
 
 std::optional<std::uint64_t> Operation::configurations(int size, std::size_t list_length) const {

@@ -56,7 +56,7 @@ struct RowFunctions {
   Tape<double> (*robust)(const Question&, std::size_t environment);
   Solution (*solve)(const Question&);
   oracle::Certificate (*certify)(const Question&);
-  TrueTape (*solve_as_typed)(const Tape<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
+  Solution (*solve_as_typed)(const Tape<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
 
   /// Decisions alone; `decision` is the shape of the enumerator, nullptr where robust has no function for it.
   const Shape* decision;

@@ -67,10 +67,10 @@ struct RowOf {
   static oracle::Certificate certify(const Question& question) {
     return ask_certificate<Row>(unpacked<Asked>(question));
   }
-  static TrueTape solve_as_typed(const Tape<mpq_class>& question) {
+  static Solution solve_as_typed(const Tape<mpq_class>& question) {
     using Typed = rebound_t<Asked, mpq_class>;
-    return packed_as<TrueNumber>(
-        ask_oracle<Row>(unpacked<Typed>(question, [](const mpq_class& number) { return number; })).answer);
+    auto truth = ask_oracle<Row>(unpacked<Typed>(question, [](const mpq_class& number) { return number; }));
+    return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
   }
 
   static Word decide(const Question& question, std::size_t environment) {
