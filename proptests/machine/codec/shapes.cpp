@@ -135,7 +135,10 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
   // Where the same field is read in the plane and in space, what is of neither size is refused as either.
   const bool ambiguous = operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
-    if (ambiguous && rule != "read") return CHECK(refusal(operation, document).find(": array") != std::string::npos);
+    if (ambiguous && rule != "read") {
+      CHECK(refusal(operation, document).find(": array") != std::string::npos);
+      return;
+    }
     CHECK(refusal(operation, document) == (rule == "read" ? rule : path + rule));
   };
   with_each_changed(operation, change_by([](Json& value) { value.push_back(Json(value[0])); }, true), refused);
