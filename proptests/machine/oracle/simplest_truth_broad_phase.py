@@ -1,28 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truth of the broad phase, as simplest_truth.py has that of other chapters: each pair by its difference, which is a
 ball or a box and holds the origin if the two meet."""
-from simplest_truth_reading import number
-
-
-def triple(value):
-    return [number(x) for x in value]
-
-
-def square(v):
-    return sum(x * x for x in v)
+from simplest_truth_reading import dot, minus, number, point
 
 
 def lack_of_balls(a, b):
     """What the squared radii's sum lacks to the squared distance."""
-    between = [q - p for p, q in zip(triple(a["center"]), triple(b["center"]))]
-    return square(between) - (number(a["radius"]) + number(b["radius"])) ** 2
+    between = minus(point(b["center"]), point(a["center"]))
+    return dot(between, between) - (number(a["radius"]) + number(b["radius"])) ** 2
 
 
 def lack_of_boxes(a, b):
     """How far the difference of the two is from holding the origin, along the axes; below 0: how deep it does."""
-    low = [p - q for p, q in zip(triple(a["min"]), triple(b["max"]))]
-    high = [p - q for p, q in zip(triple(a["max"]), triple(b["min"]))]
-    return max(low + [-x for x in high])
+    low, high = minus(point(a["min"]), point(b["max"])), minus(point(a["max"]), point(b["min"]))
+    return max(*low, *(-x for x in high))
 
 
 def truth_all_pairs(q):

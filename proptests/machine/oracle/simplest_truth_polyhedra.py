@@ -1,24 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truth of polyhedra: a convex solid is what lies behind every plane through three vertices that has no
 vertex in front. Its faces are not looked at."""
-from fractions import Fraction
 from itertools import combinations
 
-
-def number(value):
-    return Fraction(float.fromhex(value)) if isinstance(value, str) else Fraction(value)
-
-
-def point(value):
-    return tuple(map(number, value))
-
-
-def minus(p, q):
-    return tuple(a - b for a, b in zip(p, q))
-
-
-def dot(p, q):
-    return sum(a * b for a, b in zip(p, q))
+from simplest_truth_reading import dot, minus, point
 
 
 def cross(p, q):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the second truths share: numbers and points as JSON has them, vectors of the plane, intervals of a parameter."""
+"""What the second truths share: numbers and points as JSON has them, vectors, intervals of a parameter."""
 from fractions import Fraction
 from math import isqrt
 
@@ -11,15 +11,16 @@ def number(value):
 
 
 def point(value):
-    return number(value[0]), number(value[1])
+    """Of the plane or of space; so the two below."""
+    return tuple(map(number, value))
 
 
 def minus(p, q):
-    return p[0] - q[0], p[1] - q[1]
+    return tuple(x - y for x, y in zip(p, q))
 
 
 def dot(p, q):
-    return p[0] * q[0] + p[1] * q[1]
+    return sum(x * y for x, y in zip(p, q))
 
 
 def cross(p, q):

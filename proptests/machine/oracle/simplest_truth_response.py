@@ -4,7 +4,6 @@ gives the answer and the margin."""
 from simplest_truth_reading import number
 
 
-
 def truth_reflect_wall(q):
     """Nothing is decided: there is no margin."""
     turned = {q["axis"]: -1}

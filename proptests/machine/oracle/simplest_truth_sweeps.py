@@ -2,8 +2,7 @@
 """The second truth of moving shapes, in the style of simplest_truth.py."""
 from fractions import Fraction
 
-from simplest_truth_reading import number
-
+from simplest_truth_reading import dot, minus, number, point
 
 
 class FirstRoot:
@@ -32,14 +31,14 @@ class FirstRoot:
 def truth_swept_sphere_sphere(q):
     """The gap, the squared distance of the centers over that of touching balls, falls to its vertex: it is looked at
     there, or at the end of the step that is nearer to it."""
-    p, w = ([number(q["a"]["center"][i]) - number(q["b"]["center"][i]) for i in range(3)],
-            [number(q["velocity_a"][i]) - number(q["velocity_b"][i]) for i in range(3)])
+    p = minus(point(q["a"]["center"]), point(q["b"]["center"]))
+    w = minus(point(q["velocity_a"]), point(q["velocity_b"]))
     reach = number(q["a"]["radius"]) + number(q["b"]["radius"])
 
     def gap(t):
         return sum((x + t * y) ** 2 for x, y in zip(p, w)) - reach * reach
 
-    square = sum(y * y for y in w)
+    square = dot(w, w)
     constant, linear = gap(0), gap(1) - gap(0) - square
     nearest = min(max(-linear / (2 * square), Fraction(0)), Fraction(1)) if square else Fraction(0)
     if constant <= 0:

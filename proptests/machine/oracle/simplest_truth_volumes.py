@@ -4,7 +4,6 @@ gives the answer and the margin."""
 from simplest_truth_reading import number
 
 
-
 def truth_aabb_aabb(q):
     """On each axis the ends of the intervals, and a number between every two neighbours of these, are all that has to
     be tried: a common coordinate, or one inside both, is among them if there is one. Margin: the least difference
