@@ -2,6 +2,7 @@
 #include "catalogue/broad_phase/all_pairs.h"
 
 #include "proptests/space_laws.h"
+#include "robust/kernel/spheres.h"
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests {
@@ -293,6 +294,29 @@ TEST_CASE("all_pairs: the stage is that of the hardest pair of balls; boxes are 
   CHECK(decided_by(tangent) == Stage::lattice);
   CHECK(decided_by(Spheres{{{0, 0, 0}, 1}, {{1, 0, 0}, tiny}}) == Stage::exact);  // tangent but for 1074 places
   CHECK(decided_by(corner) == Stage::filter);
+}
+
+TEST_CASE("all_pairs: balls apart by an ulp, one of the least radius, are apart for the last stage") {
+  const Spheres apart{{{0, 0, 0}, 5}, {{3, 4 + 0x1p-50, 0}, tiny}};
+  CHECK(decided_by(apart) == Stage::exact);
+  CHECK(robust::all_pairs(apart).empty());
+}
+
+TEST_CASE("all_pairs: every stage that knows whether two balls meet says the same") {
+  robust_law<Row>("stages", of_solids([](const auto&, const auto& solids) {
+                    if constexpr (std::is_same_v<decltype(solids), const Spheres&>) {
+                      const Pairs differing = pairs_where(solids.size(), [&](auto i, auto j) {
+                        const Sphere3d &a = solids[i], &b = solids[j];
+                        const int exact = robust::kernel::reach_exact(a, b);
+                        const auto filter = robust::filters::spheres(a, b);
+                        if (robust::kernel::reach_lattice(a, b).value_or(exact) != exact) return true;
+                        return filter != robust::filters::Sign::unknown &&
+                               exact != (filter == robust::filters::Sign::positive ? 1 : -1);
+                      });
+                      return differing.empty();
+                    }
+                    return true;
+                  }));
 }
 
 TEST_CASE("all_pairs: an engine may list more than the truth, in any order, and must miss nothing") {
