@@ -8,6 +8,7 @@
 #include "audit/audit_run.h"
 #include "audit/vectors/flags.h"
 #include "catalogue/explained.h"
+#include "catalogue/families/not_finite.h"
 #include "catalogue/judge/environment.h"
 #include "oracle/certificates/check.h"
 
@@ -43,16 +44,6 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
     line["flags"] = {"refused"};
   }
   return line;
-}
-
-/// Small integers, but for one number.
-Question with_a_number_not_finite(const Operation& operation, Question question, std::size_t bad) {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::array<double, 3> numbers{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
-  const std::vector<std::size_t> places = places_of_numbers(operation.question_shape(), question);
-  for (std::size_t i = 0; i < places.size(); ++i) question.numbers[i] = static_cast<double>(1 + places[i] % 3);
-  question.numbers[bad] = numbers[bad % numbers.size()];
-  return question;
 }
 
 /// What makes two vectors alike: the outcome and what the slide's formula makes of it.
@@ -136,8 +127,12 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
     }
   }
   for (const Question& zeros : operation.zeros_of_alternatives()) {
-    for (std::size_t i = 0; i < zeros.numbers.size(); ++i)
-      vectors.lines.push_back(one_line(vector_line(operation, not_finite, with_a_number_not_finite(operation, zeros, i))));
+    for (std::size_t i = 0; i < zeros.numbers.size(); ++i) {
+      static constexpr double infinity = std::numeric_limits<double>::infinity();
+      static constexpr std::array<double, 3> bad{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
+      const Question question = with_not_finite(operation, zeros, i, bad[i % bad.size()]);
+      vectors.lines.push_back(one_line(vector_line(operation, not_finite, question)));
+    }
   }
   return vectors;
 }

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "catalogue/families/not_finite.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
@@ -41,18 +42,15 @@ std::string refusal_by_oracle(const Operation& operation, const Question& questi
 }  // namespace
 
 EACH_OPERATION("a number that is not finite is refused by its field, wherever it stands, in every environment") {
-  for (const Question& zeros : operation.zeros_of_alternatives())
+  for (const Question& zeros : operation.zeros_of_alternatives()) {
     for (std::size_t i = 0; i < zeros.numbers.size(); ++i) {
       Question marked = zeros;
       marked.numbers[i] = 12345;
       const std::string path = path_of_mark(operation.print(marked), "", 12345);
       REQUIRE(!path.empty());
+      const std::string expected = path + ": finite number";
       for (const double bad : {infinity, -infinity, not_a_number, -not_a_number}) {
-        // Ones and twos: no other rule is broken, except perhaps by equal points, which come after the numbers.
-        Question question = zeros;
-        for (std::size_t j = 0; j < question.numbers.size(); ++j) question.numbers[j] = static_cast<double>(1 + j % 3);
-        question.numbers[i] = bad;
-        const std::string expected = path + ": finite number";
+        const Question question = audit::with_not_finite(operation, zeros, i, bad);
         CHECK(refusal_by_oracle(operation, question) == expected);
         for (std::size_t environment = 0; environment < environment_count; ++environment) {
           INFO(environment_name(environment));
@@ -60,6 +58,7 @@ EACH_OPERATION("a number that is not finite is refused by its field, wherever it
         }
       }
     }
+  }
 }
 
 EACH_OPERATION("of several numbers that are not finite the first is named, and before it any rule broken earlier") {
