@@ -3,8 +3,8 @@
 
 #include <charconv>
 
-#include "catalogue/codec/json.h"
-#include "report/wording.h"
+#include "audit/engines/protocol.h"
+#include "catalogue/codec/plain.h"
 
 namespace touchstone::audit {
 namespace {

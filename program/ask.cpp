@@ -2,6 +2,7 @@
 #include "audit/audit_run.h"
 #include "audit/engines/engine.h"
 #include "audit/meshes.h"
+#include "catalogue/codec/plain.h"
 #include "catalogue/explained.h"
 #include "program/commands.h"
 #include "program/program.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "audit/engines/protocol.h"
 #include "report/html.h"
 #include "report/html_parts.h"
 #include "report/palette.h"

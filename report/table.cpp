@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "audit/engines/protocol.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {
@@ -91,7 +92,8 @@ std::string counts(const Tally& tally) {
       sum.refused == 0 ? "" : "drawn but outside the contract, so no cases: " + grouped(sum.refused) + rules + "\n";
   for (const OperationTally& operation : tally.operations) {
     const Cell total = operation.total();
-    if (total.surplus > 0) notes += operation.operation + ": " + counted(total.surplus, "element") + " listed beyond the truth\n";
+    if (total.surplus > 0)
+      notes += operation.operation + ": " + counted(total.surplus, "element") + " listed beyond the truth\n";
     if (total.not_asked > 0) notes += operation.operation + ": " + not_asked_in_words(total) + "\n";
   }
   return laid_out(rows) + "\n" + notes;

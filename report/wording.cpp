@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "catalogue/codec/json.h"
+#include "catalogue/codec/plain.h"
 
 namespace touchstone::audit {
 namespace {
@@ -17,31 +17,16 @@ bool is_exact_value(const std::string& text) {
          std::count(text.begin(), text.end(), '/') <= 1;
 }
 
-/// What an engine typed where a number may stand: the number, or its characters if they are none.
-Json number_or_text(const Json& typed) {
-  try {
-    return written(read_answer_number(typed, "answer"));
-  } catch (const InvalidInput&) {
-    return typed_text(typed);
-  }
-}
-
-Json rewritten(const Json& answer, bool abbreviate) {
-  if (is_typed_number(answer)) return number_or_text(answer);
-  if (answer.is_string() && abbreviate) {
+/// Long exact values made short.
+Json abbreviated(const Json& answer) {
+  if (answer.is_string()) {
     const std::string& text = answer.get_ref<const std::string&>();
     if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text), 48, 20);
     return answer;
   }
   if (!answer.is_structured()) return answer;
-  Json result = answer.is_array() ? Json::array() : Json::object();
-  for (const auto& [key, value] : answer.items()) {
-    if (answer.is_array()) {
-      result.push_back(rewritten(value, abbreviate));
-    } else {
-      result[key] = rewritten(value, abbreviate);
-    }
-  }
+  Json result = answer;
+  for (Json& part : result) part = abbreviated(part);
   return result;
 }
 
@@ -148,15 +133,6 @@ std::string subject(const Declaration& declaration) {
          (declaration.binary32 ? " (binary32)" : " (binary64)");
 }
 
-std::string boundary_word(Declaration::Boundary boundary) {
-  switch (boundary) {
-    case Declaration::Boundary::closed: return "closed";
-    case Declaration::Boundary::open: return "open";
-    case Declaration::Boundary::unspecified: break;
-  }
-  return "unspecified";
-}
-
 std::string meaning(Verdict verdict, Speaker speaker) {
   const bool foreign = speaker == Speaker::foreign;
   switch (verdict) {
@@ -231,9 +207,7 @@ std::string readable(const mpq_class& exact, std::size_t most, std::size_t digit
   return fmt::format("about {}{}{}{}e{:+d}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), power);
 }
 
-Json readable(const Json& answer) { return rewritten(answer, true); }
-Json plain(const Json& answer) { return rewritten(answer, false); }
-
+Json readable(const Json& answer) { return abbreviated(plain(answer)); }
 std::string word_in(const Json& answer) {
   if (answer.is_boolean()) return answer.get<bool>() ? "true" : "false";
   if (!answer.is_object()) return "value";

@@ -24,7 +24,6 @@ std::string ulps_in_words(double ulps);
 
 /// "reference (binary64)"
 std::string subject(const Declaration& declaration);
-std::string boundary_word(Declaration::Boundary boundary);
 
 /// Whose answer it is: "by rounding" is decided, and so explained, differently for each.
 enum class Speaker { reference, robust, foreign };
@@ -40,8 +39,6 @@ std::string not_asked_in_words(const Cell& cell);
 std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);
 /// Any answer for the eye: numbers as they were typed become numbers, long exact values are abbreviated.
 Json readable(const Json& answer);
-/// Without abbreviation: what a file keeps of an answer.
-Json plain(const Json& answer);
 
 /// The first word in an answer ("left", "overlap"), or "value".
 std::string word_in(const Json& answer);

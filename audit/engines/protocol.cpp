@@ -33,6 +33,8 @@ std::uint64_t read_id(const Json& id) {
 
 }  // namespace
 
+std::string boundary_word(Declaration::Boundary boundary) { return boundary_words[static_cast<std::size_t>(boundary)]; }
+
 std::string greeting() {
   Json line = Json::object();
   line["touchstone"] = 1;
@@ -70,7 +72,7 @@ std::string written_hello(const Hello& hello) {
   line["engine"] = hello.declaration.engine;
   line["ops"] = hello.operations;
   line["number"] = number_words[hello.declaration.binary32 ? 1 : 0];
-  line["boundary"] = boundary_words[static_cast<std::size_t>(hello.declaration.boundary)];
+  line["boundary"] = boundary_word(hello.declaration.boundary);
   line["tolerance"] = written(hello.declaration.tolerance);
   return one_line(line) + "\n";
 }

@@ -13,6 +13,9 @@
 /// The lines between the program and an engine, as docs/engines.md promises them.
 namespace touchstone::audit {
 
+/// "closed", "open", "unspecified"
+std::string boundary_word(Declaration::Boundary boundary);
+
 struct Hello {
   Declaration declaration;
   std::set<std::string>

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/codec/json.h"
+
+namespace touchstone::audit {
+
+/// An answer as an engine typed it with its numbers read: what a file keeps of it.
+Json plain(const Json& answer);
+
+}  // namespace touchstone::audit
