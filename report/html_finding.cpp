@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "catalogue/codec/json.h"
+#include "catalogue/codec/plain.h"
 #include "catalogue/explained.h"
 #include "geometry/invalid_input.h"
 #include "report/answered.h"
