@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "audit/parallel.h"
+#include "catalogue/codec/plain.h"
 #include "geometry/invalid_input.h"
 #include "report/palette.h"
 #include "report/wording.h"
