@@ -37,6 +37,14 @@ def two_or_three(value, what):
     return tuple(number(coordinate, f"{what}[{axis}]") for axis, coordinate in enumerate(value))
 
 
+def ball_or_disc(value, what):
+    """Two or three coordinates of the center."""
+    only(value, what, ["center", "radius"])
+    center, radius = two_or_three(value["center"], what + ".center"), number(value["radius"], what + ".radius")
+    expect(radius >= 0, what + ".radius: radius >= 0")
+    return center, radius
+
+
 def box(value, what, corner=two_or_three):
     """(min, max), two or three coordinates of each."""
     only(value, what, ["min", "max"])

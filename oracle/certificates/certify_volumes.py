@@ -2,7 +2,7 @@
 """What certify.py checks of bounding volumes: one function an operation, as in check_volumes.cpp."""
 
 from certify_reading import WRONG_KIND, expect
-from certify_space import box, box_holds
+from certify_space import ball_or_disc, box, box_holds
 
 
 def axis_of(claim, axes):
@@ -50,3 +50,35 @@ def check_aabb_aabb(claim):
         claim.expect_kind("common_interior_point"), claim.facts("point")
         point = point_of(claim, axes)
         expect(holds_inside(*a, point) and holds_inside(*b, point), "certificate: the point is not inside both boxes")
+
+
+def squared_distance(p, q):
+    return sum((x - y) ** 2 for x, y in zip(p, q))
+
+
+def check_sphere_sphere(claim):
+    claim.inputs("a", "b"), claim.answers("contact")
+    (p, r), (q, s) = ball_or_disc(claim.input["a"], "a"), ball_or_disc(claim.input["b"], "b")
+    expect(len(q) == len(p), "b: as many coordinates as a")
+    distance, reach = squared_distance(p, q), (r + s) ** 2
+    contact, kind = claim.word("contact"), claim.kind()
+    if contact == "disjoint":
+        claim.expect_kind("distance"), claim.facts("squared_distance")
+        expect(claim.single("squared_distance") == distance, "certificate: the squared distance is wrong")
+        expect(distance > reach, "certificate: the balls are not apart")
+        return
+    touching = contact == "touching"
+    expect(touching or contact == "overlapping", "truth: contact is wrong")
+    expect(kind in (("tangent", "no_interior") if touching else ("common_interior_point",)), WRONG_KIND)
+    claim.facts("point")
+    point = claim.list("point")
+    expect(len(point) == len(p), "certificate.point: as many coordinates as the centers")
+    beyond_a, beyond_b = squared_distance(p, point) - r**2, squared_distance(q, point) - s**2
+    if not touching:
+        expect(beyond_a < 0 and beyond_b < 0, "certificate: the point is not inside both balls")
+        return
+    expect(beyond_a <= 0 and beyond_b <= 0, "certificate: the point is not in both balls")
+    if kind == "tangent":
+        expect(distance == reach, "certificate: the balls are not tangent")
+    else:
+        expect(r == 0 or s == 0, "certificate: both balls have an interior")

@@ -67,6 +67,13 @@ Ball ball(const json& value, const std::string& what) {
   return result;
 }
 
+BallOrDisc ball_or_disc(const json& value, const std::string& what) {
+  only(value, what, {"center", "radius"});
+  const BallOrDisc result{two_or_three(value["center"], what + ".center"), number(value["radius"], what + ".radius")};
+  expect(sgn(result.radius) >= 0, what + ".radius: radius >= 0");
+  return result;
+}
+
 Box box(const json& value, const std::string& what) { return box_of(value, what, two_or_three); }
 Box box_in_space(const json& value, const std::string& what) { return box_of(value, what, three); }
 

@@ -35,6 +35,13 @@ struct Ball {
   Rational radius;
 };
 
+/// Closed, of the plane or of space: two or three coordinates, of a radius that is not negative.
+struct BallOrDisc {
+  std::vector<Rational> center;
+  Rational radius;
+  std::size_t axes() const { return center.size(); }
+};
+
 /// The points p with min[k] <= p[k] <= max[k]; two or three of each, min[k] <= max[k].
 struct Box {
   std::vector<Rational> min, max;
@@ -47,7 +54,8 @@ Triple point_in_space(const json& value, const std::string& what);
 Plane plane(const json& value, const std::string& what);
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what);
 Ball ball(const json& value, const std::string& what);
-/// Of the plane or of space.
+/// Of the plane or of space; so the next.
+BallOrDisc ball_or_disc(const json& value, const std::string& what);
 Box box(const json& value, const std::string& what);
 Box box_in_space(const json& value, const std::string& what);
 

@@ -69,8 +69,51 @@ void check_aabb_aabb(const Claim& claim) {
   }
 }
 
+/// Of two positions.
+Rational squared_distance(const std::vector<Rational>& p, const std::vector<Rational>& q) {
+  Rational sum;
+  for (std::size_t k = 0; k < p.size(); ++k) sum += (p[k] - q[k]) * (p[k] - q[k]);
+  return sum;
+}
+
+/// Less than 0 inside, 0 on the boundary.
+Rational beyond(const BallOrDisc& ball, const std::vector<Rational>& point) {
+  return Rational(squared_distance(ball.center, point) - ball.radius * ball.radius);
+}
+
+void check_sphere_sphere(const Claim& claim) {
+  claim.inputs({"a", "b"}), claim.answers({"contact"});
+  const BallOrDisc a = ball_or_disc(claim.input["a"], "a"), b = ball_or_disc(claim.input["b"], "b");
+  expect(b.axes() == a.axes(), "b: as many coordinates as a");
+  const Rational distance = squared_distance(a.center, b.center), sum(a.radius + b.radius), reach(sum * sum);
+  const std::string contact = claim.word("contact"), kind = claim.kind();
+  if (contact == "disjoint") {
+    expect(kind == "distance", wrong_kind), claim.facts({"squared_distance"});
+    expect(claim.single("squared_distance") == distance, "certificate: the squared distance is wrong");
+    expect(distance > reach, "certificate: the balls are not apart");
+    return;
+  }
+  const bool touching = contact == "touching";
+  expect(touching || contact == "overlapping", "truth: contact is wrong");
+  expect(touching ? kind == "tangent" || kind == "no_interior" : kind == "common_interior_point", wrong_kind);
+  claim.facts({"point"});
+  const std::vector<Rational> point = claim.list("point");
+  expect(point.size() == a.axes(), "certificate.point: as many coordinates as the centers");
+  const int in_a = sgn(beyond(a, point)), in_b = sgn(beyond(b, point));
+  if (!touching) {
+    expect(in_a < 0 && in_b < 0, "certificate: the point is not inside both balls");
+    return;
+  }
+  expect(in_a <= 0 && in_b <= 0, "certificate: the point is not in both balls");
+  if (kind == "tangent") {
+    expect(distance == reach, "certificate: the balls are not tangent");
+  } else {
+    expect(sgn(a.radius) == 0 || sgn(b.radius) == 0, "certificate: both balls have an interior");
+  }
+}
+
 }  // namespace
 
-Checks checks_of_volumes() { return {{"aabb_aabb", check_aabb_aabb}}; }
+Checks checks_of_volumes() { return {{"aabb_aabb", check_aabb_aabb}, {"sphere_sphere", check_sphere_sphere}}; }
 
 }  // namespace touchstone::certify

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
-from simplest_truth_reading import number
+from simplest_truth_reading import dot, minus, number, point
 
 
 def truth_aabb_aabb(q):
@@ -19,3 +19,16 @@ def truth_aabb_aabb(q):
     inside = all(any(a < x < b and c < x < d for x in tried((a, b, c, d))) for a, b, c, d in axes)
     least = min(high - low for a, b, c, d in axes for high in (b, d) for low in (a, c))
     return {"contact": "overlapping" if inside else "touching" if meet else "disjoint"}, abs(least)
+
+
+def truth_sphere_sphere(q):
+    """The point that divides the way from center to center as the radii do is in both balls, or nothing is; it is inside
+    both, or nothing is. Margin: how far the square of the distance, and that of either radius, is from the square of the
+    radii's sum: a radius may become as great as the sum, where the other is 0."""
+    p, r, s = point(q["a"]["center"]), number(q["a"]["radius"]), number(q["b"]["radius"])
+    way = minus(point(q["b"]["center"]), p)
+    share = r / (r + s) if r + s else 0
+    beyond = [dot(part, part) - radius * radius for part, radius in (
+        (tuple(share * x for x in way), r), (tuple((1 - share) * x for x in way), s))]
+    contact = "disjoint" if max(beyond) > 0 else "touching" if max(beyond) == 0 else "overlapping"
+    return {"contact": contact}, abs(min((r + s) ** 2 - square for square in (dot(way, way), r * r, s * s)))

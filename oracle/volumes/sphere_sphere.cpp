@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/sphere_sphere.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// Centers and radii: of a, then of b.
+template <class Number>
+CommonScale<Number, 6> scale_of(const Circle2<Number>& a, const Circle2<Number>& b) {
+  return CommonScale<Number, 6>({a.center.x, a.center.y, a.radius, b.center.x, b.center.y, b.radius});
+}
+template <class Number>
+CommonScale<Number, 8> scale_of(const Sphere3<Number>& a, const Sphere3<Number>& b) {
+  return CommonScale<Number, 8>(
+      {a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius});
+}
+
+/// In units of the scale.
+template <class Value, std::size_t Axes>
+struct Pair {
+  std::array<Value, Axes> from, between;  ///< the center of a; the way from there to the center of b
+  Value r, s;
+
+  Value squared_distance() const {
+    Value sum(0);
+    for (const Value& step : between) sum += step * step;
+    return sum;
+  }
+  Value squared_reach() const { return Value((r + s) * (r + s)); }
+  /// Its sign tells the contact.
+  Value depth() const { return Value(squared_reach() - std::max({squared_distance(), Value(r * r), Value(s * s)})); }
+};
+
+template <class Value, class Number, std::size_t N>
+Pair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
+  constexpr std::size_t axes = N / 2 - 1;
+  Pair<Value, axes> pair{{}, {}, whole<Value>(n, axes), whole<Value>(n, 2 * axes + 1)};
+  for (std::size_t k = 0; k < axes; ++k) {
+    pair.from[k] = whole<Value>(n, k);
+    pair.between[k] = whole<Value>(n, axes + 1 + k) - pair.from[k];
+  }
+  return pair;
+}
+
+/// Refuses what is not valid.
+template <class Scale, class Solid>
+void validate(const Scale& n, const Solid& a, const Solid& b) {
+  if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius))
+    validation::validate("a", a), validation::validate("b", b);
+}
+
+template <class Value, class Scale>
+Truth<Contact> truth(const Scale& n) {
+  const Value depth = pair_of<Value>(n).depth();
+  return {sgn(depth) < 0   ? Contact::disjoint
+          : sgn(depth) > 0 ? Contact::overlapping
+                           : Contact::touching,
+          n.actual(absolute(depth), 2)};
+}
+
+template <class Solid>
+Truth<Contact> truth_of(const Solid& a, const Solid& b) {
+  const auto n = scale_of(a, b);
+  validate(n, a, b);
+  return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
+}
+
+template <class Solid>
+Certificate certificate_of(const Solid& a, const Solid& b) {
+  const auto n = scale_of(a, b);
+  validate(n, a, b);
+  const auto pair = pair_of<Integer>(n);
+  const Integer distance = pair.squared_distance(), reach = pair.squared_reach();
+  if (distance > reach) return {"distance", {{"squared_distance", {n.actual(rational(distance), 2)}}}};
+  // It divides the way from center to center as the radii do, so it is in both, and inside where that can be.
+  std::vector<Rational> point;
+  for (std::size_t k = 0; k < pair.from.size(); ++k) {
+    Rational coordinate(pair.from[k]);
+    if (sgn(reach) != 0) coordinate += quotient(Integer(pair.between[k] * pair.r), Integer(pair.r + pair.s));
+    point.push_back(n.actual(coordinate, 1));
+  }
+  const char* kind = distance == reach ? "tangent" : sgn(pair.depth()) == 0 ? "no_interior" : "common_interior_point";
+  return {kind, {{"point", std::move(point)}}};
+}
+
+}  // namespace
+
+Truth<Contact> sphere_sphere(const Circle2d& a, const Circle2d& b) { return truth_of(a, b); }
+Truth<Contact> sphere_sphere(const Sphere3d& a, const Sphere3d& b) { return truth_of(a, b); }
+
+template <Exact Number>
+Truth<Contact> sphere_sphere(const Circle2<Number>& a, const Circle2<Number>& b) {
+  return truth_of(a, b);
+}
+template <Exact Number>
+Truth<Contact> sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b) {
+  return truth_of(a, b);
+}
+template Truth<Contact> sphere_sphere(const Circle2<Rational>&, const Circle2<Rational>&);
+template Truth<Contact> sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&);
+
+Certificate sphere_sphere_certificate(const Circle2d& a, const Circle2d& b) { return certificate_of(a, b); }
+Certificate sphere_sphere_certificate(const Sphere3d& a, const Sphere3d& b) { return certificate_of(a, b); }
+
+}  // namespace touchstone::oracle
