@@ -15,6 +15,9 @@ from mutants import listed
 def mutated(text, place, mutants):
     """text with every mutant of one expression in it; place names the file."""
     find, within = mutants[0][1]["find"], mutants[0][1].get("within", mutants[0][1]["find"])
+    for part in [find] + [mutant["plant"] for _, mutant in mutants]:
+        if any(part.count(a) != part.count(b) for a, b in ("()", "[]", "{}")) or ";" in part:
+            sys.exit(f"{place}: a whole expression, not: {part}")
     if text.count(within) != 1 or within.count(find) != 1:
         sys.exit(f"{place}: expected exactly once, found {text.count(within)} times: {within}")
     expression = f"({find})"
