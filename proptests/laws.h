@@ -209,33 +209,6 @@ inline constexpr auto scales = [](const auto& ask, const auto& asked) {
   return true;
 };
 
-/// The law of images: the image of a question has the image of its answer. `expected(map, answer)` says what that is.
-template <class Maps, class Expected>
-auto images(const Maps& maps, const Expected& expected) {
-  return [&maps, expected](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(maps.begin(), maps.end(),
-                       [&](const Affine& map) { return equal(ask(map(asked)), expected(map, answer)); });
-  };
-}
-/// The same of lattice questions; of rounded answers only the words and the numbers that are no coordinates are compared.
-template <class Expected>
-auto lattice_images(const Expected& expected) {
-  return [expected](const auto& ask, const auto& asked) {
-    if (!on_lattice(asked)) return true;
-    auto answer = ask(asked);
-    for (const Affine& map : integer_maps) {
-      auto found = ask(map(asked)), wanted = expected(map, answer);
-      static constexpr Affine nothing{0, 0, 0, 0};
-      if constexpr (!is_exact<decltype(wanted)>) {
-        for_each_part(found, nothing), for_each_part(wanted, nothing);
-      }
-      if (!equal(found, wanted)) return false;
-    }
-    return true;
-  };
-}
-
 /// Every stage that answers gives the same answer, and the first that answers is the one that decided.
 template <class Word>
 bool stages_agree(const Word& word, Stage decided, const std::optional<Word>& filter,
