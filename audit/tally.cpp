@@ -19,23 +19,25 @@ struct Length {
   std::uint64_t digits = 0, exponents = 0;
 };
 
+void add(double number, Length& sum) {
+  if (number == 0) {
+    sum.digits += std::signbit(number) ? 2 : 0;
+    return;
+  }
+  char text[40];
+  const char* end = std::to_chars(text, text + sizeof text, number, std::chars_format::scientific).ptr;
+  const char* mark = std::find<const char*>(text, end, 'e');
+  if (mark == end) return;
+  const auto significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
+  const long exponent = std::atol(std::string(mark + 1, end).c_str());
+  sum.digits += static_cast<std::uint64_t>(exponent < 0 ? significant - exponent : std::max(significant, exponent + 1));
+  sum.exponents += static_cast<std::uint64_t>(std::labs(exponent));
+}
+
 Length length(const Question& question) {
   Length sum;
-  for (const double number : question.numbers) {
-    if (number == 0) {
-      sum.digits += std::signbit(number) ? 2 : 0;
-      continue;
-    }
-    char text[40];
-    const char* end = std::to_chars(text, text + sizeof text, number, std::chars_format::scientific).ptr;
-    const char* mark = std::find<const char*>(text, end, 'e');
-    if (mark == end) continue;
-    const auto significant = std::count_if<const char*>(text, mark, [](char c) { return c >= '0' && c <= '9'; });
-    const long exponent = std::atol(std::string(mark + 1, end).c_str());
-    sum.digits +=
-        static_cast<std::uint64_t>(exponent < 0 ? significant - exponent : std::max(significant, exponent + 1));
-    sum.exponents += static_cast<std::uint64_t>(std::labs(exponent));
-  }
+  for (const double number : question.numbers) add(number, sum);
+  for (const Word word : question.words) add(word, sum);
   return sum;
 }
 
@@ -153,9 +155,13 @@ bool smaller(const Question& a, const Question& b) {
   const Length la = length(a), lb = length(b);
   if (la.digits != lb.digits) return la.digits < lb.digits;
   if (la.exponents != lb.exponents) return la.exponents < lb.exponents;
-  return std::lexicographical_compare(
-      a.numbers.begin(), a.numbers.end(), b.numbers.begin(), b.numbers.end(),
-      [](double x, double y) { return std::bit_cast<std::uint64_t>(x) < std::bit_cast<std::uint64_t>(y); });
+  const auto bits = [](double number) { return std::bit_cast<std::uint64_t>(number); };
+  const auto below = [&](double x, double y) { return bits(x) < bits(y); };
+  const auto before = [&](const Question& p, const Question& q) {
+    return std::lexicographical_compare(p.numbers.begin(), p.numbers.end(), q.numbers.begin(), q.numbers.end(), below);
+  };
+  if (before(a, b) || before(b, a)) return before(a, b);
+  return a.words < b.words;
 }
 
 Cell OperationTally::total() const {
