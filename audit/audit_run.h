@@ -20,8 +20,9 @@ struct AuditOptions {
   std::function<std::unique_ptr<Engine>()> engine;
 };
 
-/// Asks the engine and robust the same questions, judges both by the oracle and shrinks what it found. The same options give the same tally
-/// whatever `jobs` is. `stop` ends the run early with what there is; `progress` hears (operation, cases done).
+/// Asks the engine and robust the same questions, judges both by the oracle and shrinks what it found. The same options
+/// give the same tally whatever `jobs` is. `stop` ends the run early with what there is; `progress` hears (operation,
+/// cases done).
 Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&, std::uint64_t)>& progress);
 

@@ -13,7 +13,8 @@
 namespace touchstone::audit {
 namespace {
 
-/// How much there is to read in a list of numbers: the digits that they take when written out without exponents, so that
+/// How much there is to read in a list of numbers: the digits that they take when written out without exponents, so
+/// that
 /// 0.1 is shorter than 5e-324 although both have one significant digit; then the powers of ten.
 struct Length {
   std::uint64_t digits = 0, exponents = 0;

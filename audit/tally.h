@@ -41,7 +41,8 @@ struct Cell {
   void merge(const Cell& other);
 };
 
-/// "Smaller" for findings: fewer digits to write the numbers out in full, then smaller exponents, then the bits; a total order.
+/// "Smaller" for findings: fewer digits to write the numbers out in full, then smaller exponents, then the bits; a
+/// total order.
 bool smaller(const Question& a, const Question& b);
 
 struct OperationTally {

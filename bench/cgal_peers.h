@@ -131,7 +131,8 @@ struct CgalPeer<audit::rows::ray_segment> {
   static int decide(const Ray& ray, const Segment& s) {
     return CGAL::do_intersect(ray, s);
   }
-  /// With coordinates near 2^1011 Epeck of CGAL 5.5.1 says that rays miss segments which CGAL itself over Gmpq finds met.
+  /// With coordinates near 2^1011 Epeck of CGAL 5.5.1 says that rays miss segments which CGAL itself over Gmpq finds
+  /// met.
   static bool promised(const Ray2d& ray, const Segment2d& s) {
     return !(s.a == s.b) && std::abs(ray.origin.x) < 0x1p1000 && std::abs(ray.direction.x) < 0x1p1000;
   }

@@ -17,8 +17,8 @@
 /// What is asked while the clock runs. The same cases on every machine and with every compiler.
 namespace touchstone::bench {
 
-/// Fewer, and the branch predictor learns the answers by heart: CGAL's orientation, measured over 512 cases that come round
-/// again and again, seems five times faster than over this many.
+/// Fewer, and the branch predictor learns the answers by heart: CGAL's orientation, measured over 512 cases that come
+/// round again and again, seems five times faster than over this many.
 inline constexpr std::size_t case_count = std::size_t{1} << 17;
 
 enum class DataSet {

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// Every operation of the catalogue: the full answer of robust beside the slide's formula; and where the operation decides
-// something, the decision of robust beside a naive inline formula, CGAL and plain rationals.
+// SPDX-License-Identifier: Apache-2.0 Every operation of the catalogue: the full answer of robust beside the slide's
+// formula; and where the operation decides something, the decision of robust beside a naive inline formula, CGAL and
+// plain rationals.
 //
 // bench/operations --verify compares all that is timed with the oracle, on every case, and times nothing.
 

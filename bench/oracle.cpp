@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0
-// How fast the truth is: for every operation of the catalogue the drawing of a question, the oracle's answer, its certificate
-// and a whole examination as in the audit's loop; the decisions alone; and exhaustive runs.
+// SPDX-License-Identifier: Apache-2.0 How fast the truth is: for every operation of the catalogue the drawing of a
+// question, the oracle's answer, its certificate and a whole examination as in the audit's loop; the decisions alone;
+// and exhaustive runs.
 
 #include <string>
 
@@ -67,7 +67,8 @@ void draw_families(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
 }
 
-/// Part of the grid on which every number is one of 0 .. size - 1: robust against the oracle's integers, counted and hashed.
+/// Part of the grid on which every number is one of 0 .. size - 1: robust against the oracle's integers, counted and
+/// hashed.
 void exhaust(benchmark::State& state, const audit::Operation& operation, int size) {
   const std::uint64_t configurations = operation.configurations(size).value_or(std::uint64_t{1} << 40);
   const std::uint64_t part = std::min(configurations, std::uint64_t{1} << 16);

@@ -9,10 +9,9 @@
 /// The decisions of the chapter as ints, so that all peers answer alike: ours, and plain formulas over any number type.
 namespace touchstone::bench {
 
-/// ours(question...)           the decision of robust
-/// truth(answer)               the same int from the oracle's answer
-/// naive(question...)          the formula that one writes inline, without branches where it can do without; Real: double
-/// usual(question...)          the same as one finds it in books, where that has early exits
+/// ours(question...)           the decision of robust truth(answer)               the same int from the oracle's answer
+/// naive(question...)          the formula that one writes inline, without branches where it can do without; Real:
+/// double usual(question...)          the same as one finds it in books, where that has early exits
 /// complete(question...)       right where arithmetic is exact; Real: mpq_class. Left out where naive is complete
 template <class Row>
 struct Decisions;
@@ -133,7 +132,8 @@ struct Decisions<audit::rows::ray_segment> {
   static int truth(const Answer& answer) {
     return answer.relation != RayRelation::none;
   }
-  /// The ends on different sides of the ray's line, and that line met at t >= 0. Says that a segment on the ray's line is met.
+  /// The ends on different sides of the ray's line, and that line met at t >= 0. Says that a segment on the ray's line
+  /// is met.
   template <class Real>
   static int naive(const Ray2<Real>& ray, const Segment2<Real>& s) {
     const Vector2<Real> a = s.a - ray.origin, b = s.b - ray.origin;

@@ -11,8 +11,8 @@ namespace touchstone::bench {
 /// Cases of one iteration of Google Benchmark, so that its own loop costs nothing.
 inline constexpr std::size_t chunk = 4096;
 
-/// One case at a time: without this the compiler would compute a plain formula for several cases at once, and nobody who
-/// has one question can do that. Costs no instruction.
+/// One case at a time: without this the compiler would compute a plain formula for several cases at once, and nobody
+/// who has one question can do that. Costs no instruction.
 inline void keep(int& total) { asm volatile("" : "+r"(total)); }
 
 /// ask(cases[i]) for all cases in turn, again and again; ask answers an int. items_per_second are cases.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangulations of rings of ten thousand vertices, by robust.
 //
-// bench/triangulation --shapes FILE writes the rings as one JSON object of lists x, y, x, y, ..., for peers in other languages
-// (bench/earcut.mjs). bench/triangulation --verify checks every triangulation by the oracle and times nothing.
+// bench/triangulation --shapes FILE writes the rings as one JSON object of lists x, y, x, y, ..., for peers in other
+// languages (bench/earcut.mjs). bench/triangulation --verify checks every triangulation by the oracle and times
+// nothing.
 
 #include <cmath>
 #include <cstdio>

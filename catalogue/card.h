@@ -34,8 +34,9 @@ struct Card {
   int margin_degree = 1;
   Price price = Price::thin;
   std::size_t list_length = 0;  ///< exhaustive runs: how many elements each list has, where there are lists
-  /// The operation whose question this is, answered by another formula of the deck: this one is named "<operation>_<method>", has a
-  /// reference of its own and the operation's robust and oracle, and is asked of no engine.
+  /// The operation whose question this is, answered by another formula of the deck: this one is named
+  /// "<operation>_<method>", has a reference of its own and the operation's robust and oracle, and is asked of no
+  /// engine.
   const char* method_of = "";
   bool is_method() const { return method_of[0] != 0; }
   /// The slide's formula leaves out numbers that the operation answers, and is judged on the others.

@@ -7,7 +7,8 @@
 
 namespace touchstone::audit {
 
-/// Everything that can be said of one question without an engine: what `ask` prints, and what the checker of certificates reads.
+/// Everything that can be said of one question without an engine: what `ask` prints, and what the checker of
+/// certificates reads.
 Json explained(const Operation& operation, const Question& question);
 /// The same of a question that has been examined: the oracle is not asked again.
 Json explained(const Operation& operation, const Question& question, const Examination& examination);

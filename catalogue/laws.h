@@ -9,8 +9,8 @@ namespace touchstone::audit {
 
 /// Exact symmetries of an operation, as data; proptests/agreement/laws.cpp asks robust and the oracle for them.
 struct Laws {
-  /// Maps of the plane or of space: the image of a question has the image of its answer. Positions and displacements are mapped, lengths
-  /// take the map's factor, other numbers stay.
+  /// Maps of the plane or of space: the image of a question has the image of its answer. Positions and displacements
+  /// are mapped, lengths take the map's factor, other numbers stay.
   enum class Maps {
     none,
     axes,          ///< the symmetries of the axes: exact for every double

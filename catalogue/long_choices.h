@@ -5,8 +5,8 @@
 
 #include "catalogue/row.h"
 
-/// Points that lie exactly on one line although no difference of two of them is a double: where a filter sees a position
-/// other than the true one, but not by much.
+/// Points that lie exactly on one line although no difference of two of them is a double: where a filter sees a
+/// position other than the true one, but not by much.
 namespace touchstone::audit {
 
 /// All 53 bits, 1 <= |x| < 2.
@@ -20,8 +20,8 @@ inline Vector2d long_direction(Choices& choices) {
   return {x, long_number(choices)};
 }
 
-/// Three points on one line through the origin, the third between the others. The differences from the first are about as
-/// long as it, and none of them is a double: that is where an orientation is off most.
+/// Three points on one line through the origin, the third between the others. The differences from the first are about
+/// as long as it, and none of them is a double: that is where an orientation is off most.
 struct LongTriple {
   Point2d first, last, between;
 };

@@ -14,7 +14,8 @@
 
 namespace touchstone::audit {
 
-/// One operation of the catalogue: all that the program, the tests and the fuzz target need, as ordinary functions over its row.
+/// One operation of the catalogue: all that the program, the tests and the fuzz target need, as ordinary functions over
+/// its row.
 class Operation {
  public:
   explicit Operation(RowFunctions functions);
@@ -32,8 +33,8 @@ class Operation {
   /// The names of the fields of an alternative of its questions.
   const std::vector<const char*>& fields(std::size_t alternative = 0) const;
 
-  /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard case of the operation;
-  /// "x+ulp" is x with one coordinate moved by a few units in the last place.
+  /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard
+  /// case of the operation; "x+ulp" is x with one coordinate moved by a few units in the last place.
   const std::vector<std::string>& families() const { return families_.names(); }
   Question draw(Choices& choices, std::size_t family) const { return families_.draw(choices, family); }
   /// Every number and every word 0; every list of that length; that alternative.
@@ -69,11 +70,12 @@ class Operation {
   /// How many configurations such a grid has; empty beyond 2^64.
   std::optional<std::uint64_t> configurations(int size) const { return configurations(size, card().list_length); }
   std::optional<std::uint64_t> configurations(int size, std::size_t list_length) const;
-  /// The question of that index. On a plain grid every number runs over 0 .. size - 1 and every word over what it may be; the first
-  /// number is the slowest, words are faster than numbers, and one alternative comes after the other.
+  /// The question of that index. On a plain grid every number runs over 0 .. size - 1 and every word over what it may
+  /// be; the first number is the slowest, words are faster than numbers, and one alternative comes after the other.
   Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, card().list_length); }
   Question on_grid(int size, std::uint64_t index, std::size_t list_length) const;
-  /// Configurations `first` <= index < `last` of that grid, decisions alone. Empty where the operation has no such fast pair of decisions.
+  /// Configurations `first` <= index < `last` of that grid, decisions alone. Empty where the operation has no such fast
+  /// pair of decisions.
   std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const;
 
   /// The figure of a question and of the truth about it.

@@ -113,7 +113,8 @@ Polygon2d untangled(Choices& c) {
   return ring;
 }
 
-/// Edges that become neighbours of a sweep only when two others end; they cross in the one ring, and in the other nothing does.
+/// Edges that become neighbours of a sweep only when two others end; they cross in the one ring, and in the other
+/// nothing does.
 Rings late_neighbours(Choices& c) {
   if (c.below(2) == 0) return turned({{{0, 0}, {10, 10}, {10, 1}, {0, 8}, {1, 4}}}, c);
   return turned({{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {2, 1}, {1, 0}}}, c);
@@ -131,7 +132,8 @@ Rings split_chain(Choices& c) {
   return turned({{{8.000000000000002, 0}, {8, 4}, {8, 8}, {0, 0}, {1, 0}, {2, 0}, {4, 0}}}, c);
 }
 
-/// A spike, a vertex twice, a hole that touches its outline in one point, an edge that crosses another; or nothing of these.
+/// A spike, a vertex twice, a hole that touches its outline in one point, an edge that crosses another; or nothing of
+/// these.
 Polygon2d defective(Choices& c) {
   switch (c.below(6)) {
     case 1: return with_repeated_vertex(simple_ring(c), c);

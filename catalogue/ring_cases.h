@@ -11,9 +11,9 @@
 /// What the operations on one simple polygon that cut it into pieces are asked, and how their pieces are drawn.
 namespace touchstone::audit {
 
-/// Convex, star, comb; flat vertices, one in each edge or long runs; strips and needles of width 1; spirals; a slit between two parts;
-/// coordinates near 1e6 + 0.1; up to 200 vertices; and rings that are refused. All upright or lying, in
-/// either direction, from any vertex on.
+/// Convex, star, comb; flat vertices, one in each edge or long runs; strips and needles of width 1; spirals; a slit
+/// between two parts; coordinates near 1e6 + 0.1; up to 200 vertices; and rings that are refused. All upright or lying,
+/// in either direction, from any vertex on.
 std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases();
 
 /// The polygon, and the pieces as an implementation gives them.

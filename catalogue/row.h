@@ -41,8 +41,8 @@ struct HardCase {
   Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
 };
 
-/// robust has no function for the decision alone. Where it has, the row's `decision` holds robust(Question) -> enumerator, and, for
-/// exhaustive runs at full speed, oracle(Question) and oracle(the same over std::int64_t).
+/// robust has no function for the decision alone. Where it has, the row's `decision` holds robust(Question) ->
+/// enumerator, and, for exhaustive runs at full speed, oracle(Question) and oracle(the same over std::int64_t).
 struct NoDecision {};
 
 /// A function of the modules on a question.
@@ -100,8 +100,8 @@ struct Hooks {
   void (*scale)(Question&, int k) = nullptr;
   /// What is 0 of every right answer, exactly (momentum gained, energy gained).
   std::vector<mpq_class> (*residuals)(const Question&, const answer_t<Row>&) = nullptr;
-  /// A degenerate question for the failure map (default: the first hard case at its simplest), and which of its numbers move (default:
-  /// the last two).
+  /// A degenerate question for the failure map (default: the first hard case at its simplest), and which of its numbers
+  /// move (default: the last two).
   Question (*map_centre)() = nullptr;
   std::pair<std::size_t, std::size_t> (*map_axes)() = nullptr;
   /// Draws the question (default: every argument by its type).

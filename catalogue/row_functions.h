@@ -38,8 +38,8 @@ struct World {
   Question (*at)(int size, std::uint64_t index);
 };
 
-/// A row of the catalogue with its types forgotten (catalogue/row_of.h makes it): the functions of the three modules over tapes, and what
-/// the row says beside them. Whatever may be nullptr says so.
+/// A row of the catalogue with its types forgotten (catalogue/row_of.h makes it): the functions of the three modules
+/// over tapes, and what the row says beside them. Whatever may be nullptr says so.
 struct RowFunctions {
   const Card* card;
   const Shape* question;

@@ -35,7 +35,8 @@ struct Shape {
   std::vector<Part> parts;
   /// Draws a value over doubles; nullptr where the type has no figure of its own.
   void (*draw)(Scene&, const std::string& label, Cursor<double>& from, bool answer) = nullptr;
-  /// How many numbers and words a value takes; only where that is the same for all (nothing optional, no list, no choice).
+  /// How many numbers and words a value takes; only where that is the same for all (nothing optional, no list, no
+  /// choice).
   bool fixed = true;
   std::size_t numbers = 0, word_count = 0;
 };

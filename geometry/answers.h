@@ -49,7 +49,8 @@ struct PointOnSegment {
   std::optional<Real> t;
 };
 
-/// relation `crossing`: a.p + ta (a.q - a.p) = b.p + tb (b.q - b.p) = point. `parallel` (no common point) and `same`: no numbers.
+/// relation `crossing`: a.p + ta (a.q - a.p) = b.p + tb (b.q - b.p) = point. `parallel` (no common point) and `same`:
+/// no numbers.
 template <class Real>
 struct LineLine {
   LineRelation relation;

@@ -9,7 +9,8 @@ struct Vector2 {
   Real x, y;
 };
 
-/// A position in the plane. Points are not vectors: point - point is a vector, point + vector is a point, point + point does not compile.
+/// A position in the plane. Points are not vectors: point - point is a vector, point + vector is a point, point + point
+/// does not compile.
 template <class Real>
 struct Point2 {
   Real x, y;

@@ -12,7 +12,8 @@ namespace touchstone {
 /// A place in a list, counted from 0.
 using Index = std::uint32_t;
 
-/// A closed ring of at least three vertices in the plane, in either direction; the last is joined to the first. Fewer are refused.
+/// A closed ring of at least three vertices in the plane, in either direction; the last is joined to the first. Fewer
+/// are refused.
 template <class Real>
 struct Polygon2 {
   std::vector<Point2<Real>> vertices;

@@ -19,7 +19,8 @@ struct Point3 {
   friend bool operator==(const Point3& a, const Point3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 };
 
-/// The points p with normal . p + offset = 0; its front is where the sum is positive. The normal has any length but 0, which is refused.
+/// The points p with normal . p + offset = 0; its front is where the sum is positive. The normal has any length but 0,
+/// which is refused.
 template <class Real>
 struct Plane {
   Vector3<Real> normal;

@@ -24,14 +24,16 @@ struct ParametricLine2 {
   Vector2<Real> direction;
 };
 
-/// The closed set origin + t direction, t >= 0; t counts in lengths of the direction as given. A zero direction is refused.
+/// The closed set origin + t direction, t >= 0; t counts in lengths of the direction as given. A zero direction is
+/// refused.
 template <class Real>
 struct Ray2 {
   Point2<Real> origin;
   Vector2<Real> direction;
 };
 
-/// The circle |p - center| = radius; as a solid, the closed disc. Radius 0 is valid (a point); a negative radius is refused.
+/// The circle |p - center| = radius; as a solid, the closed disc. Radius 0 is valid (a point); a negative radius is
+/// refused.
 template <class Real>
 struct Circle2 {
   Point2<Real> center;

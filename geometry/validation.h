@@ -14,8 +14,9 @@
 #include "geometry/thin_shapes.h"
 #include "geometry/volumes.h"
 
-/// Validation: what is valid input, written once for everybody. Each `validate` throws InvalidInput naming the field and the rule, or
-/// returns. Numbers are looked at as bits, so this holds in every floating-point environment and build type.
+/// Validation: what is valid input, written once for everybody. Each `validate` throws InvalidInput naming the field
+/// and the rule, or returns. Numbers are looked at as bits, so this holds in every floating-point environment and build
+/// type.
 namespace touchstone::validation {
 
 inline bool finite(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff; }
@@ -109,9 +110,9 @@ void validate_ring(const std::string& field, const std::vector<Point>& vertices)
     if (!valid) validate(field + "[" + std::to_string(i) + "]", p);
   }
 }
-/// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first elsewhere than in a
-/// vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one with the least `first` counts, edges of
-/// length zero before all others, then the least `second`.
+/// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first
+/// elsewhere than in a vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one
+/// with the least `first` counts, edges of length zero before all others, then the least `second`.
 struct RingDefect {
   std::size_t first, second;
 };
@@ -122,8 +123,8 @@ struct RingDefect {
   throw InvalidInput(vertex, "simple: its edge must not meet edge " + std::to_string(defect.second));
 }
 
-/// Why a polygon is not convex, in this order: an edge of length zero; all vertices on one line; a RingDefect; the first vertex at which
-/// the ring turns against its direction.
+/// Why a polygon is not convex, in this order: an edge of length zero; all vertices on one line; a RingDefect; the
+/// first vertex at which the ring turns against its direction.
 [[noreturn]] inline void refuse_flat(const std::string& field) {
   throw InvalidInput(field, "convex: vertices on one line have no inside");
 }

@@ -9,8 +9,8 @@
 
 namespace touchstone {
 
-/// The closed box of points with min <= p <= max in each coordinate. min == max in one of them is valid: a flat box, which has no interior.
-/// min > max is refused.
+/// The closed box of points with min <= p <= max in each coordinate. min == max in one of them is valid: a flat box,
+/// which has no interior. min > max is refused.
 template <class Real>
 struct Aabb2 {
   Point2<Real> min, max;
@@ -20,7 +20,8 @@ struct Aabb3 {
   Point3<Real> min, max;
 };
 
-/// The closed ball |p - center| <= radius. Radius 0 is valid (a point, which has no interior); a negative radius is refused.
+/// The closed ball |p - center| <= radius. Radius 0 is valid (a point, which has no interior); a negative radius is
+/// refused.
 template <class Real>
 struct Sphere3 {
   Point3<Real> center;

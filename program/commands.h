@@ -57,8 +57,8 @@ std::vector<std::string> split(const std::string& names);
 template <class Visit>
 std::uint64_t each_line(const std::string& file, const Visit& visit);
 
-/// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to do.
-/// Throws UsageError naming the option.
+/// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to
+/// do. Throws UsageError naming the option.
 void require_writable(const std::string& option, const std::string& file);
 void write_file(const std::string& option, const std::string& file, const std::string& text);
 

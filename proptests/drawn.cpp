@@ -70,9 +70,9 @@ rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
   });
 }
 
-/// A generator that asks for a complaint about a whole batch from one seed, and gives RapidCheck the first question about which
-/// there is one (or the last question): RapidCheck then judges that one question, and shrinks it. RapidCheck's own picks would be several
-/// times slower than the questions.
+/// A generator that asks for a complaint about a whole batch from one seed, and gives RapidCheck the first question
+/// about which there is one (or the last question): RapidCheck then judges that one question, and shrinks it.
+/// RapidCheck's own picks would be several times slower than the questions.
 rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const Complaint& complaint,
                          std::uint64_t size) {
   return [&operation, family, &complaint, size](const rc::Random& random, int) {

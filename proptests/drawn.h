@@ -34,8 +34,8 @@ using Complaint = std::function<std::string(const Question&)>;
 /// How many cases one pick of RapidCheck drives.
 inline constexpr std::uint64_t batch = 64;
 
-/// The property that `complaint(question)` is empty for every question of every family of an operation: `usual` batches of `size` in each
-/// family, divided by the price of a question (Card::price).
+/// The property that `complaint(question)` is empty for every question of every family of an operation: `usual` batches
+/// of `size` in each family, divided by the price of a question (Card::price).
 void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
            std::uint64_t size = batch);
 

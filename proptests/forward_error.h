@@ -36,8 +36,8 @@ bool finite(Doubles... values) {
   return (std::isfinite(values) && ...);
 }
 
-/// The edges from a vertex to the next and to the previous one; empty where a coordinate of these is neither 0 nor between 2^-200 and 2^200 in
-/// size, for which the contracts promise nothing.
+/// The edges from a vertex to the next and to the previous one; empty where a coordinate of these is neither 0 nor
+/// between 2^-200 and 2^200 in size, for which the contracts promise nothing.
 inline std::optional<std::pair<Vector2<Rational>, Vector2<Rational>>> moderate_corner(const Polygon2d& ring,
                                                                                       std::size_t i) {
   const auto to = [p = ring[i]](const Point2d& q) {
@@ -50,8 +50,8 @@ inline std::optional<std::pair<Vector2<Rational>, Vector2<Rational>>> moderate_c
   return std::pair{v, w};
 }
 
-/// A cross product v.x w.y - v.y w.x as computed, with `roundings` roundings behind each of its products, and its bounds before and
-/// after the subtraction (reference/lines/line_line.h and ray_segment.h).
+/// A cross product v.x w.y - v.y w.x as computed, with `roundings` roundings behind each of its products, and its
+/// bounds before and after the subtraction (reference/lines/line_line.h and ray_segment.h).
 struct CrossBound {
   double computed;
   bool overflow;
@@ -93,8 +93,8 @@ inline bool within(double computed, const Rational& truth, const Rational& error
   return abs(exact(computed) - truth) <= error;
 }
 
-/// The property that `claim(truth, answer, arguments...)` holds for the slide's formula in double on every valid question: the contract's
-/// promise, as it is written there.
+/// The property that `claim(truth, answer, arguments...)` holds for the slide's formula in double on every valid
+/// question: the contract's promise, as it is written there.
 template <class Row, class Claim>
 void contract(const std::string& sentence, const Claim& claim, int usual = 12) {
   const auto complaint = [&](const Question& question) -> std::string {

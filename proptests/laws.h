@@ -103,8 +103,8 @@ bool equal(const T& a, const T& b) {
   }
 }
 
-/// The property that `holds(ask, asked)` for every question of every family that is inside the contract, once with robust as
-/// `ask` and once with the oracle. ask: question as a tuple -> answer.
+/// The property that `holds(ask, asked)` for every question of every family that is inside the contract, once with
+/// robust as `ask` and once with the oracle. ask: question as a tuple -> answer.
 template <class Row, class Ask, class Holds>
 void law_of(const std::string& sentence, const Ask& ask, const Holds& holds, int usual) {
   never(
@@ -150,7 +150,8 @@ bool reversed(const std::optional<R>& t, const std::optional<R>& s) {
   return t.has_value() == s.has_value();
 }
 
-/// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is infinite.
+/// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is
+/// infinite.
 inline bool scaled_number(double n, double found, int k) {
   if (std::fabs(n) < 0x1p-1021) return std::fabs(found) <= std::ldexp(0x1p-1021, k);
   if (std::isinf(n)) return true;
@@ -190,7 +191,8 @@ std::vector<double> numbers_of(const Asked& asked) {
   return numbers;
 }
 
-/// The law of scaling: all lengths of a question times 2^k, where that is exact, give the same answer with its points times 2^k.
+/// The law of scaling: all lengths of a question times 2^k, where that is exact, give the same answer with its points
+/// times 2^k.
 template <class Row>
 inline constexpr auto scales = [](const auto& ask, const auto& asked) {
   const auto times_two_to = [](auto question, int k) {
@@ -222,8 +224,8 @@ std::unique_ptr<audit::Examination> examined(const typename Row::Question& quest
   return audit::operation_of_row<Row>().examine(audit::packed(question));
 }
 
-/// A worked example: the oracle answers exactly this, robust the nearest doubles of it, and so does the reference in double,
-/// unless `by_reference` says which verdict it gets instead.
+/// A worked example: the oracle answers exactly this, robust the nearest doubles of it, and so does the reference in
+/// double, unless `by_reference` says which verdict it gets instead.
 void example(const Operation& operation, const Question& question, const audit::TrueTape& expected,
              const std::string& by_reference);
 template <class Row>

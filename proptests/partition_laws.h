@@ -38,8 +38,8 @@ inline Int128 lattice_turn(const Point2d& p, const Point2d& q, const Point2d& r)
   return (whole(q.x) - whole(p.x)) * (whole(r.y) - whole(p.y)) - (whole(q.y) - whole(p.y)) * (whole(r.x) - whole(p.x));
 }
 
-/// The edges match one way round or the other; on a lattice also: every corner of a piece turns left (or is flat, if the pieces are no
-/// triangles), and the areas add up to the ring's.
+/// The edges match one way round or the other; on a lattice also: every corner of a piece turns left (or is flat, if
+/// the pieces are no triangles), and the areas add up to the ring's.
 inline bool fits(const Polygon2d& polygon, const IndexLists& pieces) {
   const bool clockwise = !edges_match(polygon.size(), pieces, false);
   if (clockwise && !edges_match(polygon.size(), pieces, true)) return false;
@@ -64,7 +64,8 @@ inline bool fits(const Polygon2d& polygon, const IndexLists& pieces) {
   return all == (clockwise ? -area(whole) : area(whole));
 }
 
-/// The law that pieces fit, however the list of vertices is turned round or reversed, and whatever symmetry or integer map is applied.
+/// The law that pieces fit, however the list of vertices is turned round or reversed, and whatever symmetry or integer
+/// map is applied.
 template <class Row>
 void pieces_fit(const std::string& what) {
   law<Row>(what + " fit together",
@@ -95,7 +96,8 @@ inline IndexLists sorted(IndexLists lists) {
   return lists;
 }
 
-/// A worked example with one right answer, up to the order: given by all, the reference in double too unless told otherwise.
+/// A worked example with one right answer, up to the order: given by all, the reference in double too unless told
+/// otherwise.
 template <class Row>
 void only_answer(const Polygon2d& polygon, const IndexLists& expected, bool by_reference = true) {
   const typename Row::Question question{polygon};
@@ -105,7 +107,8 @@ void only_answer(const Polygon2d& polygon, const IndexLists& expected, bool by_r
   CHECK((sorted(audit::ask_reference<Row>(question)) == expected) == by_reference);
 }
 
-/// Whether rounding can decide nothing wrong in the slide's formula, by the bounds of reference/polygons/triangulate_polygon.h.
+/// Whether rounding can decide nothing wrong in the slide's formula, by the bounds of
+/// reference/polygons/triangulate_polygon.h.
 inline bool beyond_margins(const Polygon2d& polygon) {
   const Rational u = unit();
   const auto n = static_cast<unsigned long>(polygon.size());
@@ -135,7 +138,8 @@ inline bool beyond_margins(const Polygon2d& polygon) {
   return true;
 }
 
-/// The contract of the slide's formula: right beyond its margins (asked of rings of up to nine vertices), and in exact arithmetic.
+/// The contract of the slide's formula: right beyond its margins (asked of rings of up to nine vertices), and in exact
+/// arithmetic.
 template <class Row>
 void formula_keeps_contract() {
   const audit::Operation& operation = audit::operation_of_row<Row>();
@@ -202,7 +206,8 @@ inline IndexLists altered(audit::Choices& choices, IndexLists lists, std::size_t
   return lists;
 }
 
-/// Whether the checker of the row and the one of certificates, which prove in different ways, say the same of altered answers.
+/// Whether the checker of the row and the one of certificates, which prove in different ways, say the same of altered
+/// answers.
 template <class Row>
 void checkers_agree() {
   const audit::Operation& operation = audit::operation_of_row<Row>();
@@ -249,7 +254,8 @@ void simple_rings_only() {
                "simple: its edge must not meet edge 3");
 }
 
-/// Robust refuses or answers as it should on rings drawn by others, and tells how many there were: 0 where they are not there.
+/// Robust refuses or answers as it should on rings drawn by others, and tells how many there were: 0 where they are not
+/// there.
 template <class Row>
 std::size_t real_rings() {
   std::size_t rings = 0;

@@ -12,8 +12,8 @@
 
 namespace touchstone::proptests {
 
-/// Every ring, outlines and holes alike, of the polygons that others tested with: earcut's fixtures in the folder polygons/earcut below
-/// TOUCHSTONE_DATA, or below ../shared/data. None where they are not there.
+/// Every ring, outlines and holes alike, of the polygons that others tested with: earcut's fixtures in the folder
+/// polygons/earcut below TOUCHSTONE_DATA, or below ../shared/data. None where they are not there.
 inline std::vector<Polygon2d> polygons_from_elsewhere() {
   const char* given = std::getenv("TOUCHSTONE_DATA");
   const std::filesystem::path folder =

@@ -26,7 +26,8 @@ struct AxisMap {
   }
 };
 
-/// The axes turned round, exchanged (a reflection), and turned over; with the first two every signed exchange can be made.
+/// The axes turned round, exchanged (a reflection), and turned over; with the first two every signed exchange can be
+/// made.
 inline constexpr std::array<AxisMap, 4> axis_maps{
     {{{1, 2, 0}, {1, 1, 1}}, {{1, 0, 2}, {1, 1, 1}}, {{0, 1, 2}, {1, -1, 1}}, {{2, 0, 1}, {-1, 1, -1}}}};
 

@@ -7,13 +7,15 @@
 
 namespace touchstone::audit {
 
-/// Ticks below and left of the frame, in round decimal numbers; where the numbers would all look alike, what the axis spans instead.
+/// Ticks below and left of the frame, in round decimal numbers; where the numbers would all look alike, what the axis
+/// spans instead.
 std::string ticks(const Viewport& view);
 
 /// The least of 1, 2, 5 times a power of ten that cuts the span into at most five.
 mpq_class round_length(const mpq_class& span);
 
-/// Lines through the doubles near (x, y) that lie in the frame, if they are few enough to be told apart, and what to say of them.
+/// Lines through the doubles near (x, y) that lie in the frame, if they are few enough to be told apart, and what to
+/// say of them.
 struct DoubleGrid {
   std::string svg, caption;
 };

@@ -39,7 +39,8 @@ struct FailureMap {
   std::uint64_t refused = 0;  ///< pixels outside the contract
 };
 
-/// Maps over the same grid: reference in double (or float), then robust, then the engine if there is one. The same whatever the jobs.
+/// Maps over the same grid: reference in double (or float), then robust, then the engine if there is one. The same
+/// whatever the jobs.
 std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32 = false,
                                      Engine* engine = nullptr);
 

@@ -11,7 +11,8 @@ namespace touchstone::audit {
 /// The vertices that a figure is given by, exactly.
 std::vector<ExactPoint> vertices_of(const Figure& figure);
 
-/// A vertex that is so near to another part of the question that the figure cannot show the gap, and yet does not touch it.
+/// A vertex that is so near to another part of the question that the figure cannot show the gap, and yet does not touch
+/// it.
 struct NearMiss {
   ExactPoint vertex;
   double x = 0, y = 0;  ///< the vertex as the doubles that it is

@@ -47,7 +47,8 @@ std::string framed(const Scene& scene, const Viewport& view, const std::string& 
       placed_labels(drawing.wishes, drawing.drawn, frame));
 }
 
-/// Without figures that have a point beyond the range of doubles: a ray's second point may overflow, a formula's answer too.
+/// Without figures that have a point beyond the range of doubles: a ray's second point may overflow, a formula's answer
+/// too.
 Scene drawable(const Scene& scene) {
   Scene kept;
   for (const Figure& figure : scene.figures) {

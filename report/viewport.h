@@ -31,8 +31,8 @@ std::string pixels(double value);
 
 class Viewport {
  public:
-  /// All points with room around them. `equal`: one scale for both axes; else each axis takes its own where their extents
-  /// are far apart, so that a thin input is still seen.
+  /// All points with room around them. `equal`: one scale for both axes; else each axis takes its own where their
+  /// extents are far apart, so that a thin input is still seen.
   static Viewport fitted(const std::vector<ExactPoint>& points, const Frame& frame, bool equal);
   /// What lies within `half` of `centre` along the shorter side of the frame.
   static Viewport around(const ExactPoint& centre, const mpq_class& half, const Frame& frame);
@@ -54,8 +54,8 @@ class Viewport {
   mpq_class left_, bottom_, per_x_, per_y_;
 };
 
-/// The part of a + t (b - a), first <= t <= last, that lies within `margin` pixels of the frame; empty if there is none.
-/// unbounded: no first (`before`), no last (`beyond`).
+/// The part of a + t (b - a), first <= t <= last, that lies within `margin` pixels of the frame; empty if there is
+/// none. unbounded: no first (`before`), no last (`beyond`).
 struct Stretch {
   bool before = false, beyond = false;
 };

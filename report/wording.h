@@ -35,7 +35,8 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
 /// "12,345 questions not asked: the engine was given up after ..."
 std::string not_asked_in_words(const Cell& cell);
 
-/// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most` characters.
+/// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most`
+/// characters.
 std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);
 /// Any answer for the eye: numbers as they were typed become numbers, long exact values are abbreviated.
 Json readable(const Json& answer);

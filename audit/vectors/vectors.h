@@ -9,8 +9,8 @@
 
 namespace touchstone::audit {
 
-/// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in which
-/// the slide's formula fails. The same seed gives the same bytes on every machine.
+/// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in
+/// which the slide's formula fails. The same seed gives the same bytes on every machine.
 struct Vectors {
   std::vector<std::string> lines;
   std::size_t left_out = 0;  ///< longer than the operation's longest vector (Card::longest_vector)

@@ -102,7 +102,8 @@ struct all_pairs {
          }},
         {"much_rounded",
          [](Choices& c) -> Question {
-           // One position and one radius just above a power of two, the others far smaller: differences and sums round by all they may.
+           // One position and one radius just above a power of two, the others far smaller: differences and sums round
+           // by all they may.
            const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
            const auto small = [&c] { return static_cast<double>(c.below(256)) * 0x1p-60; };
            const double x = large(), r = large(), y = small(), s = small();

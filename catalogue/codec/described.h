@@ -14,7 +14,8 @@
 #include "geometry/polygons.h"
 
 /// What the machine must know of a vocabulary type to convert, print, parse, compare, nudge and draw it: its members by
-/// name, or the words of an enumeration. A new type needs its lines in described_shapes.h or described_answers.h and nothing elsewhere.
+/// name, or the words of an enumeration. A new type needs its lines in described_shapes.h or described_answers.h and
+/// nothing elsewhere.
 namespace touchstone::audit {
 
 template <class Class, class Type>
@@ -36,7 +37,8 @@ enum class Meaning {
   length,
 };
 
-/// A list is a JSON array in the order of its members; a record is a JSON object; what is bare is written as its only member.
+/// A list is a JSON array in the order of its members; a record is a JSON object; what is bare is written as its only
+/// member.
 enum class Form { list, record, bare };
 
 template <class T>

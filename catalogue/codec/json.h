@@ -15,8 +15,8 @@ namespace touchstone::audit {
 
 using Json = nlohmann::ordered_json;
 
-/// Parses one line. Every number arrives as a `typed number` (see `is_typed_number`), so that 1e999 can be reported by its
-/// field and 0.1 read as one tenth. Throws InvalidInput{"line", "JSON object"} with the position on malformed text.
+/// Parses one line. Every number arrives as a `typed number` (see `is_typed_number`), so that 1e999 can be reported by
+/// its field and 0.1 read as one tenth. Throws InvalidInput{"line", "JSON object"} with the position on malformed text.
 Json parse_line(const std::string& text);
 
 bool is_typed_number(const Json& value);

@@ -82,8 +82,8 @@ bool has_a_field_of(const Shape& alternative, const Json& json) {
   return false;
 }
 
-/// The first alternative that the document fits; where it fits none, the complaint of the one that could be read furthest, of those that
-/// have a field of that name.
+/// The first alternative that the document fits; where it fits none, the complaint of the one that could be read
+/// furthest, of those that have a field of that name.
 template <class Real>
 void read_choice(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
                  bool partial) {

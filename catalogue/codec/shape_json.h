@@ -21,13 +21,14 @@ Json json_of(const Shape& shape, const Tape<Real>& tape, WriteNumber<Real> write
   return json_of(shape, at, write);
 }
 
-/// Appends the value to the tape. Throws InvalidInput naming the path and the rule. In a partial reading any number may be left out: each
-/// is preceded on the tape by a word that says whether it is there. Double or mpq_class.
+/// Appends the value to the tape. Throws InvalidInput naming the path and the rule. In a partial reading any number may
+/// be left out: each is preceded on the tape by a word that says whether it is there. Double or mpq_class.
 template <class Real>
 void read_json(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
                bool partial = false);
 
-/// The shape itself: "number", "on | off", ["number", "number"], {"t?": "number"}. A name that ends in ? may be left out.
+/// The shape itself: "number", "on | off", ["number", "number"], {"t?": "number"}. A name that ends in ? may be left
+/// out.
 Json json_of(const Shape& shape);
 
 /// A typed value in JSON: numbers may be doubles or rationals.

@@ -14,8 +14,8 @@ namespace touchstone::audit {
 /// What is no number on a tape: an enumerator, a flag, an index, the length of a list, the choice among alternatives.
 using Word = std::uint32_t;
 
-/// The one form in which questions and answers travel: numbers and words, each in canonical order. A `Shape` (catalogue/shape.h)
-/// says what they mean.
+/// The one form in which questions and answers travel: numbers and words, each in canonical order. A `Shape`
+/// (catalogue/shape.h) says what they mean.
 template <class Real>
 struct Tape {
   std::vector<Real> numbers;

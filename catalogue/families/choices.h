@@ -8,11 +8,11 @@
 
 namespace touchstone::audit {
 
-/// One stream of choices, from which every input is drawn. A choice is a number 0 <= k < n and 0 is the simplest, so that
-/// a shorter or smaller stream gives a simpler input: shrinking works on the stream and never leaves a family.
+/// One stream of choices, from which every input is drawn. A choice is a number 0 <= k < n and 0 is the simplest, so
+/// that a shorter or smaller stream gives a simpler input: shrinking works on the stream and never leaves a family.
 ///
-/// Two sources: a seeded generator (the same on every machine), and bytes (libFuzzer's, RapidCheck's, a crash file's; past
-/// their end every choice is 0). A seeded stream that records gives the bytes that repeat it.
+/// Two sources: a seeded generator (the same on every machine), and bytes (libFuzzer's, RapidCheck's, a crash file's;
+/// past their end every choice is 0). A seeded stream that records gives the bytes that repeat it.
 class Choices {
  public:
   static Choices seeded(std::uint64_t seed, bool record = false);

@@ -9,7 +9,8 @@
 /// Polygons, drawn from a stream of choices as exact integers below 2^40; the simplest is a triangle or a square.
 namespace touchstone::audit {
 
-/// Convex, counter-clockwise, without flat angles: a ring of edges in the order of their directions, perhaps with vertices left out.
+/// Convex, counter-clockwise, without flat angles: a ring of edges in the order of their directions, perhaps with
+/// vertices left out.
 Polygon2d convex_ring(Choices& choices);
 
 /// Seen whole from one point inside; mostly concave. Simple, counter-clockwise.
@@ -24,21 +25,23 @@ Polygon2d simple_ring(Choices& choices);
 /// The same ring from another vertex on, or the other way round.
 Polygon2d turned(Polygon2d ring, Choices& choices);
 
-/// One more vertex in the middle of an edge: exactly on it if both ends are even, else moved towards it by rounding to integers.
+/// One more vertex in the middle of an edge: exactly on it if both ends are even, else moved towards it by rounding to
+/// integers.
 Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices);
 
 /// One vertex twice in a row, or a detour from a vertex and back.
 Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices);
 Polygon2d with_spike(Polygon2d ring, Choices& choices);
 
-/// A point of an edge, an end or an eighth of the way between: exactly there if the ring's numbers are integers of 40 bits.
+/// A point of an edge, an end or an eighth of the way between: exactly there if the ring's numbers are integers of 40
+/// bits.
 Point2d on_an_edge(const Polygon2d& ring, Choices& choices);
 
 /// p, or a point at most 2 beside it in each coordinate.
 Point2d beside(const Point2d& p, Choices& choices);
 
-/// A triangle with an edge from the origin that rises by the least normal number, and a point on it or beside it: every difference in y is
-/// subnormal, and lost where such numbers are read as zero.
+/// A triangle with an edge from the origin that rises by the least normal number, and a point on it or beside it: every
+/// difference in y is subnormal, and lost where such numbers are read as zero.
 std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices);
 
 /// The ring of these vertices with crossings undone by turning parts of it round, as far as 60 turns go.

@@ -38,8 +38,8 @@ Covering covered(const TrueTape& truth, const Tape<double>& answer, std::size_t 
 /// Whether a formula run in exact arithmetic gave the truth: words equal, numbers defined and the same.
 bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>& answer, Reading reading);
 
-/// What running error analysis promises: `plain` (run in double) is bit for bit what `tracked` computed, and within its bound of `exact`.
-/// Call only where no comparison was in doubt.
+/// What running error analysis promises: `plain` (run in double) is bit for bit what `tracked` computed, and within its
+/// bound of `exact`. Call only where no comparison was in doubt.
 bool promise_holds(const Tape<double>& plain, const Tape<Tracked<double>>& tracked, const Tape<Exact>& exact);
 
 /// The enumerators of an answer, in order ("hit", "convex/ccw"); "value" where there is none.

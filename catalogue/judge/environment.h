@@ -13,7 +13,8 @@
 /// The floating-point environments that a host application can set.
 namespace touchstone::audit {
 
-/// Four rounding modes; results flushed to zero or not; subnormal operands read as zero or not. Number 0 is what a program starts with.
+/// Four rounding modes; results flushed to zero or not; subnormal operands read as zero or not. Number 0 is what a
+/// program starts with.
 inline constexpr std::size_t environment_count = 16;
 
 inline std::string environment_name(std::size_t number) {
@@ -21,7 +22,8 @@ inline std::string environment_name(std::size_t number) {
   return std::string(modes[number & 3]) + (number & 4 ? ", FTZ" : "") + (number & 8 ? ", DAZ" : "");
 }
 
-/// That environment while in scope; then what was before. A compiler may move floating-point operations across both: `in_environment`.
+/// That environment while in scope; then what was before. A compiler may move floating-point operations across both:
+/// `in_environment`.
 class Environment {
  public:
 #if defined(__SSE2__)
@@ -48,8 +50,8 @@ class Environment {
 #endif
 };
 
-/// What `ask(argument)` returns in an environment. No compiler knows that arithmetic depends on the control word, so argument and answer
-/// pass through memory that it cannot see into, between setting the word and setting it back.
+/// What `ask(argument)` returns in an environment. No compiler knows that arithmetic depends on the control word, so
+/// argument and answer pass through memory that it cannot see into, between setting the word and setting it back.
 template <class Argument, class Ask>
 auto in_environment(std::size_t number, Argument argument, const Ask& ask) {
   const Environment set(number);

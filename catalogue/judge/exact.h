@@ -5,8 +5,8 @@
 
 namespace touchstone::audit {
 
-/// The number type in which a reference formula is run without rounding: a rational, or undefined. x / 0 is undefined, and
-/// so is everything computed from it; every comparison with it is false, as with NaN.
+/// The number type in which a reference formula is run without rounding: a rational, or undefined. x / 0 is undefined,
+/// and so is everything computed from it; every comparison with it is false, as with NaN.
 class Exact {
  public:
   Exact() = default;

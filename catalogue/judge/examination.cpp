@@ -151,8 +151,8 @@ int Examination::touch_reading(const std::string& outcome) const {
   return outcome == this->outcome() ? 1 : outcome == outcome_of(*row_.answer, open()->words) ? -1 : 0;
 }
 
-/// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be sure of its decision
-/// here either (running error analysis); else nothing but the algorithm can be.
+/// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be
+/// sure of its decision here either (running error analysis); else nothing but the algorithm can be.
 Judgement Examination::wrong(const Declaration& declaration, bool right_for_open_sets) const {
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {

@@ -14,7 +14,8 @@ namespace touchstone::audit {
 
 class Operation;
 
-/// One question with everything that can be said about it. The oracle is asked once, when it is made; all else is computed when asked for.
+/// One question with everything that can be said about it. The oracle is asked once, when it is made; all else is
+/// computed when asked for.
 class Examination {
  public:
   /// Throws InvalidInput where the oracle refuses.
@@ -41,8 +42,8 @@ class Examination {
   Judgement judge_engine(const Json& answer, const Declaration& declaration) const;
 
   /// The contract's promise for the double version, tested: empty if it holds here. Where running error analysis proves
-  /// that rounding cannot have changed a decision, reference in double must decide as in exact arithmetic, and its numbers must lie within
-  /// the proved bound.
+  /// that rounding cannot have changed a decision, reference in double must decide as in exact arithmetic, and its
+  /// numbers must lie within the proved bound.
   std::string broken_promise() const;
   /// Whether rounding may have changed the course of the formula, by running error analysis.
   bool doubtful(bool binary32 = false) const;

@@ -7,7 +7,8 @@
 namespace touchstone::audit {
 
 /// Whether the margin of a truth lies inside an engine's declared tolerance, a length in the unit of the coordinates. A
-/// margin that is an area or a square (degree 2) is compared with tolerance times the greatest coordinate of the question.
+/// margin that is an area or a square (degree 2) is compared with tolerance times the greatest coordinate of the
+/// question.
 inline bool tolerated(const mpq_class& margin, double tolerance, int degree, const Question& question) {
   if (!(tolerance > 0)) return false;
   mpq_class limit = exact_value(tolerance), greatest = 1;

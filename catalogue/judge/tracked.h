@@ -9,10 +9,10 @@ namespace touchstone::audit {
 /// A floating-point number that carries a bound of its own rounding error: running error analysis (Higham, Accuracy and
 /// Stability of Numerical Algorithms, 2nd ed., section 3.3), made rigorous by rounding every bound up.
 ///
-/// A reference formula run in this type computes what it computes in Float, bit for bit, and in the end each number lies
-/// within `error()` of the value of the same formula in exact arithmetic. An operation that happens to be exact adds
-/// nothing. A comparison that the bound cannot decide sets `doubtful()`: as long as it is not set, rounding cannot have
-/// changed the course of the formula. Float: float or double, rounding to nearest.
+/// A reference formula run in this type computes what it computes in Float, bit for bit, and in the end each number
+/// lies within `error()` of the value of the same formula in exact arithmetic. An operation that happens to be exact
+/// adds nothing. A comparison that the bound cannot decide sets `doubtful()`: as long as it is not set, rounding cannot
+/// have changed the course of the formula. Float: float or double, rounding to nearest.
 template <class Float>
 class Tracked {
  public:
@@ -82,8 +82,9 @@ class Tracked {
     return Tracked(root, plus(propagated, half_ulp(root)));
   }
 
-  /// An error e of the argument a moves the arc cosine by at most e / sqrt(1 - (|a| + e)^2); near the ends by at most pi sqrt(e / 2),
-  /// since 1 - cos x >= 2 x^2 / pi^2. Beyond 1 it is undefined, and whether the argument is beyond is a comparison.
+  /// An error e of the argument a moves the arc cosine by at most e / sqrt(1 - (|a| + e)^2); near the ends by at most
+  /// pi sqrt(e / 2), since 1 - cos x >= 2 x^2 / pi^2. Beyond 1 it is undefined, and whether the argument is beyond is a
+  /// comparison.
   friend Tracked acos(const Tracked& a) {
     if (a.undefined_) return undefined(std::acos(a.value_));
     const double most = plus(size(a), a.error_);
@@ -117,7 +118,8 @@ class Tracked {
 
   static double magnitude(Float x) { return std::fabs(static_cast<double>(x)); }
   static double size(const Tracked& a) { return magnitude(a.value_); }
-  // Bounds are added, multiplied and divided upwards: one step beyond the nearest double, unless the result is exactly 0.
+  // Bounds are added, multiplied and divided upwards: one step beyond the nearest double, unless the result is exactly
+  // 0.
   static double plus(double x, double y) { return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, infinite); }
   static double times(double x, double y) { return x == 0 || y == 0 ? 0 : std::nextafter(x * y, infinite); }
   static double over(double x, double y) { return x == 0 ? 0 : std::nextafter(x / y, infinite); }

@@ -75,9 +75,9 @@ struct implicit_circle {
          }},
         {"past_half_the_bound",
          [](Choices& c) -> Question {
-           // Outside by the height alone. Rounded upwards the distance along x shrinks to 1, and the radius' square grows: by 3 units in the
-           // last place of 1 together, where the filter's bound is 5. That takes FTZ, which loses the height's square, without DAZ, which
-           // would lose the centre's x.
+           // Outside by the height alone. Rounded upwards the distance along x shrinks to 1, and the radius' square
+           // grows: by 3 units in the last place of 1 together, where the filter's bound is 5. That takes FTZ, which
+           // loses the height's square, without DAZ, which would lose the centre's x.
            return {{{-0x1p-1074, 0.0}, 1 + 0x1p-52},
                    {-(1 + 0x1p-52), std::ldexp(1, -512 - static_cast<int>(c.below(25)))}};
          }},

@@ -82,7 +82,8 @@ struct point_plane {
          }},
         {"root_beside_a_tie",
          [](Choices& c) -> Question {
-           // x over the root of 2, in binary 53 digits, a half, and twelve zeros; then digits that decide. Found by trying all x.
+           // x over the root of 2, in binary 53 digits, a half, and twelve zeros; then digits that decide. Found by
+           // trying all x.
            static constexpr int roots[]{2827, 17619, 28489, 60223, 73721, 87219, 97213, 103703};
            const double x = roots[c.below(8)];
            return {{{1, 1, 0}, 0}, {c.below(2) == 1 ? -x : x, 0, integer(c, 20)}};

@@ -50,7 +50,8 @@ struct interior_angles {
          }},
         {"needle",
          [](Choices& c) -> Question {
-           // Two long edges one unit apart at one end: an angle of about 2^-k there, and where it is a dent, 2 pi less that.
+           // Two long edges one unit apart at one end: an angle of about 2^-k there, and where it is a dent, 2 pi less
+           // that.
            const double length = std::ldexp(1, 1 + static_cast<int>(c.below(40))), rise = small_integer(c);
            const Point2d tip{length, length * rise};
            if (c.below(2) == 0) return turned({{{0, 0}, tip, {0, 1}, {-length, rise}}}, c);

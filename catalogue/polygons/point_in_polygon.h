@@ -132,7 +132,8 @@ struct point_in_polygon {
          }},
         {"hair_beside_edge",
          [](Choices& c) -> Question {
-           // The ends seen from the point need more bits than a double has, and so they turn to the wrong side as often as not.
+           // The ends seen from the point need more bits than a double has, and so they turn to the wrong side as often
+           // as not.
            const auto sized = [&c](std::uint64_t size) { return static_cast<double>(size + c.below(size)); };
            const Vector2d edge{sized(1 << 29), c.below(2) == 1 ? sized(1 << 29) : -sized(1 << 29)};
            const Point2d origin{0, 0}, beside = along(origin, 0x1p-30, edge);
@@ -144,7 +145,8 @@ struct point_in_polygon {
          }},
         {"level_and_in_line",
          [](Choices& c) -> Question {
-           // Level with the last of the first sixteen vertices, which robust takes together, and in line with some edge of a saw.
+           // Level with the last of the first sixteen vertices, which robust takes together, and in line with some edge
+           // of a saw.
            const std::uint64_t teeth = 2 + c.below(3), length = 5 + c.below(8);
            Polygon2d ring;
            for (std::uint64_t i = 0; i < teeth * length; ++i)
@@ -156,7 +158,8 @@ struct point_in_polygon {
          }},
         {"beside_edge_from_afar",
          [](Choices& c) -> Question {
-           // The sixteenth vertex, where robust's second part begins, is far from all others, and the point near the end of its edge.
+           // The sixteenth vertex, where robust's second part begins, is far from all others, and the point near the
+           // end of its edge.
            Polygon2d ring = wave(18 + c.below(14), c);
            const auto far = [&c] { return static_cast<double>((1 << 29) + c.below(1 << 29)); };
            const double x = far();

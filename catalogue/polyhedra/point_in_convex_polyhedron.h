@@ -110,8 +110,8 @@ struct point_in_convex_polyhedron {
 
   static void repair(Question& question) { make_tetrahedron(std::get<0>(question)); }
 
-  /// Tetrahedra of size 12 and a point that runs over the numbers from 0 in thirds of 12, so that many lie on faces, edges and corners:
-  /// the vertex opposite the corner at the origin, and the point.
+  /// Tetrahedra of size 12 and a point that runs over the numbers from 0 in thirds of 12, so that many lie on faces,
+  /// edges and corners: the vertex opposite the corner at the origin, and the point.
   static std::uint64_t world_count(int size) {
     const auto n = static_cast<std::uint64_t>(size);
     return n * n * n * n * n * n;

@@ -154,7 +154,8 @@ struct swept_sphere_sphere {
     return {{sign * x * s, y * s, z * s}, r * s};
   }
 
-  /// p, v and reach are what b sees of a: both moved by one lattice vector, both with one more velocity, the reach dealt out.
+  /// p, v and reach are what b sees of a: both moved by one lattice vector, both with one more velocity, the reach
+  /// dealt out.
   static Question common_motion(const Vector3d& p, const Vector3d& v, double reach, Choices& c) {
     const Point3d at = lattice_point_in_space(c, 6);
     const double x = small_integer(c, 2), y = small_integer(c, 2);

@@ -75,7 +75,8 @@ struct sphere_sphere {
          }},
         {"far_below",
          [](Choices& c) -> Question {
-           // Tangent balls, one of them as large as the lattice just holds beside the other, or larger; or aside by a hair.
+           // Tangent balls, one of them as large as the lattice just holds beside the other, or larger; or aside by a
+           // hair.
            const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
                         larger = c.below(2) == 1 ? std::ldexp(large, static_cast<int>(c.below(900))) : large;
            const double m = 1 + static_cast<double>(c.below(3)), s = m + small_integer(c, 1);
@@ -98,7 +99,8 @@ struct sphere_sphere {
          }},
         {"much_rounded",
          [](Choices& c) -> Question {
-           // One position and one radius just above a power of two, the others far smaller: differences and sums round by all they may.
+           // One position and one radius just above a power of two, the others far smaller: differences and sums round
+           // by all they may.
            const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
            const auto small = [&c] { return static_cast<double>(c.below(256)) * 0x1p-60; };
            const double x = large(), r = large(), y = small(), s = small();
@@ -176,7 +178,8 @@ struct sphere_sphere {
   }
 
  private:
-  /// The way from one center to the other and, where it is whole, its length; and whether all is to be seen in the plane.
+  /// The way from one center to the other and, where it is whole, its length; and whether all is to be seen in the
+  /// plane.
   struct Step {
     Vector3d way;
     double length;

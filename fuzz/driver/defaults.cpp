@@ -16,8 +16,8 @@ std::string longest() {
 
 }  // namespace
 
-/// The operation from the command line, and libFuzzer's options where the command line does not name them. Its own start with short inputs,
-/// of which no number can be read.
+/// The operation from the command line, and libFuzzer's options where the command line does not name them. Its own
+/// start with short inputs, of which no number can be read.
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   touchstone::fuzz::choose_target(*argc, *argv);
   static std::vector<char*> arguments(*argv, *argv + *argc);

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <new>
 
-// Memory for GMP's limbs from free lists. The sanitizer's allocator would take most of the time of a fuzz target, and could watch
-// nothing there: GMP is not instrumented, and it alone touches its limbs.
+// Memory for GMP's limbs from free lists. The sanitizer's allocator would take most of the time of a fuzz target, and
+// could watch nothing there: GMP is not instrumented, and it alone touches its limbs.
 namespace {
 
 constexpr std::size_t grain = 16, classes = 128, block = std::size_t{1} << 16;  // pieces of up to 2 kB

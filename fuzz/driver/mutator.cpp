@@ -151,7 +151,8 @@ class Mutation {
 
 }  // namespace
 
-/// A question of some family. What has become numbers never goes back to one, so that without this families would be asked seldom.
+/// A question of some family. What has become numbers never goes back to one, so that without this families would be
+/// asked seldom.
 void draw_afresh(Choices& choices, std::vector<std::uint8_t>& result) {
   result.resize(1 + choices.below(48));
   for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(choices.below(256));

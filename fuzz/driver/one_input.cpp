@@ -40,7 +40,8 @@ void report_margin(const mpq_class& margin, int degree, std::span<const double> 
 
 }  // namespace touchstone::fuzz
 
-/// No stacks of allocations and a small quarantine: half of the time under the address sanitizer goes into remembering who allocated.
+/// No stacks of allocations and a small quarantine: half of the time under the address sanitizer goes into remembering
+/// who allocated.
 extern "C" const char* __asan_default_options() { return "malloc_context_size=0:quarantine_size_mb=4"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

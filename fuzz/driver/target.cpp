@@ -57,8 +57,8 @@ std::string Target::complaint(Bytes data) const {
   return judged(question, scattered(data));
 }
 
-/// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the rest together,
-/// so that there only every 256th of those, elsewhere every 16th, has its certificate checked.
+/// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the
+/// rest together, so that there only every 256th of those, elsewhere every 16th, has its certificate checked.
 std::string Target::judged(const Question& question, std::uint64_t hash) const {
   const audit::RowFunctions& row = operation_.row();
   const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % audit::environment_count;

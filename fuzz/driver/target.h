@@ -11,9 +11,10 @@
 
 /// One operation of the catalogue, asked by bytes.
 ///
-/// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families means that the rest are the numbers and
-/// words themselves in canonical order, each a raw little-endian double, and 0xff that those numbers which are not finite are made so:
-/// refusals tell little, and are exceptions, which cost more than answers. Bytes that are missing are 0.
+/// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families means that the rest
+/// are the numbers and words themselves in canonical order, each a raw little-endian double, and 0xff that those
+/// numbers which are not finite are made so: refusals tell little, and are exceptions, which cost more than answers.
+/// Bytes that are missing are 0.
 namespace touchstone::fuzz {
 
 using audit::Question;
@@ -42,14 +43,16 @@ class Target {
 
 /// The target of this process.
 const Target& target();
-/// Takes the operation from the program's name or, taking it away, from its first argument; ends the program where neither names one.
+/// Takes the operation from the program's name or, taking it away, from its first argument; ends the program where
+/// neither names one.
 void choose_target(int& argc, char** argv);
 
 /// The bytes that mean this question; and the question of bytes after the first, whatever they are.
 void encode(const audit::Shape& shape, const Question& question, std::vector<std::uint8_t>& data);
 void decode(const audit::Shape& shape, Bytes rest, bool make_finite, Question& question);
 
-/// How near the deciding quantity came to a change of answer is news to libFuzzer, as a branch that was not taken before would be.
+/// How near the deciding quantity came to a change of answer is news to libFuzzer, as a branch that was not taken
+/// before would be.
 void report_margin(const mpq_class& margin, int degree, std::span<const double> numbers, std::size_t outcome);
 
 /// Our own mutation: a pure function of the bytes and the seed. False where the bytes themselves should be mutated.

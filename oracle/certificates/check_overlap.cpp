@@ -48,8 +48,8 @@ bool on_boundary(const Ring& ring, const Pair& p) {
   return false;
 }
 
-/// Between two cuts no edge of a crosses one of b, so what holds on the middle line holds in the whole slab: there the intervals of a and
-/// those of b, from one edge to the next, have no common inside.
+/// Between two cuts no edge of a crosses one of b, so what holds on the middle line holds in the whole slab: there the
+/// intervals of a and those of b, from one edge to the next, have no common inside.
 void expect_apart_in_slab(const Ring& a, const Ring& b, const Rational& left, const Rational& right) {
   const std::vector<Ends> of_a = spanning(a, left, right), of_b = spanning(b, left, right);
   for (const Ends& e : of_a) {

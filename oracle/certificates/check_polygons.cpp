@@ -9,8 +9,8 @@ namespace {
 
 const char* const wrong_kind = "certificate: no such kind for this truth";
 
-/// The listed edges are those that the ray from the point in that direction crosses, at t: no vertex is on its line, so that an edge
-/// with its ends on different sides of the line meets it in one point, which is ahead or behind.
+/// The listed edges are those that the ray from the point in that direction crosses, at t: no vertex is on its line, so
+/// that an edge with its ends on different sides of the line meets it in one point, which is ahead or behind.
 void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
   claim.facts({"direction", "edges", "t"});
   const Pair direction = claim.pair("direction");

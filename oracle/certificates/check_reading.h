@@ -85,7 +85,8 @@ struct Claim {
 
 /// Returns where the certificate proves the truth and throws Refusal otherwise.
 using Check = void (*)(const Claim&);
-/// By operation. A file check_NAME.cpp ends with `Checks checks_of_NAME()`: the build makes the table of all from that line.
+/// By operation. A file check_NAME.cpp ends with `Checks checks_of_NAME()`: the build makes the table of all from that
+/// line.
 using Checks = std::map<std::string, Check>;
 
 }  // namespace touchstone::certify

@@ -15,10 +15,12 @@ Ends edge(const Ring& ring, std::size_t i);
 /// 1, 0, -1: p lies to the left of the directed line through the ends, on it, to the right.
 int side(const Ends& line, const Pair& p);
 
-/// No two neighbours are one point, and not all vertices are on one line: with different neighbours some three of them turn.
+/// No two neighbours are one point, and not all vertices are on one line: with different neighbours some three of them
+/// turn.
 void expect_not_degenerate(const Ring& ring);
 
-/// Whether two edges have a common point: unless all of one lies strictly on one side of the other's line, or further along in x or in y.
+/// Whether two edges have a common point: unless all of one lies strictly on one side of the other's line, or further
+/// along in x or in y.
 bool meet(const Ends& a, const Ends& b);
 
 /// Not degenerate, neighbours do not turn back, other edges do not meet.

@@ -112,7 +112,8 @@ class CommonScale<Rational, N> {
 /// Integers of this size and their differences, and sums of a few products of two of those, fit Int128.
 constexpr int most_bits_in_words = 61;
 
-/// Numbers i and i + 1 as a point, i to i + 3 as a segment. Value: Integer, or Int128 where bits() <= most_bits_in_words.
+/// Numbers i and i + 1 as a point, i to i + 3 as a segment. Value: Integer, or Int128 where bits() <=
+/// most_bits_in_words.
 template <class Value, class Scale>
 Value whole(const Scale& scale, std::size_t i) {
   if constexpr (std::is_same_v<Value, Integer>) {

@@ -13,7 +13,8 @@ namespace touchstone::validation {
 inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
 inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
 
-/// What is valid wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be forgotten.
+/// What is valid wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be
+/// forgotten.
 template <class Shape>
 concept AlwaysValid = std::is_same_v<Shape, oracle::Rational> || std::is_same_v<Shape, Point2<oracle::Rational>> ||
     std::is_same_v<Shape, Point3<oracle::Rational>> || std::is_same_v<Shape, Segment2<oracle::Rational>> ||

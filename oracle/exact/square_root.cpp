@@ -17,7 +17,8 @@ bool same_double(const Rational& a, const Rational& b) {
   return std::bit_cast<std::uint64_t>(nearest_double(a)) == std::bit_cast<std::uint64_t>(nearest_double(b));
 }
 
-/// The rational root, where there is one: that its square is the number is checked here. Otherwise 0 for a square above 0.
+/// The rational root, where there is one: that its square is the number is checked here. Otherwise 0 for a square above
+/// 0.
 Rational rational_root(const Rational& square) {
   const Rational root(Integer(sqrt(square.get_num())), Integer(sqrt(square.get_den())));
   return root * root == square ? root : Rational(0);

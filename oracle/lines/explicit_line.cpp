@@ -9,7 +9,8 @@ namespace {
 
 template <class Number>
 Rational height(const Number& slope, const Number& intercept, const Point2<Number>& point) {
-  validation::validate("slope", slope), validation::validate("intercept", intercept), validation::validate("point", point);
+  validation::validate("slope", slope), validation::validate("intercept", intercept),
+      validation::validate("point", point);
   return Rational(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
 }
 

@@ -10,7 +10,9 @@ namespace {
 template <class Number>
 CommonScale<Number, 6> validated(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p) {
   const CommonScale<Number, 6> numbers({p0.x, p0.y, p1.x, p1.y, p.x, p.y});
-  if (!numbers.finite()) validation::validate("p0", p0), validation::validate("p1", p1), validation::validate("p", p);  // names the field: slower
+  if (!numbers.finite())
+    validation::validate("p0", p0), validation::validate("p1", p1),
+        validation::validate("p", p);  // names the field: slower
   return numbers;
 }
 

@@ -21,8 +21,8 @@ struct Coordinate {
   bool certain;
 };
 
-/// One double (and one sign) is nearest to everything in the enclosure, and the enclosure (its width is not 0) is narrow
-/// enough.
+/// One double (and one sign) is nearest to everything in the enclosure, and the enclosure (its width is not 0) is
+/// narrow enough.
 bool certain(const Coordinate& x, const Rational& width) {
   const auto bits = [](const Rational& value) { return std::bit_cast<std::uint64_t>(nearest_double(value)); };
   return binary_order(width) < ulp_exponent(x.value) - closeness && sgn(x.low) == sgn(x.high) &&

@@ -14,7 +14,8 @@ using Scale = CommonScale<Number, 6>;
 template <class Number>
 Scale<Number> validated(const Point2<Number>& point, const Segment2<Number>& segment) {
   const Scale<Number> n({point.x, point.y, segment.a.x, segment.a.y, segment.b.x, segment.b.y});
-  if (!n.finite()) validation::validate("point", point), validation::validate("segment", segment);  // names the field: slower
+  if (!n.finite())
+    validation::validate("point", point), validation::validate("segment", segment);  // names the field: slower
   return n;
 }
 

@@ -13,7 +13,8 @@ CommonScale<Number, 8> validated(const Ray2<Number>& ray, const Segment2<Number>
   const CommonScale<Number, 8> n({ray.origin.x, ray.origin.y, ray.direction.x, ray.direction.y, segment.a.x,
                                   segment.a.y, segment.b.x, segment.b.y});
   const bool still = validation::zero(ray.direction.x) && validation::zero(ray.direction.y);
-  if (!n.finite() || still) validation::validate("ray", ray), validation::validate("segment", segment);  // names the field: slower
+  if (!n.finite() || still)
+    validation::validate("ray", ray), validation::validate("segment", segment);  // names the field: slower
   return n;
 }
 

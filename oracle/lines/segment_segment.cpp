@@ -13,7 +13,8 @@ namespace {
 template <class Number>
 CommonScale<Number, 8> validated(const Segment2<Number>& a, const Segment2<Number>& b) {
   const CommonScale<Number, 8> numbers({a.a.x, a.a.y, a.b.x, a.b.y, b.a.x, b.a.y, b.b.x, b.b.y});
-  if (!numbers.finite()) validation::validate("a", a), validation::validate("b", b);  // names the field: far slower than the question
+  if (!numbers.finite())
+    validation::validate("a", a), validation::validate("b", b);  // names the field: far slower than the question
   return numbers;
 }
 

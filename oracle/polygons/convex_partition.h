@@ -6,9 +6,9 @@
 
 namespace touchstone::oracle {
 
-/// Truth: one partition of many: triangles from cutting diagonal by diagonal, each merged into the first piece that stays convex. Margin:
-/// the least size of twice the area of three consecutive vertices, which is 0 where one is flat: how far the vertices are from changing
-/// between convex and reflex.
+/// Truth: one partition of many: triangles from cutting diagonal by diagonal, each merged into the first piece that
+/// stays convex. Margin: the least size of twice the area of three consecutive vertices, which is 0 where one is flat:
+/// how far the vertices are from changing between convex and reflex.
 Truth<IndexLists> convex_partition(const Polygon2d& polygon);
 template <Exact Number>
 Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon);

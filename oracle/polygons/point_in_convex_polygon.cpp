@@ -45,8 +45,8 @@ Whole validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   return {std::move(whole.ring), p, std::move(whole.unit)};
 }
 
-/// A triangle (0, i, i + 1) of some area, and the point's weights in it times twice that area: the areas of the triangles that the
-/// point makes with its edges, positive on the inside.
+/// A triangle (0, i, i + 1) of some area, and the point's weights in it times twice that area: the areas of the
+/// triangles that the point makes with its edges, positive on the inside.
 struct Triangle {
   std::size_t i;
   std::array<Integer, 3> areas;
@@ -72,8 +72,8 @@ struct Found {
   std::optional<Triangle> triangle;
 };
 
-/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, but for the first side of
-/// the first triangle and the last of the last.
+/// A triangle's side opposite vertex 0 is an edge of the polygon; the two sides at vertex 0 are diagonals, but for the
+/// first side of the first triangle and the last of the last.
 Found located(const Whole& w) {
   const std::vector<Triangle> triangles = fan(w);
   for (const Triangle& t : triangles) {

@@ -29,7 +29,8 @@ std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists
   for (const auto& triangle : triangles) {
     if (triangle.size() != 3) return "not three vertices in a triangle";
   }
-  // A vertex in the middle of a side takes half a turn away from the angles of the corners, and so one triangle from the count.
+  // A vertex in the middle of a side takes half a turn away from the angles of the corners, and so one triangle from
+  // the count.
   if (triangles.size() + 2 != polygon.size()) return "not n - 2 triangles";
   return partition_fault(polygon, triangles);
 }

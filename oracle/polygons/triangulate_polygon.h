@@ -6,8 +6,9 @@
 
 namespace touchstone::oracle {
 
-/// Truth: one triangulation of many, diagonal by diagonal on integers. Margin: the least size of twice the area of three consecutive vertices,
-/// which is 0 where one is flat: how far the vertices are from changing between convex and reflex.
+/// Truth: one triangulation of many, diagonal by diagonal on integers. Margin: the least size of twice the area of
+/// three consecutive vertices, which is 0 where one is flat: how far the vertices are from changing between convex and
+/// reflex.
 Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon);
 template <Exact Number>
 Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon);

@@ -4,11 +4,11 @@
 
 #include "oracle/rings/triangulation.h"
 
-/// The definition, part by part: every piece a convex ring of vertices of the polygon, their interiors apart, their areas those of the polygon
-/// in sum, their other edges inside the polygon.
+/// The definition, part by part: every piece a convex ring of vertices of the polygon, their interiors apart, their
+/// areas those of the polygon in sum, their other edges inside the polygon.
 ///
-/// Nothing wrong passes. An edge inside the polygon leaves every piece inside it; pieces inside, apart and of its area in sum are all
-/// of it.
+/// Nothing wrong passes. An edge inside the polygon leaves every piece inside it; pieces inside, apart and of its area
+/// in sum are all of it.
 namespace touchstone::oracle {
 namespace {
 
@@ -26,8 +26,8 @@ std::string indices_fault(const WholeRing& ring, const IndexLists& pieces) {
   return "";
 }
 
-/// Every vertex on the left of every edge or on it, and not all on one line. (Then each edge lies on the hull's boundary in its
-/// direction, and different vertices cannot go round twice.)
+/// Every vertex on the left of every edge or on it, and not all on one line. (Then each edge lies on the hull's
+/// boundary in its direction, and different vertices cannot go round twice.)
 bool convex(const WholeRing& ring, const std::vector<Index>& piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Index p = piece[i], q = piece[(i + 1) % piece.size()];
@@ -57,8 +57,8 @@ bool on_segment(const WholeRing& ring, Index a, Index b, Index p) {
          std::min(s.y, t.y) <= r.y && r.y <= std::max(s.y, t.y);
 }
 
-/// Whether the open segment from vertex a to vertex b, no edge, lies inside the ring, which is simple: it starts within the angle at a, and
-/// no edge that does not end in a or b comes near it, nor does a neighbour of a or b lie on it.
+/// Whether the open segment from vertex a to vertex b, no edge, lies inside the ring, which is simple: it starts within
+/// the angle at a, and no edge that does not end in a or b comes near it, nor does a neighbour of a or b lie on it.
 bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
   const Index next = counter_clockwise ? ring.after(a) : ring.before(a),
               last = counter_clockwise ? ring.before(a) : ring.after(a);

@@ -26,7 +26,8 @@ IndexLists triangulated(const WholeRing& ring);
 /// The least size of twice the area of three consecutive vertices, in squares of the unit of the input.
 Rational least_turn(const WholeRing& ring);
 
-/// What is wrong with the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals; "" if it is right.
+/// What is wrong with the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals;
+/// "" if it is right.
 std::string partition_fault(const Polygon2d& polygon, const IndexLists& pieces);
 
 }  // namespace touchstone::oracle

@@ -22,8 +22,8 @@ class WholeRing {
   Index after(Index i) const { return i + 1 == size() ? 0 : i + 1; }
   Index before(Index i) const { return i == 0 ? size() - 1 : i - 1; }
 
-  /// Twice the area of the triangle of three vertices, positive where it turns left, in squares of the unit; and its sign, which is
-  /// had faster.
+  /// Twice the area of the triangle of three vertices, positive where it turns left, in squares of the unit; and its
+  /// sign, which is had faster.
   static Integer area(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r);
   Integer area(Index i, Index j, Index k) const { return area(ring[i], ring[j], ring[k]); }
   int turn(Index i, Index j, Index k) const;
@@ -38,7 +38,8 @@ class WholeRing {
 
   Polygon2<Integer> ring;
   Rational unit;
-  /// The same integers where all fit 61 bits, so that Int128 holds a difference of two products of differences; else empty.
+  /// The same integers where all fit 61 bits, so that Int128 holds a difference of two products of differences; else
+  /// empty.
   std::vector<Point2<std::int64_t>> words;
 
  private:

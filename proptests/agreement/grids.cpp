@@ -19,8 +19,9 @@ std::string second_truth(const Operation& operation, const Question& question) {
   return operation.row().decision->words[operation.row().decide_by_integers(question)];
 }
 
-/// What is asked of a grid: configurations of the numbers first, first + 1, ..., `size` of them; of more than `most` (times
-/// TOUCHSTONE_CASES) that many, spread evenly (`touchstone exhaust` asks the rest); each `every`-th certificate is checked too.
+/// What is asked of a grid: configurations of the numbers first, first + 1, ..., `size` of them; of more than `most`
+/// (times TOUCHSTONE_CASES) that many, spread evenly (`touchstone exhaust` asks the rest); each `every`-th certificate
+/// is checked too.
 struct Grid {
   int size;
   double first;

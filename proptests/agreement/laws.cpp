@@ -261,7 +261,8 @@ void forget_lengths(Tape<Real>& tape, const Shape& shape, const Laws& laws) {
   Changed<Real>(tape, shape, laws).lengths([](const Real&) { return Real(0); });
 }
 
-/// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is infinite.
+/// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is
+/// infinite.
 bool scaled_number(double n, double found, int k) {
   if (std::fabs(n) < 0x1p-1021) return std::fabs(found) <= std::ldexp(0x1p-1021, k);
   if (std::isinf(n)) return true;

@@ -92,8 +92,8 @@ EACH_OPERATION("every outcome is reached, and every family asks what it is meant
   }
   INFO("outcomes that no family reaches: " << Catch::Detail::stringify(missing));
   CHECK(missing.empty());
-  // What the families reached when somebody last looked: a change of a family that loses an outcome shows here. Written anew, to be looked
-  // at, with TOUCHSTONE_WRITE_REACHED=1.
+  // What the families reached when somebody last looked: a change of a family that loses an outcome shows here. Written
+  // anew, to be looked at, with TOUCHSTONE_WRITE_REACHED=1.
   const std::string file = "proptests/agreement/reached/" + operation.name() + ".json";
   if (std::getenv("TOUCHSTONE_WRITE_REACHED") != nullptr) std::ofstream(file) << ledger.dump(1) << '\n';
   std::ifstream kept(file);

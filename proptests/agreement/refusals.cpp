@@ -14,7 +14,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// The path of the number at a place of the question, found by printing a question that has only that number: "a[0][1]".
+/// The path of the number at a place of the question, found by printing a question that has only that number:
+/// "a[0][1]".
 std::string path_of_mark(const audit::Json& value, const std::string& path, double mark) {
   if (value.is_number()) return value.get<double>() == mark ? path : "";
   std::string found;

@@ -8,8 +8,9 @@
 
 // robust_digest [--contracted] [OPERATION]
 //
-// What robust answers to questions of every family in every floating-point environment: a line for each operation, or for each question of
-// one. CMakeLists.txt compiles it, and with it all that is inline in robust's headers, in several ways; all have to print the same.
+// What robust answers to questions of every family in every floating-point environment: a line for each operation, or
+// for each question of one. CMakeLists.txt compiles it, and with it all that is inline in robust's headers, in several
+// ways; all have to print the same.
 namespace touchstone::proptests {
 namespace {
 
@@ -61,7 +62,8 @@ void print_digest(const audit::Operation& operation, bool each_question) {
   }
 }
 
-/// Whether the compiler makes one rounding of a product and a sum: (1 + u)(1 - u) - 1 is -u^2, and 0 where the product is rounded.
+/// Whether the compiler makes one rounding of a product and a sum: (1 + u)(1 - u) - 1 is -u^2, and 0 where the product
+/// is rounded.
 bool contracts() {
   volatile double a = 1 + 0x1p-52, b = 1 - 0x1p-52, c = -1;
   const double x = a, y = b, z = c;

@@ -12,10 +12,10 @@ namespace touchstone::reference {
 /// Closed sets: `on` means exactly on the line, however near the others are. A slope of 0 is valid.
 /// NaN or infinity: refused by robust and oracle (field, "finite number").
 ///
-/// Rounding (binary64, to nearest, u = 2^-53): with P = m x and S = P + b as computed, the product is off by at most
-/// u |P| + 2^-1075 (half of the least subnormal, where it underflows) and the sum by u |S|; the last subtraction rounds, but
-/// keeps its sign. So the double version is right when |E| exceeds u (|P| + |S|) + 2^-1075, unless P or S overflows.
-/// In exact arithmetic the formula is always right. No number is returned.
+/// Rounding (binary64, to nearest, u = 2^-53): with P = m x and S = P + b as computed, the product is off by at most u
+/// |P| + 2^-1075 (half of the least subnormal, where it underflows) and the sum by u |S|; the last subtraction rounds,
+/// but keeps its sign. So the double version is right when |E| exceeds u (|P| + |S|) + 2^-1075, unless P or S
+/// overflows. In exact arithmetic the formula is always right. No number is returned.
 template <class Real>
 Height explicit_line(const Real& slope, const Real& intercept, const Point2<Real>& point) {
   const Real e = Real(point.y - Real(Real(slope * point.x) + intercept));

@@ -9,19 +9,20 @@ namespace touchstone::reference {
 
 /// Cuts a simple polygon into convex pieces whose corners are its vertices: counter-clockwise lists of indices.
 ///
-/// Deck p. 7: a triangulation, then triangles are merged across the diagonals that are not needed (Hertel and Mehlhorn): one diagonal after
-/// the other is taken out if at neither end the angle that it divided is more than half a turn, E >= 0 as in triangulate_polygon.
+/// Deck p. 7: a triangulation, then triangles are merged across the diagonals that are not needed (Hertel and
+/// Mehlhorn): one diagonal after the other is taken out if at neither end the angle that it divided is more than half a
+/// turn, E >= 0 as in triangulate_polygon.
 ///
-/// polygon: simple, in either direction; any unit of length. Many answers are right: every piece is convex (flat angles allowed) and of
-/// positive area, the interiors of no two meet, together they are the polygon, every vertex on the boundary of a piece is in its
-/// list, and there are at most 2 r + 1 of them, r the number of reflex vertices. No partition has fewer than r / 2 + 1, so that is at most
-/// four times the least number. (Why Hertel and Mehlhorn's has no more: a diagonal left over is needed by a reflex vertex at one of
-/// its ends, and no vertex needs three, which would divide more than a whole turn.)
-/// Degenerate: a flat vertex is no reason to cut, and stays in the list of its piece.
-/// Refused: as triangulate_polygon.
+/// polygon: simple, in either direction; any unit of length. Many answers are right: every piece is convex (flat angles
+/// allowed) and of positive area, the interiors of no two meet, together they are the polygon, every vertex on the
+/// boundary of a piece is in its list, and there are at most 2 r + 1 of them, r the number of reflex vertices. No
+/// partition has fewer than r / 2 + 1, so that is at most four times the least number. (Why Hertel and Mehlhorn's has
+/// no more: a diagonal left over is needed by a reflex vertex at one of its ends, and no vertex needs three, which
+/// would divide more than a whole turn.) Degenerate: a flat vertex is no reason to cut, and stays in the list of its
+/// piece. Refused: as triangulate_polygon.
 ///
-/// Rounding: as triangulate_polygon. Where the sum and every E of three of the vertices exceed their bounds, every decision is right, and so
-/// is the answer. In exact arithmetic the formula is always right.
+/// Rounding: as triangulate_polygon. Where the sum and every E of three of the vertices exceed their bounds, every
+/// decision is right, and so is the answer. In exact arithmetic the formula is always right.
 template <class Real>
 std::vector<std::vector<Index>> convex_partition(const Polygon2<Real>& polygon) {
   std::vector<std::vector<Index>> pieces = triangulate_polygon(polygon);

@@ -7,20 +7,22 @@ namespace touchstone::reference {
 
 /// Where a point lies of a convex polygon, by the side of each edge.
 ///
-/// Deck p. 16-17: E = (y - ay)(bx - ax) - (x - ax)(by - ay) for every edge a -> b; inside where all E have one sign, outside where two
-/// have different ones. The slide does not say what E = 0 means: here `boundary`, unless two others differ.
-/// polygon, point: any unit of length, the same for both. Either direction; flat vertices are valid.
-/// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: fewer than 3 vertices
-/// (polygon, "at least 3 vertices"), NaN or infinity in either field ("finite number"), a vertex that is the next one too (polygon[i],
-/// "different from the next vertex"), all vertices on one line (polygon, "convex: vertices on one line have no inside"), an edge that
-/// meets another (polygon[i], "simple: ..."), a vertex where the ring turns against its direction (polygon[i], "convex: ...").
+/// Deck p. 16-17: E = (y - ay)(bx - ax) - (x - ax)(by - ay) for every edge a -> b; inside where all E have one sign,
+/// outside where two have different ones. The slide does not say what E = 0 means: here `boundary`, unless two others
+/// differ. polygon, point: any unit of length, the same for both. Either direction; flat vertices are valid.
+/// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: fewer than 3
+/// vertices (polygon, "at least 3 vertices"), NaN or infinity in either field ("finite number"), a vertex that is the
+/// next one too (polygon[i], "different from the next vertex"), all vertices on one line (polygon, "convex: vertices on
+/// one line have no inside"), an edge that meets another (polygon[i], "simple: ..."), a vertex where the ring turns
+/// against its direction (polygon[i], "convex: ...").
 ///
-/// In exact arithmetic the formula is always right: the sum of all E is twice the area, so that some E has the sign of the inside, and
-/// where none has the other sign, the point is in the intersection of the closed half-planes of the edges.
+/// In exact arithmetic the formula is always right: the sum of all E is twice the area, so that some E has the sign of
+/// the inside, and where none has the other sign, the point is in the intersection of the closed half-planes of the
+/// edges.
 ///
-/// Margin: the least squared distance of the point from an edge. Rounding (binary64, to nearest, u = 2^-53): with L and R the two
-/// products of an E as computed, it is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073 unless something overflows
-/// (reference/lines/orientation.h). Where every |E| exceeds that, the double version is right.
+/// Margin: the least squared distance of the point from an edge. Rounding (binary64, to nearest, u = 2^-53): with L and
+/// R the two products of an E as computed, it is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073 unless something
+/// overflows (reference/lines/orientation.h). Where every |E| exceeds that, the double version is right.
 template <class Real>
 Location point_in_convex_polygon(const Polygon2<Real>& polygon, const Point2<Real>& point) {
   bool left = false, right = false, on = false;

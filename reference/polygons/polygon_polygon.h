@@ -9,21 +9,22 @@ namespace touchstone::reference {
 
 /// Whether two simple polygons, as closed solids, have common points, and common interior points.
 ///
-/// Deck p. 18-19: they overlap where one contains a vertex of the other, else where an edge of one crosses an edge of the other. The slide
-/// answers yes or no; the third answer is read from the same tests: a vertex on the other's boundary is a touch.
-/// a, b: rings in either direction, any unit of length, the same for both; flat vertices are valid.
-/// `overlapping`: a common interior point (one inside the other and coincident polygons included); `touching`: common points, all of them on
-/// both boundaries; `disjoint`: none.
-/// Refused by robust and oracle, a before b: fewer than 3 vertices ("a", "at least 3 vertices"); NaN or infinity (field, "finite number"); an
-/// edge of length zero or edges that meet elsewhere than neighbours do in their vertex (the vertex, "different from the next vertex",
-/// "simple: ..."; geometry/validation.h).
+/// Deck p. 18-19: they overlap where one contains a vertex of the other, else where an edge of one crosses an edge of
+/// the other. The slide answers yes or no; the third answer is read from the same tests: a vertex on the other's
+/// boundary is a touch. a, b: rings in either direction, any unit of length, the same for both; flat vertices are
+/// valid. `overlapping`: a common interior point (one inside the other and coincident polygons included); `touching`:
+/// common points, all of them on both boundaries; `disjoint`: none. Refused by robust and oracle, a before b: fewer
+/// than 3 vertices ("a", "at least 3 vertices"); NaN or infinity (field, "finite number"); an edge of length zero or
+/// edges that meet elsewhere than neighbours do in their vertex (the vertex, "different from the next vertex", "simple:
+/// ..."; geometry/validation.h).
 ///
-/// Where every vertex of both lies outside the other or on its boundary and no edges cross in their interiors, the slide's tests cannot see an
-/// overlap: coincident polygons, a diamond inscribed in a square, a bar with its ends on two edges are `touching` even in exact arithmetic
-/// (cause: algorithm).
+/// Where every vertex of both lies outside the other or on its boundary and no edges cross in their interiors, the
+/// slide's tests cannot see an overlap: coincident polygons, a diamond inscribed in a square, a bar with its ends on
+/// two edges are `touching` even in exact arithmetic (cause: algorithm).
 ///
-/// Rounding: every decision is one of reference/polygons/point_in_polygon.h or a sign of reference/lines/orientation.h; the double version
-/// decides as the formula does in exact arithmetic where each of those is beyond its margin given there.
+/// Rounding: every decision is one of reference/polygons/point_in_polygon.h or a sign of reference/lines/orientation.h;
+/// the double version decides as the formula does in exact arithmetic where each of those is beyond its margin given
+/// there.
 template <class Real>
 Contact polygon_polygon(const Polygon2<Real>& a, const Polygon2<Real>& b) {
   bool touch = false;

@@ -8,32 +8,35 @@
 
 namespace touchstone::reference {
 
-/// Cuts a simple polygon of n vertices into n - 2 triangles whose corners are its vertices: counter-clockwise triples of indices.
+/// Cuts a simple polygon of n vertices into n - 2 triangles whose corners are its vertices: counter-clockwise triples
+/// of indices.
 ///
-/// Deck p. 7: ear clipping. A vertex is an ear if its angle is convex, E > 0 for E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0) of its two
-/// neighbours and itself, and no other vertex that is left lies in the triangle of the three, boundary included (all three E >= 0). Ears
-/// are cut off until three vertices are left. A ring whose area sum (x_i y_i+1 - x_i+1 y_i) / 2 is negative is gone through backwards.
+/// Deck p. 7: ear clipping. A vertex is an ear if its angle is convex, E > 0 for E = (y - y0)(x1 - x0) - (x - x0)(y1 -
+/// y0) of its two neighbours and itself, and no other vertex that is left lies in the triangle of the three, boundary
+/// included (all three E >= 0). Ears are cut off until three vertices are left. A ring whose area sum (x_i y_i+1 -
+/// x_i+1 y_i) / 2 is negative is gone through backwards.
 ///
-/// polygon: simple, in either direction; any unit of length. Many answers are right: every triangle has positive area, the interiors of
-/// no two meet, and together they are the polygon.
-/// Degenerate: a flat vertex is a corner of some triangle like every other, and no triangle has area 0; a simple polygon always
-/// has such a triangulation:
-/// (1) Of four or more vertices two can be joined inside. The vertex v that comes first by x, then y turns left; u, w are its neighbours. If the
-///     closed triangle uvw holds no other vertex, uw is a diagonal. Else let z be one of those held that is farthest from the line uw on v's
-///     side: the part of the triangle beyond z holds no vertex, hence no piece of an edge (it could leave through uv or vw only), so vz is a
-///     diagonal.
-/// (2) A diagonal makes two smaller rings, both simple; so by induction n - 3 diagonals make n - 2 triangles, each a simple ring of
-///     three vertices, of positive area.
-/// (3) They hang together by their diagonals as a tree. One with a single neighbour has two edges of the ring as sides, and no vertex in it but its
-///     corners: its middle corner is an ear. There are two of these, their middle corners no neighbours.
-/// Refused: NaN or infinity (field, "finite number"), fewer than three vertices (field, "at least 3 vertices"), a ring that is not simple
-/// (the first vertex of the offending edge, and the rule).
+/// polygon: simple, in either direction; any unit of length. Many answers are right: every triangle has positive area,
+/// the interiors of no two meet, and together they are the polygon. Degenerate: a flat vertex is a corner of some
+/// triangle like every other, and no triangle has area 0; a simple polygon always has such a triangulation:
+/// (1) Of four or more vertices two can be joined inside. The vertex v that comes first by x, then y turns left; u, w
+///     are its neighbours. If the closed triangle uvw holds no other vertex, uw is a diagonal. Else let z be one of
+///     those held that is farthest from the line uw on v's side: the part of the triangle beyond z holds no vertex,
+///     hence no piece of an edge (it could leave through uv or vw only), so vz is a diagonal.
+/// (2) A diagonal makes two smaller rings, both simple; so by induction n - 3 diagonals make n - 2 triangles, each a
+///     simple ring of three vertices, of positive area.
+/// (3) They hang together by their diagonals as a tree. One with a single neighbour has two edges of the ring as sides,
+///     and no vertex in it but its corners: its middle corner is an ear. There are two of these, their middle corners
+///     no neighbours.
+/// Refused: NaN or infinity (field, "finite number"), fewer than three vertices (field, "at least 3 vertices"), a ring
+/// that is not simple (the first vertex of the offending edge, and the rule).
 ///
-/// Rounding (binary64, to nearest, u = 2^-53): each computed E is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073, L and R its two
-/// products as computed (see orientation), and the area's sum of n terms by (n + 1) u / (1 - (n + 1) u) S + n 2^-1073, S the sum of
-/// the sizes of its 2n products, unless something overflows. Where the sum and every E of three of the vertices exceed their bounds, every
-/// decision is right, and so is the answer. Elsewhere it may find no ear and stop with fewer triangles, or cut off what is none.
-/// In exact arithmetic the formula is always right, because an ear always exists.
+/// Rounding (binary64, to nearest, u = 2^-53): each computed E is off by at most (3 + 16u) u (|L| + |R|) + 2^-1073, L
+/// and R its two products as computed (see orientation), and the area's sum of n terms by (n + 1) u / (1 - (n + 1) u) S
+/// + n 2^-1073, S the sum of the sizes of its 2n products, unless something overflows. Where the sum and every E of
+/// three of the vertices exceed their bounds, every decision is right, and so is the answer. Elsewhere it may find no
+/// ear and stop with fewer triangles, or cut off what is none. In exact arithmetic the formula is always right, because
+/// an ear always exists.
 template <class Real>
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2<Real>& polygon) {
   std::vector<Index> left(polygon.size());

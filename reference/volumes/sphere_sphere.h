@@ -33,12 +33,12 @@ Contact contact_of_squares(const Solid& a, const Solid& b) {
 /// answers `overlapping`, in exact arithmetic too (cause: algorithm). For all other balls it is right in exact
 /// arithmetic.
 ///
-/// Rounding (binary64, to nearest, u = 2^-53): let S be the exact squared distance of the centers and R the exact square
-/// of the sum of the radii. Each square in S carries its difference's rounding twice and its own, and goes through two
-/// sums at most: off by at most ((1 + u)^5 - 1) S <= (5 + 11u) u S, and where squares underflow by 3 (1 + u)^2 2^-1075. R
-/// has one rounding less of each sort: off by at most ((1 + u)^3 - 1) R <= (3 + 4u) u R and 2^-1075. The comparison is
-/// exact. So where |S - R| > (5 + 11u) u S + (3 + 4u) u R + 2^-1072, unless S or R overflows, the double version answers
-/// as exact arithmetic does. No number is returned.
+/// Rounding (binary64, to nearest, u = 2^-53): let S be the exact squared distance of the centers and R the exact
+/// square of the sum of the radii. Each square in S carries its difference's rounding twice and its own, and goes
+/// through two sums at most: off by at most ((1 + u)^5 - 1) S <= (5 + 11u) u S, and where squares underflow by 3 (1 +
+/// u)^2 2^-1075. R has one rounding less of each sort: off by at most ((1 + u)^3 - 1) R <= (3 + 4u) u R and 2^-1075.
+/// The comparison is exact. So where |S - R| > (5 + 11u) u S + (3 + 4u) u R + 2^-1072, unless S or R overflows, the
+/// double version answers as exact arithmetic does. No number is returned.
 template <class Real>
 Contact sphere_sphere(const Circle2<Real>& a, const Circle2<Real>& b) {
   return contact_of_squares<Real>(a, b);

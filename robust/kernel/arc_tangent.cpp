@@ -41,11 +41,12 @@ struct Turned {
 
 /// The angle of (x, y) beyond `start`, if its tangent is at most 0.4.
 ///
-/// Turned back by `start` the vector is (x c + y s, y c - x s), each off by at most |x| + |y| times the error e of the cosine c and sine s.
-/// The first of the two is at least 0.92 |(x, y)| > 0.65 (|x| + |y|), so their quotient, the slope, is off by less than 1.4 / 0.65 e
-/// and terms of e^2: less than 3 e, and 1 for the cut. The arc tangent is nowhere steeper than 1.
-/// Its series: power k + 2 is power k times the square of the slope, both cut, so from less than 0.41 on a power is off by less than
-/// 2, a term by less than 3; what is left out after a power of 0 is less than that.
+/// Turned back by `start` the vector is (x c + y s, y c - x s), each off by at most |x| + |y| times the error e of the
+/// cosine c and sine s. The first of the two is at least 0.92 |(x, y)| > 0.65 (|x| + |y|), so their quotient, the
+/// slope, is off by less than 1.4 / 0.65 e and terms of e^2: less than 3 e, and 1 for the cut. The arc tangent is
+/// nowhere steeper than 1. Its series: power k + 2 is power k times the square of the slope, both cut, so from less
+/// than 0.41 on a power is off by less than 2, a term by less than 3; what is left out after a power of 0 is less than
+/// that.
 std::optional<Turned> beyond(double start, const mpz_class& x, const mpz_class& y, Bits bits) {
   const SineCosine at = sine_cosine(start, bits);
   const mpz_class along = x * at.cosine + y * at.sine, across = y * at.cosine - x * at.sine;

@@ -7,39 +7,39 @@
 /// The first stage: signs of polynomials, certain or unknown, from a few floating-point operations and a bound on their
 /// error.
 ///
-/// Every filter is a straight line: differences of the input, the polynomial, sums of magnitudes that bound its terms, one
-/// comparison with the bound and one guard on the sums. There is no maximum and no other choice in it: where a compiler
-/// makes a branch of a choice, half of the branches are mispredicted. It is a template on the number type, and all its
-/// constants follow from that type's FloatFormat, so that a toy format can be tried on all of its numbers.
+/// Every filter is a straight line: differences of the input, the polynomial, sums of magnitudes that bound its terms,
+/// one comparison with the bound and one guard on the sums. There is no maximum and no other choice in it: where a
+/// compiler makes a branch of a choice, half of the branches are mispredicted. It is a template on the number type, and
+/// all its constants follow from that type's FloatFormat, so that a toy format can be tried on all of its numbers.
 ///
 /// Model. u = 2^(1 - precision), n = 2^min_exponent. The result of one operation on x and y is exact * (1 + e) + h with
 /// |e| <= u. That holds to nearest, upwards, downwards and towards zero (to nearest alone it would hold with u/2), and
 /// a compiler that contracts a * b + c to FMA only leaves roundings out. h is what underflow costs: a result flushed to
 /// zero (FTZ) is off by less than n, an operand read as zero (DAZ) by less than n before it is added, and by less than
 /// n times the other factor before it is multiplied. Gradual underflow costs less. The guards keep out overflow, and
-/// NaN and infinity: a comparison with NaN is false, and false is "unknown". A guard on a sum of magnitudes bounds every
-/// one of them, because rounding is monotone and H is a number of the format.
+/// NaN and infinity: a comparison with NaN is false, and false is "unknown". A guard on a sum of magnitudes bounds
+/// every one of them, because rounding is monotone and H is a number of the format.
 ///
 /// What the derivations below share, for u <= 1/16:
 /// (1) A difference d of two numbers of the input comes out as D with |D - d| <= u |d| + 4 n, so that is at most
 ///     k |D| + 5 n with k = u / (1 - u).
-/// (2) v.x * w.y - v.y * w.x of computed differences, in units of |v.x w.y| + |v.y w.x|: each product is off by
-///     2 k + k^2 (1) and u (its rounding), and at most 1 + u; the subtraction rounds at most 1 + u. Together
-///     T = 2 k + k^2 + 2 u + u^2 = 4 u + ..., and the computed value is at most (1 + u)^2. Where v is no difference, T is
-///     T' = k + 2 u + u^2 = 3 u + ....
-/// (3) With e1 + e2 <= H, H >= 2, for the extents e1 and e2 of the factors, the absolute terms of such a polynomial stay
-///     below 40 n H: factors cost 11 n H by (1) and 3 n H by DAZ, each product n, the subtraction 4 n.
-/// (4) The last operation of all, a subtraction, cannot make a sign wrong. It makes a value greater by a factor 1 + u at
-///     most, so it is enough to bound what it subtracts from what, where the sign of that is wrong.
-/// (5) A computed bound C e1 e2 + A loses a factor 1 - u for each of its m operations, those in the extents included. What
-///     is left is to choose C with (1 - u)^m C >= (1 + u) times the sum of the relative terms. Divided by its first term
-///     that quotient is a power series in u with positive coefficients, or below one, hence convex, so against a
-///     C = c u + d u^2 with the same first term it is enough to look at u = 1/16; every C below is a number of the format
-///     for double.
+/// (2) v.x * w.y - v.y * w.x of computed differences, in units of |v.x w.y| + |v.y w.x|: each product is off by 2 k +
+///     k^2 (1) and u (its rounding), and at most 1 + u; the subtraction rounds at most 1 + u. Together T = 2 k + k^2 +
+///     2 u + u^2 = 4 u + ..., and the computed value is at most (1 + u)^2. Where v is no difference, T is T' = k + 2 u
+///     + u^2 = 3 u + ....
+/// (3) With e1 + e2 <= H, H >= 2, for the extents e1 and e2 of the factors, the absolute terms of such a polynomial
+///     stay below 40 n H: factors cost 11 n H by (1) and 3 n H by DAZ, each product n, the subtraction 4 n.
+/// (4) The last operation of all, a subtraction, cannot make a sign wrong. It makes a value greater by a factor 1 + u
+///     at most, so it is enough to bound what it subtracts from what, where the sign of that is wrong.
+/// (5) A computed bound C e1 e2 + A loses a factor 1 - u for each of its m operations, those in the extents included.
+///     What is left is to choose C with (1 - u)^m C >= (1 + u) times the sum of the relative terms. Divided by its
+///     first term that quotient is a power series in u with positive coefficients, or below one, hence convex, so
+///     against a C = c u + d u^2 with the same first term it is enough to look at u = 1/16; every C below is a number
+///     of the format for double.
 /// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
 ///
-/// Half of the bound of cross_sign or of circle would be too small: proptests/machine/robust/toy_halves.cpp and the families
-/// past_half_the_bound have the inputs. The other three are looser, and say why.
+/// Half of the bound of cross_sign or of circle would be too small: proptests/machine/robust/toy_halves.cpp and the
+/// families past_half_the_bound have the inputs. The other three are looser, and say why.
 namespace touchstone::robust::filters {
 
 enum class Sign { negative, unknown, positive };
@@ -90,11 +90,11 @@ Sign certain(const Float& value, const Float& error, const Float& size, const Fl
 /// The sign of v.x * w.y - v.y * w.x, each coordinate a computed difference of two numbers of the input, or such a
 /// number.
 ///
-/// Let p and q be the exact products, P and Q the computed ones, and P > Q although p <= q; then both are positive (else no
-/// rounding matters). With the computed factors, v.x w.y = a^2 p and v.y w.x = b^2 p, where a <= 1 + u and b >= 1 - u, so
-/// P - Q <= (a^2 (1 + u) - b^2 (1 - u)) p. The extents are those of all x and of all y: ex ey >= v.x w.y + v.y w.x +
-/// 2 sqrt(v.x w.y v.y w.x) = (a + b)^2 p. The quotient rises with a and falls with b: it is at most ((1 + u)^3 -
-/// (1 - u)^3) / 4 = (3 u + u^3) / 2. m = 5. C = 3/2 u (1 + 8 u): at u = 1/16, 1.470 < 1.5 in units of 3/2 u.
+/// Let p and q be the exact products, P and Q the computed ones, and P > Q although p <= q; then both are positive
+/// (else no rounding matters). With the computed factors, v.x w.y = a^2 p and v.y w.x = b^2 p, where a <= 1 + u and b
+/// >= 1 - u, so P - Q <= (a^2 (1 + u) - b^2 (1 - u)) p. The extents are those of all x and of all y: ex ey >= v.x w.y +
+/// v.y w.x + 2 sqrt(v.x w.y v.y w.x) = (a + b)^2 p. The quotient rises with a and falls with b: it is at most ((1 +
+/// u)^3 - (1 - u)^3) / 4 = (3 u + u^3) / 2. m = 5. C = 3/2 u (1 + 8 u): at u = 1/16, 1.470 < 1.5 in units of 3/2 u.
 template <class Float, class Format = FloatFormat<Float>>
 Sign cross_sign(const Vector2<Float>& v, const Vector2<Float>& w) {
   using B = Bounds<Float, Format>;
@@ -112,12 +112,12 @@ Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<
 /// The sign of radius^2 - v.x^2 - v.y^2, v a computed difference of two points: positive inside the circle.
 ///
 /// The sum of the squares is itself the extent. Let r2 be the exact square of the radius. If the computed inside I is
-/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; the other way round,
-/// I >= r2 (1 - u) and O <= r2 (1 + u)^4. (I - O) / (I + O) rises with I / O, so the first is at most ((1 + u) -
-/// (1 - u)^4) / ((1 + u) + (1 - u)^4), and below 5/2 u (1 + u / 2); where FMA leaves I unrounded in the sum alone, below
-/// 5/2 u (1 + u); the other below 5/2 u. m = 3. C = 5/2 u + 16 u^2: at u = 1/16, 1.371 < 1.4 in units of 5/2 u. The
-/// guard bounds |v.x| and |v.y| by H (1 + u) and their sum by 3 H / 2, so (3) holds for the two squares of v; to read the
-/// radius as zero costs n^2.
+/// greater than the outside O and should not be, I <= r2 (1 + u) and O >= r2 (1 - u)^4; the other way round, I >= r2 (1
+/// - u) and O <= r2 (1 + u)^4. (I - O) / (I + O) rises with I / O, so the first is at most ((1 + u) - (1 - u)^4) / ((1
+/// + u) + (1 - u)^4), and below 5/2 u (1 + u / 2); where FMA leaves I unrounded in the sum alone, below 5/2 u (1 + u);
+/// the other below 5/2 u. m = 3. C = 5/2 u + 16 u^2: at u = 1/16, 1.371 < 1.4 in units of 5/2 u. The guard bounds |v.x|
+/// and |v.y| by H (1 + u) and their sum by 3 H / 2, so (3) holds for the two squares of v; to read the radius as zero
+/// costs n^2.
 template <class Float, class Format = FloatFormat<Float>>
 Sign circle(const Vector2<Float>& v, const Float& radius) {
   using B = Bounds<Float, Format>;
@@ -130,11 +130,12 @@ Sign circle(const Vector2<Float>& v, const Float& radius) {
 /// The sign of y - (slope * x + intercept): positive above the line.
 ///
 /// Let P be the computed product, s = |P + intercept|, t = |P| + |intercept| >= s, and V the difference of y and the
-/// computed sum, of the wrong sign. Then V is at most what the product and the sum are off by, k t + u s = k (t +
-/// (1 - u) s). The computed sum is at least (1 - u) s, so |y| >= (1 - u) s - V, and the terms are at least t + (1 - u) s -
-/// V. So V <= k / (1 - k) = u / (1 - 2 u) in units of the terms. (With FMA, V <= u s and the terms are at least
-/// 2 (1 - u) s - V.) (Looser by about two than it could be: V is a multiple of the last place of y or of the sum.) m = 4. C = u + 10 u^2: at u = 1/16, 1.572 < 1.625 in units of u. Underflow costs 2.2 n H for a factor
-/// read as zero, n for the product and 4 n for each of four sums.
+/// computed sum, of the wrong sign. Then V is at most what the product and the sum are off by, k t + u s = k (t + (1 -
+/// u) s). The computed sum is at least (1 - u) s, so |y| >= (1 - u) s - V, and the terms are at least t + (1 - u) s -
+/// V. So V <= k / (1 - k) = u / (1 - 2 u) in units of the terms. (With FMA, V <= u s and the terms are at least 2 (1 -
+/// u) s - V.) (Looser by about two than it could be: V is a multiple of the last place of y or of the sum.) m = 4. C =
+/// u + 10 u^2: at u = 1/16, 1.572 < 1.625 in units of u. Underflow costs 2.2 n H for a factor read as zero, n for the
+/// product and 4 n for each of four sums.
 template <class Float, class Format = FloatFormat<Float>>
 Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& p) {
   using B = Bounds<Float, Format>;
@@ -147,20 +148,22 @@ Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& 
 
 /// Whether two segments meet: negative: they cross; positive: the line of one has the other on one side.
 ///
-/// With r and s the segments as vectors and f from b.a to a.a, ta = (s x f) / (r x s) and tb = (r x f) / (r x s). Both lie
-/// strictly between 0 and 1 where |2 (s x f) - r x s| and |2 (r x f) - r x s| are less than |r x s|; one lies outside, or
-/// the lines are parallel and not the same, where one of these is greater. The larger of |p + q| and |p - q| is
+/// With r and s the segments as vectors and f from b.a to a.a, ta = (s x f) / (r x s) and tb = (r x f) / (r x s). Both
+/// lie strictly between 0 and 1 where |2 (s x f) - r x s| and |2 (r x f) - r x s| are less than |r x s|; one lies
+/// outside, or the lines are parallel and not the same, where one of these is greater. The larger of |p + q| and |p -
+/// q| is
 /// |p| + |q|, so the larger of these two is |s x f + r x f - r x s| + |s x f - r x f|, and its difference from |r x s|
 /// decides without a choice.
 ///
-/// With a, b, c the units of (2) for r x s, r x f, s x f: a + b + c <= ex ey. Let D, R, S be these three as computed and
-/// G = |S + R - D| + |S - R| - |D|, exactly. If G has the wrong sign, S or D does, or S lies on the wrong side of D (or R
-/// instead of S): |G| <= 2 |S - s x f| + 2 |D - r x s| <= 2 T (a + c). Let N = |D| + |G| = |S + R - D| + |S - R|; then
-/// |S + R| <= 2 N. The sums before the last are off by u (1 + u) 2 N for S + R, u N for the two with magnitudes, and both
-/// again rounded with u N: at most u (4 + 5 u + 2 u^2) N in all. The relative terms are 2 T + u (4 + 5 u + 2 u^2)
-/// ((1 + u)^2 + 2 T) = 12 u + ...; m = 7. C = 12 u (1 + 20 u): at u = 1/16, 2.19 < 2.25 in units of 12 u. (Looser by more than two: the
-/// roundings of S and D, and those of the sums, are taken for independent; nothing is known that needs half.) The absolute
-/// terms are 160 n H by (3), 10 n H for five sums, and 30 n H in the bound: 512 n H pays for them.
+/// With a, b, c the units of (2) for r x s, r x f, s x f: a + b + c <= ex ey. Let D, R, S be these three as computed
+/// and G = |S + R - D| + |S - R| - |D|, exactly. If G has the wrong sign, S or D does, or S lies on the wrong side of D
+/// (or R instead of S): |G| <= 2 |S - s x f| + 2 |D - r x s| <= 2 T (a + c). Let N = |D| + |G| = |S + R - D| + |S - R|;
+/// then |S + R| <= 2 N. The sums before the last are off by u (1 + u) 2 N for S + R, u N for the two with magnitudes,
+/// and both again rounded with u N: at most u (4 + 5 u + 2 u^2) N in all. The relative terms are 2 T + u (4 + 5 u + 2
+/// u^2) ((1 + u)^2 + 2 T) = 12 u + ...; m = 7. C = 12 u (1 + 20 u): at u = 1/16, 2.19 < 2.25 in units of 12 u. (Looser
+/// by more than two: the roundings of S and D, and those of the sums, are taken for independent; nothing is known that
+/// needs half.) The absolute terms are 160 n H by (3), 10 n H for five sums, and 30 n H in the bound: 512 n H pays for
+/// them.
 template <class Float, class Format = FloatFormat<Float>>
 Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
   using B = Bounds<Float, Format>;
@@ -190,19 +193,23 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 /// With v the ray's direction, s the segment as a vector and f from the origin to segment.a, the lines meet at
 /// -(v x f) / (v x s) on the segment and at t = (f x s) / (v x s) on the ray. The first lies strictly between 0 and 1
 /// where one = |v x s| - |2 (v x f) + v x s| is positive and outside where it is negative; t likewise is positive or
-/// negative with two = |f x s + v x s| - |f x s - v x s|. The smaller decides, and twice that is one + two - |one - two|.
+/// negative with two = |f x s + v x s| - |f x s - v x s|. The smaller decides, and twice that is one + two - |one -
+/// two|.
 ///
-/// With a, b, c the units of (2) for v x s, v x f, f x s, a + b + c <= ex ey, and E, F, G the three as computed. If the sign
-/// of the whole is wrong, then that of one or of two is, and the value is at most twice that one, and the roundings of
-/// one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself or positive.
-/// - one: as for segments, at most 2 T' (a + b) before it is rounded; 2 F + E is at most |E| more, so its rounding costs
-///   u ((1 + u)^2 a + 2 T' (a + b)). A positive two is at most (1 + u)^3 (a + c). Twice one and the rest: 12 u (a + b) +
-///   2 u a + 2 u (a + c) + ... <= 16 u + ....
-/// - two = 2 min(|E|, |G|) with a sign: |E| <= T' a or |G| <= T c, and its two sums round 2 max(|E|, |G|). A positive one is
-///   at most |E|. In the second case 16 u c + 4 u a + 2 u a + ... <= 16 u + ..., in the first 12 u a + 4 u c + ....
-/// With all terms of higher order the second case of two is the largest: (1 + u) (2 + 2 u) (2 T + 2 u T) + ... = 1.280 at
-/// u = 1/16. m = 7. C = 16 u (1 + 20 u): at u = 1/16, 2.14 < 2.25 in units of 16 u. (Looser by more than two, as for segments.) The absolute terms are 320 n H by (3),
-/// 26 n H for the sums, and 40 n H in the bound: 512 n H pays for them.
+/// With a, b, c the units of (2) for v x s, v x f, f x s, a + b + c <= ex ey, and E, F, G the three as computed. If the
+/// sign of the whole is wrong, then that of one or of two is, and the value is at most twice that one, and the
+/// roundings of one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself
+/// or positive.
+/// - one: as for segments, at most 2 T' (a + b) before it is rounded; 2 F + E is at most |E| more, so its rounding
+///   costs u ((1 + u)^2 a + 2 T' (a + b)). A positive two is at most (1 + u)^3 (a + c). Twice one and the rest: 12 u (a
+///   + b) + 2 u a + 2 u (a + c) + ... <= 16 u + ....
+/// - two = 2 min(|E|, |G|) with a sign: |E| <= T' a or |G| <= T c, and its two sums round 2 max(|E|, |G|). A positive
+///   one is at most |E|. In the second case 16 u c + 4 u a + 2 u a + ... <= 16 u + ..., in the first 12 u a + 4 u c +
+///   ....
+/// With all terms of higher order the second case of two is the largest: (1 + u) (2 + 2 u) (2 T + 2 u T) + ... = 1.280
+/// at u = 1/16. m = 7. C = 16 u (1 + 20 u): at u = 1/16, 2.14 < 2.25 in units of 16 u. (Looser by more than two, as for
+/// segments.) The absolute terms are 320 n H by (3), 26 n H for the sums, and 40 n H in the bound: 512 n H pays for
+/// them.
 template <class Float, class Format = FloatFormat<Float>>
 Sign ray(const Point2<Float>& origin, const Vector2<Float>& v, const Segment2<Float>& segment) {
   using B = Bounds<Float, Format>;

@@ -17,7 +17,8 @@ struct ScaledPoints {
   int exponent;
 };
 
-/// Coordinates below 2^61; empty if one has a set bit more than 61 places below the leading place of the largest exponent.
+/// Coordinates below 2^61; empty if one has a set bit more than 61 places below the leading place of the largest
+/// exponent.
 std::optional<ScaledPoints<std::int64_t>> lattice_of(const Polygon3d& polygon);
 ScaledPoints<mpz_class> integers_of(const Polygon3d& polygon);
 

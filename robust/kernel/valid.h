@@ -23,6 +23,8 @@ inline bool valid(const Point2d& origin, const Vector2d& direction) {
 }
 inline bool valid(const Ray2d& r) { return valid(r.origin, r.direction); }
 inline bool valid(const ParametricLine2d& l) { return valid(l.origin, l.direction); }
-inline bool valid(const Circle2d& c) { return valid(c.center) && validation::finite(c.radius) && !validation::negative(c.radius); }
+inline bool valid(const Circle2d& c) {
+  return valid(c.center) && validation::finite(c.radius) && !validation::negative(c.radius);
+}
 
 }  // namespace touchstone::robust::kernel

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/explicit_line.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/term_sum.h"
+#include "robust/kernel/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -17,7 +17,8 @@ std::array<kernel::Term, 3> elevation(double slope, double intercept, const Poin
 
 void validate(double slope, double intercept, const Point2d& point) {
   if (kernel::all_finite(slope, intercept) && kernel::valid(point)) return;
-  validation::validate("slope", slope), validation::validate("intercept", intercept), validation::validate("point", point);
+  validation::validate("slope", slope), validation::validate("intercept", intercept),
+      validation::validate("point", point);
 }
 
 }  // namespace

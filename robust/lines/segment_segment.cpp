@@ -35,7 +35,8 @@ Meeting meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
   if (ba * bb > 0) return {SegmentRelation::disjoint, false};
   const int aa = kernel::turn(b.a, b.b, a.a), ab = kernel::turn(b.a, b.b, a.b);
   if (aa * ab > 0) return {SegmentRelation::disjoint, false};
-  // Where both are zero, so are the others: a point that is not on the line of b turns equally twice for it and has left above.
+  // Where both are zero, so are the others: a point that is not on the line of b turns equally twice for it and has
+  // left above.
   if (ba != 0 || bb != 0) return {SegmentRelation::point, false};
   const Segment2<Integer> common = common_part(a, b);
   if (before(common.b, common.a)) return {SegmentRelation::disjoint, true};

@@ -9,15 +9,16 @@
 
 namespace touchstone::robust {
 
-/// Contract: reference/planes/point_plane.h. Right, and the distance correctly rounded, for all finite doubles in every floating-point
-/// environment.
+/// Contract: reference/planes/point_plane.h. Right, and the distance correctly rounded, for all finite doubles in every
+/// floating-point environment.
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point);
 
 /// The decision alone; and which stage decided.
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point);
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point, Stage& decided);
 
-/// The stages; robust/kernel/stage.h says what each may expect and answer. The distance has no filter: a number has to be found.
+/// The stages; robust/kernel/stage.h says what each may expect and answer. The distance has no filter: a number has to
+/// be found.
 inline std::optional<PlaneSide> point_plane_side_filter(const Plane3d& plane, const Point3d& point);
 std::optional<PlaneSide> point_plane_side_lattice(const Plane3d& plane, const Point3d& point);
 PlaneSide point_plane_side_exact(const Plane3d& plane, const Point3d& point);

@@ -41,7 +41,8 @@ PointPlaneToi<double> answer_of(const Second& e0, const Second& e1, const Point3
            Point3d{coordinate(0), coordinate(1), coordinate(2)}}};
 }
 
-/// The same number in units of 2^exponent; empty if that is not below 2^124, so that differences and their products with a lattice fit.
+/// The same number in units of 2^exponent; empty if that is not below 2^124, so that differences and their products
+/// with a lattice fit.
 std::optional<Int128> in_units(const kernel::Scaled<Int128>& x, int exponent) {
   const int shift = x.n == 0 ? 0 : x.exponent - exponent;
   if (kernel::bit_width(kernel::magnitude_of(x.n)) + shift > 124) return std::nullopt;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-/// The sides of all triangles: side 3 i + k goes from corner k of triangle i to the next one round its piece, which is the triangle at first.
+/// The sides of all triangles: side 3 i + k goes from corner k of triangle i to the next one round its piece, which is
+/// the triangle at first.
 class Sides {
  public:
   Sides(const Polygon2d& polygon, const std::vector<std::vector<Index>>& triangles) : polygon_(polygon) {

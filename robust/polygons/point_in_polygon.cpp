@@ -25,19 +25,20 @@ Lanes magnitude(const Lanes& lanes) {
 }
 Lanes lesser(const Lanes& a, const Lanes& b) { return a < b ? a : b; }
 
-/// What the ray to +x meets, told by signs alone: with each vertex seen from the point as (x, y), an edge from (x, y) to (x1, y1)
-/// crosses the ray where y and y1 differ in sign and x y1 - y x1 has the sign of y1. All edges are looked at alike, without
-/// branches; in the end the signs are trusted if every |x y1 - y x1| exceeds one bound.
+/// What the ray to +x meets, told by signs alone: with each vertex seen from the point as (x, y), an edge from (x, y)
+/// to (x1, y1) crosses the ray where y and y1 differ in sign and x y1 - y x1 has the sign of y1. All edges are looked
+/// at alike, without branches; in the end the signs are trusted if every |x y1 - y x1| exceeds one bound.
 ///
-/// Bound, with u, n, H and (1) to (6) as in filters.h: let sx and sy be the sums of all |x| and |y|, that of the vertex before the
-/// first edge included (of a whole ring it counts twice), sx + sy <= H. A NaN or an
-/// infinity stays in them, and rounding is monotone, so that they are at least the extents as cross_sign there computes them for any
-/// edge. So its C and A serve here: no |x y1 - y x1| beyond C sx sy + A has the wrong sign.
+/// Bound, with u, n, H and (1) to (6) as in filters.h: let sx and sy be the sums of all |x| and |y|, that of the vertex
+/// before the first edge included (of a whole ring it counts twice), sx + sy <= H. A NaN or an infinity stays in them,
+/// and rounding is monotone, so that they are at least the extents as cross_sign there computes them for any edge. So
+/// its C and A serve here: no |x y1 - y x1| beyond C sx sy + A has the wrong sign.
 ///
-/// The sign of y is in doubt where y is 0, or so small that FTZ or DAZ changed it: then the true |y| is at most 5 n. Let every
-/// vertex but the ends of a part move upwards or downwards, by less than 6 n, until its y has the sign that was computed. On the way each y is off by
-/// 11 n instead of 5 n (1), which costs 14 n H more in (3): 2 A pays for it. So no determinant becomes 0, the ring never passes over
-/// the point, and the point stays in or out. At the end no y is 0, and the signs tell the crossings.
+/// The sign of y is in doubt where y is 0, or so small that FTZ or DAZ changed it: then the true |y| is at most 5 n.
+/// Let every vertex but the ends of a part move upwards or downwards, by less than 6 n, until its y has the sign that
+/// was computed. On the way each y is off by 11 n instead of 5 n (1), which costs 14 n H more in (3): 2 A pays for it.
+/// So no determinant becomes 0, the ring never passes over the point, and the point stays in or out. At the end no y is
+/// 0, and the signs tell the crossings.
 struct Crossings {
   explicit Crossings(const Point2d& point) : origin_{point.x, point.y} {}
 
@@ -88,9 +89,10 @@ struct Crossings {
 /// Whether FTZ and DAZ cannot have changed the sign of a difference: beyond 16 n.
 bool sign_is_certain(double difference) { return !(std::fabs(difference) < 0x1p-1018); }
 
-/// Some edges in a row: from `before` to the first of the vertices, and so on to the last. Each stage answers for them `boundary`, or
-/// `inside` if the ray crosses an odd number of them, or `outside`; for whole rings these are the answers of the contract. An end on the
-/// ray's line counts as below it, so that parts told by different stages fit together.
+/// Some edges in a row: from `before` to the first of the vertices, and so on to the last. Each stage answers for them
+/// `boundary`, or `inside` if the ray crosses an odd number of them, or `outside`; for whole rings these are the
+/// answers of the contract. An end on the ray's line counts as below it, so that parts told by different stages fit
+/// together.
 struct Part {
   const Point2d *before, *first, *last;  // the last is one behind
   bool whole;
@@ -157,8 +159,8 @@ std::int64_t rank(double value) {
 }
 int compared(double a, double b) { return (rank(a) > rank(b)) - (rank(a) < rank(b)); }
 
-/// Edge by edge. turn(a, b): 1, 0, -1 as a, b and the point turn; it is asked only of edges from one side of the ray's line to the other
-/// that do not lie beside the point.
+/// Edge by edge. turn(a, b): 1, 0, -1 as a, b and the point turn; it is asked only of edges from one side of the ray's
+/// line to the other that do not lie beside the point.
 template <class Turn>
 Location by_turns(const Part& part, const Point2d& point, const Turn& turn) {
   bool odd = false;

@@ -58,16 +58,18 @@ PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided) {
   if (found.left == 0 && found.right == 0) return degenerate;
   const bool both = found.left > 0 && found.right > 0;
   if (!both) {
-    // The edges' directions go round one way and flip twice each time round. Once round: convex (the ring's support function is that of
-    // a convex polygon). A simple ring goes round once (Hopf's Umlaufsatz), so others cross. A ring that turns back on itself is not simple
-    // and flips more often: if it went up once and down once and turned back at the top, both ways would bend to the same side of
-    // that last edge's line, and could not start in one point unless both are that line.
+    // The edges' directions go round one way and flip twice each time round. Once round: convex (the ring's support
+    // function is that of a convex polygon). A simple ring goes round once (Hopf's Umlaufsatz), so others cross. A ring
+    // that turns back on itself is not simple and flips more often: if it went up once and down once and turned back at
+    // the top, both ways would bend to the same side of that last edge's line, and could not start in one point unless
+    // both are that line.
     if (found.flips != 2) return not_simple;
     const bool strict = found.left + found.right == polygon.size();
     return {PolygonClass::convex, strict, found.left > 0 ? Winding::ccw : Winding::cw};
   }
   if (ring_defect(polygon)) return not_simple;
-  // The first vertex of all is a corner of the convex hull, and its angle is not flat: one of its neighbours would be before it.
+  // The first vertex of all is a corner of the convex hull, and its angle is not flat: one of its neighbours would be
+  // before it.
   return {PolygonClass::concave, false, found.at_first == Side::left ? Winding::ccw : Winding::cw};
 }
 

@@ -15,10 +15,12 @@ namespace {
 
 // Two simple polygons have a common interior point exactly if one of these holds, since the boundaries are connected:
 //   - two edges cross in the interior of both;
-//   - in a vertex of one that lies on the boundary of the other, the two angles (open cones of interior points near the vertex) overlap;
+//   - in a vertex of one that lies on the boundary of the other, the two angles (open cones of interior points near the
+//   vertex) overlap;
 //   - the boundaries have no common point, and a vertex of one lies inside the other.
-// For if a boundary runs inside the other polygon and the boundaries meet somewhere, then it leaves some common point towards that inside,
-// and next to it lie interior points of both. So every decision is a turn of three input vertices: no point is ever constructed.
+// For if a boundary runs inside the other polygon and the boundaries meet somewhere, then it leaves some common point
+// towards that inside, and next to it lie interior points of both. So every decision is a turn of three input vertices:
+// no point is ever constructed.
 class Meeting {
  public:
   Meeting(const Polygon2d& a, const Polygon2d& b, Stage& decided)
@@ -66,7 +68,8 @@ class Meeting {
     return !before(p, std::min(q, r, before)) && !before(std::max(q, r, before), p);
   }
 
-  /// What edge i of a and edge j of b have in common, as far as they tell: contacts in vertices are looked at by the edges that start there.
+  /// What edge i of a and edge j of b have in common, as far as they tell: contacts in vertices are looked at by the
+  /// edges that start there.
   Contact edges(std::size_t i, std::size_t j) {
     const Point2d &p = a_[i], &q = a_.next(i), &r = b_[j], &s = b_.next(j);
     const int pr = turn(p, q, r), ps = turn(p, q, s);
@@ -111,7 +114,8 @@ class Meeting {
     return in_cone(apex, other, one.from) || in_cone(apex, one, other.from);
   }
 
-  /// Even-odd, for a point that is not on the boundary: edges that cross the horizontal line through p to the right of p.
+  /// Even-odd, for a point that is not on the boundary: edges that cross the horizontal line through p to the right of
+  /// p.
   bool inside(const Point2d& p, const Polygon2d& ring) {
     bool odd = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -10,8 +10,8 @@
 
 namespace touchstone::robust {
 
-/// The chains of vertices of which a sweep cuts triangles off (robust/rings/sweep.h), upwards with what is left of the inside to their
-/// right.
+/// The chains of vertices of which a sweep cuts triangles off (robust/rings/sweep.h), upwards with what is left of the
+/// inside to their right.
 class Chains {
  public:
   /// Ends and latest vertex, as links.

@@ -8,8 +8,8 @@
 
 namespace touchstone::robust {
 
-/// The first defect of a ring of finite vertices, exactly; empty: the ring is simple, which a sweep tells in time n log n. The first
-/// defect of a ring that is not is found by comparing all edges whose boxes meet.
+/// The first defect of a ring of finite vertices, exactly; empty: the ring is simple, which a sweep tells in time n log
+/// n. The first defect of a ring that is not is found by comparing all edges whose boxes meet.
 std::optional<validation::RingDefect> ring_defect(const Polygon2d& ring);
 
 }  // namespace touchstone::robust

@@ -13,10 +13,11 @@
 namespace touchstone::robust {
 namespace {
 
-/// The sweep of Shamos and Hoey: a line goes over the plane by x, at equal x by y (as if it leaned a little), and keeps the edges that it
-/// cuts in their order upwards. That order holds as long as no two edges have met, and before two edges meet they are neighbours in it.
-/// So it is enough to compare those that become neighbours, and each vertex with the edge above it where its edges begin.
-/// The edges of a ring that share a vertex meet there; they must not elsewhere.
+/// The sweep of Shamos and Hoey: a line goes over the plane by x, at equal x by y (as if it leaned a little), and keeps
+/// the edges that it cuts in their order upwards. That order holds as long as no two edges have met, and before two
+/// edges meet they are neighbours in it. So it is enough to compare those that become neighbours, and each vertex with
+/// the edge above it where its edges begin. The edges of a ring that share a vertex meet there; they must not
+/// elsewhere.
 class Sweep {
  public:
   Sweep(const Polygon2d& ring, Chains* chains)
@@ -79,8 +80,8 @@ class Sweep {
                                            : side_of(b, ring_[start_a]) == Side::right;
   }
 
-  /// Of two edges beside each other in the order, b above a. Edges of one vertex meet nowhere else: what begins on an edge, or in its
-  /// direction where it begins, was refused there.
+  /// Of two edges beside each other in the order, b above a. Edges of one vertex meet nowhere else: what begins on an
+  /// edge, or in its direction where it begins, was refused there.
   bool meet(Index a, Index b) const {
     const auto &p = ring_[a], &q = ring_[end(a)], &r = ring_[b], &s = ring_[end(b)];
     if (std::max(p.y, q.y) < std::min(r.y, s.y) || end(a) == b || end(b) == a) return false;

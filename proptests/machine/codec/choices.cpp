@@ -21,7 +21,8 @@ std::vector<std::uint64_t> bits_of(const Question& question) {
 
 }  // namespace
 
-// Values from SplitMix64's definition (state += 0x9e3779b97f4a7c15; two xor-multiplies and a xor), computed in Python's integers.
+// Values from SplitMix64's definition (state += 0x9e3779b97f4a7c15; two xor-multiplies and a xor), computed in Python's
+// integers.
 TEST_CASE("choices: a seed draws the numbers of SplitMix64") {
   Choices zero = Choices::seeded(0), one = Choices::seeded(1);
   CHECK(zero.any_bits() == 0xe220a8397b1dcdafu);

@@ -89,10 +89,11 @@ EACH_OPERATION("an answer reads back, infinities too") {
           return "";
         }
         const Json json = audit::json_of<double>(shape, answer, [](const double& n) { return audit::written(n); });
-        audit::read_json<double>(shape, audit::parse_line(audit::one_line(Json{{"answer", json}}))["answer"], "answer", again,
-                                 audit::read_answer_number);
-        return bits_of(answer) == bits_of(again) && answer.words == again.words ? ""
-                                                                                : "another answer: " + audit::one_line(json);
+        audit::read_json<double>(shape, audit::parse_line(audit::one_line(Json{{"answer", json}}))["answer"], "answer",
+                                 again, audit::read_answer_number);
+        return bits_of(answer) == bits_of(again) && answer.words == again.words
+                   ? ""
+                   : "another answer: " + audit::one_line(json);
       },
       4);
 }
@@ -133,7 +134,8 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
     };
   };
   // Where the same field is read in the plane and in space, what is of neither size is refused as either.
-  const bool ambiguous = operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
+  const bool ambiguous =
+      operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
     if (ambiguous && rule != "read") {
       CHECK(refusal(operation, document).find(": array") != std::string::npos);

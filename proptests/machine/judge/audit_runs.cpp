@@ -119,7 +119,8 @@ TEST_CASE("audit_runs: a decision answered wrongly is found and shrunk to the sm
 }
 
 TEST_CASE("audit_runs: an engine that is wrong beyond a threshold is shrunk to the threshold") {
-  // In that family the segment is one point, and on means that the point is the same: (40, 0) is the simplest from 40 on.
+  // In that family the segment is one point, and on means that the point is the same: (40, 0) is the simplest from 40
+  // on.
   const auto blind_beyond = [](const Question& q, const Examination& examination) -> Json {
     return examination.outcome() == "on" && q.numbers[0] >= 40 ? Json{{"relation", "off"}}
                                                                : examination.rounded_truth();

@@ -87,7 +87,8 @@ void hold_random_formulas(std::uint64_t formulas) {
   CHECK(exact_steps > steps / 20);
 }
 
-/// A function of one number: the value is the plain one, and its bound contains the exact value. Counts what was promised.
+/// A function of one number: the value is the plain one, and its bound contains the exact value. Counts what was
+/// promised.
 template <class Float, class Function>
 std::uint64_t holds(const Function& function, const Tracked<Float>& argument, const Exact& exactly) {
   const Tracked<Float> found = function(argument);
@@ -101,7 +102,8 @@ std::uint64_t holds(const Function& function, const Tracked<Float>& argument, co
   return 1;
 }
 
-/// Roots and arc cosines of numbers that are exact, and of numbers that carry an error: quotients, and differences that cancel.
+/// Roots and arc cosines of numbers that are exact, and of numbers that carry an error: quotients, and differences that
+/// cancel.
 template <class Float>
 void hold_roots_and_arc_cosines(std::uint64_t each) {
   using T = Tracked<Float>;
@@ -165,8 +167,8 @@ TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that
 }
 
 TEST_CASE("Tracked: a quotient by a number that is far off is within its bound, its own rounding included") {
-  // Each 6 is half way between two floats beyond 2^25 and counts for 8: the divisor is 88 instead of 66. The bound is a double: its own
-  // roundings are no help to a float.
+  // Each 6 is half way between two floats beyond 2^25 and counts for 8: the divisor is 88 instead of 66. The bound is a
+  // double: its own roundings are no help to a float.
   using T = Tracked<float>;
   T divisor(0x1p25f);
   for (int i = 0; i < 11; ++i) divisor = divisor + T(6.0f);

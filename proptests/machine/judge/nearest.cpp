@@ -48,8 +48,8 @@ mpq_class ulp_by_mpfr(const mpq_class& truth, bool binary32) {
   return power_of_two(std::max(exponent, least));
 }
 
-/// A rational of one of many kinds: any quotient, ties between two numbers of the format (subnormal ones too), and such a tie or such a
-/// number and a little more or less, from below the range to beyond it.
+/// A rational of one of many kinds: any quotient, ties between two numbers of the format (subnormal ones too), and such
+/// a tie or such a number and a little more or less, from below the range to beyond it.
 mpq_class drawn(Choices& choices, bool binary32) {
   const long digits = binary32 ? 24 : 53, low = binary32 ? -149 : -1074, high = binary32 ? 104 : 971;
   const bool quotient = choices.below(3) == 0;

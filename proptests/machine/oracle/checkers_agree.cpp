@@ -46,7 +46,8 @@ std::vector<json::json_pointer> leaves(const json& claim, const char* field) {
   return found;
 }
 
-/// Of many places some, as far from one another as can be: what is wrong with one angle of a hundred is wrong with the others.
+/// Of many places some, as far from one another as can be: what is wrong with one angle of a hundred is wrong with the
+/// others.
 std::vector<json::json_pointer> some_of(std::vector<json::json_pointer> places) {
   constexpr std::size_t enough = 8;
   for (std::size_t i = 0; i < enough && places.size() > enough; ++i) places[i] = places[i * places.size() / enough];
@@ -134,7 +135,8 @@ TEST_CASE("certificates: both checkers refuse another truth, for the same reason
       const std::string value = claim[place];
       if (value.find_first_not_of("-0123456789/") != std::string::npos) continue;
       const std::string other = altered(choices, value);
-      // An enclosure proves what the number rounds to, and no more than 2^-60 of a last place, which is 2^-1134 for the smallest.
+      // An enclosure proves what the number rounds to, and no more than 2^-60 of a last place, which is 2^-1134 for the
+      // smallest.
       const mpq_class gap = abs(mpq_class(mpq_class(other) - mpq_class(value)));
       const bool close = claim["certificate"]["kind"] == "enclosure" &&
                          (gap < abs(mpq_class(value)) / 1e16 || gap < mpq_class(1, mpz_class(1) << 1134));

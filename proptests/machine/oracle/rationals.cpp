@@ -10,10 +10,10 @@
 #include "catalogue/lines/point_on_segment.h"
 #include "catalogue/lines/ray_segment.h"
 #include "catalogue/lines/segment_segment.h"
-#include "oracle/lines/explicit_line.h"
 #include "catalogue/operation.h"
 #include "oracle/exact/decode.h"
 #include "oracle/exact/nearest_double.h"
+#include "oracle/lines/explicit_line.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -143,13 +143,13 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     for (std::uint64_t i = 0; i < 20; ++i) {
       Choices choices = Choices::seeded(audit::seed_of(i, "thirds", family));
-      const auto question = exactly<TestType>(audit::unpacked<typename TestType::Question>(operation.draw(choices, family)));
+      const auto question =
+          exactly<TestType>(audit::unpacked<typename TestType::Question>(operation.draw(choices, family)));
       const auto smaller = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
       try {
         auto truth = audit::ask_oracle<TestType>(question);
         truth.answer = enlarged(truth.answer, third), *truth.margin /= 9;
-        CHECK(said<TestType>(smaller) ==
-              audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str());
+        CHECK(said<TestType>(smaller) == audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str());
       } catch (const InvalidInput& refused) {
         CHECK(said<TestType>(smaller) == refused.what());
       }
@@ -166,7 +166,8 @@ TEMPLATE_TEST_CASE(
   int different = 0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
     Choices choices = Choices::seeded(audit::seed_of(i, "words", 0));
-    // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere within.
+    // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere
+    // within.
     const unsigned long bits = 58 + choices.below(8);
     std::array<mpz_class, 4> values;
     for (mpz_class& value : values) {
@@ -182,8 +183,8 @@ TEMPLATE_TEST_CASE(
     try {
       auto truth = audit::ask_oracle<TestType>(question);
       truth.answer = enlarged(truth.answer, factor), *truth.margin *= factor * factor;
-      different += said<TestType>(larger) != audit::to_json(truth.answer).dump() +
-                                                 ", margin " + truth.margin->get_str();
+      different +=
+          said<TestType>(larger) != audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str();
     } catch (const InvalidInput& refused) {
       different += said<TestType>(larger) != refused.what();
     }

@@ -7,8 +7,8 @@
 #include "proptests/property.h"
 #include "robust/lines/line_point_at.h"
 
-// Correct rounding against MPFR. Numbers are built from choices whose exponents fall everywhere: normal, subnormal, below, beyond; every
-// second quotient is built next to a double or next to the middle between two.
+// Correct rounding against MPFR. Numbers are built from choices whose exponents fall everywhere: normal, subnormal,
+// below, beyond; every second quotient is built next to a double or next to the middle between two.
 namespace touchstone::proptests {
 namespace {
 
@@ -47,7 +47,8 @@ mpz_class random_integer(Choices& choices, int bits) {
   return n >> static_cast<unsigned long>((32 - bits % 32) % 32);
 }
 
-/// A numerator and a denominator whose quotient is a double, the middle between two, or a little more or less than that, or anything.
+/// A numerator and a denominator whose quotient is a double, the middle between two, or a little more or less than
+/// that, or anything.
 std::pair<mpz_class, mpz_class> fraction(Choices& choices, int most_bits) {
   mpz_class d = random_integer(choices, 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(most_bits)))) + 1,
             n;
@@ -127,8 +128,8 @@ TEST_CASE("rounding: quotients of 192 by 128 bits are MPFR's, whatever remainder
   Mpfr mpfr;
   cases("long quotients", 400000, [&](Choices& choices) {
     const mpz_class d = random_integer(choices, 65 + static_cast<int>(choices.below(62))) + 1;
-    // 54 bits, the last one set or not; what follows them is below a thousandth of a unit, so that the 64 bits of a quotient end in a tie
-    // and only the remainder tells, or anything.
+    // 54 bits, the last one set or not; what follows them is below a thousandth of a unit, so that the 64 bits of a
+    // quotient end in a tie and only the remainder tells, or anything.
     mpz_class n = random_integer(choices, 54) * d, rest = random_integer(choices, 130) % d;
     if (choices.below(4) != 0) rest >>= 10 + choices.below(10);
     n += choices.below(8) == 0 ? mpz_class(0) : rest;
@@ -172,7 +173,8 @@ TEST_CASE("rounding: square roots of fractions are MPFR's") {
       n = root * root * d + static_cast<long>(std::fabs(audit::small_integer(choices, 1)));
     }
     const long exponent = exponent_of(choices);
-    // A root has two exact neighbours that MPFR cannot miss: q lies between two squares, so 2400 bits of the quotient are enough.
+    // A root has two exact neighbours that MPFR cannot miss: q lies between two squares, so 2400 bits of the quotient
+    // are enough.
     const mpq_class q = times_power(n, d, exponent);
     const double expected = mpfr([&](mpfr_t r) {
       const auto low = mpfr_get_emin(), high = mpfr_get_emax();

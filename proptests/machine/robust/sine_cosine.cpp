@@ -35,7 +35,8 @@ int wrong_digits(unsigned long bits) {
 
 TEST_CASE("pi: off by less than 1 in the last of any number of bits, whatever was asked before") {
   int wrong = 0;
-  // A thread of its own has nothing kept yet: what is kept first ends at 1280 bits, then at three more than were asked for.
+  // A thread of its own has nothing kept yet: what is kept first ends at 1280 bits, then at three more than were asked
+  // for.
   std::thread([&] {
     for (unsigned long bits = 32; bits < 1400; bits += bits < 1260 ? 61 : 1) wrong += wrong_digits(bits);
     for (const unsigned long bits : {3000, 2997, 2998, 2999, 3000, 3001, 3002, 3003, 100, 3006})

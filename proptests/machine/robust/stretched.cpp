@@ -14,9 +14,9 @@
 #include "robust/lines/ray_segment.h"
 #include "robust/lines/segment_segment.h"
 
-// Decisions about small integers, asked again with one axis stretched to one end of the range of the doubles and the other to any end: no
-// decision changes, whatever the environment does to subnormal numbers. What it takes away from a factor near the least normal number, a
-// huge other factor makes visible; only the guards of the filters keep that out.
+// Decisions about small integers, asked again with one axis stretched to one end of the range of the doubles and the
+// other to any end: no decision changes, whatever the environment does to subnormal numbers. What it takes away from a
+// factor near the least normal number, a huge other factor makes visible; only the guards of the filters keep that out.
 namespace touchstone::proptests {
 namespace {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/machine/robust/toy_windows.h"
 
-// The filters of one polynomial on ALL inputs of windows of a toy format, in every environment: a certain answer is never wrong. And with
-// a bound that is too small, or without its absolute term, wrong answers are found: the search has teeth.
+// The filters of one polynomial on ALL inputs of windows of a toy format, in every environment: a certain answer is
+// never wrong. And with a bound that is too small, or without its absolute term, wrong answers are found: the search
+// has teeth.
 namespace touchstone::proptests {
 namespace {
 
@@ -71,7 +72,8 @@ Count elevations(const std::vector<double>& slopes, const std::vector<double>& x
 }
 
 Count ordinary_crosses() { return crosses(half_binade<Five, FiveFormat>(-6), half_binade<Five, FiveFormat>(-6)); }
-/// One vector around the least normal number, the other around 1; every y around the one, every x around the other; both where products underflow; both at the guard and beyond.
+/// One vector around the least normal number, the other around 1; every y around the one, every x around the other;
+/// both where products underflow; both at the guard and beyond.
 Count extreme_crosses() {
   return crosses(window<Five>(8, low - 3), window<Five>(4, -2)) +
          crosses(window<Five>(4, -2), window<Five>(8, low - 3)) +

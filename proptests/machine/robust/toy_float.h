@@ -9,8 +9,8 @@
 
 #include "robust/kernel/filters.h"
 
-/// Floating-point formats so small that everything can be tried: few bits, few exponents, every rounding mode, flush to zero. Tables hold
-/// every sum and product, so that the filters of robust run on them as they stand.
+/// Floating-point formats so small that everything can be tried: few bits, few exponents, every rounding mode, flush to
+/// zero. Tables hold every sum and product, so that the filters of robust run on them as they stand.
 namespace touchstone::proptests {
 
 struct ToyMode {
@@ -18,8 +18,8 @@ struct ToyMode {
   bool flush = false, zeros = false;  ///< FTZ: results; DAZ: operands
 };
 
-/// precision bits, 2^min_exponent the least normal number, all numbers below 2^(max_exponent + 1). A number is its rank among all numbers of
-/// the format; -0.0 is 0, because no filter divides.
+/// precision bits, 2^min_exponent the least normal number, all numbers below 2^(max_exponent + 1). A number is its rank
+/// among all numbers of the format; -0.0 is 0, because no filter divides.
 template <int precision, int min_exponent, int max_exponent>
 class Toy {
  public:
@@ -132,8 +132,9 @@ class Toy {
   std::int16_t rank_;
 };
 
-/// What a filter asks of the format. The constants can be weakened, to see that a wrong one is found: `absolute` multiplies the bounds'
-/// absolute terms (powers of two below 1), `relative` their relative ones (no powers of two); the guards are left alone.
+/// What a filter asks of the format. The constants can be weakened, to see that a wrong one is found: `absolute`
+/// multiplies the bounds' absolute terms (powers of two below 1), `relative` their relative ones (no powers of two);
+/// the guards are left alone.
 template <class Float, int p, int low, int high>
 struct ToyFormat {
   static constexpr int precision = p, min_exponent = low, max_exponent = high;

@@ -2,8 +2,8 @@
 #include "proptests/machine/robust/toy_windows.h"
 #include "robust/kernel/plane_filter.h"
 
-// The filter of a plane on windows of a toy format, in every environment: a certain side is never wrong, and bounds that are too small are
-// found out.
+// The filter of a plane on windows of a toy format, in every environment: a certain side is never wrong, and bounds
+// that are too small are found out.
 namespace touchstone::proptests {
 namespace {
 
@@ -42,8 +42,8 @@ Count ordinary() {
   return planes({full, some, some, window<Five>(31, -4)}, {full, some, {0.5, 17.0 / 32}, {}});
 }
 
-/// Where factors are subnormal and the others at the guard; where products underflow; at the guard and beyond it; where the largest
-/// subnormal is read as zero beside the least normal number, which alone is left of the normal.
+/// Where factors are subnormal and the others at the guard; where products underflow; at the guard and beyond it; where
+/// the largest subnormal is read as zero beside the least normal number, which alone is left of the normal.
 Count extreme() {
   const std::vector<double> least = window<Five>(3, low - 5), large{0.5, 1.75, 2, 3.75},
                             small = window<Five>(2, low / 2 - 2);

@@ -5,8 +5,8 @@
 #include "oracle/exact/elimination.h"
 #include "proptests/machine/robust/toy_windows.h"
 
-// The filters of two segments, and of a ray and a segment, on all inputs whose coordinates come from a set of toy numbers, in every
-// environment.
+// The filters of two segments, and of a ray and a segment, on all inputs whose coordinates come from a set of toy
+// numbers, in every environment.
 namespace touchstone::proptests {
 namespace {
 
@@ -21,7 +21,8 @@ using Whole = std::int64_t;
 /// Four coordinates along one axis.
 using Axis = std::array<int, 4>;
 
-/// One representative for every triple of differences from the first coordinate and of the last two: for all that the filters see.
+/// One representative for every triple of differences from the first coordinate and of the last two: for all that the
+/// filters see.
 std::vector<Axis> axes(const std::vector<int>& numbers) {
   std::vector<Axis> made;
   std::set<std::array<int, 3>> seen;

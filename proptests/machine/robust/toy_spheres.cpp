@@ -2,8 +2,8 @@
 #include "proptests/machine/robust/toy_windows.h"
 #include "robust/kernel/sphere_filter.h"
 
-// The filter of two balls on windows of a toy format, in every environment: a certain sign is never wrong, and bounds that are too small
-// are found out.
+// The filter of two balls on windows of a toy format, in every environment: a certain sign is never wrong, and bounds
+// that are too small are found out.
 namespace touchstone::proptests {
 namespace {
 

@@ -36,8 +36,8 @@ std::vector<double> window(int most, int exponent) {
   return numbers;
 }
 
-/// The lower half of a binade, of both signs: m 2^exponent where m has as many bits as the format. Differences of opposite signs are
-/// rounded, and relatively most of all.
+/// The lower half of a binade, of both signs: m 2^exponent where m has as many bits as the format. Differences of
+/// opposite signs are rounded, and relatively most of all.
 template <class Float, class Format>
 std::vector<double> half_binade(int exponent) {
   std::vector<double> numbers;

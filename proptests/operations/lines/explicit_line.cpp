@@ -105,7 +105,8 @@ TEST_CASE("explicit_line: what is not finite is refused by its field") {
 }
 
 TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may have to hold") {
-  // y = -intercept = (2^53 - 1) 2^447, and -m x, positive and odd, ends so many digits below 2^500. The sum is almost 2^501.
+  // y = -intercept = (2^53 - 1) 2^447, and -m x, positive and odd, ends so many digits below 2^500. The sum is almost
+  // 2^501.
   const double most = 0x1p53 - 1;
   for (int span = 107; span <= 140; ++span) {
     const double y = std::ldexp(most, 447), x = std::ldexp(most, 500 - span);

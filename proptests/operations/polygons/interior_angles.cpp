@@ -85,7 +85,8 @@ TEST_CASE("interior_angles: the angles lie in (0, 2 pi) and add up to (n - 2) pi
         return false;
       sum += exactly(angle);
     }
-    // A double below 8 is off by at most 2^-51, the oracle's rational by less than 2^-60 of twice that, and the digits of pi by 10^-49.
+    // A double below 8 is off by at most 2^-51, the oracle's rational by less than 2^-60 of twice that, and the digits
+    // of pi by 10^-49.
     const auto n = static_cast<unsigned long>(angles.size());
     return abs(sum - (Rational(n) - 2) * digits_of_pi()) <=
            Rational(n) * (power_of_two(rounded ? -51 : -110) + power_of_two(-160));
@@ -109,7 +110,8 @@ TEST_CASE("interior_angles: p. 6's angles worked by hand") {
 TEST_CASE("interior_angles: what acos loses near 0 and pi") {
   // atan x = x - x^3 / 3 + ...: 2^-60, and pi / 2 less that. Its cosine rounds to 1.
   gives({{{0, 0}, {1, 0}, {1, 0x1p-60}}}, {0x1p-60, pi / 2, pi / 2}, "inexact");
-  // The least angle that is no double: half of the least double and below rounds to 0, three quarters to the least double.
+  // The least angle that is no double: half of the least double and below rounds to 0, three quarters to the least
+  // double.
   gives({{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1p-175}}}, {0, pi / 2, pi / 2}, "invalid");
   gives({{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1.8p-175}}}, {tiny, pi / 2, pi / 2}, "invalid");
   gives({{{0, 0}, {0x1p1000, 0}, {0x1p1000, tiny}}}, {0, pi / 2, pi / 2}, "invalid");

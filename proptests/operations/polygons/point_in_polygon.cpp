@@ -196,8 +196,8 @@ TEST_CASE("point_in_polygon: an edge from far away, the first of a part") {
   Polygon2d ring;
   for (int i = 0; i < 15; ++i) ring.vertices.push_back({3.0 * i, static_cast<double>(i % 2)});
   ring.vertices.insert(ring.vertices.end(), {{-0x1p29, 0x1p29}, {48, 0}, {18, -1000}});
-  // 12 / 2^30 of the way from (48, 0) to (-2^29, 2^29), whose extent is (-2^29 - 48, 2^29): (48 - 6 - 576 / 2^30, 6). The formula
-  // finds the crossing by a product of 58 bits.
+  // 12 / 2^30 of the way from (48, 0) to (-2^29, 2^29), whose extent is (-2^29 - 48, 2^29): (48 - 6 - 576 / 2^30, 6).
+  // The formula finds the crossing by a product of 58 bits.
   example<Row>({ring, {42 - 576 * 0x1p-30, 6}}, boundary, "rounding");
   example<Row>({ring, {42 - 577 * 0x1p-30, 6}}, inside);  // between that edge and the one from (42, 0)
   example<Row>({ring, {42 - 575 * 0x1p-30, 6}}, outside, "rounding");

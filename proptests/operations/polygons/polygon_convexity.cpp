@@ -111,7 +111,8 @@ TEST_CASE("polygon_convexity: p. 5's line test and p. 6's angles worked by hand"
   // (2, 0) has the angle pi: 3 pi/2 + pi/2 + pi = 3 pi.
   both({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}, flat_ccw);
   both({{{0, 4}, {4, 4}, {4, 0}, {2, 0}, {0, 0}}}, flat_cw);
-  // The dart: (1, 1) lies on the same side of (4, 0) -> (0, 4) as (0, 0), and the edge to it has (0, 0) and (0, 4) on different sides.
+  // The dart: (1, 1) lies on the same side of (4, 0) -> (0, 4) as (0, 0), and the edge to it has (0, 0) and (0, 4) on
+  // different sides.
   both({{{0, 0}, {4, 0}, {1, 1}, {0, 4}}}, concave_ccw);
   both({{{0, 4}, {1, 1}, {4, 0}, {0, 0}}}, concave_cw);
   // An L: five right angles and one of 3 pi/2 are 4 pi.
