@@ -56,9 +56,10 @@ void add_ask(CLI::App& program, Action& action) {
   command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
   command->add_option("--engine", options->engine, "Also the answer of this command, and the verdict on it");
   command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
-  command->add_option(
-      "--mesh", options->meshes,
-      "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF or STL file; lines may be {}");
+  command
+      ->add_option("--mesh", options->meshes,
+                   "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF or STL file; lines may be {}")
+      ->allow_extra_args(false);
   command->callback([=, &action] { action = [=] { return ask_command(*options, std::cout, std::cerr); }; });
 }
 

@@ -56,6 +56,24 @@ TEST_CASE("program: a command that is none is named, with those that are") {
   require_refused(called({"adit"}), bad_usage, "adit: no command; one of ops, ask, audit");
 }
 
+TEST_CASE("program: a mesh from a file is the field of every line, and a file that cannot be read is named") {
+  const auto folder = std::filesystem::temp_directory_path() / ("touchstone_mesh_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string lines = (folder / "lines.jsonl").string(), given = "mesh=" + (folder / "solid.off").string();
+  std::ofstream(lines) << "{\"point\":[1,1,1]}\n{\"point\":[9,0,0]}\n";
+  std::ofstream(folder / "solid.off") << "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  const Called asked = called({"ask", "point_in_convex_polyhedron", "--mesh", given.c_str(), lines.c_str()});
+  INFO(asked.err);
+  CHECK(asked.code == nothing_found);
+  CHECK_THAT(asked.out, Catch::Contains("\"truth\":{\"location\":\"inside\"}") &&
+                            Catch::Contains("\"truth\":{\"location\":\"outside\"}"));
+  require_refused(called({"ask", "point_in_convex_polyhedron", "--mesh", "mesh=/nowhere/solid.off", lines.c_str()}),
+                  bad_usage, "/nowhere/solid.off: a file that can be read");
+  require_refused(called({"ask", "point_in_convex_polyhedron", "--mesh", "solid.off", lines.c_str()}), bad_usage,
+                  "--mesh solid.off: field=FILE");
+  std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("program: an operation named twice is asked once") {
   CHECK(operations_named("orientation,explicit_line,orientation").size() == 2);
 }
