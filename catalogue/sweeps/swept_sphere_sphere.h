@@ -103,9 +103,15 @@ struct swept_sphere_sphere {
            const auto tenth = [&c] { return small_integer(c, 40) / 10; };
            const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
            const Vector3d p{x, y, z}, v{vx, vy, vz};
-           const Vector3d area = cross(p, v);
-           const double speed = std::sqrt(dot(v, v)), distance = std::sqrt(dot(p, p));
-           const double reach = c.below(2) == 1 && speed > 0 ? std::sqrt(dot(area, area)) / speed : distance;
+           // A touch at the start, at the nearest point of the passage, or at the end, as far as doubles can tell.
+           const Vector3d end = p + v, area = cross(p, v);
+           const double speed = std::sqrt(dot(v, v));
+           double reach = std::sqrt(dot(p, p));
+           switch (c.below(3)) {
+             case 0: break;
+             case 1: reach = speed > 0 ? std::sqrt(dot(area, area)) / speed : reach; break;
+             default: reach = std::sqrt(dot(end, end));
+           }
            return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
          }},
         {"least_beside_greatest",
