@@ -17,10 +17,19 @@ namespace {
 
 using audit::Choices;
 
+/// The layout of a question; good until the next call. Where all questions have the same, it is made once.
+const Layout& layout_for(const audit::Shape& shape, const Question& question) {
+  static thread_local Layout found;
+  static thread_local const audit::Shape* made_for = nullptr;
+  if (!shape.fixed || made_for != &shape) found = layout_of(shape, question);
+  made_for = &shape;
+  return found;
+}
+
 class Mutation {
  public:
   Mutation(const audit::Shape& shape, Question& question, Choices& choices)
-      : question_(question), numbers_(question.numbers), choices_(choices), layout_(layout_of(shape, question)) {}
+      : question_(question), numbers_(question.numbers), choices_(choices), layout_(layout_for(shape, question)) {}
 
   void apply() {
     if (!layout_.words.empty() && choices_.below(numbers_.empty() ? 2 : 8) == 0) return change_word();
@@ -146,7 +155,7 @@ class Mutation {
   Question& question_;
   std::vector<double>& numbers_;
   Choices& choices_;
-  const Layout layout_;
+  const Layout& layout_;
 };
 
 }  // namespace
