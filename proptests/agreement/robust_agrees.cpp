@@ -23,6 +23,8 @@ std::string complaint(const Operation& operation, const Question& question) {
       return std::string("robust: ") + name_of(judged.verdict) + " " + judged.remark + ", it answers " +
              audit::one_line(examination->robust()) + ", the truth is " + audit::one_line(examination->truth());
     }
+    const std::string residual = examination->residual_complaint();
+    if (!residual.empty()) return residual;
   } catch (const InvalidInput&) {
     const std::string mismatch = operation.refusal_mismatch(question);
     if (!mismatch.empty()) return mismatch;
