@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "catalogue/operation.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 
@@ -16,7 +16,7 @@ class EachOperation {
   EachOperation(const char* file, std::size_t line, const std::string& sentence, Body body) {
     for (const audit::Operation* operation : audit::catalogue()) {
       const std::string name = operation->name() + ": " + sentence;
-      Catch::AutoReg(new Case(*operation, body), Catch::SourceLineInfo(file, line), Catch::StringRef(),
+      Catch::AutoReg(TestInvoker(new Case(*operation, body)), Catch::SourceLineInfo(file, line), Catch::StringRef(),
                      Catch::NameAndTags(name, "[agreement]"));
     }
   }

@@ -18,7 +18,8 @@ int scaled(int usual) {
   return static_cast<int>(std::clamp(wanted, 1.0, 1e9));
 }
 
-void property(const std::string& name, const std::function<void()>& testable, int usual) {
+/// What RapidCheck says of a property that fails; empty if it holds.
+static std::string failure_of(const std::string& name, const std::function<void()>& testable, int usual) {
   using namespace rc::detail;
   Configuration defaults;
   defaults.testParams.seed = audit::seed_of(1, name.c_str(), 0);
@@ -32,20 +33,30 @@ void property(const std::string& name, const std::function<void()>& testable, in
   } silent;
   const TestMetadata metadata{name, name};
   const TestResult result = checkProperty(toProperty(testable), metadata, used.testParams, silent, used.reproduce);
-  if (result.is<SuccessResult>()) {
-    SUCCEED();
-    return;
-  }
+  if (result.is<SuccessResult>()) return "";
   std::ostringstream message;
-  message << name << '\n';
   printResultMessage(result, message);
   if (result.is<FailureResult>()) {
     const Configuration again{used.testParams, false, false, {{name, result.get<FailureResult>().reproduce}}};
     message << "\nRepeat it with\nRC_PARAMS=\"" << configToMinimalString(again) << "\"\n";
   }
-  // Catch2 wraps what it prints at 80 columns; the line above has to stay whole.
-  std::fprintf(stderr, "%s\n", message.str().c_str());
+  return message.str();
+}
+
+/// Weak, so that the program which asks mutants (proptests/selftests/by_properties.cpp) can put its own in its place.
+[[gnu::weak]] void demand(const std::string& name, const std::function<std::string()>& complaint) {
+  const std::string said = complaint();
+  if (said.empty()) {
+    SUCCEED();
+    return;
+  }
+  // Catch2 wraps what it prints at 80 columns; the line that repeats a failure has to stay whole.
+  std::fprintf(stderr, "%s\n%s\n", name.c_str(), said.c_str());
   FAIL(name);
+}
+
+void property(const std::string& name, const std::function<void()>& testable, int usual) {
+  demand(name, [&] { return failure_of(name, testable, usual); });
 }
 
 }  // namespace touchstone::proptests

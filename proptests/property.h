@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <functional>
 #include <string>
+
+#include "proptests/catch.h"
 
 /// Properties: RapidCheck inside Catch2. Every run asks the same cases, because the seed follows from the property's
 /// name.
@@ -19,5 +20,8 @@ int scaled(int usual);
 /// the program has. A failure prints the shrunk case and the line that repeats it; RapidCheck's own rc::prop gives no
 /// name and therefore prints no such line.
 void property(const std::string& name, const std::function<void()>& testable, int usual = 200);
+
+/// Where nothing is drawn: fails with what `complaint` says, unless it says nothing.
+void demand(const std::string& name, const std::function<std::string()>& complaint);
 
 }  // namespace touchstone::proptests

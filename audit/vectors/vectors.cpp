@@ -181,4 +181,10 @@ std::string vector_complaint(const std::string& text) {
   }
 }
 
+std::string robust_complaint(const std::string& text) {
+  const Json line = parse_line(text);
+  const Operation& operation = *find_operation(line["op"]);
+  return robust_complaint(operation, Json::parse(text), operation.parse_any(line["input"]));
+}
+
 }  // namespace touchstone::audit

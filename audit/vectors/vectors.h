@@ -24,4 +24,7 @@ Json vector_schema();
 /// disagrees. Empty if all is well.
 std::string vector_complaint(const std::string& line);
 
+/// The last of these alone: what robust, asked in every floating-point environment, answers otherwise.
+std::string robust_complaint(const std::string& line);
+
 }  // namespace touchstone::audit

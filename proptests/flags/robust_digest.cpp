@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -14,7 +15,10 @@
 namespace touchstone::proptests {
 namespace {
 
-constexpr std::uint64_t asked_of_a_family = 120;
+/// Of each family; a dear question is asked less often.
+std::uint64_t asked_of(const audit::Operation& operation) {
+  return std::max<std::uint64_t>(8, 120 / static_cast<std::uint64_t>(operation.card().price));
+}
 
 /// FNV-1a over everything said.
 class Digest {
@@ -44,7 +48,7 @@ void print_digest(const audit::Operation& operation, bool each_question) {
   Digest of_all;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     const std::string& name = operation.families()[family];
-    for (std::uint64_t i = 0; i < asked_of_a_family; ++i) {
+    for (std::uint64_t i = 0; i < asked_of(operation); ++i) {
       audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, name.c_str(), i));
       const audit::Question question = operation.draw(choices, family);
       Digest of_one;

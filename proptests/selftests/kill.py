@@ -8,7 +8,7 @@ import collections
 import concurrent.futures
 import os
 import pathlib
-import shutil
+import re
 import subprocess
 import sys
 import tempfile
@@ -17,55 +17,59 @@ import time
 from mutants import WAYS, chosen, listed
 
 SECONDS = 60  # that fuzzing may take; it usually needs less than one
-CALM = {"test": 2}  # and how long it has to stay silent without a mutant, by share,
+CALM = {"test": 1}  # and how long it has to stay silent without a mutant, by share,
 CALM_OTHERWISE = 5
-LONGEST = 600  # of the other ways, without a mutant
 
 
-def run(command, mutant, limit, cwd=None):
-    """(exit code or None after `limit` seconds, seconds)"""
+def run(command, limit=None, cwd=None, **environment):
+    """(exit code or None after `limit` seconds, seconds, standard output)"""
     started = time.monotonic()
-    environment = dict(os.environ, TOUCHSTONE_MUTANT=str(mutant), TOUCHSTONE_CASES="4")
     try:
-        code = subprocess.run(command, env=environment, cwd=cwd, timeout=limit, capture_output=True).returncode
+        done = subprocess.run(command, env=os.environ | environment, cwd=cwd, timeout=limit, text=True,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
-        code = None
-    return code, time.monotonic() - started
+        return None, time.monotonic() - started, ""
+    return done.returncode, time.monotonic() - started, done.stdout
 
 
 class Killers:
-    """The three ways of asking; each returns (killed, seconds). A crash or a hang kills too: `limit` is what the way
-    took without a mutant, and much more."""
+    """The three ways of asking. Each takes the numbers of an operation's mutants, in one process or in several, and
+    returns (silent without a mutant, {number: seconds until it was killed}, seconds in all)."""
 
     def __init__(self, programs, vectors, calm):
         self.programs, self.vectors, self.calm = programs, vectors, calm
 
-    def properties(self, operation, mutant, limit):
-        code, seconds = run([self.programs / "mutant_properties", f"{operation}:*", "--abort"], mutant, limit)
-        return code != 0, seconds
+    def in_one(self, command, numbers, **environment):
+        """A program that asks them all, in alive.h's way; a hang is its own affair."""
+        code, seconds, told = run(command, TOUCHSTONE_MUTANTS=",".join(map(str, numbers)), **environment)
+        killed = {int(number): float(taken) for number, taken in re.findall(r"^killed (\d+) ([\d.]+)$", told, re.M)}
+        return code == 0, killed, seconds
 
-    def by_vectors(self, operation, mutant, limit):
-        with tempfile.TemporaryDirectory() as folder:
-            shutil.copy(self.vectors / f"{operation}.jsonl", folder)
-            code, seconds = run([self.programs / "mutant_vectors", "vectors", "check", folder], mutant, limit)
-        return code != 0, seconds
+    def properties(self, operation, numbers):
+        return self.in_one([self.programs / "mutant_properties", f"{operation}:*"], numbers, TOUCHSTONE_CASES="4",
+                           RC_PARAMS="noshrink=1")
 
-    def fuzzing(self, operation, mutant, _):
-        of_all = self.programs / "mutant_fuzz"  # one program for all operations, or one for each
-        program = [of_all, operation] if of_all.exists() else [self.programs / f"mutant_fuzz_{operation}"]
-        with tempfile.TemporaryDirectory() as folder:
-            command = [*program, "-seed=1", f"-max_total_time={SECONDS if mutant else self.calm}", "-timeout=5", folder]
-            code, seconds = run(command, mutant, SECONDS + 20, cwd=folder)
-        return code != 0, seconds
+    def by_vectors(self, operation, numbers):
+        return self.in_one([self.programs / "mutant_vectors", self.vectors / f"{operation}.jsonl"], numbers)
+
+    def fuzzing(self, operation, numbers):
+        def ask(number):
+            with tempfile.TemporaryDirectory() as folder:
+                command = [self.programs / "mutant_fuzz", operation, "-seed=1", "-timeout=5",
+                           f"-max_total_time={SECONDS if number else self.calm}", folder]
+                code, seconds, _ = run(command, SECONDS + 20, folder, TOUCHSTONE_MUTANT=str(number))
+            return code != 0, seconds
+
+        asked = {number: ask(number) for number in [0, *numbers]}
+        return (not asked[0][0], {number: seconds for number, (dead, seconds) in asked.items() if number and dead},
+                sum(seconds for _, seconds in asked.values()))
 
 
 def line(mutant, results):
-    """results: {way: (killed, seconds)}; a way that was not asked is not there."""
-    cells = ""
-    for way in WAYS:
-        killed, seconds = results.get(way, (None, 0))
-        cells += f"{'-' if killed is None else f'{seconds:.1f} s' if killed else 'SURVIVED':>12}"
-    return f"{mutant['id']:<26}{cells}  {mutant['what']}"
+    """results: {way: seconds until it was killed, or None}; a way that was not asked is not there."""
+    def cell(way):
+        return "-" if way not in results else "SURVIVED" if results[way] is None else f"{results[way]:.1f} s"
+    return f"{mutant['id']:<26}" + "".join(f"{cell(way):>12}" for way in WAYS) + f"  {mutant['what']}"
 
 
 def main(programs, vectors, matrix, only=None, share="all"):
@@ -78,30 +82,26 @@ def main(programs, vectors, matrix, only=None, share="all"):
         sys.exit(f"--share {share}: {error}")
     killers = Killers(pathlib.Path(programs).resolve(), pathlib.Path(vectors), CALM.get(share, CALM_OTHERWISE))
     ways = dict(zip(WAYS, (killers.properties, killers.by_vectors, killers.fuzzing)))
+    together = collections.defaultdict(list)  # what one process may ask
+    for number, mutant, way in cells:
+        together[mutant["operation"], way].append((number, mutant["id"]))
+    results, seconds, wolf = collections.defaultdict(dict), collections.Counter(), set()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        calm = {}
-        for _, mutant, way in cells:
-            asked = mutant["operation"], way
-            if asked not in calm:
-                calm[asked] = pool.submit(ways[way], mutant["operation"], 0, LONGEST)
-
-        def with_mutant(operation, number, way):
-            return ways[way](operation, number, 5 + 3 * calm[operation, way].result()[1])
-
-        running = [pool.submit(with_mutant, mutant["operation"], number, way) for number, mutant, way in cells]
-        results, seconds = collections.defaultdict(dict), collections.Counter()
-        for (_, mutant, way), done in zip(cells, running):
-            results[mutant["id"]][way] = done.result()
-            seconds[mutant["operation"]] += done.result()[1]
-        for (operation, _), done in calm.items():
-            seconds[operation] += done.result()[1]
-        wolf = sorted({operation for (operation, _), done in calm.items() if done.result()[0]})
-    killed = sum(dead for row in results.values() for dead, _ in row.values())
+        running = {(operation, way): pool.submit(ways[way], operation, [number for number, _ in asked])
+                   for (operation, way), asked in together.items()}
+        for (operation, way), done in running.items():
+            silent, dead, taken = done.result()
+            seconds[operation] += taken
+            if not silent:
+                wolf.add(operation)
+            for number, name in together[operation, way]:
+                results[name][way] = dead.get(number)
+    killed = sum(dead is not None for row in results.values() for dead in row.values())
     lines = ["mutants, and the time until each way alone killed them"]
     lines.append(f"{'':<26}" + "".join(f"{way:>12}" for way in WAYS))
     lines += [line(mutant, results[mutant["id"]]) for _, mutant in mutants if mutant["id"] in results]
     lines.append(f"{len(results)} of {len(mutants)} mutants, {killed} of {len(cells)} times killed; without a mutant: "
-                 + ("all silent" if not wolf else "FALSE ALARM in " + ", ".join(wolf)))
+                 + ("all silent" if not wolf else "FALSE ALARM in " + ", ".join(sorted(wolf))))
     text = "\n".join(lines) + "\n"
     print(text)
     pathlib.Path(matrix).parent.mkdir(parents=True, exist_ok=True)

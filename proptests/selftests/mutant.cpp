@@ -10,4 +10,4 @@ int chosen() {
 }
 }  // namespace
 
-const int touchstone_mutant = chosen();
+int touchstone_mutant = chosen();

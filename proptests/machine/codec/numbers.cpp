@@ -2,11 +2,11 @@
 #include "catalogue/families/numbers.h"
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "catalogue/codec/json.h"
 #include "catalogue/judge/ulps.h"
+#include "proptests/catch.h"
 
 namespace touchstone::audit {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "audit/engines/engine.h"
+#include "proptests/catch.h"
 
 /// The engines that the documentation shows: each works as it stands there.
 namespace touchstone::audit {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/engines/pipe.h"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <thread>
 
 #include "catalogue/operation.h"
+#include "proptests/catch.h"
 
 using namespace touchstone::audit;
 
@@ -48,7 +48,7 @@ void require_lost(const std::vector<Reply>& replies, const std::vector<std::size
       REQUIRE(echoed(replies[i], static_cast<double>(i)));
     } else {
       REQUIRE(replies[i].kind == Reply::Kind::failed);
-      REQUIRE_THAT(replies[i].remark, Catch::Contains(remark));
+      REQUIRE_THAT(replies[i].remark, ContainsSubstring(remark));
     }
   }
 }
@@ -192,10 +192,10 @@ TEST_CASE("pipe: an engine that dies on every question is given up, and asked ag
   Engineered with("crashes", limits);
   const auto replies = with.engine.ask(orientation(), numbered(2000));
   REQUIRE(replies[0].asked);
-  REQUIRE_THAT(replies[0].remark, Catch::Contains("signal 11"));
+  REQUIRE_THAT(replies[0].remark, ContainsSubstring("signal 11"));
   REQUIRE_FALSE(replies[1999].asked);
   REQUIRE(replies[1999].kind == Reply::Kind::failed);
-  REQUIRE_THAT(replies[1999].remark, Catch::StartsWith("given up after 5 restarts in a row, the last for: signal 11"));
+  REQUIRE_THAT(replies[1999].remark, StartsWith("given up after 5 restarts in a row, the last for: signal 11"));
   REQUIRE(with.engine.restarts() == 5);
   REQUIRE_FALSE(with.engine.ask(orientation(), numbered(1))[0].asked);
   REQUIRE(with.engine.ask(*find_operation("explicit_line"), {{{1, 0, 3, 4}}})[0].asked);
@@ -215,8 +215,7 @@ TEST_CASE("pipe: an engine that dies too often in an operation is given up") {
   Engineered with("crashes 1 3 5 7 9 11", limits);
   const auto replies = with.engine.ask(orientation(), numbered(600));
   REQUIRE(echoed(replies[2], 2));
-  REQUIRE_THAT(replies[599].remark,
-               Catch::StartsWith("given up after 4 restarts in this operation, the last for: signal 11"));
+  REQUIRE_THAT(replies[599].remark, StartsWith("given up after 4 restarts in this operation, the last for: signal 11"));
 }
 
 TEST_CASE("pipe: an engine that hangs on every question is given up") {
@@ -256,26 +255,26 @@ TEST_CASE("pipe: what the engine started dies with it") {
 
 TEST_CASE("pipe: an engine that does not start is one line of explanation") {
   REQUIRE_THAT(refusal_to_start("no_such_engine_here"),
-               Catch::Contains("exit code 127") && Catch::Contains("not found"));
-  REQUIRE_THAT(refusal_to_start("exit 3"), Catch::Contains("said nothing") && Catch::Contains("exit code 3"));
-  REQUIRE_THAT(refusal_to_start("sleep 5"), Catch::Contains("no first line in 0.5 s"));
-  REQUIRE_THAT(refusal_to_start("head -c 3000000 /dev/zero; sleep 5"), Catch::Contains("first line does not end"));
+               ContainsSubstring("exit code 127") && ContainsSubstring("not found"));
+  REQUIRE_THAT(refusal_to_start("exit 3"), ContainsSubstring("said nothing") && ContainsSubstring("exit code 3"));
+  REQUIRE_THAT(refusal_to_start("sleep 5"), ContainsSubstring("no first line in 0.5 s"));
+  REQUIRE_THAT(refusal_to_start("head -c 3000000 /dev/zero; sleep 5"), ContainsSubstring("first line does not end"));
   REQUIRE(refusal_to_start("no_such_engine_here").find('\n') == std::string::npos);
 }
 
 TEST_CASE("pipe: a first line that is not as it should be is refused by its field") {
-  REQUIRE_THAT(refusal_of_first_line("hello"), Catch::Contains("first line: line"));
-  REQUIRE_THAT(refusal_of_first_line("[]"), Catch::Contains("one JSON object"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"ops":[]})"), Catch::Contains("engine: missing"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e"})"), Catch::Contains("ops: missing"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":1,"ops":[]})"), Catch::Contains("engine: text"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[1]})"), Catch::Contains("ops: text"));
+  REQUIRE_THAT(refusal_of_first_line("hello"), ContainsSubstring("first line: line"));
+  REQUIRE_THAT(refusal_of_first_line("[]"), ContainsSubstring("one JSON object"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"ops":[]})"), ContainsSubstring("engine: missing"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e"})"), ContainsSubstring("ops: missing"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":1,"ops":[]})"), ContainsSubstring("engine: text"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[1]})"), ContainsSubstring("ops: text"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"boundary":"half"})"),
-               Catch::Contains("boundary: one of closed"));
+               ContainsSubstring("boundary: one of closed"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"number":"f32"})"),
-               Catch::Contains("number: one of binary64"));
+               ContainsSubstring("number: one of binary64"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"tolerance":-1})"),
-               Catch::Contains("tolerance: number >= 0"));
+               ContainsSubstring("tolerance: number >= 0"));
 }
 
 TEST_CASE("pipe: what an engine declares is known") {

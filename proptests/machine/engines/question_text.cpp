@@ -2,9 +2,9 @@
 #include "audit/engines/question_text.h"
 
 #include <bit>
-#include <catch2/catch.hpp>
 
 #include "audit/audit_run.h"
+#include "proptests/catch.h"
 
 using namespace touchstone::audit;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 
 #include "audit/audit_run.h"
-#include "report/table.h"
 #include "audit/tally_json.h"
+#include "proptests/catch.h"
+#include "report/table.h"
 
 namespace touchstone::audit {
 namespace {
@@ -188,8 +188,9 @@ TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong an
       }}.tally();
   CHECK(none.operations[0].total().cases() == 0);
   CHECK(none.has_findings());
-  CHECK_THAT(text_table(none), Catch::Contains("0 of 0 answers wrong; 3,000 not asked") &&
-                                   Catch::Contains("orientation: 3,000 questions not asked: the engine was given up"));
+  CHECK_THAT(text_table(none),
+             ContainsSubstring("0 of 0 answers wrong; 3,000 not asked") &&
+                 ContainsSubstring("orientation: 3,000 questions not asked: the engine was given up"));
   CHECK(tally_json(read_tally(tally_json(none))) == tally_json(none));
   const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
   REQUIRE(failed);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
@@ -8,6 +7,7 @@
 #include "catalogue/judge/exact.h"
 #include "catalogue/judge/tracked.h"
 #include "catalogue/judge/ulps.h"
+#include "proptests/catch.h"
 
 /// The two number types in which the judge runs the slides' formulas again.
 namespace touchstone::audit {

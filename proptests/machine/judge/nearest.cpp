@@ -2,11 +2,11 @@
 #include <mpfr.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "catalogue/families/choices.h"
 #include "catalogue/judge/ulps.h"
+#include "proptests/catch.h"
 
 namespace touchstone::audit {
 namespace {

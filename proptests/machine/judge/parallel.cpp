@@ -2,11 +2,11 @@
 #include "audit/parallel.h"
 
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <latch>
 #include <stdexcept>
 #include <vector>
 
+#include "proptests/catch.h"
 #include "report/map_image.h"
 
 namespace touchstone::audit {

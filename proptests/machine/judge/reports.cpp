@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,11 +8,12 @@
 #include <vector>
 
 #include "audit/audit_run.h"
+#include "audit/tally_json.h"
 #include "catalogue/judge/ulps.h"
+#include "proptests/catch.h"
 #include "report/html.h"
 #include "report/palette.h"
 #include "report/svg.h"
-#include "audit/tally_json.h"
 #include "report/wording.h"
 
 /// The report's pages as text: what a browser needs so that nothing is missing on the screen or on paper.
@@ -125,7 +125,7 @@ TEST_CASE("reports: a page needs nothing from elsewhere") {
     CHECK(page.find("<link") == std::string::npos);
     CHECK(page.find("@import") == std::string::npos);
     CHECK(page.find("url(") == std::string::npos);
-    for (const std::string& source : values_of(page, "src")) CHECK_THAT(source, Catch::StartsWith("data:"));
+    for (const std::string& source : values_of(page, "src")) CHECK_THAT(source, StartsWith("data:"));
   }
 }
 

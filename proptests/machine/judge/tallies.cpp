@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 
 #include "audit/audit_run.h"
 #include "audit/tally_json.h"
+#include "proptests/catch.h"
 
 namespace touchstone::audit {
 namespace {

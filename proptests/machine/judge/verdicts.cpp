@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
-
+#include "proptests/catch.h"
 #include "proptests/mandatory_number.h"
 
 /// What the judge says of answers made by hand.
@@ -64,7 +63,7 @@ TEST_CASE("verdicts: words that are no JSON numbers lose the answer they stand i
     CHECK(name_of(judged.verdict) == std::string("invalid"));
     CHECK(judged.remark == "answer.point[0]: number");
   }
-  CHECK_THAT(at.judge(R"({"point":[null,1]})").remark, Catch::Contains(R"(send "nan")"));
+  CHECK_THAT(at.judge(R"({"point":[null,1]})").remark, ContainsSubstring(R"(send "nan")"));
 }
 
 TEST_CASE("verdicts: a declared tolerance forgives what lies within it, and nothing else") {

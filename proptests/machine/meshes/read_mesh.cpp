@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +9,7 @@
 
 #include "audit/meshes.h"
 #include "geometry/invalid_input.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

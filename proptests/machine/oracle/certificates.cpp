@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "catalogue/operation.h"
 #include "oracle/certificates/check.h"
+#include "proptests/catch.h"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmpxx.h>
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "oracle/certificates/check.h"
+#include "proptests/catch.h"
 #include "proptests/machine/oracle/claims.h"
 
 namespace touchstone::proptests {
@@ -107,7 +107,7 @@ TEST_CASE("certificates: both programs count refused inputs beside the certifica
 
 TEST_CASE("certificates: both checkers accept what the oracle claims") {
   Shown shown;
-  const auto claims = drawn_claims("claims", 6);
+  const auto claims = drawn_claims("claims", 4);
   REQUIRE(claims.size() > 500);
   for (const json& claim : claims) CHECK(shown.accepts(claim));
   CHECK(shown.said_in_python_too());
@@ -116,7 +116,7 @@ TEST_CASE("certificates: both checkers accept what the oracle claims") {
 TEST_CASE("certificates: both checkers refuse another truth, for the same reason") {
   Shown shown;
   Choices choices = Choices::seeded(audit::seed_of(1, "other truths", 0));
-  for (const json& claim : drawn_claims("other truths", 6)) {
+  for (const json& claim : drawn_claims("other truths", 3)) {
     for (const auto& place : some_of(leaves(claim, "truth"))) {
       if (claim[place].is_boolean()) {
         json broken = claim;
@@ -153,7 +153,7 @@ TEST_CASE("certificates: both checkers refuse another truth, for the same reason
 TEST_CASE("certificates: both checkers say the same of altered certificates and of junk in any place") {
   Shown shown;
   Choices choices = Choices::seeded(audit::seed_of(1, "altered", 0));
-  const auto claims = drawn_claims("altered", 3);
+  const auto claims = drawn_claims("altered", 2);
   const json kinds = kinds_of(claims);
   for (const json& claim : claims) {
     for (const auto& place : some_of(leaves(claim, "certificate"))) {

@@ -4,7 +4,6 @@
 #include <mpfr.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cstdint>
 
 #include "catalogue/codec/json.h"
@@ -12,6 +11,7 @@
 #include "oracle/certificates/check.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/lines/parametric_circle.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,8 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/explained.h"
 #include "catalogue/codec/json.h"
+#include "catalogue/explained.h"
+#include "proptests/catch.h"
 
 /// The oracle's own claims as text, and programs in Python that judge them.
 namespace touchstone::proptests {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/exact/linear_program.h"
 
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <type_traits>
+
+#include "proptests/catch.h"
 
 namespace {
 

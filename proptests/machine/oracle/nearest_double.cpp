@@ -4,13 +4,13 @@
 #include <mpfr.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <limits>
 
 #include "catalogue/families/numbers.h"
 #include "catalogue/judge/environment.h"
 #include "oracle/exact/decode.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
-#include <catch2/catch.hpp>
 
 #include "catalogue/lines/implicit_circle.h"
 #include "catalogue/lines/line_line.h"
@@ -14,6 +13,7 @@
 #include "oracle/exact/decode.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/lines/explicit_line.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

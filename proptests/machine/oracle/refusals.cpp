@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "catalogue/lines/implicit_circle.h"
@@ -7,6 +6,7 @@
 #include "catalogue/lines/line_point_at.h"
 #include "catalogue/lines/parametric_circle.h"
 #include "catalogue/lines/ray_segment.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

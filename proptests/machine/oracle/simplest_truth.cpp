@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
-
+#include "proptests/catch.h"
 #include "proptests/machine/oracle/claims.h"
 
 namespace touchstone::proptests {

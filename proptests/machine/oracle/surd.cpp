@@ -4,7 +4,6 @@
 #include <mpfr.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "catalogue/families/numbers.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/exact/nearest_float.h"
+#include "proptests/catch.h"
 
 // Exact numbers p + q sqrt(r): by hand, by identities, and against MPFR with 6000 digits. Two of the numbers drawn here
 // that differ, or one and the middle between two doubles, differ by more than 2^-4000 of their terms: times its

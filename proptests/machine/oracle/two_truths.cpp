@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <cstdint>
 
 #include "catalogue/families/choices.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/lines/ray_segment.h"
 #include "oracle/lines/segment_segment.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

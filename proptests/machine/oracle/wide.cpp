@@ -2,10 +2,10 @@
 #include "oracle/exact/wide.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "catalogue/families/choices.h"
 #include "oracle/exact/linear_program.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,14 +2,14 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "geometry/invalid_input.h"
 #include "program/commands.h"
 #include "program/program.h"
-#include "geometry/invalid_input.h"
+#include "proptests/catch.h"
 
 /// Exhaustive runs cut into shards, and their merging.
 namespace touchstone::audit {
@@ -88,13 +88,13 @@ TEST_CASE("exhaust: the shards of every cut count every configuration once, in w
 TEST_CASE("exhaust: a shard that is missing is missed, one that is there twice or of another cut is refused") {
   Shards shards;
   const auto thirds = shards.run_all("orientation", 3, 3, false), halves = shards.run_all("orientation", 3, 2, false);
-  CHECK_THAT(merged({thirds[0], thirds[2]}), Catch::Contains("1 of 3 shards are missing"));
-  CHECK_THAT(merged(thirds), !Catch::Contains("missing"));
+  CHECK_THAT(merged({thirds[0], thirds[2]}), ContainsSubstring("1 of 3 shards are missing"));
+  CHECK_THAT(merged(thirds), !ContainsSubstring("missing"));
   CHECK_THAT(merged({thirds[0], thirds[1], thirds[0]}),
-             Catch::EndsWith("line 1: grid.done: every shard once (1 is there twice)"));
-  CHECK_THAT(merged({thirds[0], halves[1]}), Catch::EndsWith("line 1: grid.shards: the same in every file"));
+             EndsWith("line 1: grid.done: every shard once (1 is there twice)"));
+  CHECK_THAT(merged({thirds[0], halves[1]}), EndsWith("line 1: grid.shards: the same in every file"));
   CHECK_THAT(merged({thirds[0], shards.run("orientation", 2, "2/3", false)}),
-             Catch::EndsWith("line 1: grid.size: the same in every file"));
+             EndsWith("line 1: grid.size: the same in every file"));
 }
 
 TEST_CASE("exhaust: decisions merge to those of one run; gaps, repetitions and other runs are refused") {

@@ -3,7 +3,6 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "program/commands.h"
+#include "proptests/catch.h"
 
 /// The program as it is called: exit codes, and one line on standard error where it refuses.
 namespace touchstone::audit {
@@ -37,7 +37,7 @@ Called called(std::vector<const char*> arguments) {
 void require_refused(const Called& call, int code, const std::string& words) {
   INFO(call.err);
   CHECK(call.code == code);
-  CHECK_THAT(call.err, Catch::StartsWith("touchstone: ") && Catch::Contains(words));
+  CHECK_THAT(call.err, StartsWith("touchstone: ") && ContainsSubstring(words));
   CHECK(std::count(call.err.begin(), call.err.end(), '\n') == 1);
 }
 
@@ -65,8 +65,8 @@ TEST_CASE("program: a mesh from a file is the field of every line, and a file th
   const Called asked = called({"ask", "point_in_convex_polyhedron", "--mesh", given.c_str(), lines.c_str()});
   INFO(asked.err);
   CHECK(asked.code == nothing_found);
-  CHECK_THAT(asked.out, Catch::Contains("\"truth\":{\"location\":\"inside\"}") &&
-                            Catch::Contains("\"truth\":{\"location\":\"outside\"}"));
+  CHECK_THAT(asked.out, ContainsSubstring("\"truth\":{\"location\":\"inside\"}") &&
+                            ContainsSubstring("\"truth\":{\"location\":\"outside\"}"));
   require_refused(called({"ask", "point_in_convex_polyhedron", "--mesh", "mesh=/nowhere/solid.off", lines.c_str()}),
                   bad_usage, "/nowhere/solid.off: a file that can be read");
   require_refused(called({"ask", "point_in_convex_polyhedron", "--mesh", "solid.off", lines.c_str()}), bad_usage,
@@ -108,7 +108,7 @@ while read question; do echo "{\"id\":$id,\"answer\":{\"point\":[0x10,1]}}"; id=
   std::filesystem::remove(script);
   INFO(call.err);
   CHECK(call.code == findings);
-  CHECK_THAT(call.out, Catch::Contains("answer.point[0]: number") && Catch::Contains(R"({"point":["0x10",1]})"));
+  CHECK_THAT(call.out, ContainsSubstring("answer.point[0]: number") && ContainsSubstring(R"({"point":["0x10",1]})"));
 }
 
 TEST_CASE("program: ask puts a question to an engine as well, and judges its answer") {
@@ -122,11 +122,11 @@ TEST_CASE("program: ask puts a question to an engine as well, and judges its ans
   INFO(call.out << call.err);
   CHECK(call.code == nothing_found);
   const std::size_t second = call.out.find('\n') + 1;
-  CHECK_THAT(
-      call.out.substr(0, second),
-      Catch::Contains(R"("engine":{"name":"textbook in Python","answer":true,"verdict":"wrong","cause":"algorithm"})"));
+  CHECK_THAT(call.out.substr(0, second),
+             ContainsSubstring(
+                 R"("engine":{"name":"textbook in Python","answer":true,"verdict":"wrong","cause":"algorithm"})"));
   CHECK_THAT(call.out.substr(second),
-             Catch::Contains(R"("engine":{"name":"textbook in Python","answer":true,"verdict":"agree"})"));
+             ContainsSubstring(R"("engine":{"name":"textbook in Python","answer":true,"verdict":"agree"})"));
   CHECK(called({"ask", "segment_segment", name.c_str()}).out.find("\"engine\"") == std::string::npos);
   std::filesystem::remove(name);
   require_refused(called({"ask", "line_line", "--engine", python}), engine_failed,
@@ -144,8 +144,8 @@ TEST_CASE("program: an engine in float is asked about the floats nearest to the 
   const Called call = called({"ask", "explicit_line", name.c_str(), "--engine", engine});
   std::filesystem::remove(name);
   INFO(call.err);
-  CHECK_THAT(call.out, Catch::Contains(R"("answer":{"side":"on"},"verdict":"agree")"));
-  CHECK_THAT(call.out, Catch::Contains(R"("input":{"slope":0.10000000149011612)"));
+  CHECK_THAT(call.out, ContainsSubstring(R"("answer":{"side":"on"},"verdict":"agree")"));
+  CHECK_THAT(call.out, ContainsSubstring(R"("input":{"slope":0.10000000149011612)"));
 }
 
 TEST_CASE("program: what the table says to repeat a finding of an engine finds it again") {

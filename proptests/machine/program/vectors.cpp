@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/vectors/vectors.h"
-#include "catalogue/families/not_finite.h"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <set>
 
+#include "catalogue/families/not_finite.h"
 #include "catalogue/operation.h"
+#include "proptests/catch.h"
 
 /// What `vectors check` says of vectors that were changed by hand.
 namespace touchstone::audit {
@@ -100,10 +100,10 @@ TEST_CASE("vectors: whatever else a vector says is complained about where it is 
     return complaint(other);
   };
   CHECK(changed("family", "stranger") == "family: one of the operation's families");
-  CHECK_THAT(changed("margin", "1/7919"), Catch::StartsWith("margin is "));
-  CHECK_THAT(changed("flags", {"stranger"}), Catch::StartsWith("flags is "));
-  CHECK_THAT(changed("rounded", {{"relation", "stranger"}}), Catch::StartsWith("rounded is "));
-  CHECK_THAT(changed("as_typed", {{"relation", "point"}}), Catch::StartsWith("as_typed is "));
+  CHECK_THAT(changed("margin", "1/7919"), StartsWith("margin is "));
+  CHECK_THAT(changed("flags", {"stranger"}), StartsWith("flags is "));
+  CHECK_THAT(changed("rounded", {{"relation", "stranger"}}), StartsWith("rounded is "));
+  CHECK_THAT(changed("as_typed", {{"relation", "point"}}), StartsWith("as_typed is "));
 }
 
 TEST_CASE("vectors: what is no vector is complained about") {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "catalogue/figures.h"
+#include "proptests/catch.h"
 #include "report/answered.h"
 #include "report/space_model.h"
 #include "report/space_svg.h"

@@ -4,11 +4,11 @@
 #include <mpfr.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "catalogue/families/numbers.h"
 #include "catalogue/judge/environment.h"
+#include "proptests/catch.h"
 #include "proptests/property.h"
 
 // Roots of quadratic polynomials, rounded once: by hand, and in every floating-point environment against MPFR with so

@@ -3,10 +3,10 @@
 
 #include <mpfr.h>
 
-#include <catch2/catch.hpp>
 #include <thread>
 
 #include "catalogue/families/numbers.h"
+#include "proptests/catch.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <set>
 
+#include "proptests/catch.h"
 #include "proptests/machine/robust/toy_float.h"
 
 /// Sets of inputs of a toy format, and the count of what a filter says on all of them.

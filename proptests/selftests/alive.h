@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Mutants that nothing has killed yet, each asked in a process of its own.
+namespace touchstone::selftests {
+
+/// What is wrong with what robust answers; empty if nothing is.
+using Complaint = std::function<std::string()>;
+
+class Alive {
+ public:
+  explicit Alive(const std::string& numbers);  ///< "3,7,9"
+
+  bool none() const { return numbers_.empty(); }
+  /// Asks without a mutant, then with each that is alive. A complaint, a crash or a hang kills; whoever is killed is
+  /// told on standard output, "killed 7 0.012" (number, seconds). Returns what is said without a mutant: a false alarm.
+  std::string ask(const Complaint& complaint);
+
+ private:
+  std::vector<int> numbers_;
+};
+
+}  // namespace touchstone::selftests
