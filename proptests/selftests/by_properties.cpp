@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The agreement suite, asked of the mutants in TOUCHSTONE_MUTANTS: every property without a mutant, then with each that
 // is alive. When none is, the rest is not asked.
-#include <cstdio>
 #include <cstdlib>
 
 #include "proptests/property.h"
@@ -12,9 +11,8 @@ namespace touchstone::proptests {
 void demand(const std::string& name, const std::function<std::string()>& complaint) {
   static selftests::Alive alive(std::getenv("TOUCHSTONE_MUTANTS"));
   if (alive.none()) return;
-  const std::string said = alive.ask(complaint);
-  if (!said.empty()) std::fprintf(stderr, "%s\n%s\n", name.c_str(), said.c_str());
-  CHECK(said.empty());
+  INFO(name);
+  CHECK(alive.ask(complaint));
 }
 
 }  // namespace touchstone::proptests

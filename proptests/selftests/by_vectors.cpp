@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vectors, asked of mutants: by_vectors FILE, the mutants being those in TOUCHSTONE_MUTANTS. Exit code 1 if a vector
 // complains while no mutant is on.
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <vector>
@@ -14,7 +13,7 @@ int main(int, char** argv) {
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line);
   touchstone::selftests::Alive alive(std::getenv("TOUCHSTONE_MUTANTS"));
-  const std::string said = alive.ask([&] {
+  const bool silent = alive.ask([&] {
     if (lines.empty()) return std::string("no vectors");
     for (const std::string& line : lines) {
       const std::string complaint = touchstone::audit::robust_complaint(line);
@@ -22,6 +21,5 @@ int main(int, char** argv) {
     }
     return std::string();
   });
-  std::fputs(said.c_str(), stderr);
-  return said.empty() ? 0 : 1;
+  return silent ? 0 : 1;
 }
