@@ -170,6 +170,13 @@ Polygon2d flat_vertices(Choices& c) {
   return with_flat_vertices(ring, c);
 }
 
+/// Flat but for rounding, in many places.
+Polygon2d computed(Choices& c) {
+  Polygon2d ring = c.below(2) == 0 ? lattice_boundary(c) : c.below(2) == 0 ? strip(c) : flat_vertices(c);
+  compute(ring.vertices, c);
+  return ring;
+}
+
 }  // namespace
 
 std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases() {
@@ -187,7 +194,8 @@ std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases() {
           {"late_neighbours", late_neighbours},
           {"growing_chains", growing_chains},
           {"split_chain", split_chain},
-          {"defective", turned_ring<defective>}};
+          {"defective", turned_ring<defective>},
+          {"computed", turned_ring<computed>}};
 }
 
 }  // namespace touchstone::audit

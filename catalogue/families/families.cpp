@@ -2,6 +2,7 @@
 #include "catalogue/families/families.h"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "catalogue/families/numbers.h"
@@ -9,24 +10,41 @@
 namespace touchstone::audit {
 namespace {
 
+using Draw = std::function<double(Choices&)>;
+
+/// Integers of one size, which is drawn first: up to where they, their differences or their products fit just so into
+/// 32 or 64 bits, signed or not, or into a double.
+Draw integers_at_a_seam(Choices& choices) {
+  static constexpr int seams[]{16, 31, 32, 53};
+  const int bits = seams[choices.below(4)] - static_cast<int>(choices.below(2));
+  return [bits](Choices& c) {
+    const double most = std::ldexp(1, bits), beside = small_integer(c, 2);
+    const double size = c.below(4) == 3 ? most + beside : static_cast<double>(c.below(std::uint64_t{1} << bits));
+    return c.below(2) == 1 ? -size : size;
+  };
+}
+
+/// A family that follows from the types alone: how it draws a number, chosen once for each question.
 struct Derived {
   const char* name;
-  double (*number)(Choices&);
-  bool scaled;
+  Draw (*numbers)(Choices&);
+  bool scaled = false;
 };
-constexpr Derived derived_families[] = {
-    {"grid", [](Choices& c) { return static_cast<double>(c.below(4)); }, true},
-    {"typed", typed, false},
-    {"random", ordinary, false},
-    {"binary32", [](Choices& c) { return static_cast<double>(static_cast<float>(ordinary(c))); }, false},
-    {"mixed_exponents", mixed_exponent, false},
-    {"any_bits", any_finite, false},
+const Derived derived_families[] = {
+    {"grid", [](Choices&) -> Draw { return [](Choices& c) { return static_cast<double>(c.below(4)); }; }, true},
+    {"typed", [](Choices&) -> Draw { return typed; }},
+    {"random", [](Choices&) -> Draw { return ordinary; }},
+    {"binary32",
+     [](Choices&) -> Draw { return [](Choices& c) { return static_cast<double>(static_cast<float>(ordinary(c))); }; }},
+    {"mixed_exponents", [](Choices&) -> Draw { return mixed_exponent; }},
+    {"any_bits", [](Choices&) -> Draw { return any_finite; }},
+    {"integers_at_a_seam", integers_at_a_seam},
 };
 
 /// Most indices name an element of a list of usual length.
 constexpr std::uint64_t most_indices = 8;
 
-void append_drawn(const Shape& shape, Choices& choices, double (*number)(Choices&), Question& question) {
+void append_drawn(const Shape& shape, Choices& choices, const Draw& number, Question& question) {
   const auto word = [&](std::uint64_t values) {
     question.words.push_back(static_cast<Word>(choices.below(values)));
     return question.words.back();
@@ -75,7 +93,7 @@ void nudge(Question& question, Choices& choices) {
 
 Question drawn(const RowFunctions& row, Choices& choices, const Derived& family) {
   Question question;
-  append_drawn(*row.question, choices, family.number, question);
+  append_drawn(*row.question, choices, family.numbers(choices), question);
   if (row.repair != nullptr) row.repair(question);
   if (family.scaled) scale(row, question, scale_exponent(choices));
   keep_finite(question);

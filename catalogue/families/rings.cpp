@@ -103,6 +103,40 @@ Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices) {
   return ring;
 }
 
+Polygon2d with_flat_runs(Polygon2d ring, Choices& choices) {
+  const auto fewest = static_cast<int>(3 - choices.below(3));
+  Polygon2d fine;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const int parts = fewest + static_cast<int>(choices.below(2));
+    const Vector2d step = 12.0 / parts * (ring.next(i) - ring[i]);
+    for (int part = 0; part < parts; ++part) {
+      fine.vertices.push_back({12 * ring[i].x + part * step.x, 12 * ring[i].y + part * step.y});
+    }
+  }
+  return fine;
+}
+
+/// n times 0.1, added up as loops do.
+static double steps(double n) {
+  constexpr double most = 100;
+  if (std::fabs(n) > most) return 0.1 * n;
+  double sum = 0;
+  for (double left = std::fabs(n); left > 0; --left) sum += 0.1;
+  return std::copysign(sum, n);
+}
+
+void compute(std::vector<Point2d>& points, Choices& choices) {
+  static constexpr std::array<Vector2d, 4> turns{
+      {{3.0 / 5, 4.0 / 5}, {12.0 / 13, 5.0 / 13}, {8.0 / 17, 15.0 / 17}, {0.1, 0.3}}};
+  const std::uint64_t way = choices.below(3);
+  const Vector2d turn = turns[choices.below(turns.size())];
+  for (Point2d& p : points) {
+    if (way == 0) p = {p.x / 10, p.y / 10};
+    else if (way == 1) p = {steps(p.x), steps(p.y)};
+    else p = {turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y};
+  }
+}
+
 Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices) {
   const std::size_t i = choices.below(ring.size());
   ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i), Point2d(ring[i]));

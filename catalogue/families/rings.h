@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tuple>
+#include <vector>
 
 #include "catalogue/families/choices.h"
 #include "geometry/polygons.h"
@@ -28,6 +29,14 @@ Polygon2d turned(Polygon2d ring, Choices& choices);
 /// One more vertex in the middle of an edge: exactly on it if both ends are even, else moved towards it by rounding to
 /// integers.
 Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices);
+
+/// Each edge in up to four equal parts: turns change only across several flat vertices. Twelve times as large, so that
+/// the parts are exact.
+Polygon2d with_flat_runs(Polygon2d ring, Choices& choices);
+
+/// The points as people type or compute them: in tenths, by steps of 0.1 added up, or turned by an angle and scaled.
+/// What was in a line is so but for rounding.
+void compute(std::vector<Point2d>& points, Choices& choices);
 
 /// One vertex twice in a row, or a detour from a vertex and back.
 Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices);

@@ -95,6 +95,7 @@ struct interior_angles {
            for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};
            return turned(ring, c);
          }},
+        {"flat_runs", [](Choices& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); }},
     };
   }
 

@@ -191,6 +191,15 @@ struct point_in_polygon {
            const Point2d third = c.below(2) == 1 ? Point2d{size, size} : Point2d{-size, -size};
            return {c.below(2) == 1 ? Polygon2d{{a, b, third}} : Polygon2d{{b, a, third}}, point};
          }},
+        {"computed",
+         [](Choices& c) -> Question {
+           Polygon2d ring = with_flat_runs(simple_ring(c), c);
+           ring.vertices.push_back(on_an_edge(ring, c));
+           compute(ring.vertices, c);
+           const Point2d p = ring.vertices.back();
+           ring.vertices.pop_back();
+           return {turned(ring, c), p};
+         }},
     };
   }
 

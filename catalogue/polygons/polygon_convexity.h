@@ -102,6 +102,14 @@ struct polygon_convexity {
            for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};
            return turned(c.below(2) == 0 ? ring : with_flat_vertex(ring, c), c);
          }},
+        {"flat_runs", [](Choices& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); }},
+        {"computed",
+         [](Choices& c) -> Question {
+           Polygon2d ring = c.below(2) == 0 ? convex_ring(c) : simple_ring(c);
+           ring = with_flat_runs(ring, c);
+           compute(ring.vertices, c);
+           return turned(ring, c);
+         }},
     };
   }
 

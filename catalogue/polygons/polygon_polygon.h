@@ -124,6 +124,18 @@ struct polygon_polygon {
            const Point2d p = along(a[0], ordinary(c), a[1] - a[0]);
            return {a, {{p, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}}};
          }},
+        {"computed",
+         [](Choices& c) -> Question {
+           // A vertex of b on an edge of a, but for rounding.
+           Polygon2d a = with_flat_runs(simple_ring(c), c);
+           const Point2d p = on_an_edge(a, c);
+           const Vector2d v = lattice_direction(c), w = lattice_direction(c);
+           a.vertices.insert(a.vertices.end(), {p, p + v, p + w});
+           compute(a.vertices, c);
+           const Polygon2d b{{a.vertices.end() - 3, a.vertices.end()}};
+           a.vertices.resize(a.size() - 3);
+           return {a, b};
+         }},
     };
   }
 
