@@ -11,9 +11,9 @@
 
 #include "proptests/drawn.h"
 #include "proptests/robust_bits.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
-/// Laws, worked examples, refusals and stages of one operation, in its types.
+/// Laws, worked examples and refusals of one operation, in its types.
 namespace touchstone::proptests {
 
 using Rational = oracle::Rational;
@@ -210,14 +210,6 @@ inline constexpr auto scales = [](const auto& ask, const auto& asked) {
   }
   return true;
 };
-
-/// Every stage that answers gives the same answer, and the first that answers is the one that decided.
-template <class Word>
-bool stages_agree(const Word& word, Stage decided, const std::optional<Word>& filter,
-                  const std::optional<Word>& lattice, const Word& exact) {
-  const Stage first = filter ? Stage::filter : lattice ? Stage::lattice : Stage::exact;
-  return word == exact && (!filter || *filter == exact) && (!lattice || *lattice == exact) && decided == first;
-}
 
 template <class Row>
 std::unique_ptr<audit::Examination> examined(const typename Row::Question& question) {

@@ -36,10 +36,14 @@ PLACES = {
     "catalogue": (".h",),
     "proptests/operations": (".cpp",),
 }
+# Stages of robust, for those operations that have some: nothing else of an operation needs them, and users do not get them.
+STAGES = "robust/stages"
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "stages"}, "oracle": {"exact", "certificates", "rings"}}
+# cmake/installation.cmake leaves these out.
+NOT_INSTALLED = (f"{STAGES}/", "robust/rings/")
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".mjs"}
 LONGEST = 400
@@ -83,6 +87,10 @@ def operation_files(tree, operations):
             for folder in folders:
                 if name.startswith(f"{place}/{folder}/") and name not in wanted:
                     yield f"{name}: stray, no operation of that chapter has this name"
+    staged = {f"{STAGES}/{o['chapter']}/{o['name']}.h" for o in operations if "method_of" not in o}
+    for name in sorted(tree.text):
+        if name.startswith(f"{STAGES}/") and name not in staged:
+            yield f"{name}: stray, no operation of that chapter has this name"
 
 
 def claimed(tree, file):
@@ -153,12 +161,16 @@ def cgal(tree):
 
 
 def public_headers(tree):
-    """No exact number type reaches a user of geometry, reference or robust, not even through another header."""
+    """No exact number type reaches a user of geometry, reference or robust, not even through another header; nor does a
+    header that is not installed."""
     for name in tree.text:
-        if not name.endswith(".h") or name.startswith("robust/kernel/"):
+        if not name.endswith(".h") or name.startswith(("robust/kernel/", *NOT_INSTALLED)):
             continue
         if name.split("/")[0] not in ("geometry", "reference", "robust"):
             continue
+        stage = re.search(r"\bStage\b|\b\w+_(?:lattice|exact)(?=\()", COMMENT.sub("", tree.text[name]))
+        if stage:
+            yield f"{name}: {stage.group(0)}, a stage, in a public header"
         found = FOREIGN_TYPE.search(COMMENT.sub("", tree.text[name]))
         if found:
             yield f"{name}: {found.group(1)} in a public header"
@@ -171,6 +183,8 @@ def public_headers(tree):
             for _, target in tree.includes(header):
                 if FOREIGN_HEADER.match(target):
                     yield f"{name}: reaches <{target}> through {header}"
+                if target.startswith(NOT_INSTALLED):
+                    yield f"{name}: reaches {target}, which is not installed, through {header}"
                 waiting.append(target)
 
 
@@ -204,6 +218,7 @@ def right_tree():
     files["robust/kernel/filter.h"] = "#include <CGAL/version.h>\n#include <gmpxx.h>\nmpq_class exact();\n"
     files["robust/lines/touch.cpp"] = '#include "robust/lines/touch.h"\n#include "robust/kernel/filter.h"\n'
     files["reference/lines/touch.h"] = '#include "geometry/points.h"\n// not even mpq_class in a comment\n'
+    files["robust/stages/lines/touch.h"] = '#include "robust/lines/touch.h"\n'
     files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
@@ -243,6 +258,10 @@ PLANTED = [
     ("robust/lines/touch.h", "inline Side touch_side(int);\n", "nobody asks robust::touch_side"),
     ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
     ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
+    ("robust/lines/touch.h", '#include "robust/stages/lines/touch.h"\n', "stages/lines/touch.h, which is not installed"),
+    ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
+    ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
+    ("robust/stages/lines/cross.h", "", "robust/stages/lines/cross.h: stray"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),

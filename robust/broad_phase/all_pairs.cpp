@@ -12,6 +12,7 @@
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/spheres.h"
 #include "robust/kernel/valid_space.h"
+#include "robust/stages/broad_phase/all_pairs.h"
 
 namespace touchstone::robust {
 namespace {
@@ -135,27 +136,24 @@ void validate(const char* field, const std::vector<Solid>& solids) {
 
 }  // namespace
 
-std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres, Stage& decided) {
+Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Sphere3d>& spheres) {
   validate("spheres", spheres);
-  decided = Stage::filter;
-  return swept_pairs(spheres,
-                     [&decided](const Sphere3d& a, const Sphere3d& b) { return kernel::reach(a, b, decided) >= 0; });
+  Stage latest = Stage::filter;
+  const auto meet = [&latest](const Sphere3d& a, const Sphere3d& b) {
+    return kernel::Reach::ask(a, b).noting(latest) >= 0;
+  };
+  auto pairs = swept_pairs(spheres, meet);
+  return {std::move(pairs), latest};
 }
 
-std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes, Stage& decided) {
+Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Aabb3d>& boxes) {
   validate("boxes", boxes);
-  decided = Stage::filter;
-  return swept_pairs(boxes, [](const Aabb3d&, const Aabb3d&) { return true; });
+  return {swept_pairs(boxes, [](const Aabb3d&, const Aabb3d&) { return true; }), Stage::filter};
 }
 
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres) {
-  Stage ignored;
-  return all_pairs(spheres, ignored);
+  return stages::all_pairs::ask(spheres).answer;
 }
-
-std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes) {
-  Stage ignored;
-  return all_pairs(boxes, ignored);
-}
+std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes) { return stages::all_pairs::ask(boxes).answer; }
 
 }  // namespace touchstone::robust

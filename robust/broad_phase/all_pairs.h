@@ -4,21 +4,18 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/broad_phase/all_pairs.h. Right for all finite doubles in every floating-point environment.
+/// Which of several balls, or of several boxes, meet: the pairs of places i < j in the list, sorted. Solids that only
+/// touch meet; a ball of radius 0 and a box with min == max are points.
 ///
-/// Sort and sweep along the axis on which the solids overlap least: time n log n for the order and then one look at
-/// each pair whose intervals meet on that axis. Ends of intervals are compared as integers
-/// (robust/kernel/ordered_bits.h); a sphere's are rounded, all of them to nearest, and what is left of the pairs is
-/// decided by robust/kernel/spheres.h.
+/// Right for all finite doubles in every floating-point environment. Sort and sweep along the axis on which the solids
+/// overlap least: time n log n for the order and then one look at each pair whose intervals meet on that axis. NaN and
+/// infinities throw InvalidInput, which names the field and "finite number"; so do a negative radius ("radius >= 0")
+/// and min > max ("min <= max"). Contract: reference/broad_phase/all_pairs.h.
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
-
-/// The same, and the latest stage that one of the decisions needed. Boxes are compared only: always the first.
-std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres, Stage& decided);
-std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes, Stage& decided);
 
 }  // namespace touchstone::robust

@@ -55,7 +55,7 @@ void validate_areas(const std::string& field, const Meshd& mesh) {
 
 }  // namespace
 
-int validate_convex(const std::string& field, const Meshd& mesh, Stage& decided) {
+int validate_convex(const std::string& field, const Meshd& mesh, Stage& latest) {
   validation::validate(field, mesh), validation::validate_triangles(field, mesh), validate_closed(field, mesh);
   int outside = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -64,7 +64,7 @@ int validate_convex(const std::string& field, const Meshd& mesh, Stage& decided)
     bool off = false;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
       if (v == face.a || v == face.b || v == face.c) continue;
-      const int side = plane.of(mesh.vertices[v], decided);
+      const int side = plane.of(mesh.vertices[v]).noting(latest);
       if (side == 0) continue;
       off = true;
       if (outside == 0) outside = -side;

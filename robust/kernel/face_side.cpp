@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/kernel/face_side.h"
 
-#include <algorithm>
-
 #include "robust/kernel/plane.h"
 
 namespace touchstone::robust::kernel {
@@ -23,21 +21,18 @@ int side_of(const std::array<Integer, 12>& n) {
 
 }  // namespace
 
-std::optional<int> face_side_lattice(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& p) {
+Perhaps<int> SideOfFace::lattice(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& p) {
   const auto lattice = lattice_of(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, p.x, p.y, p.z);
   if (!lattice) return std::nullopt;
   return side_of(lattice->at);
 }
 
-int face_side_exact(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& p) {
+int SideOfFace::exact(const Point3d& a, const Point3d& b, const Point3d& c, const Point3d& p) {
   return side_of(integers_of(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, p.x, p.y, p.z).at);
 }
 
-int FaceSide::past_filter(const Point3d& p, Stage& decided) const {
-  decided = std::max(decided, Stage::lattice);
-  if (const auto side = face_side_lattice(a_, b_, c_, p)) return *side;
-  decided = Stage::exact;
-  return face_side_exact(a_, b_, c_, p);
+Decided<int> FaceSide::past_filter(const Point3d& p) const {
+  return in_turn<SideOfFace, Stage::lattice, Stage::exact>(a_, b_, c_, p);
 }
 
 }  // namespace touchstone::robust::kernel

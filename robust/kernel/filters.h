@@ -3,6 +3,7 @@
 
 #include "geometry/thin_shapes.h"
 #include "robust/kernel/float_format.h"
+#include "robust/kernel/staged.h"
 
 /// The first stage: signs of polynomials, certain or unknown, from a few floating-point operations and a bound on their
 /// error.
@@ -43,6 +44,13 @@
 namespace touchstone::robust::filters {
 
 enum class Sign { negative, unknown, positive };
+
+/// The answer that belongs to a sign.
+template <class Answer>
+Perhaps<Answer> by_sign(Sign sign, Answer positive, Answer negative) {
+  if (sign == Sign::unknown) return std::nullopt;
+  return sign == Sign::positive ? positive : negative;
+}
 
 /// The constants of one format.
 template <class Float, class Format = FloatFormat<Float>>

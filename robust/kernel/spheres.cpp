@@ -17,24 +17,21 @@ int sign_of_reach(const std::array<Integer, 8>& n) {
 
 }  // namespace
 
-std::optional<int> reach_lattice(const Sphere3d& a, const Sphere3d& b) {
+Perhaps<int> Reach::lattice(const Sphere3d& a, const Sphere3d& b) {
   const auto lattice =
       lattice_of(a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius);
   if (!lattice) return std::nullopt;
   return sign_of_reach<Int128>(lattice->at);
 }
 
-int reach_exact(const Sphere3d& a, const Sphere3d& b) {
+int Reach::exact(const Sphere3d& a, const Sphere3d& b) {
   const auto numbers =
       integers_of(a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y, b.center.z, b.radius);
   return sign_of_reach<mpz_class>(numbers.at);
 }
 
-int reach_past_filter(const Sphere3d& a, const Sphere3d& b, Stage& decided) {
-  decided = Stage::lattice;
-  if (const auto sign = reach_lattice(a, b)) return *sign;
-  decided = Stage::exact;
-  return reach_exact(a, b);
+Decided<int> Reach::past_filter(const Sphere3d& a, const Sphere3d& b) {
+  return in_turn<Reach, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust::kernel

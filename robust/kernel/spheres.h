@@ -1,30 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
-#include <optional>
-
 #include "robust/kernel/sphere_filter.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
 /// Whether two balls meet: exactly, in every floating-point environment. Finite numbers, radii not negative.
 namespace touchstone::robust::kernel {
 
-/// The stages of `reach`.
-std::optional<int> reach_lattice(const Sphere3d& a, const Sphere3d& b);
-int reach_exact(const Sphere3d& a, const Sphere3d& b);
-int reach_past_filter(const Sphere3d& a, const Sphere3d& b, Stage& decided);
-
-/// The sign of the radii's sum minus the distance of the centres. -1: the balls have no common point. 0: they have one,
+/// The sign of the radii's sum minus the distance of the centers. -1: the balls have no common point. 0: they have one,
 /// on the boundary of both. 1: they have a common interior point if both have an interior, that is, no radius is 0.
-/// `latest` becomes the stage that decided, if that is later.
-inline int reach(const Sphere3d& a, const Sphere3d& b, Stage& latest) {
-  const filters::Sign sign = filters::spheres(a, b);
-  if (sign != filters::Sign::unknown) return sign == filters::Sign::positive ? 1 : -1;
-  Stage decided;
-  const int found = reach_past_filter(a, b, decided);
-  latest = std::max(latest, decided);
-  return found;
-}
+struct Reach : Filtered<Reach, int> {
+  static Perhaps<int> filter(const Sphere3d& a, const Sphere3d& b) {
+    return filters::by_sign(filters::spheres(a, b), 1, -1);
+  }
+  static Perhaps<int> lattice(const Sphere3d& a, const Sphere3d& b);
+  static int exact(const Sphere3d& a, const Sphere3d& b);
+  static Decided<int> past_filter(const Sphere3d& a, const Sphere3d& b);
+};
 
 }  // namespace touchstone::robust::kernel

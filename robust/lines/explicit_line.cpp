@@ -4,6 +4,7 @@
 #include "robust/kernel/plane.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
+#include "robust/stages/lines/explicit_line.h"
 
 namespace touchstone::robust {
 namespace {
@@ -23,22 +24,18 @@ void validate(double slope, double intercept, const Point2d& point) {
 
 }  // namespace
 
-std::optional<Height> explicit_line_lattice(double slope, double intercept, const Point2d& point) {
+Perhaps<Height> stages::explicit_line::lattice(double slope, double intercept, const Point2d& point) {
   const auto sum = kernel::lattice_sum(elevation(slope, intercept, point));
   if (!sum) return std::nullopt;
   return height(kernel::sign_of(sum->n));
 }
 
-Height explicit_line_exact(double slope, double intercept, const Point2d& point) {
+Height stages::explicit_line::exact(double slope, double intercept, const Point2d& point) {
   return height(kernel::sign_by_cgal(kernel::exact_sum(elevation(slope, intercept, point)).n));
 }
 
-Height explicit_line_past_filter(double slope, double intercept, const Point2d& point, Stage& decided) {
-  validate(slope, intercept, point);
-  decided = Stage::lattice;
-  if (const auto answer = explicit_line_lattice(slope, intercept, point)) return *answer;
-  decided = Stage::exact;
-  return explicit_line_exact(slope, intercept, point);
+Decided<Height> detail::explicit_line::past_filter(double slope, double intercept, const Point2d& point) {
+  return in_turn<stages::explicit_line, validate, Stage::lattice, Stage::exact>(slope, intercept, point);
 }
 
 }  // namespace touchstone::robust

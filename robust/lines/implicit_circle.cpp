@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/implicit_circle.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/implicit_circle.h"
 
 namespace touchstone::robust {
 namespace {
@@ -17,7 +18,7 @@ void validate(const Circle2d& circle, const Point2d& point) {
 
 }  // namespace
 
-std::optional<Location> implicit_circle_lattice(const Circle2d& circle, const Point2d& point) {
+Perhaps<Location> stages::implicit_circle::lattice(const Circle2d& circle, const Point2d& point) {
   const auto lattice = kernel::lattice_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y);
   if (!lattice) return std::nullopt;
   const auto& n = lattice->at;
@@ -25,17 +26,13 @@ std::optional<Location> implicit_circle_lattice(const Circle2d& circle, const Po
   return location(kernel::sign_of(kernel::multiply(r, r) - kernel::multiply(dx, dx) - kernel::multiply(dy, dy)));
 }
 
-Location implicit_circle_exact(const Circle2d& circle, const Point2d& point) {
+Location stages::implicit_circle::exact(const Circle2d& circle, const Point2d& point) {
   const auto n = kernel::integers_of(circle.center.x, circle.center.y, circle.radius, point.x, point.y).at;
   return location(kernel::side_of_circle({{n[0], n[1]}, n[2]}, {n[3], n[4]}));
 }
 
-Location implicit_circle_past_filter(const Circle2d& circle, const Point2d& point, Stage& decided) {
-  validate(circle, point);
-  decided = Stage::lattice;
-  if (const auto answer = implicit_circle_lattice(circle, point)) return *answer;
-  decided = Stage::exact;
-  return implicit_circle_exact(circle, point);
+Decided<Location> detail::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {
+  return in_turn<stages::implicit_circle, validate, Stage::lattice, Stage::exact>(circle, point);
 }
 
 }  // namespace touchstone::robust

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_line.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/line_line.h"
 
 namespace touchstone::robust {
 namespace {
@@ -48,40 +49,34 @@ void validate(const Line2d& a, const Line2d& b) {
 
 }  // namespace
 
-std::optional<LineRelation> line_line_relation_lattice(const Line2d& a, const Line2d& b) {
+Perhaps<LineRelation> stages::line_line::decision::lattice(const Line2d& a, const Line2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
   return relation_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at));
 }
 
-LineRelation line_line_relation_exact(const Line2d& a, const Line2d& b) {
+LineRelation stages::line_line::decision::exact(const Line2d& a, const Line2d& b) {
   const auto n = as_integers(a, b).at;
   return relation_of(first_in<mpz_class>(n), second_in<mpz_class>(n));
 }
 
-std::optional<LineLine<double>> line_line_lattice(const Line2d& a, const Line2d& b) {
+Perhaps<LineLine<double>> stages::line_line::lattice(const Line2d& a, const Line2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
   return answer_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at), lattice->exponent);
 }
 
-LineLine<double> line_line_exact(const Line2d& a, const Line2d& b) {
+LineLine<double> stages::line_line::exact(const Line2d& a, const Line2d& b) {
   const auto n = as_integers(a, b);
   return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
 }
 
-LineRelation line_line_relation_past_filter(const Line2d& a, const Line2d& b, Stage& decided) {
-  validate(a, b);
-  decided = Stage::lattice;
-  if (const auto answer = line_line_relation_lattice(a, b)) return *answer;
-  decided = Stage::exact;
-  return line_line_relation_exact(a, b);
+Decided<LineRelation> detail::line_line_relation::past_filter(const Line2d& a, const Line2d& b) {
+  return in_turn<stages::line_line::decision, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 LineLine<double> line_line(const Line2d& a, const Line2d& b) {
-  validate(a, b);
-  if (const auto answer = line_line_lattice(a, b)) return *answer;
-  return line_line_exact(a, b);
+  return answer_in_turn<stages::line_line, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

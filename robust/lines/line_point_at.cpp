@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_point_at.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/term_sum.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/line_point_at.h"
 
 namespace touchstone::robust {
 namespace {
@@ -19,7 +20,7 @@ std::optional<double> on_lattice(double origin, double direction, double t) {
   return kernel::round_scaled(sum->n, sum->exponent);
 }
 
-double exact(double origin, double direction, double t) {
+double on_integers(double origin, double direction, double t) {
   const auto sum = kernel::exact_sum(coordinate(origin, direction, t));
   return kernel::round_scaled(sum.n, sum.exponent);
 }
@@ -31,27 +32,20 @@ void validate(const ParametricLine2d& line, double t) {
 
 }  // namespace
 
-std::optional<Point2d> line_point_at_lattice(const ParametricLine2d& line, double t) {
+Perhaps<Point2d> stages::line_point_at::lattice(const ParametricLine2d& line, double t) {
   const auto x = on_lattice(line.origin.x, line.direction.x, t), y = on_lattice(line.origin.y, line.direction.y, t);
   if (!x || !y) return std::nullopt;
   return Point2d{*x, *y};
 }
 
-Point2d line_point_at_exact(const ParametricLine2d& line, double t) {
-  return {exact(line.origin.x, line.direction.x, t), exact(line.origin.y, line.direction.y, t)};
+Point2d stages::line_point_at::exact(const ParametricLine2d& line, double t) {
+  return {on_integers(line.origin.x, line.direction.x, t), on_integers(line.origin.y, line.direction.y, t)};
 }
 
-Point2d line_point_at(const ParametricLine2d& line, double t, Stage& decided) {
-  validate(line, t);
-  decided = Stage::lattice;
-  if (const auto answer = line_point_at_lattice(line, t)) return *answer;
-  decided = Stage::exact;
-  return line_point_at_exact(line, t);
+Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
+  return in_turn<line_point_at, validate, Stage::lattice, Stage::exact>(line, t);
 }
 
-Point2d line_point_at(const ParametricLine2d& line, double t) {
-  Stage ignored;
-  return line_point_at(line, t, ignored);
-}
+Point2d line_point_at(const ParametricLine2d& line, double t) { return stages::line_point_at::ask(line, t).answer; }
 
 }  // namespace touchstone::robust

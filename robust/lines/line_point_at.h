@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/lines/line_point_at.h. Both coordinates correctly rounded for all finite doubles, in every
-/// floating-point environment.
+/// The point origin + t direction of a line; t counts in lengths of the direction as given, and has any sign.
+///
+/// Both coordinates correctly rounded for all finite doubles, in every floating-point environment; beyond the range
+/// they are infinite. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a
+/// direction of length 0 ("nonzero direction"). Contract: reference/lines/line_point_at.h.
 Point2d line_point_at(const ParametricLine2d& line, double t);
-
-/// The same, and which stage decided (the later one, where the coordinates took different stages).
-Point2d line_point_at(const ParametricLine2d& line, double t, Stage& decided);
-
-/// The stages; robust/kernel/stage.h says what each may expect and answer. There is no filter: a number has to be
-/// found.
-std::optional<Point2d> line_point_at_lattice(const ParametricLine2d& line, double t);
-Point2d line_point_at_exact(const ParametricLine2d& line, double t);
 
 }  // namespace touchstone::robust

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/orientation.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/orientation.h"
 
 namespace touchstone::robust {
 namespace {
@@ -26,24 +27,22 @@ void validate(const Point2d& p0, const Point2d& p1, const Point2d& p) {
 
 }  // namespace
 
-std::optional<Side> orientation_lattice(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+Perhaps<Side> stages::orientation::lattice(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y);
   if (!lattice) return std::nullopt;
   return side_of(lattice->at);
 }
 
-Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+Side stages::orientation::exact(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   return side_of(kernel::integers_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y).at);
 }
 
-Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
-  decided = Stage::lattice;
-  // Not orientation_lattice: an optional answer is put together in memory, which costs as much as the determinant.
-  // Numbers on a lattice are finite: nothing to validate.
-  if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y)) return side_of(lattice->at);
-  validate(p0, p1, p);
-  decided = Stage::exact;
-  return orientation_exact(p0, p1, p);
+/// The lattice by hand: called as a stage it costs 5 to 10 percent more. Numbers on a lattice are finite: nothing to
+/// validate before.
+Decided<Side> detail::orientation::past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+  if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y))
+    return {side_of(lattice->at), Stage::lattice};
+  return in_turn<stages::orientation, validate, Stage::exact>(p0, p1, p);
 }
 
 }  // namespace touchstone::robust

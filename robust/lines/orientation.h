@@ -1,50 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
 #include "robust/kernel/filters.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/lines/orientation.h. Right for all finite doubles in every floating-point environment.
+/// On which side of the directed line p0 -> p1 the point p lies, y up: `left` is counter-clockwise.
+///
+/// `on` means exactly on the line, however near the other sides are; where p0 == p1 every point is on it. Right for all
+/// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
+/// "finite number". Contract: reference/lines/orientation.h.
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-/// The same, and which stage decided.
-inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
+namespace detail {
 
-/// The stages; robust/kernel/stage.h says what each may expect and answer.
-inline std::optional<Side> orientation_filter(const Point2d& p0, const Point2d& p1, const Point2d& p);
-std::optional<Side> orientation_lattice(const Point2d& p0, const Point2d& p1, const Point2d& p);
-Side orientation_exact(const Point2d& p0, const Point2d& p1, const Point2d& p);
+struct orientation : Filtered<orientation, Side> {
+  static Perhaps<Side> filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+    return filters::by_sign(filters::orientation(p0, p1, p), Side::left, Side::right);
+  }
+  static Decided<Side> past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p);
+};
 
-/// Validation, then the stages after the filter.
-Side orientation_past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided);
+}  // namespace detail
 
-inline Side orientation_for(filters::Sign certain) {
-  return certain == filters::Sign::positive ? Side::left : Side::right;
-}
-
-inline std::optional<Side> orientation_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const filters::Sign sign = filters::orientation(p0, p1, p);
-  if (sign == filters::Sign::unknown) return std::nullopt;
-  return orientation_for(sign);
-}
-
-inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = orientation_filter(p0, p1, p)) return *answer;
-  return orientation_past_filter(p0, p1, p, decided);
-}
-
-/// The filter asked directly: g++ keeps an optional in memory.
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const filters::Sign sign = filters::orientation(p0, p1, p);
-  if (sign != filters::Sign::unknown) return orientation_for(sign);
-  Stage ignored;
-  return orientation_past_filter(p0, p1, p, ignored);
+  return detail::orientation::ask(p0, p1, p).answer;
 }
 
 }  // namespace touchstone::robust

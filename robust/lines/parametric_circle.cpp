@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/parametric_circle.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/sine_cosine.h"
 #include "robust/kernel/term_sum.h"
+#include "robust/kernel/valid.h"
 
 namespace touchstone::robust {
 namespace {
@@ -63,11 +63,6 @@ Point2d parametric_circle(const Circle2d& circle, double u) {
     if (!up) up = coordinate(y, radius, at.sine, at.error, bits);
   }
   return {*across, *up};
-}
-
-Point2d parametric_circle(const Circle2d& circle, double u, Stage& decided) {
-  decided = Stage::exact;
-  return parametric_circle(circle, u);
 }
 
 }  // namespace touchstone::robust

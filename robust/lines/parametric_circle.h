@@ -2,16 +2,17 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/lines/parametric_circle.h. Both coordinates correctly rounded for all finite doubles, in every
-/// floating-point environment. There is one stage: fixed-point sine and cosine on integers of any size, with bounds on
-/// both sides, until both bounds round to the same double (robust/kernel/sine_cosine.h).
+/// The point (center.x + radius cos u, center.y + radius sin u) of a circle; u in radians, of any size,
+/// counter-clockwise from the +x axis, y up.
+///
+/// Both coordinates correctly rounded for all finite doubles, in every floating-point environment: fixed-point sine and
+/// cosine on integers of any size, with bounds on both sides, until both bounds round to the same double. Radius 0
+/// gives the center. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a
+/// negative radius ("radius >= 0"). Contract: reference/lines/parametric_circle.h.
 Point2d parametric_circle(const Circle2d& circle, double u);
-
-/// The same, and which stage decided: always Stage::exact.
-Point2d parametric_circle(const Circle2d& circle, double u, Stage& decided);
 
 }  // namespace touchstone::robust

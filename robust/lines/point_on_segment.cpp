@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/point_on_segment.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/point_on_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -47,41 +48,38 @@ void validate(const Point2d& point, const Segment2d& segment) {
 
 }  // namespace
 
-std::optional<Incidence> point_on_segment_relation_lattice(const Point2d& point, const Segment2d& segment) {
+Perhaps<Incidence> stages::point_on_segment::decision::lattice(const Point2d& point, const Segment2d& segment) {
   const auto lattice = on_lattice(point, segment);
   if (!lattice) return std::nullopt;
   return relation_of(point_in<std::int64_t>(lattice->at), segment_in<std::int64_t>(lattice->at));
 }
 
-Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d& segment) {
+Incidence stages::point_on_segment::decision::exact(const Point2d& point, const Segment2d& segment) {
   const auto n = as_integers(point, segment);
   return relation_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
 }
 
-std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment) {
+Perhaps<PointOnSegment<double>> stages::point_on_segment::lattice(const Point2d& point, const Segment2d& segment) {
   const auto lattice = on_lattice(point, segment);
   if (!lattice) return std::nullopt;
   return answer_of(point_in<std::int64_t>(lattice->at), segment_in<std::int64_t>(lattice->at));
 }
 
-PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segment2d& segment) {
+PointOnSegment<double> stages::point_on_segment::exact(const Point2d& point, const Segment2d& segment) {
   const auto n = as_integers(point, segment);
   return answer_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
 }
 
-Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided) {
-  decided = Stage::lattice;
-  if (const auto answer = point_on_segment_relation_lattice(point, segment)) return *answer;  // all finite
-  validate(point, segment);
-  decided = Stage::exact;
-  return point_on_segment_relation_exact(point, segment);
+/// Numbers on a lattice are finite: nothing to validate before.
+Decided<Incidence> detail::point_on_segment_relation::past_filter(const Point2d& point, const Segment2d& segment) {
+  return in_turn<stages::point_on_segment::decision, Stage::lattice, validate, Stage::exact>(point, segment);
 }
 
+/// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment) {
-  if (point_on_segment_relation_filter(point, segment) == Incidence::off) return {Incidence::off, std::nullopt};
-  if (const auto answer = point_on_segment_lattice(point, segment)) return *answer;  // all finite
-  validate(point, segment);
-  return point_on_segment_exact(point, segment);
+  using decision = stages::point_on_segment::decision;
+  if (decision::filter(point, segment)) return {Incidence::off, std::nullopt};
+  return answer_in_turn<stages::point_on_segment, Stage::lattice, validate, Stage::exact>(point, segment);
 }
 
 }  // namespace touchstone::robust

@@ -1,48 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
 #include "robust/kernel/filters.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/lines/point_on_segment.h. Right, and t correctly rounded, for all finite doubles in every
-/// floating-point environment.
+/// Whether a point lies on a closed segment, both ends included: `on`, with t from 0 at segment.a to 1 at segment.b, or
+/// `off`.
+///
+/// `on` means exactly on it. A segment of length 0 is the point a, with t 0. Right for all finite doubles in every
+/// floating-point environment, and t correctly rounded. NaN and infinities throw InvalidInput, which names the field
+/// and "finite number". Contract: reference/lines/point_on_segment.h.
 PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& segment);
 
-/// The decision alone; and which stage decided.
+/// The decision alone, which costs less.
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment);
-inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided);
 
-/// The stages; robust/kernel/stage.h says what each may expect and answer.
-inline std::optional<Incidence> point_on_segment_relation_filter(const Point2d& point, const Segment2d& segment);
-std::optional<Incidence> point_on_segment_relation_lattice(const Point2d& point, const Segment2d& segment);
-Incidence point_on_segment_relation_exact(const Point2d& point, const Segment2d& segment);
-std::optional<PointOnSegment<double>> point_on_segment_lattice(const Point2d& point, const Segment2d& segment);
-PointOnSegment<double> point_on_segment_exact(const Point2d& point, const Segment2d& segment);
+namespace detail {
 
-/// Validation, then the stages after the filter.
-Incidence point_on_segment_relation_past_filter(const Point2d& point, const Segment2d& segment, Stage& decided);
+/// The filter knows only of points that are certainly off the line of the segment.
+struct point_on_segment_relation : Filtered<point_on_segment_relation, Incidence> {
+  static Perhaps<Incidence> filter(const Point2d& point, const Segment2d& segment) {
+    return filters::by_sign(filters::orientation(segment.a, segment.b, point), Incidence::off, Incidence::off);
+  }
+  static Decided<Incidence> past_filter(const Point2d& point, const Segment2d& segment);
+};
 
-/// Knows only of points that are certainly off the line of the segment.
-inline std::optional<Incidence> point_on_segment_relation_filter(const Point2d& point, const Segment2d& segment) {
-  if (filters::orientation(segment.a, segment.b, point) == filters::Sign::unknown) return std::nullopt;
-  return Incidence::off;
-}
-
-inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = point_on_segment_relation_filter(point, segment)) return *answer;
-  return point_on_segment_relation_past_filter(point, segment, decided);
-}
+}  // namespace detail
 
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment) {
-  if (const auto answer = point_on_segment_relation_filter(point, segment)) return *answer;
-  Stage ignored;
-  return point_on_segment_relation_past_filter(point, segment, ignored);
+  return detail::point_on_segment_relation::ask(point, segment).answer;
 }
 
 }  // namespace touchstone::robust

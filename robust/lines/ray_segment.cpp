@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/ray_segment.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/ray_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -106,39 +107,36 @@ void validate(const Ray2d& ray, const Segment2d& segment) {
 
 }  // namespace
 
-std::optional<RayRelation> ray_segment_relation_lattice(const Ray2d& ray, const Segment2d& segment) {
+Perhaps<RayRelation> stages::ray_segment::decision::lattice(const Ray2d& ray, const Segment2d& segment) {
   const auto question = on_lattice(ray, segment);
   if (!question) return std::nullopt;
   return meeting_of(*question).relation;
 }
 
-RayRelation ray_segment_relation_exact(const Ray2d& ray, const Segment2d& segment) {
+RayRelation stages::ray_segment::decision::exact(const Ray2d& ray, const Segment2d& segment) {
   return meeting_of(as_integers(ray, segment)).relation;
 }
 
-std::optional<RaySegment<double>> ray_segment_lattice(const Ray2d& ray, const Segment2d& segment) {
+Perhaps<RaySegment<double>> stages::ray_segment::lattice(const Ray2d& ray, const Segment2d& segment) {
   const auto question = on_lattice(ray, segment);
   if (!question) return std::nullopt;
   return answer_of(*question);
 }
 
-RaySegment<double> ray_segment_exact(const Ray2d& ray, const Segment2d& segment) {
+RaySegment<double> stages::ray_segment::exact(const Ray2d& ray, const Segment2d& segment) {
   return answer_of(as_integers(ray, segment));
 }
 
-RayRelation ray_segment_relation_past_filter(const Ray2d& ray, const Segment2d& segment, Stage& decided) {
-  validate(ray, segment);
-  decided = Stage::lattice;
-  if (const auto answer = ray_segment_relation_lattice(ray, segment)) return *answer;
-  decided = Stage::exact;
-  return ray_segment_relation_exact(ray, segment);
+Decided<RayRelation> detail::ray_segment_relation::past_filter(const Ray2d& ray, const Segment2d& segment) {
+  return in_turn<stages::ray_segment::decision, validate, Stage::lattice, Stage::exact>(ray, segment);
 }
 
+/// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
 RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment) {
-  if (ray_segment_relation_filter(ray, segment) == RayRelation::none) return {RayRelation::none, {}, {}, {}};
-  validate(ray, segment);
-  if (const auto answer = ray_segment_lattice(ray, segment)) return *answer;
-  return ray_segment_exact(ray, segment);
+  using decision = stages::ray_segment::decision;
+  const auto relation = decision::filter(ray, segment);
+  if (relation && *relation == RayRelation::none) return {RayRelation::none, {}, {}, {}};
+  return answer_in_turn<stages::ray_segment, validate, Stage::lattice, Stage::exact>(ray, segment);
 }
 
 }  // namespace touchstone::robust

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/segment_segment.h"
 
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
+#include "robust/stages/lines/segment_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -100,45 +101,46 @@ bool apart(const Segment2d& a, const Segment2d& b) {
 
 }  // namespace
 
-std::optional<SegmentRelation> segment_segment_relation_lattice(const Segment2d& a, const Segment2d& b) {
+Perhaps<SegmentRelation> stages::segment_segment::decision::lattice(const Segment2d& a, const Segment2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
   return meeting_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at)).relation;
 }
 
-SegmentRelation segment_segment_relation_exact(const Segment2d& a, const Segment2d& b) {
+SegmentRelation stages::segment_segment::decision::exact(const Segment2d& a, const Segment2d& b) {
   const auto n = as_integers(a, b).at;
   return meeting_of(first_in<mpz_class>(n), second_in<mpz_class>(n)).relation;
 }
 
-std::optional<SegmentSegment<double>> segment_segment_lattice(const Segment2d& a, const Segment2d& b) {
+Perhaps<SegmentSegment<double>> stages::segment_segment::lattice(const Segment2d& a, const Segment2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
   return answer_of(first_in<std::int64_t>(lattice->at), second_in<std::int64_t>(lattice->at), lattice->exponent);
 }
 
-SegmentSegment<double> segment_segment_exact(const Segment2d& a, const Segment2d& b) {
+SegmentSegment<double> stages::segment_segment::exact(const Segment2d& a, const Segment2d& b) {
   const auto n = as_integers(a, b);
   return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
 }
 
-SegmentRelation segment_segment_relation_past_filter(const Segment2d& a, const Segment2d& b, Stage& decided) {
-  decided = Stage::filter;
+Perhaps<SegmentRelation> stages::segment_segment::decision::filter(const Segment2d& a, const Segment2d& b) {
+  if (const auto relation = detail::segment_segment_relation::filter(a, b)) return relation;
   if (apart(a, b)) return SegmentRelation::disjoint;
-  decided = Stage::lattice;
-  if (const auto answer = segment_segment_relation_lattice(a, b)) return *answer;  // all finite
-  validate(a, b);
-  decided = Stage::exact;
-  return segment_segment_relation_exact(a, b);
+  return std::nullopt;
 }
 
+/// Numbers on a lattice are finite: nothing to validate before.
+Decided<SegmentRelation> detail::segment_segment_relation::past_filter(const Segment2d& a, const Segment2d& b) {
+  if (apart(a, b)) return {SegmentRelation::disjoint, Stage::filter};
+  return in_turn<stages::segment_segment::decision, Stage::lattice, validate, Stage::exact>(a, b);
+}
+
+/// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
-  const filters::Sign sign = filters::segments(a, b);
-  const bool disjoint = sign == filters::Sign::positive || (sign == filters::Sign::unknown && apart(a, b));
-  if (disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
-  if (const auto answer = segment_segment_lattice(a, b)) return *answer;  // all finite
-  validate(a, b);
-  return segment_segment_exact(a, b);
+  using decision = stages::segment_segment::decision;
+  const auto relation = decision::filter(a, b);
+  if (relation && *relation == SegmentRelation::disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  return answer_in_turn<stages::segment_segment, Stage::lattice, validate, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

@@ -2,9 +2,10 @@
 #include "robust/planes/point_plane.h"
 
 #include "robust/kernel/cgal_predicates.h"
-#include "robust/kernel/valid_space.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/rounding.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/stages/planes/point_plane.h"
 
 namespace touchstone::robust {
 namespace {
@@ -27,40 +28,34 @@ void validate(const Plane3d& plane, const Point3d& point) {
 
 }  // namespace
 
-std::optional<PlaneSide> point_plane_side_lattice(const Plane3d& plane, const Point3d& point) {
+Perhaps<PlaneSide> stages::point_plane::decision::lattice(const Plane3d& plane, const Point3d& point) {
   const auto height = kernel::lattice_sum(kernel::height_over(plane, point));
   if (!height) return std::nullopt;
   return side(kernel::sign_of(height->n));
 }
 
-PlaneSide point_plane_side_exact(const Plane3d& plane, const Point3d& point) {
+PlaneSide stages::point_plane::decision::exact(const Plane3d& plane, const Point3d& point) {
   return side(kernel::sign_by_cgal(kernel::exact_sum(kernel::height_over(plane, point)).n));
 }
 
-PlaneSide point_plane_side_past_filter(const Plane3d& plane, const Point3d& point, Stage& decided) {
-  validate(plane, point);
-  decided = Stage::lattice;
-  if (const auto answer = point_plane_side_lattice(plane, point)) return *answer;
-  decided = Stage::exact;
-  return point_plane_side_exact(plane, point);
+Decided<PlaneSide> detail::point_plane_side::past_filter(const Plane3d& plane, const Point3d& point) {
+  return in_turn<stages::point_plane::decision, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
-std::optional<PointPlane<double>> point_plane_lattice(const Plane3d& plane, const Point3d& point) {
+Perhaps<PointPlane<double>> stages::point_plane::lattice(const Plane3d& plane, const Point3d& point) {
   const auto height = kernel::lattice_sum(kernel::height_over(plane, point));
   if (!height) return std::nullopt;
   return PointPlane<double>{side(kernel::sign_of(height->n)),
                             distance({kernel::integer_of(height->n), height->exponent}, plane)};
 }
 
-PointPlane<double> point_plane_exact(const Plane3d& plane, const Point3d& point) {
+PointPlane<double> stages::point_plane::exact(const Plane3d& plane, const Point3d& point) {
   const auto height = kernel::exact_sum(kernel::height_over(plane, point));
   return {side(kernel::sign_by_cgal(height.n)), distance(height, plane)};
 }
 
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point) {
-  validate(plane, point);
-  if (const auto answer = point_plane_lattice(plane, point)) return *answer;
-  return point_plane_exact(plane, point);
+  return answer_in_turn<stages::point_plane, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
 }  // namespace touchstone::robust

@@ -1,49 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
 #include "robust/kernel/plane_filter.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/planes/point_plane.h. Right, and the distance correctly rounded, for all finite doubles in every
-/// floating-point environment.
+/// Where a point lies of a plane, all points with normal . p + offset = 0: in `front`, to which the normal points, `on`
+/// it or on its `back`; and its distance, which is negative on the back.
+///
+/// `on` means exactly on the plane. The normal may have any length but 0. Right for all finite doubles in every
+/// floating-point environment, and the distance correctly rounded. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so does a normal of length 0 ("nonzero normal"). Contract:
+/// reference/planes/point_plane.h.
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point);
 
-/// The decision alone; and which stage decided.
+/// The decision alone, which costs less.
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point);
-inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point, Stage& decided);
 
-/// The stages; robust/kernel/stage.h says what each may expect and answer. The distance has no filter: a number has to
-/// be found.
-inline std::optional<PlaneSide> point_plane_side_filter(const Plane3d& plane, const Point3d& point);
-std::optional<PlaneSide> point_plane_side_lattice(const Plane3d& plane, const Point3d& point);
-PlaneSide point_plane_side_exact(const Plane3d& plane, const Point3d& point);
-std::optional<PointPlane<double>> point_plane_lattice(const Plane3d& plane, const Point3d& point);
-PointPlane<double> point_plane_exact(const Plane3d& plane, const Point3d& point);
+namespace detail {
 
-/// Validation, then the stages after the filter.
-PlaneSide point_plane_side_past_filter(const Plane3d& plane, const Point3d& point, Stage& decided);
+struct point_plane_side : Filtered<point_plane_side, PlaneSide> {
+  static Perhaps<PlaneSide> filter(const Plane3d& plane, const Point3d& point) {
+    return filters::by_sign(filters::plane(plane, point), PlaneSide::front, PlaneSide::back);
+  }
+  static Decided<PlaneSide> past_filter(const Plane3d& plane, const Point3d& point);
+};
 
-inline std::optional<PlaneSide> point_plane_side_filter(const Plane3d& plane, const Point3d& point) {
-  const filters::Sign sign = filters::plane(plane, point);
-  if (sign == filters::Sign::unknown) return std::nullopt;
-  return sign == filters::Sign::positive ? PlaneSide::front : PlaneSide::back;
-}
-
-inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = point_plane_side_filter(plane, point)) return *answer;
-  return point_plane_side_past_filter(plane, point, decided);
-}
+}  // namespace detail
 
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point) {
-  if (const auto answer = point_plane_side_filter(plane, point)) return *answer;
-  Stage ignored;
-  return point_plane_side_past_filter(plane, point, ignored);
+  return detail::point_plane_side::ask(plane, point).answer;
 }
 
 }  // namespace touchstone::robust

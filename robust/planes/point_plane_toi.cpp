@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/point_plane_toi.h"
 
-#include "robust/kernel/valid_space.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/plane_filter.h"
 #include "robust/kernel/plane_terms.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/stages/planes/point_plane_toi.h"
 
 namespace touchstone::robust {
 namespace {
@@ -56,8 +58,8 @@ void validate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
 
 }  // namespace
 
-std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane, const Point3d& start,
-                                                            const Point3d& end) {
+Perhaps<PointPlaneToi<double>> stages::point_plane_toi::filter(const Plane3d& plane, const Point3d& start,
+                                                               const Point3d& end) {
   const filters::Sign first = filters::plane(plane, start), last = filters::plane(plane, end);
   if (first == filters::Sign::unknown || last == filters::Sign::unknown) return std::nullopt;
   const int sign = last == filters::Sign::positive ? 1 : -1;
@@ -66,8 +68,8 @@ std::optional<PointPlaneToi<double>> point_plane_toi_filter(const Plane3d& plane
   return std::nullopt;
 }
 
-std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plane, const Point3d& start,
-                                                             const Point3d& end) {
+Perhaps<PointPlaneToi<double>> stages::point_plane_toi::lattice(const Plane3d& plane, const Point3d& start,
+                                                                const Point3d& end) {
   const auto first = kernel::lattice_sum(kernel::height_over(plane, start)),
              last = kernel::lattice_sum(kernel::height_over(plane, end));
   const auto ends = kernel::lattice_of(start.x, start.y, start.z, end.x, end.y, end.z);
@@ -78,7 +80,7 @@ std::optional<PointPlaneToi<double>> point_plane_toi_lattice(const Plane3d& plan
   return answer_of(*e0, *e1, start, *ends);
 }
 
-PointPlaneToi<double> point_plane_toi_exact(const Plane3d& plane, const Point3d& start, const Point3d& end) {
+PointPlaneToi<double> stages::point_plane_toi::exact(const Plane3d& plane, const Point3d& start, const Point3d& end) {
   auto first = kernel::exact_sum(kernel::height_over(plane, start)),
        last = kernel::exact_sum(kernel::height_over(plane, end));
   const int exponent = std::min(first.exponent, last.exponent);
@@ -87,19 +89,13 @@ PointPlaneToi<double> point_plane_toi_exact(const Plane3d& plane, const Point3d&
   return answer_of(first.n, last.n, start, kernel::integers_of(start.x, start.y, start.z, end.x, end.y, end.z));
 }
 
-PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = point_plane_toi_filter(plane, start, end)) return *answer;
-  validate(plane, start, end);
-  decided = Stage::lattice;
-  if (const auto answer = point_plane_toi_lattice(plane, start, end)) return *answer;
-  decided = Stage::exact;
-  return point_plane_toi_exact(plane, start, end);
+Decided<PointPlaneToi<double>> stages::point_plane_toi::ask(const Plane3d& plane, const Point3d& start,
+                                                            const Point3d& end) {
+  return in_turn<point_plane_toi, Stage::filter, validate, Stage::lattice, Stage::exact>(plane, start, end);
 }
 
 PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  Stage ignored;
-  return point_plane_toi(plane, start, end, ignored);
+  return stages::point_plane_toi::ask(plane, start, end).answer;
 }
 
 }  // namespace touchstone::robust

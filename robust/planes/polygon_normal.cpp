@@ -4,6 +4,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/points_in_space.h"
+#include "robust/stages/planes/polygon_normal.h"
 
 namespace touchstone::robust {
 namespace {
@@ -50,27 +51,24 @@ PolygonNormal<double> answer_of(const kernel::ScaledPoints<Integer>& points) {
           Vector3d{unit(x), unit(y), unit(z)}};
 }
 
+void validate(const Polygon3d& polygon) { validation::validate("polygon", polygon); }
+
 }  // namespace
 
-std::optional<PolygonNormal<double>> polygon_normal_lattice(const Polygon3d& polygon) {
+Perhaps<PolygonNormal<double>> stages::polygon_normal::lattice(const Polygon3d& polygon) {
   const auto points = kernel::lattice_of(polygon);
   if (!points) return std::nullopt;
   return answer_of(*points);
 }
 
-PolygonNormal<double> polygon_normal_exact(const Polygon3d& polygon) { return answer_of(kernel::integers_of(polygon)); }
-
-PolygonNormal<double> polygon_normal(const Polygon3d& polygon, Stage& decided) {
-  validation::validate("polygon", polygon);
-  decided = Stage::lattice;
-  if (const auto answer = polygon_normal_lattice(polygon)) return *answer;
-  decided = Stage::exact;
-  return polygon_normal_exact(polygon);
+PolygonNormal<double> stages::polygon_normal::exact(const Polygon3d& polygon) {
+  return answer_of(kernel::integers_of(polygon));
 }
 
-PolygonNormal<double> polygon_normal(const Polygon3d& polygon) {
-  Stage ignored;
-  return polygon_normal(polygon, ignored);
+Decided<PolygonNormal<double>> stages::polygon_normal::ask(const Polygon3d& polygon) {
+  return in_turn<polygon_normal, validate, Stage::lattice, Stage::exact>(polygon);
 }
+
+PolygonNormal<double> polygon_normal(const Polygon3d& polygon) { return stages::polygon_normal::ask(polygon).answer; }
 
 }  // namespace touchstone::robust

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/planes/polygon_normal.h. Right, and every coordinate correctly rounded, for all finite doubles
-/// in every floating-point environment.
+/// The normal of a polygon in space, twice the vector of its area (Newell's sum), and the same of length 1.
+///
+/// Seen from the normal's tip a simple planar polygon runs counter-clockwise; it may be concave, cross itself or not be
+/// planar. `degenerate`, without numbers, where the sum is 0: all vertices on one line, or a figure of eight that
+/// cancels. Right for all finite doubles in every floating-point environment, and every coordinate correctly rounded.
+/// NaN and infinities throw InvalidInput, which names the field and "finite number"; so do fewer than three vertices
+/// ("at least 3 vertices"). Contract: reference/planes/polygon_normal.h.
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon);
-
-/// The same, and which stage decided.
-PolygonNormal<double> polygon_normal(const Polygon3d& polygon, Stage& decided);
-
-/// The stages; robust/kernel/stage.h says what each may expect and answer. There is no filter: numbers have to be
-/// found.
-std::optional<PolygonNormal<double>> polygon_normal_lattice(const Polygon3d& polygon);
-PolygonNormal<double> polygon_normal_exact(const Polygon3d& polygon);
 
 }  // namespace touchstone::robust

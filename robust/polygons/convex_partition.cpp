@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "robust/lines/orientation.h"
-#include "robust/polygons/triangulate_polygon.h"
+#include "robust/stages/lines/orientation.h"
+#include "robust/stages/polygons/convex_partition.h"
+#include "robust/stages/polygons/triangulate_polygon.h"
 
 namespace touchstone::robust {
 namespace {
@@ -77,11 +78,8 @@ class Sides {
 
   /// How the boundary would turn where side s begins, between the sides before and after it.
   Side turn(std::uint32_t before, std::uint32_t s, std::uint32_t after, Stage& latest) const {
-    Stage decided;
-    const Side side =
-        orientation(polygon_[sides_[before].from], polygon_[sides_[s].from], polygon_[to(after)], decided);
-    latest = std::max(latest, decided);
-    return side;
+    return stages::orientation::ask(polygon_[sides_[before].from], polygon_[sides_[s].from], polygon_[to(after)])
+        .noting(latest);
   }
 
   void link(std::uint32_t s, std::uint32_t t) { sides_[s].next = t, sides_[t].previous = s; }
@@ -92,15 +90,15 @@ class Sides {
 
 }  // namespace
 
-std::vector<std::vector<Index>> convex_partition(const Polygon2d& polygon, Stage& decided) {
-  Sides sides(polygon, triangulate_polygon(polygon, decided));
-  sides.take_out_unneeded(decided);
-  return sides.pieces();
+Decided<std::vector<std::vector<Index>>> stages::convex_partition::ask(const Polygon2d& polygon) {
+  auto [triangles, latest] = triangulate_polygon::ask(polygon);
+  Sides sides(polygon, triangles);
+  sides.take_out_unneeded(latest);
+  return {sides.pieces(), latest};
 }
 
 std::vector<std::vector<Index>> convex_partition(const Polygon2d& polygon) {
-  Stage ignored;
-  return convex_partition(polygon, ignored);
+  return stages::convex_partition::ask(polygon).answer;
 }
 
 }  // namespace touchstone::robust

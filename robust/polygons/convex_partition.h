@@ -4,15 +4,17 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/polygons/convex_partition.h. Right for all finite doubles, and the same pieces in the same order
-/// in every floating-point environment; in time n log n.
+/// Cuts a simple polygon into convex pieces: lists of indices of its vertices, counter-clockwise.
+///
+/// The polygon may run in either direction. At most 2 r + 1 pieces, r the number of reflex vertices: at most four times
+/// the least number. Flat vertices stay in the pieces. Right for all finite doubles, and the same pieces in the same
+/// order in every floating-point environment; in time n log n. NaN and infinities throw InvalidInput, which names the
+/// field and "finite number"; so do fewer than 3 vertices and a polygon that is not simple (with the vertex). Contract:
+/// reference/polygons/convex_partition.h.
 std::vector<std::vector<Index>> convex_partition(const Polygon2d& polygon);
-
-/// The same, and the latest stage that one of its decisions needed.
-std::vector<std::vector<Index>> convex_partition(const Polygon2d& polygon, Stage& decided);
 
 }  // namespace touchstone::robust

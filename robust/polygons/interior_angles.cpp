@@ -41,9 +41,4 @@ std::vector<double> interior_angles(const Polygon2d& polygon) {
   return angles;
 }
 
-std::vector<double> interior_angles(const Polygon2d& polygon, Stage& decided) {
-  decided = Stage::exact;
-  return interior_angles(polygon);
-}
-
 }  // namespace touchstone::robust

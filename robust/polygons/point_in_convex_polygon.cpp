@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polygons/point_in_convex_polygon.h"
 
-#include <algorithm>
-
 #include "geometry/validation.h"
-#include "robust/lines/orientation.h"
-#include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
+#include "robust/stages/lines/orientation.h"
+#include "robust/stages/polygons/point_in_convex_polygon.h"
+#include "robust/stages/polygons/polygon_convexity.h"
 
 namespace touchstone::robust {
 namespace {
 
 /// The side of the inside, for a polygon that is convex; others are refused.
-Side validate_convex(const Polygon2d& polygon, Stage& decided) {
-  const PolygonConvexity found = polygon_convexity(polygon, decided);
+Side validate_convex(const Polygon2d& polygon, Stage& latest) {
+  const PolygonConvexity found = stages::polygon_convexity::ask(polygon).noting(latest);
   const Side inner = found.orientation == Winding::ccw ? Side::left : Side::right;
   if (found.polygon_class == PolygonClass::convex) return inner;
   const auto defect = ring_defect(polygon);
@@ -28,23 +27,21 @@ Side validate_convex(const Polygon2d& polygon, Stage& decided) {
 
 }  // namespace
 
-Location point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point, Stage& decided) {
+Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& polygon, const Point2d& point) {
   validation::validate("polygon", polygon), validation::validate("point", point);
-  const Side inner = validate_convex(polygon, decided);
+  Stage latest = Stage::filter;
+  const Side inner = validate_convex(polygon, latest);
   bool on = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    Stage stage;
-    const Side side = orientation(polygon[i], polygon.next(i), point, stage);
-    decided = std::max(decided, stage);
+    const Side side = orientation::ask(polygon[i], polygon.next(i), point).noting(latest);
     if (side == Side::on) on = true;
-    else if (side != inner) return Location::outside;
+    else if (side != inner) return {Location::outside, latest};
   }
-  return on ? Location::boundary : Location::inside;
+  return {on ? Location::boundary : Location::inside, latest};
 }
 
 Location point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point) {
-  Stage ignored;
-  return point_in_convex_polygon(polygon, point, ignored);
+  return stages::point_in_convex_polygon::ask(polygon, point).answer;
 }
 
 }  // namespace touchstone::robust

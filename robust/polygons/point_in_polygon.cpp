@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "robust/kernel/filters.h"
-#include "robust/kernel/valid.h"
 #include "robust/kernel/plane.h"
+#include "robust/kernel/valid.h"
 #include "robust/lines/orientation.h"
+#include "robust/stages/polygons/point_in_polygon.h"
 
 namespace touchstone::robust {
 namespace {
@@ -71,7 +72,7 @@ struct Crossings {
   }
 
   /// The parity, of all edges added.
-  std::optional<Location> location() const {
+  Perhaps<Location> location() const {
     using B = filters::Bounds<double>;
     const double sx = sum_x_[0] + sum_x_[1], sy = sum_y_[0] + sum_y_[1];
     if (!(sx + sy <= B::high())) return std::nullopt;
@@ -100,7 +101,7 @@ struct Part {
 
 Location parity(bool odd) { return odd ? Location::inside : Location::outside; }
 
-std::optional<Location> by_filter(const Part& part, const Point2d& point) {
+Perhaps<Location> by_filter(const Part& part, const Point2d& point) {
   Crossings crossings(point);
   const Lanes before = crossings.started(*part.before);
   // No bound is below 2 A, and to multiply what underflows is slow.
@@ -124,7 +125,7 @@ std::optional<Location> by_filter(const Part& part, const Point2d& point) {
 }
 
 /// On whole numbers that are multiples of one power of two, the point at the origin.
-std::optional<Location> by_lattice(const Part& part, const Point2d& point) {
+Perhaps<Location> by_lattice(const Part& part, const Point2d& point) {
   std::uint64_t greatest = 0;  // of the magnitudes, as bits
   const auto raise = [&](double number) { greatest = std::max(greatest, std::bit_cast<std::uint64_t>(number) << 1); };
   raise(point.x), raise(point.y), raise(part.before->x), raise(part.before->y);
@@ -211,14 +212,14 @@ void validate(const Polygon2d& polygon, const Point2d& point) {
 }
 
 /// Validation, then the stages for one part after another: one hard edge does not make all of them hard.
-Location past_filter(const Polygon2d& polygon, const Point2d& point, Stage& decided) {
+Decided<Location> past_filter(const Polygon2d& polygon, const Point2d& point) {
   constexpr std::ptrdiff_t edges_of_a_part = 16;
   if (polygon.size() < 3) validate(polygon, point);
   const Part ring = whole(polygon);
-  decided = Stage::lattice;
+  Stage latest = Stage::lattice;
   const bool one_part = ring.last - ring.first <= edges_of_a_part;
   if (one_part) {
-    if (const auto found = by_lattice(ring, point)) return *found;  // all finite
+    if (const auto found = by_lattice(ring, point)) return {*found, latest};  // all finite
   }
   validate(polygon, point);
   int failures = one_part ? 2 : 0;
@@ -228,46 +229,44 @@ Location past_filter(const Polygon2d& polygon, const Point2d& point, Stage& deci
     const Point2d* first = part.last;
     part = {first == ring.first ? ring.before : first - 1, first, first + std::min(edges_of_a_part, ring.last - first),
             false};
-    std::optional<Location> found;
+    Perhaps<Location> found = std::nullopt;
     if (failures < 2) {  // else the scale is to blame, and it would fail again
       found = by_filter(part, point);
       failures += !found;
     }
     if (!found && !one_part) found = by_lattice(part, point);
     if (!found) {
-      decided = Stage::exact;
+      latest = Stage::exact;
       found = edge_by_edge(part, point);
     }
-    if (*found == Location::boundary) return *found;
+    if (*found == Location::boundary) return {*found, latest};
     odd ^= *found == Location::inside;
   }
-  return parity(odd);
+  return {parity(odd), latest};
 }
 
 }  // namespace
 
-std::optional<Location> point_in_polygon_filter(const Polygon2d& polygon, const Point2d& point) {
+Perhaps<Location> stages::point_in_polygon::filter(const Polygon2d& polygon, const Point2d& point) {
   if (polygon.size() < 3) return std::nullopt;
   return by_filter(whole(polygon), point);
 }
 
-std::optional<Location> point_in_polygon_lattice(const Polygon2d& polygon, const Point2d& point) {
+Perhaps<Location> stages::point_in_polygon::lattice(const Polygon2d& polygon, const Point2d& point) {
   return by_lattice(whole(polygon), point);
 }
 
-Location point_in_polygon_exact(const Polygon2d& polygon, const Point2d& point) {
+Location stages::point_in_polygon::exact(const Polygon2d& polygon, const Point2d& point) {
   return by_integers(whole(polygon), point);
 }
 
-Location point_in_polygon(const Polygon2d& polygon, const Point2d& point, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = point_in_polygon_filter(polygon, point)) return *answer;
-  return past_filter(polygon, point, decided);
+Decided<Location> stages::point_in_polygon::ask(const Polygon2d& polygon, const Point2d& point) {
+  if (const auto answer = filter(polygon, point)) return {*answer, Stage::filter};
+  return past_filter(polygon, point);
 }
 
 Location point_in_polygon(const Polygon2d& polygon, const Point2d& point) {
-  Stage ignored;
-  return point_in_polygon(polygon, point, ignored);
+  return stages::point_in_polygon::ask(polygon, point).answer;
 }
 
 }  // namespace touchstone::robust

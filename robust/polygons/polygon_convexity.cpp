@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polygons/polygon_convexity.h"
 
-#include <algorithm>
-
 #include "robust/kernel/control_word.h"
 #include "robust/kernel/valid.h"
-#include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
+#include "robust/stages/lines/orientation.h"
+#include "robust/stages/polygons/polygon_convexity.h"
 
 namespace touchstone::robust {
 namespace {
@@ -19,7 +18,7 @@ struct Walk {
   std::size_t left = 0, right = 0;  ///< turns
   std::size_t flips = 0;     ///< edges that lead up after one that leads down, or the other way (lexicographically)
   Side at_first = Side::on;  ///< the turn at the vertex that is lexicographically first
-  Stage decided = Stage::filter;
+  Stage latest = Stage::filter;
 };
 
 Walk walk(const Polygon2d& ring) {
@@ -27,9 +26,7 @@ Walk walk(const Polygon2d& ring) {
   const kernel::ControlWord ieee;
   std::size_t first = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    Stage decided;
-    const Side side = orientation(ring.previous(i), ring[i], ring.next(i), decided);
-    found.decided = std::max(found.decided, decided);
+    const Side side = stages::orientation::ask(ring.previous(i), ring[i], ring.next(i)).noting(found.latest);
     found.flips += before(ring.previous(i), ring[i]) != before(ring[i], ring.next(i));
     found.left += side == Side::left, found.right += side == Side::right;
     if (i == 0 || before(ring[i], ring[first])) first = i, found.at_first = side;
@@ -44,16 +41,13 @@ bool repeated_neighbours(const Polygon2d& ring) {
   return false;
 }
 
-}  // namespace
-
-PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided) {
+PolygonConvexity convexity(const Polygon2d& polygon, Stage& latest) {
   validation::validate("polygon", polygon);
-  decided = Stage::filter;
   const PolygonConvexity degenerate{PolygonClass::degenerate, false, Winding::none};
   const PolygonConvexity not_simple{PolygonClass::not_simple, false, Winding::none};
   if (repeated_neighbours(polygon)) return degenerate;
   const Walk found = walk(polygon);
-  decided = found.decided;
+  latest = found.latest;
   // Neighbours differ, so vertices on one line with those before them are all on the first edge's line.
   if (found.left == 0 && found.right == 0) return degenerate;
   const bool both = found.left > 0 && found.right > 0;
@@ -73,9 +67,14 @@ PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided) {
   return {PolygonClass::concave, false, found.at_first == Side::left ? Winding::ccw : Winding::cw};
 }
 
-PolygonConvexity polygon_convexity(const Polygon2d& polygon) {
-  Stage ignored;
-  return polygon_convexity(polygon, ignored);
+}  // namespace
+
+Decided<PolygonConvexity> stages::polygon_convexity::ask(const Polygon2d& polygon) {
+  Stage latest = Stage::filter;
+  const PolygonConvexity answer = convexity(polygon, latest);
+  return {answer, latest};
 }
+
+PolygonConvexity polygon_convexity(const Polygon2d& polygon) { return stages::polygon_convexity::ask(polygon).answer; }
 
 }  // namespace touchstone::robust

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/polygons/polygon_convexity.h. Right for all finite doubles in every floating-point environment.
+/// Whether a ring of vertices is `convex`, `concave`, `not_simple` (edges meet elsewhere than neighbours do) or
+/// `degenerate` (equal neighbours, or all on one line); which way round it runs, ccw or cw; and whether it is strictly
+/// convex, without three neighbours on a line.
 ///
-/// Each turn is decided by the stages of `orientation`. If no two turns differ in sign, the number of times that the
-/// ring goes round tells convex from crossing, in linear time; only a ring that turns both ways is searched for edges
-/// that meet.
+/// Right for all finite doubles in every floating-point environment. If no two turns differ in sign, the number of
+/// times that the ring goes round tells convex from crossing, in linear time; only a ring that turns both ways is
+/// searched for edges that meet. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
+/// do fewer than 3 vertices. Contract: reference/polygons/polygon_convexity.h.
 PolygonConvexity polygon_convexity(const Polygon2d& polygon);
-
-/// The same, and the last stage that any turn needed.
-PolygonConvexity polygon_convexity(const Polygon2d& polygon, Stage& decided);
 
 }  // namespace touchstone::robust

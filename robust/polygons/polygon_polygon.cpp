@@ -7,8 +7,9 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/control_word.h"
-#include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
+#include "robust/stages/lines/orientation.h"
+#include "robust/stages/polygons/polygon_polygon.h"
 
 namespace touchstone::robust {
 namespace {
@@ -23,9 +24,14 @@ namespace {
 // no point is ever constructed.
 class Meeting {
  public:
-  Meeting(const Polygon2d& a, const Polygon2d& b, Stage& decided)
-      : decided_(decided), a_(counter_clockwise(a)), b_(counter_clockwise(b)) {}
+  Meeting(const Polygon2d& a, const Polygon2d& b) : a_(counter_clockwise(a)), b_(counter_clockwise(b)) {}
 
+  Decided<Contact> decided() {
+    const Contact found = contact();
+    return {found, latest_};
+  }
+
+ private:
   Contact contact() {
     bool touch = false;
     for (std::size_t i = 0; i < a_.size(); ++i) {
@@ -40,12 +46,8 @@ class Meeting {
     return inside(a_[0], b_) || inside(b_[0], a_) ? Contact::overlapping : Contact::disjoint;
   }
 
- private:
   int turn(const Point2d& p, const Point2d& q, const Point2d& r) {
-    Stage stage;
-    const Side side = orientation(p, q, r, stage);
-    decided_ = std::max(decided_, stage);
-    return 1 - static_cast<int>(side);
+    return 1 - static_cast<int>(stages::orientation::ask(p, q, r).noting(latest_));
   }
 
   static bool before(const Point2d& p, const Point2d& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
@@ -126,7 +128,7 @@ class Meeting {
     return odd;
   }
 
-  Stage& decided_;
+  Stage latest_ = Stage::filter;
   Polygon2d a_, b_;
 };
 
@@ -137,16 +139,12 @@ void validate(const char* field, const Polygon2d& polygon) {
 
 }  // namespace
 
-Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b, Stage& decided) {
+Decided<Contact> stages::polygon_polygon::ask(const Polygon2d& a, const Polygon2d& b) {
   validate("a", a), validate("b", b);
   const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
-  decided = Stage::filter;
-  return Meeting(a, b, decided).contact();
+  return Meeting(a, b).decided();
 }
 
-Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b) {
-  Stage ignored;
-  return polygon_polygon(a, b, ignored);
-}
+Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return stages::polygon_polygon::ask(a, b).answer; }
 
 }  // namespace touchstone::robust

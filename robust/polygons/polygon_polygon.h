@@ -2,14 +2,16 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/polygons/polygon_polygon.h. Right for all finite doubles in every floating-point environment.
+/// Whether two simple polygons, as closed solids, are `disjoint`, only touch or overlap.
+///
+/// `overlapping`: they have a common interior point, also where one lies within the other. `touching`: all that they
+/// have in common is on both boundaries. Either direction. Right for all finite doubles in every floating-point
+/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do fewer than 3
+/// vertices and a polygon that is not simple (with the vertex). Contract: reference/polygons/polygon_polygon.h.
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b);
-
-/// The same; `decided` is the latest stage that any turn of three vertices needed.
-Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b, Stage& decided);
 
 }  // namespace touchstone::robust

@@ -5,21 +5,21 @@
 #include "robust/kernel/control_word.h"
 #include "robust/rings/simple.h"
 #include "robust/rings/sweep.h"
+#include "robust/stages/polygons/triangulate_polygon.h"
 
 namespace touchstone::robust {
 
-std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon, Stage& decided) {
+Decided<std::vector<std::vector<Index>>> stages::triangulate_polygon::ask(const Polygon2d& polygon) {
   validation::validate("polygon", polygon);
   {
     const kernel::ControlWord ieee;  // comparisons: flushed denormals would all be 0
-    if (auto triangles = triangulated_by_sweep(polygon, decided)) return *std::move(triangles);
+    if (auto triangles = triangulated_by_sweep(polygon)) return *std::move(triangles);
   }
   validation::refuse("polygon", ring_defect(polygon).value());
 }
 
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon) {
-  Stage ignored;
-  return triangulate_polygon(polygon, ignored);
+  return stages::triangulate_polygon::ask(polygon).answer;
 }
 
 }  // namespace touchstone::robust

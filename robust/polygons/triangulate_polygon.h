@@ -4,16 +4,18 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/polygons/triangulate_polygon.h. Right for all finite doubles, and the same triangles in the same
-/// order in every floating-point environment. One sweep over the plane (robust/rings/sweep.h) tells whether the polygon
-/// is simple and cuts it up, in time n log n.
+/// Cuts a simple polygon of n vertices into n - 2 triangles of positive area: triples of indices of its vertices,
+/// counter-clockwise.
+///
+/// The polygon may run in either direction and have flat vertices. Right for all finite doubles, and the same triangles
+/// in the same order in every floating-point environment. One sweep over the plane tells whether the polygon is simple
+/// and cuts it up, in time n log n. NaN and infinities throw InvalidInput, which names the field and "finite number";
+/// so do fewer than 3 vertices and a polygon that is not simple (with the vertex). Contract:
+/// reference/polygons/triangulate_polygon.h.
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon);
-
-/// The same, and the latest stage that one of its decisions needed.
-std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon, Stage& decided);
 
 }  // namespace touchstone::robust

@@ -4,25 +4,25 @@
 #include "geometry/validation.h"
 #include "robust/kernel/convex_mesh.h"
 #include "robust/kernel/face_side.h"
+#include "robust/stages/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::robust {
 
-Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point, Stage& decided) {
-  decided = Stage::filter;
-  const int outside = kernel::validate_convex("mesh", mesh, decided);
+Decided<Location> stages::point_in_convex_polyhedron::ask(const Meshd& mesh, const Point3d& point) {
+  Stage latest = Stage::filter;
+  const int outside = kernel::validate_convex("mesh", mesh, latest);
   validation::validate("point", point);
   bool on = false;
   for (const Face& face : mesh.faces) {
-    const int side = kernel::FaceSide(mesh, face).of(point, decided);
-    if (side == outside) return Location::outside;
+    const int side = kernel::FaceSide(mesh, face).of(point).noting(latest);
+    if (side == outside) return {Location::outside, latest};
     on = on || side == 0;
   }
-  return on ? Location::boundary : Location::inside;
+  return {on ? Location::boundary : Location::inside, latest};
 }
 
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point) {
-  Stage ignored;
-  return point_in_convex_polyhedron(mesh, point, ignored);
+  return stages::point_in_convex_polyhedron::ask(mesh, point).answer;
 }
 
 }  // namespace touchstone::robust

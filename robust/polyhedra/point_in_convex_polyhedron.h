@@ -3,18 +3,17 @@
 
 #include "geometry/answers.h"
 #include "geometry/polyhedra.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/polyhedra/point_in_convex_polyhedron.h. Right for all finite doubles in every floating-point
-/// environment.
+/// Whether a point lies inside of a convex polyhedron, on its `boundary` or outside.
 ///
-/// Every call makes sure that the mesh is closed and convex: faces times vertices sides of planes, nearly all by the
-/// filter.
+/// The mesh is closed, its faces triangles that run counter-clockwise as seen from outside, or all the other way round.
+/// Every call makes sure that it is closed and convex: faces times vertices sides of planes, nearly all by the filter.
+/// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face).
+/// Contract: reference/polyhedra/point_in_convex_polyhedron.h.
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
-
-/// The same, and the last stage that any side needed.
-Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point, Stage& decided);
 
 }  // namespace touchstone::robust

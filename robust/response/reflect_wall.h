@@ -5,13 +5,16 @@
 #include <cstdint>
 
 #include "geometry/answers.h"
-#include "robust/kernel/stage.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/response/reflect_wall.h. Exact for all finite doubles in every floating-point environment. There
-/// is one stage: the sign bit of one component is turned over, the other components are returned bit for bit.
+/// The velocity of a particle after it bounced, without loss, off a wall that is perpendicular to a coordinate axis:
+/// the component along that axis is negated, whether the particle comes or goes.
+///
+/// Exact for all finite doubles in every floating-point environment: the sign bit of one component is turned over, the
+/// other components are returned bit for bit. NaN and infinities throw InvalidInput, which names the field and "finite
+/// number". Contract: reference/response/reflect_wall.h.
 inline Vector3d reflect_wall(const Vector3d& velocity, Axis axis) {
   if (!kernel::valid(velocity)) validation::validate("velocity", velocity);
   const auto turned = [axis](double component, Axis along) {
@@ -20,8 +23,5 @@ inline Vector3d reflect_wall(const Vector3d& velocity, Axis axis) {
   };
   return {turned(velocity.x, Axis::x), turned(velocity.y, Axis::y), turned(velocity.z, Axis::z)};
 }
-
-/// The same, and which stage decided: always Stage::filter.
-Vector3d reflect_wall(const Vector3d& velocity, Axis axis, Stage& decided);
 
 }  // namespace touchstone::robust

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/lines/orientation.h"
+#include "robust/stages/lines/orientation.h"
 
 namespace touchstone::robust {
 
@@ -94,9 +94,7 @@ class Chains {
 
   /// Cuts the triangle off if it turns left.
   bool cut(Index lower, Index v, Index upper) {
-    Stage decided;
-    const bool left = orientation(ring_[lower], ring_[v], ring_[upper], decided) == Side::left;
-    latest_ = std::max(latest_, decided);
+    const bool left = stages::orientation::ask(ring_[lower], ring_[v], ring_[upper]).noting(latest_) == Side::left;
     if (left) triangles_.push_back({lower, v, upper});
     return left;
   }

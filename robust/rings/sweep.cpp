@@ -7,8 +7,8 @@
 #include <set>
 
 #include "robust/lines/orientation.h"
-#include "robust/lines/segment_segment.h"
 #include "robust/rings/chains.h"
+#include "robust/stages/lines/segment_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -66,10 +66,7 @@ class Sweep {
   Index last(Index edge) const { return forward(edge) ? end(edge) : edge; }
 
   Side side_of(Index edge, const Point2d& p) const {
-    Stage decided;
-    const Side side = orientation(ring_[first(edge)], ring_[last(edge)], p, decided);
-    latest_ = std::max(latest_, decided);
-    return side;
+    return stages::orientation::ask(ring_[first(edge)], ring_[last(edge)], p).noting(latest_);
   }
 
   /// Of two edges one of which begins now: where it begins it is beside the other, or they begin together.
@@ -85,9 +82,8 @@ class Sweep {
   bool meet(Index a, Index b) const {
     const auto &p = ring_[a], &q = ring_[end(a)], &r = ring_[b], &s = ring_[end(b)];
     if (std::max(p.y, q.y) < std::min(r.y, s.y) || end(a) == b || end(b) == a) return false;
-    Stage decided;
-    const SegmentRelation found = segment_segment_relation({p, q}, {r, s}, decided);
-    latest_ = std::max(latest_, decided);
+    const Segment2d one{p, q}, other{r, s};
+    const SegmentRelation found = stages::segment_segment::decision::ask(one, other).noting(latest_);
     return found != SegmentRelation::disjoint;
   }
 
@@ -167,12 +163,12 @@ class Sweep {
 
 bool simple_by_sweep(const Polygon2d& ring) { return Sweep(ring, nullptr).simple(); }
 
-std::optional<std::vector<std::vector<Index>>> triangulated_by_sweep(const Polygon2d& ring, Stage& decided) {
+std::optional<Decided<std::vector<std::vector<Index>>>> triangulated_by_sweep(const Polygon2d& ring) {
   Chains chains(ring);
   Sweep sweep(ring, &chains);
   if (!sweep.simple()) return std::nullopt;
-  decided = std::max(sweep.latest(), chains.latest());
-  return chains.triangles();
+  return Decided<std::vector<std::vector<Index>>>{std::move(chains.triangles()),
+                                                  std::max(sweep.latest(), chains.latest())};
 }
 
 }  // namespace touchstone::robust

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -14,7 +14,7 @@ namespace touchstone::robust {
 bool simple_by_sweep(const Polygon2d& ring);
 
 /// The same sweep, which leaves triangles behind it: n - 2 counter-clockwise triples of indices, each of positive area.
-/// Empty: the ring is not simple. `decided`: the latest stage that a decision needed.
+/// Empty: the ring is not simple. The stage is the latest that a decision needed.
 ///
 /// How it cuts. Between an edge with the inside above it (a floor) and the next one above (its ceiling) the part of the
 /// inside that has been swept over and not cut off yet lies to the right of a chain of vertices, from the floor's left
@@ -36,6 +36,6 @@ bool simple_by_sweep(const Polygon2d& ring);
 ///     So each step of cutting it off has positive area.
 /// The order by x and then by y is the order by x after a turn by a small angle: points with the same x are no special
 /// case.
-std::optional<std::vector<std::vector<Index>>> triangulated_by_sweep(const Polygon2d& ring, Stage& decided);
+std::optional<Decided<std::vector<std::vector<Index>>>> triangulated_by_sweep(const Polygon2d& ring);
 
 }  // namespace touchstone::robust

@@ -8,6 +8,7 @@
 #include "robust/kernel/sweep_filter.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid_space.h"
+#include "robust/stages/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::robust {
 namespace {
@@ -138,79 +139,63 @@ std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, c
 
 }  // namespace
 
-std::optional<FirstContact<double>> swept_sphere_sphere_filter(const Sphere3d& a, const Sphere3d& b,
-                                                               const Vector3d& velocity_a, const Vector3d& velocity_b) {
-  const auto meeting = meeting_by_filter(a, b, velocity_a, velocity_b);
+Perhaps<FirstContact<double>> stages::swept_sphere_sphere::filter(const Sphere3d& a, const Sphere3d& b,
+                                                                  const Vector3d& va, const Vector3d& vb) {
+  const auto meeting = meeting_by_filter(a, b, va, vb);
   if (meeting == Meeting::never) return FirstContact<double>{HitRelation::never, std::nullopt};
   if (meeting == Meeting::at_start) return FirstContact<double>{HitRelation::hit, 0.0};
   return std::nullopt;
 }
 
-std::optional<FirstContact<double>> swept_sphere_sphere_lattice(const Sphere3d& a, const Sphere3d& b,
-                                                                const Vector3d& velocity_a,
-                                                                const Vector3d& velocity_b) {
-  const auto motion = on_lattice(a, b, velocity_a, velocity_b);
+Perhaps<FirstContact<double>> stages::swept_sphere_sphere::lattice(const Sphere3d& a, const Sphere3d& b,
+                                                                   const Vector3d& va, const Vector3d& vb) {
+  const auto motion = on_lattice(a, b, va, vb);
   if (!motion) return std::nullopt;
   return motion->contact();
 }
 
-FirstContact<double> swept_sphere_sphere_exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                               const Vector3d& velocity_b) {
-  return on_integers(a, b, velocity_a, velocity_b).contact();
+FirstContact<double> stages::swept_sphere_sphere::exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
+                                                        const Vector3d& vb) {
+  return on_integers(a, b, va, vb).contact();
 }
 
-FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                         const Vector3d& velocity_b, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = swept_sphere_sphere_filter(a, b, velocity_a, velocity_b)) return *answer;
-  validate(a, b, velocity_a, velocity_b);
-  decided = Stage::lattice;
-  if (const auto answer = swept_sphere_sphere_lattice(a, b, velocity_a, velocity_b)) return *answer;
-  decided = Stage::exact;
-  return swept_sphere_sphere_exact(a, b, velocity_a, velocity_b);
+Decided<FirstContact<double>> stages::swept_sphere_sphere::ask(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
+                                                               const Vector3d& vb) {
+  return in_turn<swept_sphere_sphere, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b, va, vb);
 }
 
 FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b) {
-  Stage ignored;
-  return swept_sphere_sphere(a, b, velocity_a, velocity_b, ignored);
+  return stages::swept_sphere_sphere::ask(a, b, velocity_a, velocity_b).answer;
 }
 
-std::optional<HitRelation> swept_sphere_sphere_relation_filter(const Sphere3d& a, const Sphere3d& b,
-                                                               const Vector3d& velocity_a, const Vector3d& velocity_b) {
-  const auto meeting = meeting_by_filter(a, b, velocity_a, velocity_b);
+Perhaps<HitRelation> stages::swept_sphere_sphere::decision::filter(const Sphere3d& a, const Sphere3d& b,
+                                                                   const Vector3d& va, const Vector3d& vb) {
+  const auto meeting = meeting_by_filter(a, b, va, vb);
   if (!meeting) return std::nullopt;
   return relation_of(*meeting);
 }
 
-std::optional<HitRelation> swept_sphere_sphere_relation_lattice(const Sphere3d& a, const Sphere3d& b,
-                                                                const Vector3d& velocity_a,
-                                                                const Vector3d& velocity_b) {
-  const auto motion = on_lattice(a, b, velocity_a, velocity_b);
+Perhaps<HitRelation> stages::swept_sphere_sphere::decision::lattice(const Sphere3d& a, const Sphere3d& b,
+                                                                    const Vector3d& va, const Vector3d& vb) {
+  const auto motion = on_lattice(a, b, va, vb);
   if (!motion) return std::nullopt;
   return relation_of(motion->meeting());
 }
 
-HitRelation swept_sphere_sphere_relation_exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                               const Vector3d& velocity_b) {
-  return relation_of(on_integers(a, b, velocity_a, velocity_b).meeting());
+HitRelation stages::swept_sphere_sphere::decision::exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
+                                                         const Vector3d& vb) {
+  return relation_of(on_integers(a, b, va, vb).meeting());
 }
 
-HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                         const Vector3d& velocity_b, Stage& decided) {
-  decided = Stage::filter;
-  if (const auto answer = swept_sphere_sphere_relation_filter(a, b, velocity_a, velocity_b)) return *answer;
-  validate(a, b, velocity_a, velocity_b);
-  decided = Stage::lattice;
-  if (const auto answer = swept_sphere_sphere_relation_lattice(a, b, velocity_a, velocity_b)) return *answer;
-  decided = Stage::exact;
-  return swept_sphere_sphere_relation_exact(a, b, velocity_a, velocity_b);
+Decided<HitRelation> stages::swept_sphere_sphere::decision::ask(const Sphere3d& a, const Sphere3d& b,
+                                                                const Vector3d& va, const Vector3d& vb) {
+  return in_turn<decision, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b, va, vb);
 }
 
 HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b) {
-  Stage ignored;
-  return swept_sphere_sphere_relation(a, b, velocity_a, velocity_b, ignored);
+  return stages::swept_sphere_sphere::decision::ask(a, b, velocity_a, velocity_b).answer;
 }
 
 }  // namespace touchstone::robust

@@ -1,42 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/sweeps/swept_sphere_sphere.h. Right, and t correctly rounded, for all finite doubles in every
-/// floating-point environment.
+/// When two balls that move along straight lines first have a common point: `hit` with the first t in [0, 1], counted
+/// in steps, or `never`.
+///
+/// Touching is a hit; balls that meet at the start hit at t = 0; radius 0 is a point, and velocities may be 0. Right
+/// for all finite doubles in every floating-point environment, and t correctly rounded. NaN and infinities throw
+/// InvalidInput, which names the field and "finite number"; so does a negative radius ("radius >= 0"). Contract:
+/// reference/sweeps/swept_sphere_sphere.h.
 FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b);
 
-/// The same, and which stage decided.
-FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                         const Vector3d& velocity_b, Stage& decided);
-
-/// The decision alone; and which stage decided.
+/// The decision alone, which costs less.
 HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b);
-HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                         const Vector3d& velocity_b, Stage& decided);
-
-/// The stages; robust/kernel/stage.h says what each may expect and answer. The filter of the whole answer knows the
-/// sweeps that hit at the start, and those that never do: no number has to be found.
-std::optional<FirstContact<double>> swept_sphere_sphere_filter(const Sphere3d& a, const Sphere3d& b,
-                                                               const Vector3d& velocity_a, const Vector3d& velocity_b);
-std::optional<FirstContact<double>> swept_sphere_sphere_lattice(const Sphere3d& a, const Sphere3d& b,
-                                                                const Vector3d& velocity_a, const Vector3d& velocity_b);
-FirstContact<double> swept_sphere_sphere_exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                               const Vector3d& velocity_b);
-std::optional<HitRelation> swept_sphere_sphere_relation_filter(const Sphere3d& a, const Sphere3d& b,
-                                                               const Vector3d& velocity_a, const Vector3d& velocity_b);
-std::optional<HitRelation> swept_sphere_sphere_relation_lattice(const Sphere3d& a, const Sphere3d& b,
-                                                                const Vector3d& velocity_a, const Vector3d& velocity_b);
-HitRelation swept_sphere_sphere_relation_exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                               const Vector3d& velocity_b);
 
 }  // namespace touchstone::robust

@@ -6,6 +6,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/valid_space.h"
+#include "robust/stages/volumes/aabb_aabb.h"
 
 namespace touchstone::robust {
 namespace {
@@ -42,17 +43,20 @@ Contact contact_of(const AxisContact& all) {
 }
 
 template <class Box>
-Contact past_filter(const Box& a, const Box& b) {
+void validate(const Box& a, const Box& b) {
   if (!kernel::valid(a) || !kernel::valid(b)) validation::validate("a", a), validation::validate("b", b);
-  return contact_of(on_all_axes(a, b));
 }
 
 }  // namespace
 
-Contact aabb_aabb_exact(const Aabb2d& a, const Aabb2d& b) { return contact_of(on_all_axes(a, b)); }
-Contact aabb_aabb_exact(const Aabb3d& a, const Aabb3d& b) { return contact_of(on_all_axes(a, b)); }
+Contact stages::aabb_aabb::exact(const Aabb2d& a, const Aabb2d& b) { return contact_of(on_all_axes(a, b)); }
+Contact stages::aabb_aabb::exact(const Aabb3d& a, const Aabb3d& b) { return contact_of(on_all_axes(a, b)); }
 
-Contact aabb_aabb_past_filter(const Aabb2d& a, const Aabb2d& b) { return past_filter(a, b); }
-Contact aabb_aabb_past_filter(const Aabb3d& a, const Aabb3d& b) { return past_filter(a, b); }
+Decided<Contact> detail::aabb_aabb::past_filter(const Aabb2d& a, const Aabb2d& b) {
+  return in_turn<stages::aabb_aabb, validate<Aabb2d>, Stage::exact>(a, b);
+}
+Decided<Contact> detail::aabb_aabb::past_filter(const Aabb3d& a, const Aabb3d& b) {
+  return in_turn<stages::aabb_aabb, validate<Aabb3d>, Stage::exact>(a, b);
+}
 
 }  // namespace touchstone::robust

@@ -1,63 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
-
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
 #include "robust/kernel/box_differences.h"
-#include "robust/kernel/stage.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
-/// Contract: reference/volumes/aabb_aabb.h. Right for all finite doubles in every floating-point environment.
+/// Whether two axis-aligned boxes, as closed solids, are `disjoint`, only touch or overlap; in the plane and in space.
+///
+/// A common corner, edge or face is `touching`. A box with min == max on an axis has no interior: it can only touch.
+/// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so does min > max ("min <= max"). Contract: reference/volumes/aabb_aabb.h.
 inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b);
 inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b);
 
-/// The same, and which stage decided: Stage::filter or Stage::exact.
-inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b, Stage& decided);
-inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b, Stage& decided);
+namespace detail {
 
-/// The stages; robust/kernel/stage.h says what each may expect and answer. The filter knows boxes that have an interior
-/// and do not touch. The exact stage compares the bits as integers; there is no lattice.
-inline std::optional<Contact> aabb_aabb_filter(const Aabb2d& a, const Aabb2d& b);
-inline std::optional<Contact> aabb_aabb_filter(const Aabb3d& a, const Aabb3d& b);
-Contact aabb_aabb_exact(const Aabb2d& a, const Aabb2d& b);
-Contact aabb_aabb_exact(const Aabb3d& a, const Aabb3d& b);
-
-/// Validation, then the exact stage.
-Contact aabb_aabb_past_filter(const Aabb2d& a, const Aabb2d& b);
-Contact aabb_aabb_past_filter(const Aabb3d& a, const Aabb3d& b);
-
-template <class Box>
-Contact aabb_aabb_of(const Box& a, const Box& b, Stage& decided) {
-  const kernel::BoxDifferences found = kernel::differences(a, b);
-  decided = Stage::filter;
-  if (found.certain()) [[likely]]
+/// The filter knows boxes that have an interior and do not touch.
+struct aabb_aabb : Filtered<aabb_aabb, Contact> {
+  template <class Box>
+  static Perhaps<Contact> filter(const Box& a, const Box& b) {
+    const kernel::BoxDifferences found = kernel::differences(a, b);
+    if (!found.certain()) [[unlikely]]
+      return std::nullopt;
     return found.contact();
-  decided = Stage::exact;
-  return aabb_aabb_past_filter(a, b);
-}
-template <class Box>
-std::optional<Contact> aabb_aabb_filter_of(const Box& a, const Box& b) {
-  const kernel::BoxDifferences found = kernel::differences(a, b);
-  if (!found.certain()) return std::nullopt;
-  return found.contact();
-}
+  }
+  static Decided<Contact> past_filter(const Aabb2d& a, const Aabb2d& b);
+  static Decided<Contact> past_filter(const Aabb3d& a, const Aabb3d& b);
+};
 
-inline std::optional<Contact> aabb_aabb_filter(const Aabb2d& a, const Aabb2d& b) { return aabb_aabb_filter_of(a, b); }
-inline std::optional<Contact> aabb_aabb_filter(const Aabb3d& a, const Aabb3d& b) { return aabb_aabb_filter_of(a, b); }
+}  // namespace detail
 
-inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b, Stage& decided) { return aabb_aabb_of(a, b, decided); }
-inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b, Stage& decided) { return aabb_aabb_of(a, b, decided); }
-
-inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b) {
-  Stage ignored;
-  return aabb_aabb_of(a, b, ignored);
-}
-inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b) {
-  Stage ignored;
-  return aabb_aabb_of(a, b, ignored);
-}
+inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return detail::aabb_aabb::ask(a, b).answer; }
+inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return detail::aabb_aabb::ask(a, b).answer; }
 
 }  // namespace touchstone::robust

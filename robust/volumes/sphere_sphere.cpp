@@ -3,23 +3,30 @@
 
 #include "robust/kernel/spheres.h"
 #include "robust/kernel/valid_space.h"
+#include "robust/stages/volumes/sphere_sphere.h"
 
 namespace touchstone::robust {
-
-std::optional<Contact> sphere_sphere_lattice(const Sphere3d& a, const Sphere3d& b) {
-  const std::optional<int> reach = kernel::reach_lattice(a, b);
-  if (!reach) return std::nullopt;
-  return sphere_sphere_for(*reach, a, b);
-}
-
-Contact sphere_sphere_exact(const Sphere3d& a, const Sphere3d& b) {
-  return sphere_sphere_for(kernel::reach_exact(a, b), a, b);
-}
+namespace {
 
 /// A disc's ball has the disc's field names, and a third coordinate that is always valid.
-Contact sphere_sphere_past_filter(const Sphere3d& a, const Sphere3d& b, Stage& decided) {
+void validate(const Sphere3d& a, const Sphere3d& b) {
   if (!kernel::valid(a) || !kernel::valid(b)) validation::validate("a", a), validation::validate("b", b);
-  return sphere_sphere_for(kernel::reach_past_filter(a, b, decided), a, b);
+}
+
+}  // namespace
+
+Perhaps<Contact> stages::sphere_sphere::lattice(const Ball& a, const Ball& b) {
+  const Perhaps<int> reach = kernel::Reach::lattice(a, b);
+  if (!reach) return std::nullopt;
+  return contact(*reach, a, b);
+}
+
+Contact stages::sphere_sphere::exact(const Ball& a, const Ball& b) {
+  return contact(kernel::Reach::exact(a, b), a, b);
+}
+
+Decided<Contact> detail::sphere_sphere::past_filter(const Ball& a, const Ball& b) {
+  return in_turn<stages::sphere_sphere, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

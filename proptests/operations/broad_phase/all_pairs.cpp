@@ -3,6 +3,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/kernel/spheres.h"
+#include "robust/stages/broad_phase/all_pairs.h"
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests {
@@ -73,11 +74,7 @@ void gives(const Solids& solids, const Pairs& expected, const std::optional<Rati
   CHECK(examined<Row>(std::tuple(solids))->margin() == margin);
 }
 
-Stage decided_by(const auto& solids) {
-  Stage decided{};
-  robust::all_pairs(solids, decided);
-  return decided;
-}
+Stage decided_by(const auto& solids) { return robust::stages::all_pairs::ask(solids).stage; }
 
 /// |S - R| and its bound, of the contract.
 bool certain(const Sphere3d& a, const Sphere3d& b) {
@@ -307,11 +304,10 @@ TEST_CASE("all_pairs: every stage that knows whether two balls meet says the sam
                     if constexpr (std::is_same_v<decltype(solids), const Spheres&>) {
                       const Pairs differing = pairs_where(solids.size(), [&](auto i, auto j) {
                         const Sphere3d &a = solids[i], &b = solids[j];
-                        const int exact = robust::kernel::reach_exact(a, b);
-                        const auto filter = robust::filters::spheres(a, b);
-                        if (robust::kernel::reach_lattice(a, b).value_or(exact) != exact) return true;
-                        return filter != robust::filters::Sign::unknown &&
-                               exact != (filter == robust::filters::Sign::positive ? 1 : -1);
+                        using robust::kernel::Reach;
+                        const int exact = Reach::exact(a, b);
+                        const auto filter = Reach::filter(a, b), lattice = Reach::lattice(a, b);
+                        return (filter && *filter != exact) || (lattice && *lattice != exact);
                       });
                       return differing.empty();
                     }

@@ -5,6 +5,7 @@
 
 #include "proptests/laws.h"
 #include "robust/lines/orientation.h"
+#include "robust/stages/lines/explicit_line.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -14,9 +15,7 @@ using Row = rows::explicit_line;
 Height other(Height h) { return h == Height::above ? Height::below : h == Height::below ? Height::above : Height::on; }
 
 Stage decided_by(double slope, double intercept, const Point2d& point) {
-  Stage decided{};
-  robust::explicit_line(slope, intercept, point, decided);
-  return decided;
+  return robust::stages::explicit_line::ask(slope, intercept, point).stage;
 }
 
 }  // namespace
@@ -114,9 +113,9 @@ TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may 
     for (const double sign : {1.0, -1.0}) {
       const Height expected = sign > 0 ? Height::above : Height::below;
       CHECK(robust::explicit_line(-sign * most, -sign * y, {x, sign * y}) == expected);
-      const auto by_lattice = robust::explicit_line_lattice(-sign * most, -sign * y, {x, sign * y});
-      CHECK(by_lattice.value_or(expected) == expected);
-      CHECK(by_lattice.has_value() == (span <= 124));
+      const auto by_lattice = robust::stages::explicit_line::lattice(-sign * most, -sign * y, {x, sign * y});
+      CHECK((!by_lattice || *by_lattice == expected));
+      CHECK(static_cast<bool>(by_lattice) == (span <= 124));
     }
   }
 }
@@ -127,17 +126,6 @@ TEST_CASE("explicit_line: each stage decides what is meant for it") {
   CHECK(decided_by(1, 0x1p53, {1, 0x1p53}) == Stage::lattice);
   CHECK(decided_by(tiny, 0, {0.25, 0}) == Stage::lattice);
   CHECK(decided_by(1, tiny, {1, 1}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("explicit_line: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto&, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    Stage decided{};
-    const Height height = robust::explicit_line(m, b, p, decided);
-    return height == robust::explicit_line(m, b, p) &&
-           stages_agree<Height>(height, decided, robust::explicit_line_filter(m, b, p),
-                                robust::explicit_line_lattice(m, b, p), robust::explicit_line_exact(m, b, p));
-  });
 }
 
 }  // namespace touchstone::proptests

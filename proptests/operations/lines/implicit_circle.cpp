@@ -2,6 +2,7 @@
 #include "catalogue/lines/implicit_circle.h"
 
 #include "proptests/laws.h"
+#include "robust/stages/lines/implicit_circle.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -9,9 +10,7 @@ namespace {
 using Row = rows::implicit_circle;
 
 Stage decided_by(const Circle2d& circle, const Point2d& point) {
-  Stage decided{};
-  robust::implicit_circle(circle, point, decided);
-  return decided;
+  return robust::stages::implicit_circle::ask(circle, point).stage;
 }
 
 }  // namespace
@@ -84,17 +83,6 @@ TEST_CASE("implicit_circle: each stage decides what is meant for it") {
   CHECK(decided_by({{0, 0}, 1}, {0.6, 0.8}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, tiny}, {tiny, 0}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, 1}, {1, tiny}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("implicit_circle: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto&, const auto& asked) {
-    const auto& [circle, p] = asked;
-    Stage decided{};
-    const Location location = robust::implicit_circle(circle, p, decided);
-    return location == robust::implicit_circle(circle, p) &&
-           stages_agree<Location>(location, decided, robust::implicit_circle_filter(circle, p),
-                                  robust::implicit_circle_lattice(circle, p), robust::implicit_circle_exact(circle, p));
-  });
 }
 
 }  // namespace touchstone::proptests

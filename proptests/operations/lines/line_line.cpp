@@ -2,6 +2,7 @@
 #include "catalogue/lines/line_line.h"
 
 #include "proptests/forward_error.h"
+#include "robust/stages/lines/line_line.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,11 +14,7 @@ exact_answer_t<Row> crossing(const Rational& ta, const Rational& tb, const Ratio
 }
 const exact_answer_t<Row> parallel{LineRelation::parallel, {}, {}, {}}, same{LineRelation::same, {}, {}, {}};
 
-Stage decided_by(const Line2d& a, const Line2d& b) {
-  Stage decided{};
-  robust::line_line_relation(a, b, decided);
-  return decided;
-}
+Stage decided_by(const Line2d& a, const Line2d& b) { return robust::stages::line_line::decision::ask(a, b).stage; }
 
 }  // namespace
 
@@ -84,20 +81,6 @@ TEST_CASE("line_line: each stage decides what is meant for it") {
   CHECK(decided_by({{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {tiny, 0}}, {{0, 0}, {0, tiny}}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {1, tiny}}, {{0, 1}, {1, 1}}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("line_line: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto answer = ask(asked);
-    Stage decided{};
-    const LineRelation relation = robust::line_line_relation(a, b, decided);
-    const auto by_lattice = robust::line_line_lattice(a, b);
-    return relation == answer.relation && relation == robust::line_line_relation(a, b) &&
-           equal(answer, robust::line_line_exact(a, b)) && (!by_lattice || equal(answer, *by_lattice)) &&
-           stages_agree<LineRelation>(relation, decided, robust::line_line_relation_filter(a, b),
-                                      robust::line_line_relation_lattice(a, b), robust::line_line_relation_exact(a, b));
-  });
 }
 
 TEST_CASE(

@@ -2,6 +2,7 @@
 #include "catalogue/lines/line_point_at.h"
 
 #include "proptests/forward_error.h"
+#include "robust/stages/lines/line_point_at.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -10,11 +11,7 @@ using Row = rows::line_point_at;
 
 Rational product(double a, double b) { return Rational(audit::exact_value(a) * audit::exact_value(b)); }
 
-Stage decided_by(const ParametricLine2d& line, double t) {
-  Stage decided{};
-  robust::line_point_at(line, t, decided);
-  return decided;
-}
+Stage decided_by(const ParametricLine2d& line, double t) { return robust::stages::line_point_at::ask(line, t).stage; }
 
 }  // namespace
 
@@ -89,17 +86,6 @@ TEST_CASE("line_point_at: each stage decides what is meant for it") {
   CHECK(decided_by({{1, 2}, {3, 4}}, 2) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {tiny, huge}}, 0.5) == Stage::lattice);
   CHECK(decided_by({{1, 2}, {tiny, 4}}, 1) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("line_point_at: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    const auto& [line, t] = asked;
-    Stage decided{};
-    const Point2d point = robust::line_point_at(line, t, decided);
-    const auto by_lattice = robust::line_point_at_lattice(line, t);
-    return equal(point, ask(asked)) && equal(point, robust::line_point_at_exact(line, t)) &&
-           (!by_lattice || equal(point, *by_lattice)) && decided == (by_lattice ? Stage::lattice : Stage::exact);
-  });
 }
 
 TEST_CASE("line_point_at: the formula in double stays within the bound of its contract") {

@@ -2,6 +2,7 @@
 #include "catalogue/lines/orientation.h"
 
 #include "proptests/forward_error.h"
+#include "robust/stages/lines/orientation.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -11,9 +12,7 @@ using Row = rows::orientation;
 Side other(Side side) { return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::on; }
 
 Stage decided_by(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  Stage decided{};
-  robust::orientation(p0, p1, p, decided);
-  return decided;
+  return robust::stages::orientation::ask(p0, p1, p).stage;
 }
 
 }  // namespace
@@ -84,17 +83,6 @@ TEST_CASE("orientation: each stage decides what is meant for it") {
   CHECK(decided_by({0, 0}, {tiny, 0}, {0, tiny}) == Stage::lattice);                        // too small for it
   CHECK(decided_by({0, 0}, {1, tiny}, {2, 2 * tiny}) == Stage::exact);                      // 1074 places apart
   CHECK(decided_by({-huge, 1}, {huge, tiny}, {0, 0}) == Stage::exact);
-}
-
-TEST_CASE("orientation: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto&, const auto& asked) {
-    const auto& [p0, p1, p] = asked;
-    Stage decided{};
-    const Side side = robust::orientation(p0, p1, p, decided);
-    return side == robust::orientation(p0, p1, p) &&
-           stages_agree<Side>(side, decided, robust::orientation_filter(p0, p1, p),
-                              robust::orientation_lattice(p0, p1, p), robust::orientation_exact(p0, p1, p));
-  });
 }
 
 TEST_CASE("orientation: the formula in double is right beyond the margin of its contract") {

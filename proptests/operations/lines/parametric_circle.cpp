@@ -102,13 +102,6 @@ TEST_CASE("parametric_circle: what is not finite and a negative radius are refus
   refused<Row>({{{0, 0}, 1}, -infinity}, "u", "finite number");
 }
 
-TEST_CASE("parametric_circle: there is one stage") {
-  Stage decided{};
-  const Circle2d circle{{1, 2}, 3};
-  CHECK(robust::parametric_circle(circle, 4, decided) == robust::parametric_circle(circle, 4));
-  CHECK(decided == Stage::exact);
-}
-
 TEST_CASE("parametric_circle: the formula in double stays within the bound of its contract") {
   contract<Row>("the forward error bound holds",
                 [](const auto& truth, const Point2d& answer, const Circle2d& circle, double u) {

@@ -4,6 +4,7 @@
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/segment_segment.h"
+#include "robust/stages/lines/point_on_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -14,9 +15,7 @@ exact_answer_t<Row> on(const Rational& t) { return {Incidence::on, t}; }
 const exact_answer_t<Row> off{Incidence::off, std::nullopt};
 
 Stage decided_by(const Point2d& point, const Segment2d& segment) {
-  Stage decided{};
-  robust::point_on_segment_relation(point, segment, decided);
-  return decided;
+  return robust::stages::point_on_segment::decision::ask(point, segment).stage;
 }
 
 /// tx or ty of the slide as computed, with the bound e(T) of the contract.
@@ -112,21 +111,6 @@ TEST_CASE("point_on_segment: each stage decides what is meant for it") {
   CHECK(decided_by({5, 5}, {{0, 0}, {4, 4}}) == Stage::lattice);  // on the line, which the filter cannot exclude
   CHECK(decided_by({tiny, tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}) == Stage::lattice);
   CHECK(decided_by({1, tiny}, {{0, 0}, {2, 2 * tiny}}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("point_on_segment: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto answer = ask(asked);
-    Stage decided{};
-    const Incidence relation = robust::point_on_segment_relation(p, s, decided);
-    const auto by_lattice = robust::point_on_segment_lattice(p, s);
-    return relation == answer.relation && relation == robust::point_on_segment_relation(p, s) &&
-           equal(answer, robust::point_on_segment_exact(p, s)) && (!by_lattice || equal(answer, *by_lattice)) &&
-           stages_agree<Incidence>(relation, decided, robust::point_on_segment_relation_filter(p, s),
-                                   robust::point_on_segment_relation_lattice(p, s),
-                                   robust::point_on_segment_relation_exact(p, s));
-  });
 }
 
 TEST_CASE("point_on_segment: the formula in double keeps its contract") {

@@ -3,6 +3,7 @@
 
 #include "proptests/forward_error.h"
 #include "robust/lines/segment_segment.h"
+#include "robust/stages/lines/ray_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -19,9 +20,7 @@ Exact overlap(const Rational& t, int ax, int ay, int bx, int by) {
 const Exact none{RayRelation::none, {}, {}, {}};
 
 Stage decided_by(const Ray2d& ray, const Segment2d& segment) {
-  Stage decided{};
-  robust::ray_segment_relation(ray, segment, decided);
-  return decided;
+  return robust::stages::ray_segment::decision::ask(ray, segment).stage;
 }
 
 }  // namespace
@@ -117,21 +116,6 @@ TEST_CASE("ray_segment: each stage decides what is meant for it") {
   CHECK(decided_by({{0, 0}, {1, 1}}, {{2, 2}, {5, 0}}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {tiny, tiny}}, {{0, 2 * tiny}, {2 * tiny, 0}}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {1, tiny}}, {{2, 2 * tiny}, {5, 0}}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("ray_segment: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    const auto& [ray, s] = asked;
-    const auto answer = ask(asked);
-    Stage decided{};
-    const RayRelation relation = robust::ray_segment_relation(ray, s, decided);
-    const auto by_lattice = robust::ray_segment_lattice(ray, s);
-    return relation == answer.relation && relation == robust::ray_segment_relation(ray, s) &&
-           equal(answer, robust::ray_segment_exact(ray, s)) && (!by_lattice || equal(answer, *by_lattice)) &&
-           stages_agree<RayRelation>(relation, decided, robust::ray_segment_relation_filter(ray, s),
-                                     robust::ray_segment_relation_lattice(ray, s),
-                                     robust::ray_segment_relation_exact(ray, s));
-  });
 }
 
 TEST_CASE(

@@ -3,6 +3,7 @@
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
+#include "robust/stages/lines/segment_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -19,9 +20,7 @@ Exact overlap(int ax, int ay, int bx, int by) {
 const Exact disjoint{SegmentRelation::disjoint, {}, {}, {}, {}};
 
 Stage decided_by(const Segment2d& a, const Segment2d& b) {
-  Stage decided{};
-  robust::segment_segment_relation(a, b, decided);
-  return decided;
+  return robust::stages::segment_segment::decision::ask(a, b).stage;
 }
 
 }  // namespace
@@ -116,21 +115,6 @@ TEST_CASE("segment_segment: each stage decides what is meant for it") {
   CHECK(decided_by({{0, 0}, {2, 2}}, {{2, 2}, {5, 5}}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}) == Stage::lattice);
   CHECK(decided_by({{0, 0}, {2, 2 * tiny}}, {{1, tiny}, {3, 3}}) == Stage::exact);  // a touch, 1074 places apart
-}
-
-TEST_CASE("segment_segment: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto answer = ask(asked);
-    Stage decided{};
-    const SegmentRelation relation = robust::segment_segment_relation(a, b, decided);
-    const auto by_lattice = robust::segment_segment_lattice(a, b);
-    return relation == answer.relation && relation == robust::segment_segment_relation(a, b) &&
-           equal(answer, robust::segment_segment_exact(a, b)) && (!by_lattice || equal(answer, *by_lattice)) &&
-           stages_agree<SegmentRelation>(relation, decided, robust::segment_segment_relation_filter(a, b),
-                                         robust::segment_segment_relation_lattice(a, b),
-                                         robust::segment_segment_relation_exact(a, b));
-  });
 }
 
 TEST_CASE(

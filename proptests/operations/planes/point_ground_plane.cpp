@@ -20,7 +20,6 @@ TEST_CASE("point_ground_plane: seen in a mirror on the ground, above is below") 
   });
 }
 
-
 TEST_CASE("point_ground_plane: x and z play no part, turned, exchanged or replaced") {
   law<Row>("along the ground", [](const auto& ask, const auto& asked) {
     const Point3d& p = std::get<0>(asked);
@@ -69,13 +68,6 @@ TEST_CASE("point_ground_plane: what is not finite is refused by its field, also 
   refused<Row>({{0, not_a_number, 0}}, "point[1]", "finite number");
   refused<Row>({{0, 1, -infinity}}, "point[2]", "finite number");
   refused<Row>({{not_a_number, 1, -infinity}}, "point[0]", "finite number");
-}
-
-TEST_CASE("point_ground_plane: the one stage always decides") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    Stage decided{};
-    return robust::point_ground_plane(std::get<0>(asked), decided) == ask(asked) && decided == Stage::filter;
-  });
 }
 
 TEST_CASE("point_ground_plane: the formula in double is right everywhere, as in exact arithmetic") {

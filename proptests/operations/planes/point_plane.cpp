@@ -3,6 +3,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
+#include "robust/stages/planes/point_plane.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -22,9 +23,7 @@ double rounded(double number) { return number; }
 double rounded(const Rational& number) { return audit::nearest(number); }
 
 Stage decided_by(const Plane3d& plane, const Point3d& point) {
-  Stage decided{};
-  robust::point_plane_side(plane, point, decided);
-  return decided;
+  return robust::stages::point_plane::decision::ask(plane, point).stage;
 }
 
 Plane3d times_two_to(const Plane3d& plane, int k) {
@@ -211,21 +210,6 @@ TEST_CASE("point_plane: each stage decides what is meant for it") {
   CHECK(decided_by({{10, 0, 0}, -1}, {0.1, 0, 0}) == Stage::lattice);
   CHECK(decided_by({{0, tiny, 0}, 0}, {0, 1, 0}) == Stage::lattice);
   CHECK(decided_by({{1, 1, 0}, -1}, {1, tiny, 0}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("point_plane: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    const auto answer = ask(asked);
-    Stage decided{};
-    const PlaneSide side = robust::point_plane_side(plane, p, decided);
-    const auto by_lattice = robust::point_plane_lattice(plane, p);
-    return side == answer.side && side == robust::point_plane_side(plane, p) &&
-           equal(answer, robust::point_plane_exact(plane, p)) && (!by_lattice || equal(answer, *by_lattice)) &&
-           stages_agree<PlaneSide>(side, decided, robust::point_plane_side_filter(plane, p),
-                                   robust::point_plane_side_lattice(plane, p),
-                                   robust::point_plane_side_exact(plane, p));
-  });
 }
 
 TEST_CASE("point_plane: the formula in double keeps its contract") {

@@ -2,17 +2,14 @@
 #include "catalogue/polygons/convex_partition.h"
 
 #include "proptests/partition_laws.h"
+#include "robust/stages/polygons/convex_partition.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::convex_partition;
 
-Stage decided_by(const Polygon2d& polygon) {
-  Stage decided{};
-  robust::convex_partition(polygon, decided);
-  return decided;
-}
+Stage decided_by(const Polygon2d& polygon) { return robust::stages::convex_partition::ask(polygon).stage; }
 
 Polygon2d times(double factor, Polygon2d polygon) {
   for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};

@@ -129,13 +129,6 @@ TEST_CASE("interior_angles: polygons that are not simple are refused, naming the
   refused<Row>({Polygon2d{{{0, 0}, {1, infinity}, {2, 0}}}}, "polygon[1][1]", "finite number");
 }
 
-TEST_CASE("interior_angles: there is one stage") {
-  Stage decided{};
-  const Polygon2d triangle{{{0, 0}, {3, 1}, {1, 2}}};
-  CHECK(robust::interior_angles(triangle, decided) == robust::interior_angles(triangle));
-  CHECK(decided == Stage::exact);
-}
-
 TEST_CASE("interior_angles: the formula in double stays within the bound of its contract") {
   std::uint64_t promised = 0;
   contract<Row>("the forward error bound holds",

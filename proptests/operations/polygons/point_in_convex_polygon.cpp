@@ -4,6 +4,7 @@
 #include "proptests/forward_error.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/polygons/polygon_convexity.h"
+#include "robust/stages/polygons/point_in_convex_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,9 +14,7 @@ using Row = rows::point_in_convex_polygon;
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
 Stage decided_by(const Polygon2d& polygon, const Point2d& point) {
-  Stage decided{};
-  robust::point_in_convex_polygon(polygon, point, decided);
-  return decided;
+  return robust::stages::point_in_convex_polygon::ask(polygon, point).stage;
 }
 
 /// Whether every E of the slide is certain by the bound of the contract.

@@ -4,6 +4,7 @@
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
+#include "robust/stages/polygons/point_in_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,9 +14,7 @@ using Row = rows::point_in_polygon;
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
 Stage decided_by(const Polygon2d& polygon, const Point2d& point) {
-  Stage decided{};
-  robust::point_in_polygon(polygon, point, decided);
-  return decided;
+  return robust::stages::point_in_polygon::ask(polygon, point).stage;
 }
 
 bool on(const Point2d& p, const Point2d& a, const Point2d& b) {
@@ -241,19 +240,6 @@ TEST_CASE("point_in_polygon: each stage decides what is meant for it") {
         Stage::lattice);  // too large for the filter
   CHECK(decided_by({{{0, 0}, {3 * tiny, 3 * tiny}, {0, 3 * tiny}}}, {tiny, 2 * tiny}) == Stage::lattice);
   CHECK(decided_by({{{0, 0}, {2, 2 * tiny}, {0, 1}}}, {1, tiny}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("point_in_polygon: every stage that answers gives the same answer") {
-  robust_law<Row>("stages", [](const auto&, const auto& asked) {
-    const auto& [ring, p] = asked;
-    Stage decided{};
-    const Location location = robust::point_in_polygon(ring, p, decided);
-    const auto by_filter = robust::point_in_polygon_filter(ring, p),
-               by_lattice = robust::point_in_polygon_lattice(ring, p);
-    return location == robust::point_in_polygon(ring, p) && location == robust::point_in_polygon_exact(ring, p) &&
-           (!by_filter || (*by_filter == location && decided == Stage::filter)) &&
-           (!by_lattice || *by_lattice == location) && (decided != Stage::exact || !by_lattice);
-  });
 }
 
 TEST_CASE("point_in_polygon: the formula in double is right beyond the margin of its contract") {

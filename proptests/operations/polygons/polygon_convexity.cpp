@@ -8,6 +8,7 @@
 #include "catalogue/families/rings.h"
 #include "proptests/forward_error.h"
 #include "robust/rings/simple.h"
+#include "robust/stages/polygons/polygon_convexity.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -35,11 +36,7 @@ void both(const Polygon2d& polygon, const PolygonConvexity& expected, const std:
   example<ByAngles>({polygon}, expected, by_angles);
 }
 
-Stage decided_by(const Polygon2d& polygon) {
-  Stage decided{};
-  robust::polygon_convexity(polygon, decided);
-  return decided;
-}
+Stage decided_by(const Polygon2d& polygon) { return robust::stages::polygon_convexity::ask(polygon).stage; }
 
 }  // namespace
 

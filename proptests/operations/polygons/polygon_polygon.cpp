@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "proptests/laws.h"
+#include "robust/stages/polygons/polygon_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -21,11 +22,7 @@ Polygon2d rotated(Polygon2d ring) {
   return ring;
 }
 
-Stage decided_by(const Polygon2d& a, const Polygon2d& b) {
-  Stage decided{};
-  robust::polygon_polygon(a, b, decided);
-  return decided;
-}
+Stage decided_by(const Polygon2d& a, const Polygon2d& b) { return robust::stages::polygon_polygon::ask(a, b).stage; }
 
 }  // namespace
 

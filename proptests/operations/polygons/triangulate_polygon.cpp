@@ -2,17 +2,14 @@
 #include "catalogue/polygons/triangulate_polygon.h"
 
 #include "proptests/partition_laws.h"
+#include "robust/stages/polygons/triangulate_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::triangulate_polygon;
 
-Stage decided_by(const Polygon2d& polygon) {
-  Stage decided{};
-  robust::triangulate_polygon(polygon, decided);
-  return decided;
-}
+Stage decided_by(const Polygon2d& polygon) { return robust::stages::triangulate_polygon::ask(polygon).stage; }
 
 Polygon2d times(double factor, Polygon2d polygon) {
   for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};

@@ -5,6 +5,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
+#include "robust/stages/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -30,9 +31,7 @@ const Meshd cube{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {0, 0, 4}, {4, 0, 
                   {1, 7, 5}}};
 
 Stage decided_by(const Meshd& mesh, const Point3d& point) {
-  Stage decided{};
-  robust::point_in_convex_polyhedron(mesh, point, decided);
-  return decided;
+  return robust::stages::point_in_convex_polyhedron::ask(mesh, point).stage;
 }
 
 template <class Change>
