@@ -16,6 +16,7 @@
 #include "catalogue/scene.h"
 #include "catalogue/shape.h"
 #include "oracle/certificates/certificate.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::audit {
 
@@ -36,6 +37,16 @@ struct DecisionCount {
 struct World {
   std::uint64_t (*count)(int size);
   Question (*at)(int size, std::uint64_t index);
+};
+
+/// The stages of an answer or of a decision alone (robust/kernel/staged.h). Of valid questions only.
+struct StageFunctions {
+  struct One {
+    robust::Stage stage;
+    std::optional<Tape<double>> (*ask)(const Question&, std::size_t environment);  ///< empty: it does not know
+  };
+  std::vector<One> each;  ///< in the order in which they are asked
+  robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
 };
 
 /// A row of the catalogue with its types forgotten (catalogue/row_of.h makes it): the functions of the three modules
@@ -64,6 +75,8 @@ struct RowFunctions {
   Word (*decide_by_oracle)(const Question&);    ///< nullptr: the oracle has no quick decision
   Word (*decide_by_integers)(const Question&);  ///< of whole numbers below 2^31; nullptr likewise
   DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last);  ///< nullptr likewise
+
+  StageFunctions stages, decision_stages;
 
   /// Hard cases in the order of the row.
   std::vector<std::string> hard_cases;

@@ -26,6 +26,65 @@ Asked zeros(std::size_t length) {
   return asked;
 }
 
+/// stages::X of a row X: `type`, in the unit that CMake writes, for every X that has a file in robust/stages/.
+template <class Row>
+struct StagesOf {
+  using type = void;
+};
+
+/// Whether a function of `Stages` takes the arguments of a question.
+template <class Ask, class Asked>
+inline constexpr bool takes = false;
+template <class Ask, class... Ts>
+inline constexpr bool takes<Ask, std::tuple<Ts...>> = requires(const Ts&... q) {
+  Ask::ask(q...);
+};
+template <class Ask, class... Ts>
+inline constexpr bool takes<Ask, std::variant<Ts...>> = (takes<Ask, Ts> && ...);
+
+template <class Stages, robust::Stage stage>
+struct AskStage {
+  static auto ask(const auto&... q) -> decltype(robust::asked<Stages>(robust::At<stage>(), q...)) {
+    return robust::asked<Stages>(robust::At<stage>(), q...);
+  }
+};
+
+template <class Ask, class Asked>
+auto asked_in(std::size_t environment, const Question& question) {
+  return in_environment(environment, unpacked<Asked>(question), [](const Asked& q) {
+    return applied([](const auto&... value) { return Ask::ask(value...); }, q);
+  });
+}
+
+template <class Stages, class Asked, robust::Stage stage>
+void add_stage(StageFunctions& found) {
+  using Ask = AskStage<Stages, stage>;
+  if constexpr (takes<Ask, Asked>) {
+    found.each.push_back({stage, [](const Question& question, std::size_t environment) -> std::optional<Tape<double>> {
+                            const auto answer = asked_in<Ask, Asked>(environment, question);
+                            if constexpr (requires { *answer; }) {
+                              if (!answer) return std::nullopt;
+                              return packed(*answer);
+                            } else {
+                              return packed(answer);
+                            }
+                          }});
+  }
+}
+
+template <class Stages, class Asked>
+StageFunctions stage_functions() {
+  StageFunctions found;
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (add_stage<Stages, Asked, robust::all_stages[i]>(found), ...); }
+  (std::make_index_sequence<robust::all_stages.size()>());
+  if constexpr (takes<Stages, Asked>) {
+    found.decided_by = [](const Question& question, std::size_t environment) {
+      return asked_in<Stages, Asked>(environment, question).stage;
+    };
+  }
+  return found;
+}
+
 template <class Row>
 struct RowOf {
   using Asked = typename Row::Question;
@@ -193,6 +252,10 @@ RowFunctions RowOf<Row>::functions() {
     f.decide_by_integers = decide_by_integers;
     f.count_decisions = count_decisions;
   }
+  using Stages = typename StagesOf<Row>::type;
+  if constexpr (!std::is_void_v<Stages>) f.stages = stage_functions<Stages, Asked>();
+  if constexpr (requires { typename Stages::decision; })
+    f.decision_stages = stage_functions<typename Stages::decision, Asked>();
   for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back(hard.name);
   f.draw_hard_case = draw_hard_case;
   const auto given = hooks();

@@ -3,11 +3,19 @@
 
 #include <bit>
 
+#include "catalogue/families/choices.h"
 #include "catalogue/judge/environment.h"
 #include "catalogue/operation.h"
 #include "proptests/answer_bits.h"
 
 namespace touchstone::proptests {
+
+/// Which environment a question is asked in beside the first: any, but always the same one for the same question.
+inline std::size_t environment_of(const audit::Question& question) {
+  std::uint64_t mixed = 0;
+  for (const double number : question.numbers) mixed = audit::seed_of(mixed, "", std::bit_cast<std::uint64_t>(number));
+  return 1 + mixed % (environment_count - 1);
+}
 
 /// What robust answers in an environment; then its decision alone, where it has one.
 inline AnswerBits robust_bits(const audit::Operation& operation, const audit::Question& question,

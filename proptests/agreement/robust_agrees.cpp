@@ -8,13 +8,6 @@ namespace {
 
 using audit::Verdict;
 
-/// Which environment a question is asked in beside the first: any, but always the same one for the same question.
-std::size_t environment_of(const Question& question) {
-  std::uint64_t mixed = 0;
-  for (const double number : question.numbers) mixed = audit::seed_of(mixed, "", std::bit_cast<std::uint64_t>(number));
-  return 1 + mixed % (environment_count - 1);
-}
-
 std::string complaint(const Operation& operation, const Question& question) {
   try {
     const auto examination = operation.examine(question);
