@@ -19,10 +19,10 @@ namespace touchstone::robust {
 ///
 /// stages::X (robust/stages/CHAPTER/X.h, which is not installed) has what tests and other operations want of X beside
 /// its answer:
-///   X::filter, X::lattice, X::exact   the stages that X has, of valid arguments. `exact` returns the answer, the others
-///                                     Perhaps<Answer>, empty for "ask the next".
-///   X::ask                            all in turn, and which of them decided; refuses arguments that are not valid. Of
-///                                     several decisions the latest stage counts.
+///   X::filter, X::lattice, X::exact   the stages that X has, of valid arguments. `exact` returns the answer, the
+///                                     others Perhaps<Answer>, empty for "ask the next".
+///   X::ask                            all in turn, and which of them decided; refuses arguments that are not valid.
+///                                     Of several decisions the latest stage counts.
 ///   X::decision                       the same of the decision alone, where X also returns numbers.
 ///
 /// A new stage stands here, in the list and in `asked`, and that is all: every operation says which it has.

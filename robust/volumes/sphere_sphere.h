@@ -23,8 +23,8 @@ inline Contact sphere_sphere(const Sphere3d& a, const Sphere3d& b);
 namespace detail {
 
 struct sphere_sphere : Filtered<sphere_sphere, Contact> {
-  /// A ball, or that of which a disc is the section z = 0. Two of these have the contact of the discs: their centers are
-  /// as far apart, and both or neither have an interior.
+  /// A ball, or that of which a disc is the section z = 0. Two of these have the contact of the discs: their centers
+  /// are as far apart, and both or neither have an interior.
   struct Ball : Sphere3d {
     Ball(const Sphere3d& ball) : Sphere3d(ball) {}
     Ball(const Circle2d& disc) : Sphere3d{{disc.center.x, disc.center.y, 0}, disc.radius} {}
