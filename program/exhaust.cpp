@@ -141,14 +141,13 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
   std::optional<Tally> sum;
   for (const std::string& file : files) {
     each_line(file, [&](std::uint64_t number, const std::string& text) {
-      const Json line = Json::parse(text, nullptr, false);
-      if (line.is_discarded() || !line.is_object())
-        throw UsageError(file + ": line " + std::to_string(number) + ": one JSON object");
-      if (line.contains("hash")) {
-        decisions.push_back(line);
-        return;
-      }
       try {
+        const Json line = parse_own_line(text);
+        if (!line.is_object()) throw InvalidInput("line", "one JSON object");
+        if (line.contains("hash")) {
+          decisions.push_back(line);
+          return;
+        }
         const Tally part = read_tally(text);
         sum ? sum->merge(part) : static_cast<void>(sum = std::move(part));
       } catch (const InvalidInput& refused) {

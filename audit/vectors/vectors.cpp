@@ -164,8 +164,13 @@ Json vector_schema() {
 }
 
 std::string vector_complaint(const std::string& text) {
-  const Json line = Json::parse(text, nullptr, false);
-  if (line.is_discarded() || !line.is_object()) return "line: one JSON object";
+  Json line;
+  try {
+    line = parse_own_line(text);
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+  if (!line.is_object()) return "line: one JSON object";
   if (line.value("touchstone", 0) != version) return "touchstone: version " + std::to_string(version);
   const Operation* operation = line.contains("op") && line["op"].is_string() ? find_operation(line["op"]) : nullptr;
   if (operation == nullptr) return "op: an operation of the catalogue";

@@ -13,6 +13,8 @@ namespace {
 
 constexpr char typed_number_mark = '\x01';
 constexpr long most_decimal_exponent = 5000;
+/// The deepest document of ours, a tally's smallest finding, is nested a dozen deep.
+constexpr int most_nested = 64;
 
 bool starts_number(char c) { return c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'); }
 
@@ -110,11 +112,13 @@ mpq_class power(unsigned base, long exponent) {
   return exponent < 0 ? mpq_class(1, result) : mpq_class(result);
 }
 
-}  // namespace
-
-Json parse_line(const std::string& text) {
+/// Every walk over a document calls itself for its parts: what is nested deeper never becomes one.
+Json parsed(const std::string& text) {
   std::vector<std::set<std::string>> keys;
-  const auto refuse_repeated = [&keys](int, Json::parse_event_t event, Json& parsed) {
+  const auto refuse = [&keys](int depth, Json::parse_event_t event, Json& parsed) {
+    const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (opens && depth >= most_nested)
+      throw InvalidInput("line", "nested at most " + std::to_string(most_nested) + " deep");
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
@@ -123,11 +127,17 @@ Json parse_line(const std::string& text) {
     return true;
   };
   try {
-    return Json::parse(with_marked_numbers(text), refuse_repeated);
+    if (text.find('\0') != std::string::npos) throw InvalidInput("line", "one JSON object");  // the parser would end there
+    return Json::parse(text, refuse);
   } catch (const nlohmann::json::exception&) {
     throw InvalidInput("line", "one JSON object");
   }
 }
+
+}  // namespace
+
+Json parse_line(const std::string& text) { return parsed(with_marked_numbers(text)); }
+Json parse_own_line(const std::string& text) { return parsed(text); }
 
 bool is_typed_number(const Json& value) {
   return value.is_string() && !value.get_ref<const std::string&>().empty() &&

@@ -31,6 +31,22 @@ void check(const json& claim) {
   found->second(Claim{claim["input"], claim["truth"], claim["certificate"]});
 }
 
+/// A claim is nested five deep. What is nested without end may end a program that walks it.
+constexpr int most_nested = 64;
+
+bool nested_too_deep(const std::string& text) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') ++i;
+    else if (c == '"') in_string = !in_string;
+    else if (!in_string && (c == '[' || c == '{') && ++depth > most_nested) return true;
+    else if (!in_string && (c == ']' || c == '}')) --depth;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::optional<std::string> refuse(const nlohmann::json& claim) {
@@ -43,6 +59,7 @@ std::optional<std::string> refuse(const nlohmann::json& claim) {
 }
 
 std::optional<std::string> refuse_text(const std::string& line) {
+  if (nested_too_deep(line)) return "claim: nested at most " + std::to_string(most_nested) + " deep";
   try {
     return refuse(json::parse(line));
   } catch (const std::exception&) {
@@ -51,6 +68,7 @@ std::optional<std::string> refuse_text(const std::string& line) {
 }
 
 bool is_refused_input(const std::string& line) {
+  if (nested_too_deep(line)) return false;
   const json vector = json::parse(line, nullptr, false);
   return vector.is_object() && vector.contains("refused") && !vector.contains("truth") &&
          !vector.contains("certificate");

@@ -148,4 +148,22 @@ TEST_CASE("lines: a key given twice and what is no JSON are refused") {
   }
 }
 
+TEST_CASE("lines: what is nested deeper than 64 is refused however deep it is, and costs its line alone") {
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  for (Json (*const parse)(const std::string&) : {parse_line, parse_own_line}) {
+    const auto refused = [parse](const std::string& text) { return refusal([&] { parse(text); }); };
+    CHECK(refused(nested(64)) == "read");
+    CHECK(refused("[\"" + std::string(65, '[') + "\"]") == "read");
+    for (const std::size_t depth : {65u, 100'000u, 1'000'000u}) {
+      CHECK(refused(nested(depth)) == "line: nested at most 64 deep");
+      CHECK(refused("{\"a\":" + nested(depth) + ",\"b\":1}") == "line: nested at most 64 deep");
+      CHECK(refused(std::string(depth, '[')) == "line: nested at most 64 deep");
+    }
+  }
+}
+
+TEST_CASE("lines: a zero byte ends no line") {
+  CHECK(refusal([] { parse_line(std::string("{\"a\":1}\0 nonsense", 17)); }) == "line: one JSON object");
+}
+
 }  // namespace touchstone::audit

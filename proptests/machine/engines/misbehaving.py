@@ -74,6 +74,7 @@ misbehave = {
     "hangs": lambda q: time.sleep(60),
     "is_silent": lambda q: None,
     "babbles": lambda q: (say("have a nice day"), say(echo(q))),
+    "nests": lambda q: say('{"id":%d,"answer":%s}' % (q["id"], "[" * 40000 + "]" * 40000)),
     "forgets_the_id": lambda q: say({"answer": 1}),
     "invents_an_id": lambda q: say({"id": q["id"] + 100000, "answer": 1}),
     "answers_twice": lambda q: (say(echo(q)), say(echo(q))),

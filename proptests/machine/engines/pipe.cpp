@@ -138,6 +138,10 @@ TEST_CASE("pipe: a line that is no JSON loses its question") {
   require_lost_by("babbles 5", {5}, "have a nice day", 2);
 }
 
+TEST_CASE("pipe: an answer nested 40,000 deep loses its question") {
+  require_lost_by("nests 5", {5}, "line: nested at most 64 deep", 2);
+}
+
 TEST_CASE("pipe: an answer without an id loses its question") {
   require_lost_by("forgets_the_id 5", {5}, "id: missing", 2);
 }

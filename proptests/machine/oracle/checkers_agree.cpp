@@ -105,6 +105,20 @@ TEST_CASE("certificates: both programs count refused inputs beside the certifica
   CHECK(!python_finds_nothing("oracle/certificates/certify.py " + broken.path()));
 }
 
+TEST_CASE("certificates: both checkers refuse a claim nested 100,000 deep, for that reason") {
+  std::vector<std::string> lines, verdicts;
+  for (const std::size_t depth : {1u, 62u, 63u, 64u, 65u, 100'000u}) {
+    const std::string open(depth, '['), close(depth, ']');
+    for (const std::string& line : {open + close, open, "{\"op\":" + open + close + "}", "[\"\\\"" + open + "\"]"}) {
+      lines.push_back(line), verdicts.push_back(*certify::refuse_text(line));
+    }
+  }
+  CHECK(verdicts.back() == "claim: an object");
+  CHECK(verdicts[verdicts.size() - 2] == "claim: nested at most 64 deep");
+  const LinesInFile all_lines("lines.jsonl", lines), all_verdicts("verdicts.txt", verdicts);
+  CHECK(python_finds_nothing(script + all_lines.path() + " " + all_verdicts.path()));
+}
+
 TEST_CASE("certificates: both checkers accept what the oracle claims") {
   Shown shown;
   const auto claims = drawn_claims("claims", 4);

@@ -1,47 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "program/program.h"
-
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <sstream>
-#include <vector>
-
 #include "program/commands.h"
-#include "proptests/catch.h"
+#include "proptests/machine/program/called.h"
 
 /// The program as it is called: exit codes, and one line on standard error where it refuses.
 namespace touchstone::audit {
-namespace {
-
-struct Called {
-  int code = 0;
-  std::string out, err;
-};
-
-Called called(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), "touchstone");
-  std::ostringstream out, err;
-  auto* const previous_out = std::cout.rdbuf(out.rdbuf());
-  auto* const previous_err = std::cerr.rdbuf(err.rdbuf());
-  Called call;
-  call.code = run_program(static_cast<int>(arguments.size()), arguments.data());
-  std::cout.rdbuf(previous_out);
-  std::cerr.rdbuf(previous_err);
-  call.out = out.str(), call.err = err.str();
-  return call;
-}
-
-void require_refused(const Called& call, int code, const std::string& words) {
-  INFO(call.err);
-  CHECK(call.code == code);
-  CHECK_THAT(call.err, StartsWith("touchstone: ") && ContainsSubstring(words));
-  CHECK(std::count(call.err.begin(), call.err.end(), '\n') == 1);
-}
-
-}  // namespace
 
 TEST_CASE("program: numbers that an option cannot hold are refused in one line") {
   for (const char* cases : {"0", "-1", "1.5", "1e6", "99999999999999999999", "x"}) {
