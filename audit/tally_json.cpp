@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "audit/engines/protocol.h"
+#include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/plain.h"
 
 namespace touchstone::audit {
@@ -51,6 +52,9 @@ Json operations_json(const std::vector<OperationTally>& tallies) {
   return result;
 }
 
+/// Longer than any text that an audit writes.
+constexpr std::size_t most_of_a_text = 1000;
+
 /// A value and where it stands in the file, so that a refusal can name it.
 struct Place {
   const Json& value;
@@ -70,11 +74,11 @@ struct Place {
   template <class Visit>
   void each_member(const Visit& visit) const {
     if (!value.is_object()) throw InvalidInput(path, "object");
-    for (const auto& [key, part] : value.items()) visit(key, Place{part, member_path(path, key.c_str())});
+    for (const auto& [key, part] : value.items()) visit(key, Place{part, unknown_path(path, key)});
   }
   std::string text() const {
     if (!value.is_string() || is_typed_number(value)) throw InvalidInput(path, "string");
-    return value.get<std::string>();
+    return excerpt(value.get_ref<const std::string&>(), most_of_a_text);
   }
   bool flag() const {
     if (!value.is_boolean()) throw InvalidInput(path, "true or false");
@@ -122,7 +126,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   place.at("counts").each_member([&](const std::string& key, const Place& n) {
     cell.counts[Place{key, n.path}.one_of(verdict_words())] = n.count();
   });
-  place.at("outcomes").each_member([&](const std::string& key, const Place& n) { cell.outcomes[key] = n.count(); });
+  place.at("outcomes").each_member([&](const std::string& key, const Place& n) { cell.outcomes[excerpt(key, most_of_a_text)] = n.count(); });
   place.at("smallest").each_member([&](const std::string& key, const Place& finding) {
     const std::size_t v = Place{key, finding.path}.one_of(verdict_words());
     cell.smallest[v] = read_finding(operation, static_cast<Verdict>(v), finding);
@@ -131,7 +135,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   cell.touches_open = place.at("touches").at("open").count();
   if (place.value.contains("surplus")) cell.surplus = place.at("surplus").count();
   cell.refused = place.at("refused").count();
-  place.at("rules").each_member([&](const std::string& key, const Place& n) { cell.rules[key] = n.count(); });
+  place.at("rules").each_member([&](const std::string& key, const Place& n) { cell.rules[excerpt(key, most_of_a_text)] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();
   if (place.value.contains("not_asked")) {
     cell.not_asked = place.at("not_asked").count();

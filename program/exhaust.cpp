@@ -5,6 +5,7 @@
 
 #include "audit/audit_run.h"
 #include "audit/tally_json.h"
+#include "catalogue/codec/excerpt.h"
 #include "program/commands.h"
 #include "program/program.h"
 #include "report/table.h"
@@ -101,7 +102,7 @@ Json merged_decisions(std::vector<Json> parts) {
     if (part["op"] != sum["op"] || part["grid"] != sum["grid"])
       throw UsageError("merge: results of one operation and grid");
     if (part["first"] != reached)
-      throw UsageError(fmt::format("merge: configurations from {} on, found {}", reached, part["first"].dump()));
+      throw UsageError(fmt::format("merge: configurations from {} on, found {}", reached, excerpt(part["first"].dump(), 60)));
     reached = part["last"];
     hash += std::stoull(part["hash"].get<std::string>(), nullptr, 16);
     wrong += part["wrong"].get<std::uint64_t>();
@@ -109,7 +110,7 @@ Json merged_decisions(std::vector<Json> parts) {
     if (part.contains("first_wrong") && !sum.contains("first_wrong")) sum["first_wrong"] = part["first_wrong"];
   }
   if (reached != sum["of"].get<std::uint64_t>())
-    throw UsageError(fmt::format("merge: configurations up to {}, found {}", sum["of"].dump(), reached));
+    throw UsageError(fmt::format("merge: configurations up to {}, found {}", excerpt(sum["of"].dump(), 60), reached));
   sum["shard"] = "1/1";
   sum["first"] = 0;
   sum["last"] = reached;

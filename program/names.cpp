@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "catalogue/codec/excerpt.h"
 #include "program/commands.h"
 
 namespace touchstone::audit {
@@ -46,8 +47,8 @@ void write_file(const std::string& option, const std::string& file, const std::s
 }
 
 std::string place(const std::string& file, std::uint64_t line) {
-  return "touchstone: " + (file.empty() || file == "-" ? "standard input" : file) + ": line " + std::to_string(line) +
-         ": ";
+  const std::string name = file.empty() || file == "-" ? "standard input" : excerpt(file, 1000);
+  return "touchstone: " + name + ": line " + std::to_string(line) + ": ";
 }
 
 }  // namespace touchstone::audit

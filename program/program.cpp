@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "audit/engines/engine.h"
+#include "catalogue/codec/excerpt.h"
 #include "program/commands.h"
 #include "program/map.h"
 
@@ -151,6 +152,12 @@ void require_command(const CLI::App& program, const std::string& name) {
   throw UsageError(name + ": no command; one of " + known);
 }
 
+/// In one line, whatever names of files and fields it quotes.
+int complained(const std::exception& wrong, int code) {
+  std::cerr << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
+  return code;
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
@@ -166,20 +173,11 @@ int run_program(int argc, const char* const* argv) {
   } catch (const CLI::Success& shown) {
     return program.exit(shown);
   } catch (const CLI::ParseError& wrong) {
-    std::cerr << "touchstone: " << wrong.what() << " (see --help)\n";
-    return bad_usage;
-  } catch (const UsageError& wrong) {
-    std::cerr << "touchstone: " << wrong.what() << '\n';
-    return bad_usage;
-  } catch (const InvalidInput& wrong) {
-    std::cerr << "touchstone: " << wrong.what() << '\n';
-    return bad_usage;
+    return complained(UsageError(std::string(wrong.what()) + " (see --help)"), bad_usage);
   } catch (const EngineError& failed) {
-    std::cerr << "touchstone: " << failed.what() << '\n';
-    return engine_failed;
-  } catch (const std::exception& failed) {
-    std::cerr << "touchstone: " << failed.what() << '\n';
-    return bad_usage;
+    return complained(failed, engine_failed);
+  } catch (const std::exception& wrong) {
+    return complained(wrong, bad_usage);
   }
 }
 

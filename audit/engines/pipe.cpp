@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "catalogue/codec/excerpt.h"
+
 namespace touchstone::audit {
 namespace {
 

@@ -14,6 +14,8 @@
 #include <thread>
 #include <utility>
 
+#include "catalogue/codec/excerpt.h"
+
 extern char** environ;
 
 namespace touchstone::audit {
@@ -90,12 +92,6 @@ std::string last_line(std::string_view text) {
 }
 
 }  // namespace
-
-std::string excerpt(std::string_view text, std::size_t most) {
-  std::string shown;
-  for (const char c : text.substr(0, most)) shown += static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
-  return text.size() > most ? shown + "..." : shown;
-}
 
 Process::Process(const std::string& command) {
   Pipe input, output, errors;

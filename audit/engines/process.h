@@ -40,7 +40,4 @@ class Process {
   std::string last_errors_;
 };
 
-/// For messages: without control characters, cut after `most` bytes.
-std::string excerpt(std::string_view text, std::size_t most);
-
 }  // namespace touchstone::audit

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "audit/engines/process.h"
+#include "catalogue/codec/excerpt.h"
 
 namespace touchstone::audit {
 namespace {

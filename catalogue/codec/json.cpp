@@ -8,6 +8,8 @@
 #include <set>
 #include <system_error>
 
+#include "catalogue/codec/excerpt.h"
+
 namespace touchstone::audit {
 namespace {
 
@@ -122,7 +124,7 @@ Json parsed(const std::string& text) {
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
-      throw InvalidInput(parsed.get<std::string>(), "given once");
+      throw InvalidInput(excerpt(parsed.get_ref<const std::string&>(), most_of_a_key), "given once");
     }
     return true;
   };
@@ -226,14 +228,14 @@ std::string decimal(double value) {
   return json.is_string() ? json.get<std::string>() : json.dump();
 }
 
-std::string one_line(const Json& value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string one_line(const Json& value) { return value.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
 void require_fields(const Json& object, const std::string& path, std::initializer_list<const char*> names) {
   if (!object.is_object()) throw InvalidInput(path, "object");
   for (const auto& [key, value] : object.items()) {
     bool known = false;
     for (const char* name : names) known = known || key == name;
-    if (!known) throw InvalidInput(member_path(path, key.c_str()), "known field");
+    if (!known) throw InvalidInput(unknown_path(path, key), "known field");
   }
 }
 
@@ -244,5 +246,9 @@ void require_array(const Json& value, const std::string& path, std::size_t size)
 }
 
 std::string member_path(const std::string& path, const char* name) { return path.empty() ? name : path + "." + name; }
+
+std::string unknown_path(const std::string& path, const std::string& key) {
+  return member_path(path, excerpt(key, most_of_a_key).c_str());
+}
 
 }  // namespace touchstone::audit

@@ -43,13 +43,15 @@ std::string hexadecimal(double value);
 /// One number in text, as it stands in `written`.
 std::string decimal(double value);
 
-/// One line, keys in the order of insertion, no spaces.
+/// One line, keys in the order of insertion, no spaces, nothing but printable ASCII: a terminal shows it as it is.
 std::string one_line(const Json& value);
 
 /// Refuses what is not an object with exactly these fields, naming the field that is missing or not known.
 void require_fields(const Json& object, const std::string& path, std::initializer_list<const char*> names);
 void require_array(const Json& value, const std::string& path, std::size_t size);
 std::string member_path(const std::string& path, const char* name);
+/// The same for a key that is not one of ours, as a complaint may show it.
+std::string unknown_path(const std::string& path, const std::string& key);
 
 bool read_flag(const Json& value, const std::string& field);
 /// A whole number 0 <= n < 2^32.

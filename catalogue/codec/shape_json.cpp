@@ -47,7 +47,7 @@ void require_known(const Shape& shape, const Json& json, const std::string& path
   for (const auto& [key, value] : json.items()) {
     bool known = false;
     for (const Shape::Part& part : shape.parts) known = known || key == part.name;
-    if (!known) throw InvalidInput(member_path(path, key.c_str()), "known field");
+    if (!known) throw InvalidInput(unknown_path(path, key), "known field");
   }
 }
 

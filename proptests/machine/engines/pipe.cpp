@@ -96,9 +96,9 @@ TEST_CASE("pipe: long answers and many questions do not wait for each other") {
 
 TEST_CASE("pipe: an id that comes back as a float is the same id") { require_lost_by("counts_in_floats", {}, "", 0); }
 
-TEST_CASE("pipe: control bytes in an engine's name are not shown") {
+TEST_CASE("pipe: control bytes in an engine's name are escaped") {
   const PipeEngine engine(R"(printf '{"engine":"e\\u001b[31m\\u0007 2","ops":["orientation"]}\n'; cat)", PipeLimits{});
-  REQUIRE(engine.declaration().engine == "e [31m  2");
+  REQUIRE(engine.declaration().engine == "e\\x1b[31m\\x07 2");
 }
 
 TEST_CASE("pipe: numbers arrive as the doubles that they are") {
