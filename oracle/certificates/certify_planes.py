@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of points, polygons and planes in space: one function an operation, as in check_planes.cpp."""
 
+import math
+
 from certify_reading import exact_value, expect, only
 from certify_rounding import expect_rounds_alike
 from certify_space import dot, exact_triple, plane, point_in_space, polygon_in_space, triple
@@ -15,11 +17,16 @@ def expect_root(name, claimed, height, squared_length):
     expect(held, f"truth: {name} is wrong")
 
 
+def is_square(value):
+    return all(math.isqrt(part) ** 2 == part for part in (value.numerator, value.denominator))
+
+
 def expect_root_enclosed(name, claimed, low, high, height, squared_length):
     inner, outer = (high, low) if height < 0 else (low, high)
     alike = height != 0 and sign(low) == sign(high) == sign(height) and low <= high
     held = alike and inner**2 * squared_length <= height**2 <= outer**2 * squared_length
     expect(held, f"certificate: the bounds of {name} are wrong")
+    expect(not is_square(squared_length), "certificate: the root is rational")
     expect_rounds_alike(name, claimed, low, high)
 
 

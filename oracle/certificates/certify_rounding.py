@@ -22,3 +22,4 @@ def expect_rounds_alike(name, claimed, low, high):
     expect(abs(claimed - low) < close and abs(claimed - high) < close, f"truth: {name} is too far off")
     nearest = {min(round(abs(value / ulp)), 1 << 53) for value in (low, claimed, high)}  # round: ties to even
     expect(len(nearest) == 1, f"truth: the rounding of {name} is not proved")
+    expect(low <= claimed <= high, f"truth: {name} is not between its bounds")

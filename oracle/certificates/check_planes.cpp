@@ -20,7 +20,12 @@ void expect_root(const std::string& name, const Rational& claimed, const Rationa
          "truth: " + name + " is wrong");
 }
 
-/// It lies between low and high, and what they allow is rounded as what is claimed.
+bool is_square(const Rational& x) {
+  return mpz_perfect_square_p(x.get_num_mpz_t()) != 0 && mpz_perfect_square_p(x.get_den_mpz_t()) != 0;
+}
+
+/// It lies between low and high, and what they allow is rounded as what is claimed. A root that is rational has to be
+/// claimed as it is: a number near it is another one.
 void expect_root_enclosed(const std::string& name, const Rational& claimed, const Pair& ends, const Rational& height,
                           const Rational& squared_length) {
   const auto& [low, high] = ends;
@@ -29,6 +34,7 @@ void expect_root_enclosed(const std::string& name, const Rational& claimed, cons
   expect(alike && low <= high && square(inner) * squared_length <= square(height) &&
              square(height) <= square(outer) * squared_length,
          "certificate: the bounds of " + name + " are wrong");
+  expect(!is_square(squared_length), "certificate: the root is rational");
   expect_rounds_alike(name, claimed, low, high);
 }
 

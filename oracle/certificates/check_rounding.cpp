@@ -41,6 +41,7 @@ void expect_rounds_alike(const std::string& name, const Rational& claimed, const
   const Integer nearest = nearest_whole(claimed / ulp);
   expect(nearest_whole(low / ulp) == nearest && nearest_whole(high / ulp) == nearest,
          "truth: the rounding of " + name + " is not proved");
+  expect(low <= claimed && claimed <= high, "truth: " + name + " is not between its bounds");
 }
 
 }  // namespace touchstone::certify
