@@ -8,11 +8,11 @@ namespace touchstone::audit {
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err) {
   std::uint64_t refused = 0, without = 0;
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
-    if (certify::is_refused_input(text)) {
-      ++without;
-    } else if (const auto reason = certify::refuse_text(text)) {
+    if (const auto reason = certify::refuse_text(text)) {
       ++refused;
       err << place(file, number) << *reason << '\n';
+    } else if (certify::is_refused_input(text)) {
+      ++without;
     }
   });
   out << lines - without << " certificates, " << refused << " refused";

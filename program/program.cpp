@@ -169,7 +169,9 @@ int run_program(int argc, const char* const* argv) {
   try {
     if (argc > 1 && argv[1][0] != '-') require_command(program, argv[1]);
     program.parse(argc, argv);
-    return action();
+    const int code = action();
+    if (!std::cout.flush()) throw UsageError("standard output: a stream that can be written");
+    return code;
   } catch (const CLI::Success& shown) {
     return program.exit(shown);
   } catch (const CLI::ParseError& wrong) {

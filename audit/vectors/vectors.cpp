@@ -179,7 +179,8 @@ std::string vector_complaint(const std::string& text) {
   }
   try {
     const Question question = operation->parse_any(parse_line(text)["input"]);
-    const std::string complaint = robust_complaint(*operation, line, question);
+    std::string complaint = robust_complaint(*operation, line, question);
+    if (complaint.empty()) complaint = certify::refuse_text(text).value_or("");
     return complaint.empty() ? other_complaint(*operation, line, question) : complaint;
   } catch (const std::exception& thrown) {
     return thrown.what();

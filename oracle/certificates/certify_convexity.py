@@ -7,7 +7,7 @@ from math import floor
 from certify_circle import cosine_and_sine, whole_bits
 from certify_lines import along, cross, dot, minus
 from certify_reading import WRONG_KIND, exact_value, expect, polygon
-from certify_rings import edge, expect_not_degenerate, expect_simple, side, vertex
+from certify_rings import defect, edge, expect_not_degenerate, expect_simple, side, vertex
 from certify_rounding import expect_rounds_alike
 
 
@@ -49,8 +49,13 @@ def not_simple(claim, ring):
     expect(not shared, "certificate: neighbours share this vertex")
 
 
+def expect_simple_as_claimed(ring):
+    expect_not_degenerate(ring)
+    expect(defect(ring) is None, "truth: two edges meet")
+
+
 def concave(claim, ring):
-    expect_simple(ring)
+    expect_simple_as_claimed(ring)
     expect_truth(claim, "concave", False, winding(ring)), claim.facts("edge", "vertices")
     e, vertices = edge(ring, vertex(claim.single("edge"), ring)), claim.pair("vertices")
     left, right = (side(e, ring[vertex(index, ring)]) for index in vertices)
@@ -58,7 +63,7 @@ def concave(claim, ring):
 
 
 def convex(claim, ring):
-    expect_simple(ring)
+    expect_simple_as_claimed(ring)
     claim.facts("doubled_area")
     area, n = claim.single("doubled_area"), len(ring)
     sign = (area > 0) - (area < 0)
@@ -80,8 +85,9 @@ CONVEXITY = {
 
 
 def check_polygon_convexity(claim):
-    claim.inputs("polygon"), claim.answers("class", "strict", "orientation")
+    claim.inputs("polygon")
     ring = polygon(claim.input["polygon"], "polygon")
+    claim.answers("class", "strict", "orientation")
     kind = claim.kind()
     expect(kind in CONVEXITY, WRONG_KIND)
     CONVEXITY[kind](claim, ring)
@@ -106,9 +112,10 @@ def expect_angle(vector, low, high, bits):
 
 
 def check_interior_angles(claim):
-    claim.inputs("polygon"), claim.answers("angles")
+    claim.inputs("polygon")
     ring = polygon(claim.input["polygon"], "polygon")
-    expect_simple(ring)
+    expect_simple(ring, "polygon")
+    claim.answers("angles")
     claim.expect_kind("enclosure"), claim.facts("low", "high", "bits")
     low, high = claim.list("low"), claim.list("high")
     angles, n = claim.truth["angles"], len(ring)

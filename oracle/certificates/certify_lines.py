@@ -71,9 +71,10 @@ def check_implicit_circle(claim):
 
 
 def check_line_point_at(claim):
-    claim.inputs("line", "t"), claim.answers("point")
+    claim.inputs("line", "t")
     origin, direction = ray(claim.input["line"], "line")
     t = number(claim.input["t"], "t")
+    claim.answers("point")
     claim.expect_kind("displacement"), claim.facts("displacement")
     step = claim.pair("displacement")
     expect(step == (t * direction[0], t * direction[1]), "certificate: the displacement is wrong")

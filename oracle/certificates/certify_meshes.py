@@ -12,7 +12,6 @@ def corners(value, what, vertices):
     for k, corner in enumerate(value):
         there = isinstance(corner, int) and not isinstance(corner, bool) and 0 <= corner < vertices
         expect(there, f"{what}[{k}]: index of a vertex")
-    expect(len(set(value)) == 3, what + ": three different vertices")
     return tuple(value)
 
 
@@ -22,14 +21,18 @@ def mesh(value, what):
         expect(isinstance(value[name], list), f"{what}.{name}: a list")
     vertices = [point_in_space(vertex, f"{what}.vertices[{i}]") for i, vertex in enumerate(value["vertices"])]
     faces = [corners(face, f"{what}.faces[{i}]", len(vertices)) for i, face in enumerate(value["faces"])]
+    for i, face in enumerate(faces):
+        expect(len(set(face)) == 3, f"{what}.faces[{i}]: three different vertices")
     expect(len(faces) >= 4, what + ": at least 4 faces")
     return vertices, faces
 
 
-def expect_closed(faces):
+def expect_closed(faces, what):
     times = Counter(edge for a, b, c in faces for edge in ((a, b), (b, c), (c, a)))
-    for (a, b), count in times.items():
-        expect(count == 1 and times.get((b, a)) == 1, "truth: the mesh is not closed")
+    for i, face in enumerate(faces):
+        for a, b in zip(face, face[1:] + face[:1]):
+            matched = times[(a, b)] == 1 and times.get((b, a)) == 1
+            expect(matched, f"{what}.faces[{i}]: closed: edge {a} -> {b} must occur once, and {b} -> {a} once")
 
 
 def plane_through(a, b, c):
@@ -42,15 +45,17 @@ def height(plane, p):
     return dot(plane[0], p) + plane[1]
 
 
-def outward_planes(vertices, faces):
-    expect_closed(faces)
-    planes, front, back = [], False, False
-    for face in faces:
-        plane = plane_through(*(vertices[corner] for corner in face))
-        planes.append(plane)
-        expect(plane[0] != (0, 0, 0), "truth: a face has no area")
-        heights = [height(plane, vertex) for vertex in vertices]
-        expect(any(heights), "truth: all vertices are on one plane")
-        front, back = front or max(heights) > 0, back or min(heights) < 0
-        expect(not (front and back), "truth: the mesh is not convex")
-    return [(tuple(-n for n in normal), -offset) for normal, offset in planes] if front else planes
+def outward_planes(vertices, faces, what):
+    expect_closed(faces, what)
+    planes = [plane_through(*(vertices[corner] for corner in face)) for face in faces]
+    for i, (normal, _) in enumerate(planes):
+        expect(normal != (0, 0, 0), f"{what}.faces[{i}]: nonzero area")
+    front = next((above for above in (height(planes[0], vertex) for vertex in vertices) if above), 0)
+    expect(front != 0, what + ": convex: vertices on one plane have no inside")
+    if front > 0:
+        planes = [(tuple(-n for n in normal), -offset) for normal, offset in planes]
+    for i, plane in enumerate(planes):
+        for v, vertex in enumerate(vertices):
+            inside = height(plane, vertex) <= 0
+            expect(inside, f"{what}.faces[{i}]: convex: vertex {v} must not lie beyond its plane")
+    return planes

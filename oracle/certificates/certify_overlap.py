@@ -53,9 +53,10 @@ def expect_no_overlap(a, b, cuts):
 
 
 def check_polygon_polygon(claim):
-    claim.inputs("a", "b"), claim.answers("contact")
+    claim.inputs("a", "b")
     a, b = polygon(claim.input["a"], "a"), polygon(claim.input["b"], "b")
-    expect_simple(a), expect_simple(b)
+    expect_simple(a, "a"), expect_simple(b, "b")
+    claim.answers("contact")
     contact = claim.word("contact")
     if contact == "overlapping":
         expect(claim.kind() == "common_interior_point", WRONG_KIND)

@@ -31,8 +31,9 @@ def expect_root_enclosed(name, claimed, low, high, height, squared_length):
 
 
 def check_point_ground_plane(claim):
-    claim.inputs("point"), claim.answers("side")
+    claim.inputs("point")
     p = point_in_space(claim.input["point"], "point")
+    claim.answers("side")
     claim.expect_kind("height"), claim.facts("height")
     height = claim.single("height")
     expect(height == p[1], "certificate: the height is wrong")
@@ -75,9 +76,10 @@ def check_polygon_normal(claim):
 
 
 def check_point_plane(claim):
-    claim.inputs("plane", "point"), claim.answers("side", "signed_distance")
+    claim.inputs("plane", "point")
     normal, offset = plane(claim.input["plane"], "plane")
     p = point_in_space(claim.input["point"], "point")
+    claim.answers("side", "signed_distance")
     height, length = dot(normal, p) + offset, dot(normal, normal)
     side = "back" if height < 0 else "front" if height > 0 else "on"
     expect(claim.word("side") == side, "truth: side is wrong")
@@ -91,9 +93,10 @@ def check_point_plane(claim):
 
 
 def check_point_plane_toi(claim):
-    claim.inputs("plane", "start", "end"), claim.answers("option_1", "option_2")
+    claim.inputs("plane", "start", "end")
     normal, offset = plane(claim.input["plane"], "plane")
     start, end = point_in_space(claim.input["start"], "start"), point_in_space(claim.input["end"], "end")
+    claim.answers("option_1", "option_2")
     claim.expect_kind("heights"), claim.facts("heights")
     e0, e1 = claim.pair("heights")
     expect((e0, e1) == (dot(normal, start) + offset, dot(normal, end) + offset), "certificate: the heights are wrong")

@@ -3,7 +3,7 @@
 
 from certify_lines import along, cross, minus, within
 from certify_reading import expect, point, polygon
-from certify_rings import edge, expect_simple, side, vertex
+from certify_rings import edge, expect_no_edge_of_length_zero, expect_simple, side, vertex
 
 
 def expect_crossings(claim, ring, p):
@@ -28,8 +28,9 @@ def expect_crossings(claim, ring, p):
 
 
 def check_point_in_polygon(claim):
-    claim.inputs("polygon", "point"), claim.answers("location")
+    claim.inputs("polygon", "point")
     ring, p = polygon(claim.input["polygon"], "polygon"), point(claim.input["point"], "point")
+    claim.answers("location")
     if claim.kind() == "crossings":
         expect_crossings(claim, ring, p)
         return
@@ -40,16 +41,21 @@ def check_point_in_polygon(claim):
     expect(claim.word("location") == "boundary", "truth: location is wrong")
 
 
-def expect_convex(ring):
-    expect_simple(ring)
-    sides = {side(edge(ring, i), v) for i in range(len(ring)) for v in ring}
-    expect(not {-1, 1} <= sides, "truth: the polygon is not convex")
+def expect_convex(ring, what):
+    expect_no_edge_of_length_zero(ring, what)
+    n, total = len(ring), sum((p[0] - q[0]) * (p[1] + q[1]) for p, q in zip(ring, ring[1:] + ring[:1]))
+    turns = [side(edge(ring, (i + n - 1) % n), ring[(i + 1) % n]) for i in range(n)]
+    expect(any(turns), what + ": convex: vertices on one line have no inside")
+    expect_simple(ring, what)
+    for i, turn in enumerate(turns):
+        expect(turn * total >= 0, f"{what}[{i}]: convex: the ring must not turn against its direction")
 
 
 def check_point_in_convex_polygon(claim):
-    claim.inputs("polygon", "point"), claim.answers("location")
+    claim.inputs("polygon", "point")
     ring, p = polygon(claim.input["polygon"], "polygon"), point(claim.input["point"], "point")
-    expect_convex(ring)
+    expect_convex(ring, "polygon")
+    claim.answers("location")
     if claim.kind() == "separating_edge":
         claim.facts("edge")
         e = edge(ring, vertex(claim.single("edge"), ring))

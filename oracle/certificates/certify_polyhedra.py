@@ -12,10 +12,11 @@ def index(value, count):
 
 
 def check_point_in_convex_polyhedron(claim):
-    claim.inputs("mesh", "point"), claim.answers("location")
+    claim.inputs("mesh", "point")
     vertices, faces = mesh(claim.input["mesh"], "mesh")
     p = point_in_space(claim.input["point"], "point")
-    planes = outward_planes(vertices, faces)
+    planes = outward_planes(vertices, faces, "mesh")
+    claim.answers("location")
     if claim.kind() == "separating_face":
         claim.facts("face")
         plane = planes[index(claim.single("face"), len(planes))]

@@ -36,6 +36,7 @@ HEXADECIMAL = re.compile(r"([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP
 
 def number(value, what):
     malformed = what + ": a number or a hexadecimal float string"
+    expect(value not in ("inf", "-inf", "nan"), what + ": finite number")
     if isinstance(value, str):
         found = HEXADECIMAL.fullmatch(value)
         expect(found is not None, malformed)
@@ -94,9 +95,14 @@ def polygon(value, what):
 EXACT = re.compile(r"(-?[0-9]+)(?:/([0-9]+))?")
 
 
+def expect_not_too_long(exact, what):
+    expect(len(exact) <= 100_000, what + ": at most 100000 characters")
+
+
 def exact_value(value, what):
     malformed = what + ': an exact value "p/q"'
     expect(isinstance(value, str), malformed)
+    expect_not_too_long(value, what)
     found = EXACT.fullmatch(value)
     expect(found is not None, malformed)
     below = int(found.group(2) or 1)

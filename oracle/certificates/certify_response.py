@@ -6,9 +6,10 @@ from certify_space import dot, exact_triple, point_in_space
 
 
 def check_reflect_wall(claim):
-    claim.inputs("velocity", "axis"), claim.answers("velocity")
+    claim.inputs("velocity", "axis")
     before, axis = point_in_space(claim.input["velocity"], "velocity"), claim.input["axis"]
     expect(axis in ("x", "y", "z"), "axis: x, y or z")
+    claim.answers("velocity")
     claim.expect_kind("components"), claim.facts("squared_speeds")
     after = exact_triple(claim.truth["velocity"], "truth.velocity")
     first, last = claim.pair("squared_speeds")

@@ -2,7 +2,7 @@
 """What the checks of polygons share, as in check_rings.cpp."""
 
 from certify_lines import cross, dot, minus
-from certify_reading import expect
+from certify_reading import Refusal, expect
 
 
 def edge(ring, i):
@@ -35,15 +35,40 @@ def expect_not_degenerate(ring):
     expect(turns, "truth: all vertices are on one line")
 
 
-def expect_simple(ring):
-    expect_not_degenerate(ring)
-    n = len(ring)
-    for i in range(n):
-        e, following = edge(ring, i), edge(ring, (i + 1) % n)
-        onward = side(e, following[1]) != 0 or dot(minus(e[1], e[0]), minus(following[1], following[0])) > 0
-        expect(onward, "truth: the polygon turns back on itself")
-        for j in range(i + 2, n - 1 if i == 0 else n):
-            expect(not meet(e, edge(ring, j)), "truth: two edges meet")
+def turns_back(e, following):
+    return side(e, following[1]) == 0 and dot(minus(e[1], e[0]), minus(following[1], following[0])) < 0
+
+
+def defect(ring):
+    """Edges i <= j, the first of all: of length zero, or meeting elsewhere than in a vertex that neighbours share."""
+    n, edges = len(ring), [edge(ring, i) for i in range(len(ring))]
+    for i, e in enumerate(edges):
+        if e[0] == e[1]:
+            return i, i
+    for i, e in enumerate(edges):
+        for j in range(i + 1, n):
+            if j == i + 1:
+                meeting = turns_back(e, edges[j])
+            elif i == 0 and j == n - 1:
+                meeting = turns_back(edges[j], e)
+            else:
+                meeting = meet(e, edges[j])
+            if meeting:
+                return i, j
+    return None
+
+
+def expect_no_edge_of_length_zero(ring, what):
+    for i in range(len(ring)):
+        a, b = edge(ring, i)
+        expect(a != b, f"{what}[{i}]: different from the next vertex")
+
+
+def expect_simple(ring, what):
+    expect_no_edge_of_length_zero(ring, what)
+    found = defect(ring)
+    if found is not None:
+        raise Refusal(f"{what}[{found[0]}]: simple: its edge must not meet edge {found[1]}")
 
 
 def vertex(index, ring):

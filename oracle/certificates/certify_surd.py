@@ -4,7 +4,7 @@
 import re
 from fractions import Fraction
 
-from certify_reading import expect
+from certify_reading import expect, expect_not_too_long
 
 FRACTION = r"[0-9]+(?:/0*[1-9][0-9]*)?"
 RATIONAL = re.compile(rf"-?{FRACTION}")
@@ -42,6 +42,7 @@ class Surd:
 def exact_surd(value, what):
     malformed = what + ': an exact value "p/q" or "p+q*sqrt(r)"'
     expect(isinstance(value, str), malformed)
+    expect_not_too_long(value, what)
     if RATIONAL.fullmatch(value):
         return Surd(Fraction(value))
     found = ROOTED.fullmatch(value)

@@ -49,7 +49,7 @@ def expect_matched(found, around):
 
 
 def proved(claim, name, ring):
-    expect_simple(ring)
+    expect_simple(ring, "polygon")
     found = pieces(claim, name, ring)
     expect(claim.kind() == "pieces", WRONG_KIND)
     claim.facts("doubled_area")

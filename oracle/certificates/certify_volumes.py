@@ -22,10 +22,11 @@ def holds_inside(low, high, point):
 
 
 def check_aabb_aabb(claim):
-    claim.inputs("a", "b"), claim.answers("contact")
+    claim.inputs("a", "b")
     a, b = box(claim.input["a"], "a"), box(claim.input["b"], "b")
     axes = len(a[0])
     expect(len(b[0]) == axes, "b: as many coordinates as a")
+    claim.answers("contact")
     (a_min, a_max), (b_min, b_max) = a, b
     contact = claim.word("contact")
     if contact == "disjoint":
@@ -57,9 +58,10 @@ def squared_distance(p, q):
 
 
 def check_sphere_sphere(claim):
-    claim.inputs("a", "b"), claim.answers("contact")
+    claim.inputs("a", "b")
     (p, r), (q, s) = ball_or_disc(claim.input["a"], "a"), ball_or_disc(claim.input["b"], "b")
     expect(len(q) == len(p), "b: as many coordinates as a")
+    claim.answers("contact")
     distance, reach = squared_distance(p, q), (r + s) ** 2
     contact, kind = claim.word("contact"), claim.kind()
     if contact == "disjoint":

@@ -4,7 +4,8 @@
 #include <check_files.h>  // made by the build
 
 #include <exception>
-#include <map>
+#include <set>
+#include <vector>
 
 #include "oracle/certificates/check_reading.h"
 
@@ -20,15 +21,48 @@ const Checks& all_checks() {
   return all;
 }
 
-void check(const json& claim) {
+void expect_fields(const json& claim, std::initializer_list<const char*> names) {
   expect(claim.is_object(), "claim: an object");
-  for (const char* name : {"op", "input", "truth", "certificate"}) {
+  for (const char* name : names) {
     expect(claim.contains(name), std::string("claim: field ") + name + " is missing");
   }
+}
+
+Check check_of(const json& claim) {
   expect(claim["op"].is_string(), "op: a string");
   const auto found = all_checks().find(claim["op"].get<std::string>());
   expect(found != all_checks().end(), "op: not an operation with certificates");
-  found->second(Claim{claim["input"], claim["truth"], claim["certificate"]});
+  return found->second;
+}
+
+bool refuses_input(const json& line) {
+  return line.is_object() && line.contains("refused") && !line.contains("truth") && !line.contains("certificate");
+}
+
+/// Every check reads the input before anything else, in the order in which the contract names its rules: so the first
+/// rule that is broken is what it complains about.
+void check_refused(const json& line) {
+  expect_fields(line, {"op", "input"});
+  const json &refused = line["refused"], nothing;
+  only(refused, "refused", {"field", "rule"});
+  expect(refused["field"].is_string() && refused["rule"].is_string(), "refused: field and rule are strings");
+  const std::string field = refused["field"].get<std::string>();
+  const Check check = check_of(line);
+  std::string broken;
+  try {
+    check(Claim{line["input"], nothing, nothing});
+  } catch (const Refusal& refusal) {
+    broken = refusal.what();
+  }
+  const bool of_input = line["input"].is_object() && line["input"].contains(field.substr(0, field.find_first_of(".[")));
+  expect(of_input && broken == field + ": " + refused["rule"].get<std::string>(),
+         "refused: this is not the first rule that the input breaks");
+}
+
+void check(const json& claim) {
+  if (refuses_input(claim)) return check_refused(claim);
+  expect_fields(claim, {"op", "input", "truth", "certificate"});
+  check_of(claim)(Claim{claim["input"], claim["truth"], claim["certificate"]});
 }
 
 /// A claim is nested five deep. What is nested without end may end a program that walks it.
@@ -47,6 +81,24 @@ bool nested_too_deep(const std::string& text) {
   return false;
 }
 
+/// One text, one meaning: what parsers read differently - a key given twice, a byte order mark, a zero byte - is no
+/// JSON. Empty where it is none.
+std::optional<json> parsed(const std::string& text) {
+  if (text.starts_with("\xef\xbb\xbf") || text.find('\0') != std::string::npos) return std::nullopt;
+  std::vector<std::set<std::string>> keys;
+  bool twice = false;
+  json value = json::parse(
+      text,
+      [&](int, json::parse_event_t event, json& key) {
+        if (event == json::parse_event_t::object_start) keys.emplace_back();
+        if (event == json::parse_event_t::object_end) keys.pop_back();
+        if (event == json::parse_event_t::key) twice = !keys.back().insert(key.get<std::string>()).second || twice;
+        return true;
+      },
+      false);
+  return twice || value.is_discarded() ? std::nullopt : std::optional<json>(std::move(value));
+}
+
 }  // namespace
 
 std::optional<std::string> refuse(const nlohmann::json& claim) {
@@ -60,18 +112,14 @@ std::optional<std::string> refuse(const nlohmann::json& claim) {
 
 std::optional<std::string> refuse_text(const std::string& line) {
   if (nested_too_deep(line)) return "claim: nested at most " + std::to_string(most_nested) + " deep";
-  try {
-    return refuse(json::parse(line));
-  } catch (const std::exception&) {
-    return "not JSON";
-  }
+  const auto claim = parsed(line);
+  return claim ? refuse(*claim) : "not JSON";
 }
 
 bool is_refused_input(const std::string& line) {
   if (nested_too_deep(line)) return false;
-  const json vector = json::parse(line, nullptr, false);
-  return vector.is_object() && vector.contains("refused") && !vector.contains("truth") &&
-         !vector.contains("certificate");
+  const auto claim = parsed(line);
+  return claim && refuses_input(*claim);
 }
 
 }  // namespace touchstone::certify

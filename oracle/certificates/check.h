@@ -11,13 +11,15 @@ namespace touchstone::certify {
 
 /// One claim, {"op":..,"input":{..},"truth":{..},"certificate":{"kind":..,facts}} (other keys are ignored): empty if
 /// the certificate proves that the truth is the answer of that operation to that input, otherwise why it does not.
-/// Input numbers are JSON numbers or hexadecimal float strings, exact values "p/q" or "p". Never throws.
+/// Input numbers are JSON numbers or hexadecimal float strings, exact values "p/q" or "p". A test vector of an input that
+/// is refused, {"op":..,"input":{..},"refused":{"field":..,"rule":..}}, has no certificate: that has to be the first rule
+/// that the input breaks. Never throws.
 std::optional<std::string> refuse(const nlohmann::json& claim);
 
 /// The same for one line of text; text that is not JSON is refused as well.
 std::optional<std::string> refuse_text(const std::string& line);
 
-/// Whether the line is a test vector of an input that is refused: there is nothing to certify.
+/// Whether the line is a test vector of an input that is refused.
 bool is_refused_input(const std::string& line);
 
 }  // namespace touchstone::certify

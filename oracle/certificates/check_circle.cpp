@@ -113,9 +113,10 @@ void expect_cosine_and_sine(const Rational& u, const Pair& cosine, const Pair& s
 }
 
 void check_parametric_circle(const Claim& claim) {
-  claim.inputs({"circle", "u"}), claim.answers({"point"});
+  claim.inputs({"circle", "u"});
   const Circle c = circle(claim.input["circle"], "circle");
   const Rational u = number(claim.input["u"], "u");
+  claim.answers({"point"});
   const Pair p = exact_pair(claim.truth["point"], "truth.point");
   if (claim.kind() == "exact") {
     claim.facts({}), expect(sgn(u) == 0 || sgn(c.radius) == 0, "certificate: neither u nor the radius is 0");

@@ -56,8 +56,14 @@ void check_not_simple(const Claim& claim, const Ring& ring) {
          "certificate: neighbours share this vertex");
 }
 
+/// That the ring is simple is part of the truth here, not a rule for the input.
+void expect_simple_as_claimed(const Ring& ring) {
+  expect_not_degenerate(ring);
+  expect(!defect(ring), "truth: two edges meet");
+}
+
 void check_concave(const Claim& claim, const Ring& ring) {
-  expect_simple(ring);
+  expect_simple_as_claimed(ring);
   expect_truth(claim, "concave", false, winding(ring)), claim.facts({"edge", "vertices"});
   const Ends e = edge(ring, vertex(claim.single("edge"), ring));
   const Pair vertices = claim.pair("vertices");
@@ -66,7 +72,7 @@ void check_concave(const Claim& claim, const Ring& ring) {
 }
 
 void check_convex(const Claim& claim, const Ring& ring) {
-  expect_simple(ring);
+  expect_simple_as_claimed(ring);
   claim.facts({"doubled_area"});
   const Rational area = claim.single("doubled_area");
   bool strict = true;
@@ -82,8 +88,9 @@ void check_convex(const Claim& claim, const Ring& ring) {
 }
 
 void check_polygon_convexity(const Claim& claim) {
-  claim.inputs({"polygon"}), claim.answers({"class", "strict", "orientation"});
+  claim.inputs({"polygon"});
   const Ring ring = polygon(claim.input["polygon"], "polygon");
+  claim.answers({"class", "strict", "orientation"});
   const std::string kind = claim.kind();
   if (kind == "repeated_neighbour" || kind == "common_line") return check_degenerate(claim, ring);
   if (kind == "common_point") return check_not_simple(claim, ring);
@@ -115,9 +122,10 @@ void expect_angle(const Pair& vector, const Rational& low, const Rational& high,
 }
 
 void check_interior_angles(const Claim& claim) {
-  claim.inputs({"polygon"}), claim.answers({"angles"});
+  claim.inputs({"polygon"});
   const Ring ring = polygon(claim.input["polygon"], "polygon");
-  expect_simple(ring);
+  expect_simple(ring, "polygon");
+  claim.answers({"angles"});
   expect(claim.kind() == "enclosure", wrong_kind), claim.facts({"low", "high", "bits"});
   const std::vector<Rational> low = claim.list("low"), high = claim.list("high");
   const json& angles = claim.truth["angles"];

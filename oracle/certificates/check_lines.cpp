@@ -67,9 +67,10 @@ void check_implicit_circle(const Claim& claim) {
 }
 
 void check_line_point_at(const Claim& claim) {
-  claim.inputs({"line", "t"}), claim.answers({"point"});
+  claim.inputs({"line", "t"});
   const Ray line = ray(claim.input["line"], "line");
   const Rational t = number(claim.input["t"], "t");
+  claim.answers({"point"});
   expect_kind(claim, "displacement"), claim.facts({"displacement"});
   const Pair step = claim.pair("displacement");
   expect(step == Pair{Rational(t * line.direction.x), Rational(t * line.direction.y)},

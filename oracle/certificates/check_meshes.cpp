@@ -8,27 +8,35 @@
 namespace touchstone::certify {
 namespace {
 
-std::array<std::size_t, 3> corners(const json& value, const std::string& what, std::size_t vertices) {
+using Face = std::array<std::size_t, 3>;
+
+std::string numbered(const std::string& what, std::size_t i) { return what + "[" + std::to_string(i) + "]"; }
+
+Face corners(const json& value, const std::string& what, std::size_t vertices) {
   expect(value.is_array() && value.size() == 3, what + ": a list of three");
-  std::array<std::size_t, 3> found{};
+  Face found{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const bool counts = value[k].is_number_unsigned() || (value[k].is_number_integer() && value[k].get<long>() >= 0);
-    const bool there = counts && value[k].get<std::uint64_t>() < vertices;
-    expect(there, what + "[" + std::to_string(k) + "]: index of a vertex");
+    const bool there = value[k].is_number_unsigned() && value[k].get<std::uint64_t>() < vertices;
+    expect(there, numbered(what, k) + ": index of a vertex");
     found[k] = value[k].get<std::size_t>();
   }
-  expect(found[0] != found[1] && found[1] != found[2] && found[2] != found[0], what + ": three different vertices");
   return found;
 }
 
-void expect_closed(const Mesh& mesh) {
+void expect_closed(const Mesh& mesh, const std::string& what) {
   std::map<std::pair<std::size_t, std::size_t>, int> times;
-  for (const auto& face : mesh.faces) {
+  for (const Face& face : mesh.faces) {
     for (std::size_t k = 0; k < 3; ++k) ++times[{face[k], face[(k + 1) % 3]}];
   }
-  for (const auto& [edge, count] : times) {
-    const auto reverse = times.find({edge.second, edge.first});
-    expect(count == 1 && reverse != times.end() && reverse->second == 1, "truth: the mesh is not closed");
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t from = mesh.faces[i][k], to = mesh.faces[i][(k + 1) % 3];
+      const auto reverse = times.find({to, from});
+      const bool matched = times[{from, to}] == 1 && reverse != times.end() && reverse->second == 1;
+      const std::string a = std::to_string(from), b = std::to_string(to);
+      expect(matched, numbered(what + ".faces", i) + ": closed: edge " + a + " -> " + b + " must occur once, and " + b +
+                          " -> " + a + " once");
+    }
   }
 }
 
@@ -47,31 +55,34 @@ Mesh mesh(const json& value, const std::string& what) {
   for (const char* list : {"vertices", "faces"}) expect(value[list].is_array(), what + "." + list + ": a list");
   Mesh found;
   for (const json& vertex : value["vertices"])
-    found.vertices.push_back(point_in_space(vertex, what + ".vertices[" + std::to_string(found.vertices.size()) + "]"));
+    found.vertices.push_back(point_in_space(vertex, numbered(what + ".vertices", found.vertices.size())));
   for (const json& face : value["faces"])
-    found.faces.push_back(
-        corners(face, what + ".faces[" + std::to_string(found.faces.size()) + "]", found.vertices.size()));
+    found.faces.push_back(corners(face, numbered(what + ".faces", found.faces.size()), found.vertices.size()));
+  for (std::size_t i = 0; i < found.faces.size(); ++i) {
+    const Face& f = found.faces[i];
+    expect(f[0] != f[1] && f[1] != f[2] && f[2] != f[0], numbered(what + ".faces", i) + ": three different vertices");
+  }
   expect(found.faces.size() >= 4, what + ": at least 4 faces");
   return found;
 }
 
-std::vector<Plane> outward_planes(const Mesh& mesh) {
-  expect_closed(mesh);
+std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what) {
+  expect_closed(mesh, what);
   std::vector<Plane> planes;
-  bool front = false, back = false;
-  for (const auto& face : mesh.faces) {
+  for (const Face& face : mesh.faces) {
+    const std::string field = numbered(what + ".faces", planes.size());
     planes.push_back(plane_through(mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]));
-    expect(!(planes.back().normal == Triple{0, 0, 0}), "truth: a face has no area");
-    bool beside = false;
-    for (const Triple& vertex : mesh.vertices) {
-      const int side = sgn(planes.back().at(vertex));
-      beside = beside || side != 0, front = front || side > 0, back = back || side < 0;
-    }
-    expect(beside, "truth: all vertices are on one plane");
-    expect(!(front && back), "truth: the mesh is not convex");
+    expect(!(planes.back().normal == Triple{0, 0, 0}), field + ": nonzero area");
   }
-  for (Plane& plane : planes) {
-    if (front) plane = {Triple{0, 0, 0} - plane.normal, Rational(-plane.offset)};
+  int front = 0;  // the side of the first plane on which the first vertex lies that is not on it
+  for (std::size_t v = 0; v < mesh.vertices.size() && front == 0; ++v) front = sgn(planes[0].at(mesh.vertices[v]));
+  expect(front != 0, what + ": convex: vertices on one plane have no inside");
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (front > 0) planes[i] = {Triple{0, 0, 0} - planes[i].normal, Rational(-planes[i].offset)};
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      expect(sgn(planes[i].at(mesh.vertices[v])) <= 0, numbered(what + ".faces", i) + ": convex: vertex " +
+                                                           std::to_string(v) + " must not lie beyond its plane");
+    }
   }
   return planes;
 }

@@ -23,6 +23,6 @@ Mesh mesh(const json& value, const std::string& what);
 /// faces turn, for all faces. (Why the solid is then what these planes enclose stands in
 /// reference/polyhedra/point_in_convex_polyhedron.h.) Returns the faces' planes, positive outside. Takes faces times
 /// vertices steps.
-std::vector<Plane> outward_planes(const Mesh& mesh);
+std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what);
 
 }  // namespace touchstone::certify

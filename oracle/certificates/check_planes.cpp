@@ -39,8 +39,9 @@ void expect_root_enclosed(const std::string& name, const Rational& claimed, cons
 }
 
 void check_point_ground_plane(const Claim& claim) {
-  claim.inputs({"point"}), claim.answers({"side"});
+  claim.inputs({"point"});
   const Triple p = point_in_space(claim.input["point"], "point");
+  claim.answers({"side"});
   expect_kind(claim, "height"), claim.facts({"height"});
   const Rational height = claim.single("height");
   expect(height == p.y, "certificate: the height is wrong");
@@ -89,9 +90,10 @@ void check_polygon_normal(const Claim& claim) {
 }
 
 void check_point_plane(const Claim& claim) {
-  claim.inputs({"plane", "point"}), claim.answers({"side", "signed_distance"});
+  claim.inputs({"plane", "point"});
   const Plane surface = plane(claim.input["plane"], "plane");
   const Triple p = point_in_space(claim.input["point"], "point");
+  claim.answers({"side", "signed_distance"});
   const bool enclosed = claim.kind() == "enclosure";
   const Rational height = surface.at(p), length = dot(surface.normal, surface.normal);
   expect(claim.word("side") == (sgn(height) < 0 ? "back" : sgn(height) > 0 ? "front" : "on"), "truth: side is wrong");
@@ -106,9 +108,10 @@ void check_point_plane(const Claim& claim) {
 }
 
 void check_point_plane_toi(const Claim& claim) {
-  claim.inputs({"plane", "start", "end"}), claim.answers({"option_1", "option_2"});
+  claim.inputs({"plane", "start", "end"});
   const Plane surface = plane(claim.input["plane"], "plane");
   const Triple start = point_in_space(claim.input["start"], "start"), end = point_in_space(claim.input["end"], "end");
+  claim.answers({"option_1", "option_2"});
   expect_kind(claim, "heights"), claim.facts({"heights"});
   const Pair heights = claim.pair("heights");
   expect(heights == Pair{surface.at(start), surface.at(end)}, "certificate: the heights are wrong");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "oracle/certificates/check_rings.h"
 
@@ -35,9 +37,10 @@ void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
 }
 
 void check_point_in_polygon(const Claim& claim) {
-  claim.inputs({"polygon", "point"}), claim.answers({"location"});
+  claim.inputs({"polygon", "point"});
   const Ring ring = polygon(claim.input["polygon"], "polygon");
   const Pair p = point(claim.input["point"], "point");
+  claim.answers({"location"});
   if (claim.kind() == "crossings") return check_crossings(claim, ring, p);
   expect(claim.kind() == "on_edge", wrong_kind), claim.facts({"edge", "t"});
   const Ends e = edge(ring, vertex(claim.single("edge"), ring));
@@ -46,21 +49,33 @@ void check_point_in_polygon(const Claim& claim) {
   expect(claim.word("location") == "boundary", "truth: location is wrong");
 }
 
-/// Simple, and every vertex on one side of every edge's line.
-void expect_convex(const Ring& ring) {
-  expect_simple(ring);
-  bool left = false, right = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    for (const Pair& v : ring) left = left || side(edge(ring, i), v) > 0, right = right || side(edge(ring, i), v) < 0;
+/// Not on one line, simple, and no turn against the direction that the sum of the trapezoids under the edges tells: a
+/// simple ring that turns one way only is convex.
+void expect_convex(const Ring& ring, const std::string& what) {
+  const std::size_t n = ring.size();
+  expect_no_edge_of_length_zero(ring, what);
+  std::vector<int> turns;
+  Rational sum;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Ends into = edge(ring, (i + n - 1) % n);
+    turns.push_back(side(into, ring[(i + 1) % n]));
+    sum += (into.a.x - into.b.x) * (into.a.y + into.b.y);
   }
-  expect(!(left && right), "truth: the polygon is not convex");
+  expect(std::any_of(turns.begin(), turns.end(), [](int turn) { return turn != 0; }),
+         what + ": convex: vertices on one line have no inside");
+  expect_simple(ring, what);
+  for (std::size_t i = 0; i < n; ++i) {
+    expect(turns[i] * sgn(sum) >= 0,
+           what + "[" + std::to_string(i) + "]: convex: the ring must not turn against its direction");
+  }
 }
 
 void check_point_in_convex_polygon(const Claim& claim) {
-  claim.inputs({"polygon", "point"}), claim.answers({"location"});
+  claim.inputs({"polygon", "point"});
   const Ring ring = polygon(claim.input["polygon"], "polygon");
   const Pair p = point(claim.input["point"], "point");
-  expect_convex(ring);
+  expect_convex(ring, "polygon");
+  claim.answers({"location"});
   if (claim.kind() == "separating_edge") {
     claim.facts({"edge"});
     const Ends e = edge(ring, vertex(claim.single("edge"), ring));

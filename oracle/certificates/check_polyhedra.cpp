@@ -16,10 +16,11 @@ std::size_t index(const Rational& value, std::size_t count) {
 }
 
 void check_point_in_convex_polyhedron(const Claim& claim) {
-  claim.inputs({"mesh", "point"}), claim.answers({"location"});
+  claim.inputs({"mesh", "point"});
   const Mesh surface = mesh(claim.input["mesh"], "mesh");
   const Triple p = point_in_space(claim.input["point"], "point");
-  const std::vector<Plane> planes = outward_planes(surface);
+  const std::vector<Plane> planes = outward_planes(surface, "mesh");
+  claim.answers({"location"});
   if (claim.kind() == "separating_face") {
     claim.facts({"face"});
     const Plane& plane = planes[index(claim.single("face"), planes.size())];

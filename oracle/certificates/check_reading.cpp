@@ -83,6 +83,7 @@ void only(const json& object, const std::string& what, std::initializer_list<con
 }
 
 Rational number(const json& value, const std::string& what) {
+  expect(!(value == "inf" || value == "-inf" || value == "nan"), what + ": finite number");
   if (value.is_string()) return from_hexadecimal(value.get_ref<const std::string&>(), what);
   expect(value.is_number(), what + ": a number or a hexadecimal float string");
   return from_double(value.get<double>(), what);
@@ -125,10 +126,15 @@ std::vector<Pair> polygon(const json& value, const std::string& what) {
   return ring;
 }
 
+void expect_not_too_long(const std::string& exact, const std::string& what) {
+  expect(exact.size() <= 100'000, what + ": at most 100000 characters");
+}
+
 Rational exact_value(const json& value, const std::string& what) {
   const std::string malformed = what + ": an exact value \"p/q\"";
   expect(value.is_string(), malformed);
   std::string numerator = value.get<std::string>(), denominator = "1";
+  expect_not_too_long(numerator, what);
   if (const auto bar = numerator.find('/'); bar != std::string::npos) {
     denominator = numerator.substr(bar + 1);
     numerator.erase(bar);

@@ -62,7 +62,9 @@ Ray ray(const json& value, const std::string& what);
 Circle circle(const json& value, const std::string& what);
 std::vector<Pair> polygon(const json& value, const std::string& what);
 
-/// Exact values of the truth and of the certificate.
+/// Exact values of the truth and of the certificate. What doubles make of each other in any operation has far fewer
+/// digits; a limit keeps one line from taking minutes.
+void expect_not_too_long(const std::string& exact, const std::string& what);
 Rational exact_value(const json& value, const std::string& what);
 Pair exact_pair(const json& value, const std::string& what);
 

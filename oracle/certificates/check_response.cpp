@@ -12,10 +12,11 @@ void expect_kind(const Claim& claim, const char* kind) {
 
 /// One component is negated, the others stay; so kinetic energy is kept.
 void check_reflect_wall(const Claim& claim) {
-  claim.inputs({"velocity", "axis"}), claim.answers({"velocity"});
+  claim.inputs({"velocity", "axis"});
   const Triple before = point_in_space(claim.input["velocity"], "velocity");
   const json& axis = claim.input["axis"];
   expect(axis == "x" || axis == "y" || axis == "z", "axis: x, y or z");
+  claim.answers({"velocity"});
   expect_kind(claim, "components"), claim.facts({"squared_speeds"});
   const Triple after = exact_triple(claim.truth["velocity"], "truth.velocity");
   const Pair speeds = claim.pair("squared_speeds");

@@ -12,6 +12,11 @@ bool beyond(const Ends& a, const Ends& b) {
   return std::max(a.a.x, a.b.x) < std::min(b.a.x, b.b.x) || std::max(a.a.y, a.b.y) < std::min(b.a.y, b.b.y);
 }
 
+/// Whether an edge and the next have more in common than the vertex between them; neither has length zero.
+bool turns_back(const Ends& e, const Ends& next) {
+  return side(e, next.b) == 0 && sgn(dot(e.b - e.a, next.b - next.a)) < 0;
+}
+
 }  // namespace
 
 Ends edge(const Ring& ring, std::size_t i) { return {ring[i], ring[(i + 1) % ring.size()]}; }
@@ -30,15 +35,35 @@ void expect_not_degenerate(const Ring& ring) {
   expect(turns, "truth: all vertices are on one line");
 }
 
-void expect_simple(const Ring& ring) {
-  expect_not_degenerate(ring);
+std::optional<std::pair<std::size_t, std::size_t>> defect(const Ring& ring) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const Ends e = edge(ring, i), next = edge(ring, (i + 1) % n);
-    expect(side(e, next.b) != 0 || sgn(dot(e.b - e.a, next.b - next.a)) > 0, "truth: the polygon turns back on itself");
-    for (std::size_t j = i + 2; j < n && !(i == 0 && j == n - 1); ++j) {
-      expect(!meet(e, edge(ring, j)), "truth: two edges meet");
+    if (edge(ring, i).a == edge(ring, i).b) return std::pair{i, i};
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const Ends e = edge(ring, i);
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const Ends other = edge(ring, j);
+      const bool next = j == i + 1, previous = i == 0 && j == n - 1;
+      const bool meeting = next ? turns_back(e, other) : previous ? turns_back(other, e) : meet(e, other);
+      if (meeting) return std::pair{i, j};
     }
+  }
+  return std::nullopt;
+}
+
+void expect_no_edge_of_length_zero(const Ring& ring, const std::string& what) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Ends e = edge(ring, i);
+    expect(!(e.a == e.b), what + "[" + std::to_string(i) + "]: different from the next vertex");
+  }
+}
+
+void expect_simple(const Ring& ring, const std::string& what) {
+  expect_no_edge_of_length_zero(ring, what);
+  if (const auto found = defect(ring)) {
+    throw Refusal(what + "[" + std::to_string(found->first) + "]: simple: its edge must not meet edge " +
+                  std::to_string(found->second));
   }
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "oracle/certificates/check_reading.h"
 
 /// What the checks of polygons share.
@@ -23,8 +26,13 @@ void expect_not_degenerate(const Ring& ring);
 /// along in x or in y.
 bool meet(const Ends& a, const Ends& b);
 
-/// Not degenerate, neighbours do not turn back, other edges do not meet.
-void expect_simple(const Ring& ring);
+/// Edges i <= j, the first of all: i has length zero, and j is the same; or else i meets j elsewhere than in a vertex
+/// that neighbours share. Edges of length zero come before all others, then the least i, then the least j.
+std::optional<std::pair<std::size_t, std::size_t>> defect(const Ring& ring);
+
+/// The input's ring `what` has no defect.
+void expect_simple(const Ring& ring, const std::string& what);
+void expect_no_edge_of_length_zero(const Ring& ring, const std::string& what);
 
 /// A number of the certificate that says which vertex.
 std::size_t vertex(const Rational& index, const Ring& ring);

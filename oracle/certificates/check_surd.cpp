@@ -60,6 +60,7 @@ Surd exact_surd(const json& value, const std::string& what) {
   std::optional<Surd> result;
   if (value.is_string()) {
     const std::string text = value.get<std::string>();
+    expect_not_too_long(text, what);
     const auto root = text.find("sqrt(");
     if (root != std::string::npos) {
       result = rooted(text, root);

@@ -87,7 +87,7 @@ void expect_matched(const std::vector<Piece>& pieces, const Piece& polygon) {
 
 /// Returns the pieces, proved to make up the polygon.
 std::vector<Piece> proved(const Claim& claim, const char* name, const Ring& ring) {
-  expect_simple(ring);
+  expect_simple(ring, "polygon");
   const std::vector<Piece> found = pieces(claim, name, ring);
   expect(claim.kind() == "pieces", "certificate: no such kind for this truth");
   claim.facts({"doubled_area"});

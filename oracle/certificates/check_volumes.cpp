@@ -53,9 +53,10 @@ void check_touching(const Claim& claim, const Box& a, const Box& b) {
 }
 
 void check_aabb_aabb(const Claim& claim) {
-  claim.inputs({"a", "b"}), claim.answers({"contact"});
+  claim.inputs({"a", "b"});
   const Box a = box(claim.input["a"], "a"), b = box(claim.input["b"], "b");
   expect(b.axes() == a.axes(), "b: as many coordinates as a");
+  claim.answers({"contact"});
   const std::string contact = claim.word("contact");
   if (contact == "disjoint") {
     check_separated(claim, a, b);
@@ -82,9 +83,10 @@ Rational beyond(const BallOrDisc& ball, const std::vector<Rational>& point) {
 }
 
 void check_sphere_sphere(const Claim& claim) {
-  claim.inputs({"a", "b"}), claim.answers({"contact"});
+  claim.inputs({"a", "b"});
   const BallOrDisc a = ball_or_disc(claim.input["a"], "a"), b = ball_or_disc(claim.input["b"], "b");
   expect(b.axes() == a.axes(), "b: as many coordinates as a");
+  claim.answers({"contact"});
   const Rational distance = squared_distance(a.center, b.center), sum(a.radius + b.radius), reach(sum * sum);
   const std::string contact = claim.word("contact"), kind = claim.kind();
   if (contact == "disjoint") {

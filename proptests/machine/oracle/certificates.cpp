@@ -118,6 +118,32 @@ TEST_CASE("certificates: a test vector of a refused input is told from a claim")
   CHECK(!is_refused_input("[]"));
 }
 
+TEST_CASE("certificates: a refused input has to break the rule that is named, before all others") {
+  const auto refused = [](const std::string& op, const std::string& input, const std::string& refusal) {
+    return refuse_text("{\"op\":\"" + op + "\",\"input\":" + input + ",\"refused\":" + refusal + "}").value_or("accepted");
+  };
+  const std::string same_points = R"({"a":[[0,0],[0,0]],"b":[[0,0],[1,1]]})",
+                    of_a = R"({"field":"a","rule":"two distinct points"})";
+  CHECK(refused("line_line", same_points, of_a) == "accepted");
+  const std::string another = "refused: this is not the first rule that the input breaks";
+  CHECK(refused("line_line", R"({"a":[[0,0],[0,1]],"b":[[0,0],[1,1]]})", of_a) == another);
+  CHECK(refused("line_line", same_points, R"({"field":"b","rule":"two distinct points"})") == another);
+  CHECK(refused("line_line", same_points, R"({"field":"a","rule":"finite number"})") == another);
+  CHECK(refused("segment_segment", same_points, of_a) == another);
+  CHECK(refused("line_line", R"({"a":[[0,0],["inf",0]],"b":[[0,0],[1,1]]})", of_a) == another);
+  CHECK(refused("line_line", "{}", of_a) == another);
+  CHECK(refused("line_line", "[]", of_a) == another);
+  // What is said of a truth that is not there is no rule for the input.
+  CHECK(refused("orientation", R"({"p0":[0,0],"p1":[1,0],"p":[0,1],"certificate":1})",
+                R"({"field":"certificate","rule":"field kind is missing"})") == another);
+  CHECK(refused("line_line", same_points, "null") == "refused: an object");
+  CHECK(refused("line_line", same_points, R"({"field":"a"})") == "refused: field rule is missing");
+  CHECK(refused("line_line", same_points, R"({"field":"a","rule":1})") == "refused: field and rule are strings");
+  CHECK(refused("juggle", same_points, of_a) == "op: not an operation with certificates");
+  CHECK(refuse_text(R"({"refused":{"field":"a","rule":"b"}})") == "claim: field op is missing");
+  CHECK(refuse_text(R"({"refused":1})") == "claim: field op is missing");
+}
+
 TEST_CASE("certificates: text that is not JSON and numbers that are not finite are refused") {
   CHECK(refuse_text("") == "not JSON");
   CHECK(refuse_text("{\"op\":") == "not JSON");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmpxx.h>
+#include <sys/wait.h>
 
 #include <set>
 
@@ -99,8 +100,12 @@ TEST_CASE("certificates: the Python checker judges the files of claims as the C+
 
 TEST_CASE("certificates: both programs count refused inputs beside the certificates and find nothing in them") {
   const LinesInFile vectors("vectors.jsonl",
-                            {R"({"op":"line_line","input":{},"refused":{"field":"a","rule":"two distinct points"}})"});
+                            {R"({"op":"line_line","input":{"a":[[1,1],[1,1]],"b":[[0,0],[1,1]]},)"
+                             R"("refused":{"field":"a","rule":"two distinct points"}})"});
   const LinesInFile broken("broken.jsonl", {R"({"op":"line_line","input":{}})"});
+  const LinesInFile wrong("wrong.jsonl", {R"({"op":"line_line","input":{"a":[[1,1],[1,2]],"b":[[0,0],[1,1]]},)"
+                                          R"("refused":{"field":"a","rule":"two distinct points"}})"});
+  CHECK(!python_finds_nothing("oracle/certificates/certify.py " + wrong.path()));
   CHECK(python_finds_nothing("oracle/certificates/certify.py " + vectors.path()));
   CHECK(!python_finds_nothing("oracle/certificates/certify.py " + broken.path()));
 }
@@ -117,6 +122,97 @@ TEST_CASE("certificates: both checkers refuse a claim nested 100,000 deep, for t
   CHECK(verdicts[verdicts.size() - 2] == "claim: nested at most 64 deep");
   const LinesInFile all_lines("lines.jsonl", lines), all_verdicts("verdicts.txt", verdicts);
   CHECK(python_finds_nothing(script + all_lines.path() + " " + all_verdicts.path()));
+}
+
+TEST_CASE("certificates: both checkers verify every vector of a refused input, and refuse another field or rule") {
+  Shown shown;
+  int vectors = 0;
+  for (const auto& file : std::filesystem::directory_iterator("vectors")) {
+    if (file.path().extension() != ".jsonl") continue;
+    std::ifstream in(file.path());
+    int of_operation = 0;
+    for (std::string line; std::getline(in, line);) {
+      json vector = json::parse(line);
+      if (!vector.contains("refused")) continue;
+      CAPTURE(line);
+      CHECK(shown.accepts(vector));
+      if (++of_operation % 8 != 0) continue;  // the others would say the same, in Python at length
+      for (const char* part : {"field", "rule"}) {
+        json wrong = vector;
+        wrong["refused"][part] = wrong["refused"][part].get<std::string>() + "!";
+        CHECK(!shown.accepts(wrong));
+      }
+    }
+    vectors += of_operation;
+  }
+  CHECK(vectors > 1500);
+  CHECK(shown.said_in_python_too());
+}
+
+TEST_CASE("certificates: both programs say the same of odd JSON, line by line, and of its bytes") {
+  const std::string claim =
+      R"({"op":"explicit_line","input":{"slope":0,"intercept":1,"point":[1,4]},"truth":{"side":"above"},)"
+      R"("certificate":{"kind":"height","height":["3"]})";
+  const std::string face =
+      R"({"op":"point_in_convex_polyhedron","input":{"point":[1,1,1],"mesh":{"vertices":[[0,0,0],[4,0,0],[0,4,0],[0,0,4]],)"
+      R"("faces":[[-0,2,1],[0,1,3],[0,3,2],[1,2,3]]}},"truth":{},"certificate":{}})";
+  const auto with_slope = [&claim](const std::string& slope) {
+    std::string text = claim + "}";
+    return text.replace(text.find("\"slope\":0") + 8, 1, slope);
+  };
+  const auto with_height = [&claim](const std::string& height) {
+    std::string text = claim + "}";
+    return text.replace(text.find("\"3\""), 3, height);
+  };
+  const std::string long_digits(10'000'000, '3');
+  const std::vector<std::string> lines{
+      claim + "}", claim + R"(,"x":1e999})", claim + R"(,"x":-1e999})", with_slope("1e999"), with_slope("1e-999"),
+      with_slope("18446744073709551616"), with_slope("-0"), with_slope(long_digits), with_slope("0." + long_digits),
+      with_slope("NaN"), with_slope("Infinity"), with_slope("01"), with_slope("0x1"), with_slope("\"inf\""),
+      with_height("\"" + long_digits + "\""), with_height("\"3/" + std::string(100'000, '1') + "\""),
+      "\xef\xbb\xbf" + claim + "}", claim + "}" + std::string("\0 more", 6), claim + R"(,"x":"\ud800"})",
+      claim + R"(,"\udc00":1})", claim + R"(,"x":"\ud83d\ude00"})", claim + ",\"x\":\"\xed\xa0\x80\"}",
+      claim + ",\"x\":\"\xff\"}", claim + ",\"x\":\"\xc0\x80\"}", claim + ",\"x\":\"\t\"}", claim + R"(,"x":"\u0000"})",
+      claim + R"(,"op":"orientation"})", claim + R"(,"x":{"y":1,"y":"\ud800"}})", "\f", claim + "} x", "null", "1", "\"x\"",
+      claim + "}\r", claim + ",}", "'", face, claim + ",\"x\":" + std::string(70, '[') + "\xff"};
+  const LinesInFile file("odd.jsonl", lines), said("said.txt", {});
+  const std::string command = "python3 oracle/certificates/certify.py " + file.path() + " > " + said.path();
+  if (!python_finds_nothing("-c pass") || std::system(command.c_str()) == -1) return;
+  std::ifstream in(said.path().substr(1, said.path().size() - 2));
+  std::vector<std::string> in_python(lines.size(), "accepted");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t at = line.find(".jsonl:");
+    if (at == std::string::npos) continue;
+    const std::size_t end = line.find(": ", at);
+    in_python.at(std::stoul(line.substr(at + 7, end - at - 7)) - 1) = line.substr(end + 2);
+  }
+  std::size_t accepted = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    CAPTURE(i, lines[i].substr(0, 400));
+    const std::string in_cpp = certify::refuse_text(lines[i]).value_or("accepted");
+    CHECK(in_python[i] == in_cpp);
+    accepted += in_cpp == "accepted";
+  }
+  CHECK(in_python[0] == "accepted");
+  CHECK(in_python[1] == "not JSON");
+  CHECK(in_python[14] == "certificate.height[0]: at most 100000 characters");
+  CHECK(accepted >= 5);
+}
+
+TEST_CASE("certificates: the Python checker ends like the program where nothing can be written or nothing is read") {
+  const auto code_of = [](const std::string& command) { return WEXITSTATUS(std::system(command.c_str())); };
+  const LinesInFile wrong("wrong.jsonl", {"{}"}), empty("empty.jsonl", {});
+  const std::string certify = "python3 oracle/certificates/certify.py ";
+  if (!python_finds_nothing("-c pass")) return;
+  CHECK(code_of(certify + wrong.path() + " >/dev/null") == 1);
+  CHECK(code_of(certify + empty.path() + " >/dev/null 2>&1") == 2);
+  CHECK(code_of(certify + "<&- >/dev/null 2>&1") == 2);
+  CHECK(code_of(certify + wrong.path() + " 2>/dev/null >&-") == 2);
+  CHECK(code_of(certify + wrong.path() + " 2>/dev/null >/dev/full") == 2);
+  const LinesInFile code("code.txt", {});
+  const std::string into = "{ sleep 0.1; " + certify + wrong.path() + "; echo $? >" + code.path() + "; } | true";
+  CHECK(code_of(into) == 0);
+  CHECK(code_of("grep -qx 141 " + code.path()) == 0);  // 128 + SIGPIPE
 }
 
 TEST_CASE("certificates: both checkers accept what the oracle claims") {
