@@ -5,12 +5,16 @@
 #include <chrono>
 
 #include "audit/parallel.h"
+#include "catalogue/codec/plain.h"
 #include "catalogue/families/shrink.h"
 
 namespace touchstone::audit {
 namespace {
 
 constexpr std::uint64_t batch_size = 1024;
+/// What an engine may say while one finding is made smaller. Bytes, because the same run shall find the same whatever
+/// the machine's speed; 300 answers of usual length are a tenth of it.
+constexpr std::size_t most_read_to_shrink = 1 << 20;
 
 /// Our reference in double, as if it were somebody's engine.
 const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
@@ -103,6 +107,7 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
     Finding& finding = *cell.smallest[v];
     Choices choices = case_choices(operation, family, seed, finding.index, true);
     operation.draw(choices, family);
+    std::size_t read = 0;
     const auto look = [&](const std::vector<std::uint8_t>& bytes) {
       Choices replay = Choices::replayed(bytes);
       Question question = operation.draw(replay, family);
@@ -118,9 +123,10 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
           found.answer = examination->reference();
         } else {
           const Reply reply = engine->ask(operation, {question})[0];
+          read += reply.bytes;
           if (!reply.asked) return found;
           found.judgement = judged(reply, *examination, declaration);
-          found.answer = reply.answer;
+          found.answer = kept(reply.answer);
         }
       } catch (const InvalidInput&) {
       }
@@ -129,7 +135,9 @@ void shrink_findings(const Operation& operation, std::size_t family, std::uint64
     const bool slow = cell.smallest[v]->judgement.verdict == Verdict::invalid && engine != nullptr && !robust;
     const auto bytes = shrunk(
         choices.recorded(),
-        [&](const auto& candidate) { return static_cast<std::size_t>(look(candidate).judgement.verdict) == v; },
+        [&](const auto& candidate) {
+          return read < most_read_to_shrink && static_cast<std::size_t>(look(candidate).judgement.verdict) == v;
+        },
         slow                ? 20
         : engine != nullptr ? 300
                             : 2000);
@@ -183,7 +191,7 @@ void count(Cell& cell, const Question& question, const Judgement& judgement, con
   }
   if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::unsupported) return;
   if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question))
-    cell.smallest[v] = Finding{question, judgement, answer, index};
+    cell.smallest[v] = Finding{question, judgement, kept(answer), index};
 }
 
 Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,

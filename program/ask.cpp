@@ -23,7 +23,7 @@ Json said_by(Engine& engine, const Operation& operation, const Question& questio
   const Judgement judgement = judged(reply, examination, engine.declaration());
   Json result = Json::object();
   result["name"] = engine.declaration().engine;
-  result.update(verdict_json(judgement, plain(reply.answer)));
+  result.update(verdict_json(judgement, kept(reply.answer)));
   return result;
 }
 

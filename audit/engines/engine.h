@@ -23,6 +23,7 @@ struct Reply {
   std::string remark;
   /// False: `failed` because the engine was given up, or the run stopped, before it was this question's turn.
   bool asked = true;
+  std::size_t bytes = 0;  ///< that were read for it
 };
 
 /// Somebody's implementation, asked many questions of one operation at a time. It loses a question when it crashes or

@@ -127,6 +127,7 @@ std::optional<std::string> PipeEngine::take_line(const std::string& line, Round&
   AnswerLine answer;
   try {
     answer = read_answer_line(line);
+    answer.reply.bytes = line.size();
   } catch (const InvalidInput& wrong) {
     return "a line that is no answer (" + std::string(wrong.what()) + "): " + excerpt(line, 60);
   }

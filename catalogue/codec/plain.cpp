@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/codec/plain.h"
 
+#include "catalogue/codec/excerpt.h"
+
 namespace touchstone::audit {
 
 Json plain(const Json& answer) {
@@ -15,6 +17,13 @@ Json plain(const Json& answer) {
   Json result = answer;
   for (Json& part : result) part = plain(part);
   return result;
+}
+
+Json kept(const Json& answer) {
+  constexpr std::size_t most = 4096;
+  Json result = plain(answer);
+  const std::string text = one_line(result);
+  return text.size() > most ? Json(excerpt(text, most)) : result;
 }
 
 }  // namespace touchstone::audit

@@ -8,4 +8,7 @@ namespace touchstone::audit {
 /// An answer as an engine typed it with its numbers read: what a file keeps of it.
 Json plain(const Json& answer);
 
+/// The same; of an answer of more than 4,096 characters the beginning and the length, as a text.
+Json kept(const Json& answer);
+
 }  // namespace touchstone::audit

@@ -41,4 +41,65 @@ TEST_CASE("program: a vector nested 100,000 deep is complained about, and the ot
   CHECK(call.out == "2 vectors, 2 refused\n");
 }
 
+TEST_CASE("program: a key of a line is shown without control characters, and of a long one the beginning") {
+  const TextFile escape("escape.jsonl", "{\"\\u001b[2J\\u0000\\u009b\":1}\n{\"a\":{\"\\u0007\":1,\"\\u0007\":2}}\n");
+  const Called escaped = called({"ask", "segment_segment", escape.path()});
+  CHECK_THAT(escaped.err, Catch::Contains("line 1: \\x1b[2J\\x00\\xc2\\x9b: known field") &&
+                              Catch::Contains("line 2: \\x07: given once"));
+  const TextFile long_key("key.jsonl", "{\"" + std::string(20'000'000, 'k') + "\":1}\n");
+  const Called cut = called({"ask", "segment_segment", long_key.path()});
+  require_refused(cut, bad_usage, "line 1: " + std::string(60, 'k') + "... (20000000 bytes): known field");
+  CHECK(cut.out.size() < 200);
+  require_refused(called({"merge", long_key.path()}), bad_usage, "touchstone: missing");
+}
+
+TEST_CASE("program: names in a result that is merged, and in arguments, are shown without control characters") {
+  const TextFile result("result.json", "");
+  REQUIRE(called({"audit", "--ops", "orientation", "--cases", "10", "--jobs", "1", "--json", result.path()}).code <= 1);
+  std::stringstream text;
+  text << std::ifstream(result.path()).rdbuf();
+  std::string changed = text.str();
+  changed.replace(changed.find("\"reference\""), 11, "\"\\u001b[2J" + std::string(100'000, 'e') + "\"");
+  const TextFile named("named.json", changed);
+  const Called merged = called({"merge", named.path()});
+  INFO(merged.err);
+  CHECK(merged.code <= findings);
+  CHECK_THAT(merged.out, Catch::Contains("\\x1b[2Jee") && !Catch::Contains("\x1b"));
+  CHECK(merged.out.size() < 20'000);
+  require_refused(called({"ask", "orientation", "\x1b[2J"}), bad_usage, "\\x1b[2J: a file that can be read");
+}
+
+TEST_CASE("program: what cannot be written to standard output is a failure, not a success") {
+  const TextFile lines("lines.jsonl", good + "\n");
+  std::ostringstream err;
+  auto* const previous_out = std::cout.rdbuf(nullptr);
+  auto* const previous_err = std::cerr.rdbuf(err.rdbuf());
+  const char* const arguments[] = {"touchstone", "ask", "segment_segment", lines.path()};
+  const int code = run_program(4, arguments);
+  std::cout.rdbuf(previous_out);
+  std::cerr.rdbuf(previous_err);
+  require_refused({code, "", err.str()}, bad_usage, "standard output: a stream that can be written");
+}
+
+TEST_CASE("program: an engine that answers 800,000 bytes is not asked on to shrink its findings, nor quoted at length") {
+  const TextFile asked("asked.txt", "");
+  const TextFile script("long.py", R"(import json, sys
+sys.stdin.readline()
+print('{"engine":"e 1","ops":["orientation"]}', flush=True)
+for line in sys.stdin:
+    open(sys.argv[1], "a").write(line)
+    print('{"id":%d,"answer":{"side":"left","why":"%s"}}' % (json.loads(line)["id"], "x" * 800000), flush=True)
+)");
+  const std::string command = std::string("python3 ") + script.path() + " " + asked.path();
+  const Called call =
+      called({"audit", "--ops", "orientation", "--cases", "3", "--jobs", "1", "--engine", command.c_str()});
+  INFO(call.err);
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out, Catch::Contains("xxx... (800024 bytes)"));
+  CHECK(call.out.size() < 3 * 10'000);
+  std::ifstream questions(asked.path());
+  // Three, and for each of at most three findings two until a mebibyte is full and two that look at what was found.
+  CHECK(std::count(std::istreambuf_iterator<char>(questions), {}, '\n') <= 3 + 3 * 4);
+}
+
 }  // namespace touchstone::audit
