@@ -126,7 +126,9 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   place.at("counts").each_member([&](const std::string& key, const Place& n) {
     cell.counts[Place{key, n.path}.one_of(verdict_words())] = n.count();
   });
-  place.at("outcomes").each_member([&](const std::string& key, const Place& n) { cell.outcomes[excerpt(key, most_of_a_text)] = n.count(); });
+  place.at("outcomes").each_member([&](const std::string& key, const Place& n) {
+    cell.outcomes[excerpt(key, most_of_a_text)] = n.count();
+  });
   place.at("smallest").each_member([&](const std::string& key, const Place& finding) {
     const std::size_t v = Place{key, finding.path}.one_of(verdict_words());
     cell.smallest[v] = read_finding(operation, static_cast<Verdict>(v), finding);
@@ -135,7 +137,8 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   cell.touches_open = place.at("touches").at("open").count();
   if (place.value.contains("surplus")) cell.surplus = place.at("surplus").count();
   cell.refused = place.at("refused").count();
-  place.at("rules").each_member([&](const std::string& key, const Place& n) { cell.rules[excerpt(key, most_of_a_text)] = n.count(); });
+  place.at("rules").each_member(
+      [&](const std::string& key, const Place& n) { cell.rules[excerpt(key, most_of_a_text)] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();
   if (place.value.contains("not_asked")) {
     cell.not_asked = place.at("not_asked").count();

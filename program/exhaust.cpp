@@ -102,7 +102,8 @@ Json merged_decisions(std::vector<Json> parts) {
     if (part["op"] != sum["op"] || part["grid"] != sum["grid"])
       throw UsageError("merge: results of one operation and grid");
     if (part["first"] != reached)
-      throw UsageError(fmt::format("merge: configurations from {} on, found {}", reached, excerpt(part["first"].dump(), 60)));
+      throw UsageError(
+          fmt::format("merge: configurations from {} on, found {}", reached, excerpt(part["first"].dump(), 60)));
     reached = part["last"];
     hash += std::stoull(part["hash"].get<std::string>(), nullptr, 16);
     wrong += part["wrong"].get<std::uint64_t>();

@@ -129,7 +129,8 @@ Json parsed(const std::string& text) {
     return true;
   };
   try {
-    if (text.find('\0') != std::string::npos) throw InvalidInput("line", "one JSON object");  // the parser would end there
+    if (text.find('\0') != std::string::npos)
+      throw InvalidInput("line", "one JSON object");  // the parser would end there
     return Json::parse(text, refuse);
   } catch (const nlohmann::json::exception&) {
     throw InvalidInput("line", "one JSON object");

@@ -80,8 +80,8 @@ std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what) {
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (front > 0) planes[i] = {Triple{0, 0, 0} - planes[i].normal, Rational(-planes[i].offset)};
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-      expect(sgn(planes[i].at(mesh.vertices[v])) <= 0, numbered(what + ".faces", i) + ": convex: vertex " +
-                                                           std::to_string(v) + " must not lie beyond its plane");
+      expect(sgn(planes[i].at(mesh.vertices[v])) <= 0,
+             numbered(what + ".faces", i) + ": convex: vertex " + std::to_string(v) + " must not lie beyond its plane");
     }
   }
   return planes;

@@ -120,7 +120,8 @@ TEST_CASE("certificates: a test vector of a refused input is told from a claim")
 
 TEST_CASE("certificates: a refused input has to break the rule that is named, before all others") {
   const auto refused = [](const std::string& op, const std::string& input, const std::string& refusal) {
-    return refuse_text("{\"op\":\"" + op + "\",\"input\":" + input + ",\"refused\":" + refusal + "}").value_or("accepted");
+    return refuse_text("{\"op\":\"" + op + "\",\"input\":" + input + ",\"refused\":" + refusal + "}")
+        .value_or("accepted");
   };
   const std::string same_points = R"({"a":[[0,0],[0,0]],"b":[[0,0],[1,1]]})",
                     of_a = R"({"field":"a","rule":"two distinct points"})";

@@ -99,9 +99,8 @@ TEST_CASE("certificates: the Python checker judges the files of claims as the C+
 }
 
 TEST_CASE("certificates: both programs count refused inputs beside the certificates and find nothing in them") {
-  const LinesInFile vectors("vectors.jsonl",
-                            {R"({"op":"line_line","input":{"a":[[1,1],[1,1]],"b":[[0,0],[1,1]]},)"
-                             R"("refused":{"field":"a","rule":"two distinct points"}})"});
+  const LinesInFile vectors("vectors.jsonl", {R"({"op":"line_line","input":{"a":[[1,1],[1,1]],"b":[[0,0],[1,1]]},)"
+                                              R"("refused":{"field":"a","rule":"two distinct points"}})"});
   const LinesInFile broken("broken.jsonl", {R"({"op":"line_line","input":{}})"});
   const LinesInFile wrong("wrong.jsonl", {R"({"op":"line_line","input":{"a":[[1,1],[1,2]],"b":[[0,0],[1,1]]},)"
                                           R"("refused":{"field":"a","rule":"two distinct points"}})"});
@@ -165,16 +164,44 @@ TEST_CASE("certificates: both programs say the same of odd JSON, line by line, a
     return text.replace(text.find("\"3\""), 3, height);
   };
   const std::string long_digits(10'000'000, '3');
-  const std::vector<std::string> lines{
-      claim + "}", claim + R"(,"x":1e999})", claim + R"(,"x":-1e999})", with_slope("1e999"), with_slope("1e-999"),
-      with_slope("18446744073709551616"), with_slope("-0"), with_slope(long_digits), with_slope("0." + long_digits),
-      with_slope("NaN"), with_slope("Infinity"), with_slope("01"), with_slope("0x1"), with_slope("\"inf\""),
-      with_height("\"" + long_digits + "\""), with_height("\"3/" + std::string(100'000, '1') + "\""),
-      "\xef\xbb\xbf" + claim + "}", claim + "}" + std::string("\0 more", 6), claim + R"(,"x":"\ud800"})",
-      claim + R"(,"\udc00":1})", claim + R"(,"x":"\ud83d\ude00"})", claim + ",\"x\":\"\xed\xa0\x80\"}",
-      claim + ",\"x\":\"\xff\"}", claim + ",\"x\":\"\xc0\x80\"}", claim + ",\"x\":\"\t\"}", claim + R"(,"x":"\u0000"})",
-      claim + R"(,"op":"orientation"})", claim + R"(,"x":{"y":1,"y":"\ud800"}})", "\f", claim + "} x", "null", "1", "\"x\"",
-      claim + "}\r", claim + ",}", "'", face, claim + ",\"x\":" + std::string(70, '[') + "\xff"};
+  const std::vector<std::string> lines{claim + "}",
+                                       claim + R"(,"x":1e999})",
+                                       claim + R"(,"x":-1e999})",
+                                       with_slope("1e999"),
+                                       with_slope("1e-999"),
+                                       with_slope("18446744073709551616"),
+                                       with_slope("-0"),
+                                       with_slope(long_digits),
+                                       with_slope("0." + long_digits),
+                                       with_slope("NaN"),
+                                       with_slope("Infinity"),
+                                       with_slope("01"),
+                                       with_slope("0x1"),
+                                       with_slope("\"inf\""),
+                                       with_height("\"" + long_digits + "\""),
+                                       with_height("\"3/" + std::string(100'000, '1') + "\""),
+                                       "\xef\xbb\xbf" + claim + "}",
+                                       claim + "}" + std::string("\0 more", 6),
+                                       claim + R"(,"x":"\ud800"})",
+                                       claim + R"(,"\udc00":1})",
+                                       claim + R"(,"x":"\ud83d\ude00"})",
+                                       claim + ",\"x\":\"\xed\xa0\x80\"}",
+                                       claim + ",\"x\":\"\xff\"}",
+                                       claim + ",\"x\":\"\xc0\x80\"}",
+                                       claim + ",\"x\":\"\t\"}",
+                                       claim + R"(,"x":"\u0000"})",
+                                       claim + R"(,"op":"orientation"})",
+                                       claim + R"(,"x":{"y":1,"y":"\ud800"}})",
+                                       "\f",
+                                       claim + "} x",
+                                       "null",
+                                       "1",
+                                       "\"x\"",
+                                       claim + "}\r",
+                                       claim + ",}",
+                                       "'",
+                                       face,
+                                       claim + ",\"x\":" + std::string(70, '[') + "\xff"};
   const LinesInFile file("odd.jsonl", lines), said("said.txt", {});
   const std::string command = "python3 oracle/certificates/certify.py " + file.path() + " > " + said.path();
   if (!python_finds_nothing("-c pass") || std::system(command.c_str()) == -1) return;

@@ -81,7 +81,8 @@ TEST_CASE("program: what cannot be written to standard output is a failure, not 
   require_refused({code, "", err.str()}, bad_usage, "standard output: a stream that can be written");
 }
 
-TEST_CASE("program: an engine that answers 800,000 bytes is not asked on to shrink its findings, nor quoted at length") {
+TEST_CASE(
+    "program: an engine that answers 800,000 bytes is not asked on to shrink its findings, nor quoted at length") {
   const TextFile asked("asked.txt", "");
   const TextFile script("long.py", R"(import json, sys
 sys.stdin.readline()
