@@ -10,7 +10,7 @@
 
 #include <string>
 
-namespace touchstone::proptests {
+namespace touchstone {
 
 #ifdef CATCH_ALL_HPP_INCLUDED
 using Catch::Matchers::ContainsSubstring;
@@ -22,4 +22,4 @@ using TestInvoker = Catch::ITestInvoker*;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone

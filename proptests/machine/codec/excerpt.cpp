@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/codec/excerpt.h"
 
-#include <catch2/catch.hpp>
-
 #include "catalogue/codec/json.h"
+#include "proptests/catch.h"
 
 namespace touchstone::audit {
 

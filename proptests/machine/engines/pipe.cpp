@@ -8,6 +8,8 @@
 #include "proptests/catch.h"
 
 using namespace touchstone::audit;
+using touchstone::ContainsSubstring;
+using touchstone::StartsWith;
 
 namespace {
 

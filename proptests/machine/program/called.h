@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include "proptests/catch.h"
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "program/program.h"
+#include "proptests/catch.h"
 
 /// The program as it is called, inside this process.
 namespace touchstone::audit {
@@ -38,7 +38,7 @@ inline Called called(std::vector<const char*> arguments) {
 inline void require_refused(const Called& call, int code, const std::string& words) {
   INFO(call.err);
   CHECK(call.code == code);
-  CHECK_THAT(call.err, Catch::StartsWith("touchstone: ") && Catch::Contains(words));
+  CHECK_THAT(call.err, StartsWith("touchstone: ") && ContainsSubstring(words));
   CHECK(std::count(call.err.begin(), call.err.end(), '\n') == 1);
 }
 

@@ -17,8 +17,8 @@ TEST_CASE("program: a line nested 100,000 deep costs ask that line, with one err
   const TextFile lines("deep.jsonl", deep + "\n" + good + "\n");
   const Called call = called({"ask", "segment_segment", lines.path()});
   require_refused(call, bad_usage, "line 1: line: nested at most 64 deep");
-  CHECK_THAT(call.out, Catch::StartsWith(R"({"error":{"field":"line","rule":"nested at most 64 deep"}})") &&
-                           Catch::Contains(R"("truth":{"relation":"disjoint"})"));
+  CHECK_THAT(call.out, StartsWith(R"({"error":{"field":"line","rule":"nested at most 64 deep"}})") &&
+                           ContainsSubstring(R"("truth":{"relation":"disjoint"})"));
 }
 
 TEST_CASE("program: a result nested 100,000 deep is refused by merge, and a claim by certify") {
@@ -36,16 +36,16 @@ TEST_CASE("program: a vector nested 100,000 deep is complained about, and the ot
   const Called call = called({"vectors", "check", folder.c_str()});
   std::filesystem::remove_all(folder);
   CHECK(call.code == findings);
-  CHECK_THAT(call.err, Catch::Contains("line 1: line: nested at most 64 deep\n") &&
-                           Catch::EndsWith("line 2: line: one JSON object\n"));
+  CHECK_THAT(call.err, ContainsSubstring("line 1: line: nested at most 64 deep\n") &&
+                           EndsWith("line 2: line: one JSON object\n"));
   CHECK(call.out == "2 vectors, 2 refused\n");
 }
 
 TEST_CASE("program: a key of a line is shown without control characters, and of a long one the beginning") {
   const TextFile escape("escape.jsonl", "{\"\\u001b[2J\\u0000\\u009b\":1}\n{\"a\":{\"\\u0007\":1,\"\\u0007\":2}}\n");
   const Called escaped = called({"ask", "segment_segment", escape.path()});
-  CHECK_THAT(escaped.err, Catch::Contains("line 1: \\x1b[2J\\x00\\xc2\\x9b: known field") &&
-                              Catch::Contains("line 2: \\x07: given once"));
+  CHECK_THAT(escaped.err, ContainsSubstring("line 1: \\x1b[2J\\x00\\xc2\\x9b: known field") &&
+                              ContainsSubstring("line 2: \\x07: given once"));
   const TextFile long_key("key.jsonl", "{\"" + std::string(20'000'000, 'k') + "\":1}\n");
   const Called cut = called({"ask", "segment_segment", long_key.path()});
   require_refused(cut, bad_usage, "line 1: " + std::string(60, 'k') + "... (20000000 bytes): known field");
@@ -64,7 +64,7 @@ TEST_CASE("program: names in a result that is merged, and in arguments, are show
   const Called merged = called({"merge", named.path()});
   INFO(merged.err);
   CHECK(merged.code <= findings);
-  CHECK_THAT(merged.out, Catch::Contains("\\x1b[2Jee") && !Catch::Contains("\x1b"));
+  CHECK_THAT(merged.out, ContainsSubstring("\\x1b[2Jee") && !ContainsSubstring("\x1b"));
   CHECK(merged.out.size() < 20'000);
   require_refused(called({"ask", "orientation", "\x1b[2J"}), bad_usage, "\\x1b[2J: a file that can be read");
 }
@@ -96,7 +96,7 @@ for line in sys.stdin:
       called({"audit", "--ops", "orientation", "--cases", "3", "--jobs", "1", "--engine", command.c_str()});
   INFO(call.err);
   CHECK(call.code == findings);
-  CHECK_THAT(call.out, Catch::Contains("xxx... (800024 bytes)"));
+  CHECK_THAT(call.out, ContainsSubstring("xxx... (800024 bytes)"));
   CHECK(call.out.size() < 3 * 10'000);
   std::ifstream questions(asked.path());
   // Three, and for each of at most three findings two until a mebibyte is full and two that look at what was found.
