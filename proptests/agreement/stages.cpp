@@ -15,29 +15,32 @@ std::string disagreement(const StageFunctions& stages, const Question& question,
                          const Tape<double>& answer) {
   const Stage decided = stages.decided_by == nullptr ? Stage::filter : stages.decided_by(question, environment);
   for (const StageFunctions::One& one : stages.each) {
+    const std::string name = "stage " + std::to_string(static_cast<int>(one.stage)) + ": ";
     const auto found = one.ask(question, environment);
-    if (found && *found != answer) return "it is not the answer";
-    if (found && decided > one.stage) return "it knew the answer, and a later stage decided";
-    if (!found && one.stage == Stage::exact) return "it must always know";
+    if (found && *found != answer) return name + "it is not the answer";
+    if (found && decided > one.stage) return name + "it knows the answer, but a later one decided";
+    if (!found && one.stage == Stage::exact) return name + "it must always know";
   }
   return "";
 }
 
 std::string complaint(const Operation& operation, const Question& question) {
   const audit::RowFunctions& row = operation.row();
-  std::string found;
   for (const std::size_t environment : {std::size_t{0}, environment_of(question)}) {
+    std::string found;
     try {
-      found += disagreement(row.stages, question, environment, row.robust(question, environment));
-      if (row.decision == nullptr) continue;
-      Tape<double> decision;
-      decision.words = {row.decide(question, environment)};
-      found += disagreement(row.decision_stages, question, environment, decision);
+      found = disagreement(row.stages, question, environment, row.robust(question, environment));
+      if (found.empty() && row.decision != nullptr) {
+        Tape<double> decision;
+        decision.words = {row.decide(question, environment)};
+        found = disagreement(row.decision_stages, question, environment, decision);
+      }
     } catch (const InvalidInput&) {
       return "";
     }
+    if (!found.empty()) return found + " (" + environment_name(environment) + ")";
   }
-  return found;
+  return "";
 }
 
 }  // namespace
