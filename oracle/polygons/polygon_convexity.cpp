@@ -2,12 +2,14 @@
 #include "oracle/polygons/polygon_convexity.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/elimination.h"
 #include "oracle/exact/rational_validation.h"
 #include "oracle/lines/segment_segment.h"
+#include "oracle/rings/boxes.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 
@@ -36,14 +38,28 @@ bool on_one_line(const WholeRing& r) {
 struct Straddled {
   Index edge, left, right;
 };
+/// The greatest of the normal form u x (p - a) over a box, times `sign`, is positive.
+bool may_lie_beside(const Segment2<Integer>& line, int sign, const Boxes::Box& box) {
+  const Vector2<Integer> u = Integer(sign) * (line.b - line.a);
+  const Integer &x = sgn(u.y) > 0 ? *box.left : *box.right, &y = sgn(u.x) > 0 ? *box.top : *box.bottom;
+  return u.x * (y - line.a.y) > u.y * (x - line.a.x);
+}
+
+/// The first such edge, and of the vertices the last on each side.
 std::optional<Straddled> straddled(const WholeRing& r) {
+  const std::vector<Segment2<Integer>> edges = r.edges();
+  const Boxes boxes(edges);
   for (Index i = 0; i < r.size(); ++i) {
-    std::optional<Index> left, right;
-    for (Index j = 0; j < r.size(); ++j) {
-      const int side = r.turn(i, r.after(i), j);
-      if (side > 0) left = j;
-      if (side < 0) right = j;
-    }
+    const auto last_beside = [&](int sign) {
+      std::optional<Index> found;
+      const auto may = [&](const Boxes::Box& box) { return may_lie_beside(edges[i], sign, box); };
+      boxes.descending(may, [&](std::size_t j) {
+        if (r.turn(i, r.after(i), static_cast<Index>(j)) == sign) found = static_cast<Index>(j);
+        return found.has_value();
+      });
+      return found;
+    };
+    const auto left = last_beside(1), right = left ? last_beside(-1) : std::nullopt;
     if (left && right) return Straddled{i, *left, *right};
   }
   return std::nullopt;
@@ -51,33 +67,47 @@ std::optional<Straddled> straddled(const WholeRing& r) {
 
 /// In squared units; the ring is simple.
 Rational room(const WholeRing& r, bool convex, int winding) {
-  std::optional<Rational> clearance, greatest_dent;
+  const std::vector<Segment2<Integer>> edges = r.edges();
+  const Boxes boxes(edges);
+  std::optional<SquaredLength<Integer>> clearance, greatest_dent;
   for (Index i = 0; i < r.size(); ++i) {
     const Integer turn = r.area(r.before(i), i, r.after(i));
     const Vector2<Integer> base = r.ring.next(i) - r.ring.previous(i);
     // Neighbours of a simple ring's vertex may coincide no more than it may be a spike: the base is not 0.
-    const Rational height = quotient(Integer(turn * turn), dot(base, base));
-    if (convex) clearance = clearance ? std::min(*clearance, height) : height;
-    if (sgn(turn) * winding < 0) greatest_dent = greatest_dent ? std::max(*greatest_dent, height) : height;
-    for (Index j = 0; j < r.size(); ++j) {
-      if (j == i || r.after(j) == i) continue;
-      const auto away = squared_distance(r[i], r.edge(j), Extent::segment);
-      const Rational distance = quotient(away.numerator, away.denominator);
-      clearance = clearance ? std::min(*clearance, distance) : distance;
-    }
+    const SquaredLength<Integer> height{Integer(turn * turn), dot(base, base)};
+    if (convex && (!clearance || height < *clearance)) clearance = height;
+    if (sgn(turn) * winding < 0 && (!greatest_dent || *greatest_dent < height)) greatest_dent = height;
+    boxes.lessen(clearance, r[i], [&](std::size_t j) { return j != i && r.after(static_cast<Index>(j)) != i; });
   }
-  return convex ? *clearance : std::min(*clearance, *greatest_dent);
+  const SquaredLength<Integer>& least = !convex && *greatest_dent < *clearance ? *greatest_dent : *clearance;
+  return quotient(least.numerator, least.denominator);
 }
 
-/// In squared units; the ring is not simple.
+/// In squared units; the ring is not simple. Two edges that meet in a point have an end within half the length of either
+/// edge from the other: so the longest come first, and those that are too short for more do not come at all.
 Rational depth(const WholeRing& r) {
+  const std::vector<Segment2<Integer>> edges = r.edges();
+  const Boxes boxes(edges);
+  std::vector<Integer> lengths;
+  for (const auto& e : edges) lengths.push_back(dot(e.b - e.a, e.b - e.a));
+  std::vector<Index> order(r.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return lengths[i] > lengths[j]; });
+  std::vector<Index> rank(r.size());
+  for (Index k = 0; k < r.size(); ++k) rank[order[k]] = k;
   Rational deepest(0);
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    for (std::size_t j = i + 1; j < r.size(); ++j) {
-      if (segment_segment_relation<Integer>(r.edge(i), r.edge(j)) != SegmentRelation::point) continue;
-      deepest =
-          std::max(deepest, least_end_distance(r.edge(i), Extent::segment, r.edge(j)));  // 0 where ends are shared
-    }
+  for (const Index i : order) {
+    const auto too_short = [&](std::size_t j) { return lengths[j] <= 4 * deepest; };
+    if (too_short(i)) break;
+    const Boxes::Box own = Boxes::box_of(edges[i]);
+    const auto may_meet = [&own](const Boxes::Box& box) { return Boxes::meet(own, box); };
+    boxes.ascending(0, may_meet, [&](std::size_t j) {
+      if (rank[j] <= rank[i] || too_short(j)) return false;
+      if (segment_segment_relation<Integer>(edges[i], edges[j]) == SegmentRelation::point)
+        deepest =
+            std::max(deepest, least_end_distance(edges[i], Extent::segment, edges[j]));  // 0 where ends are shared
+      return false;
+    });
   }
   return deepest;
 }

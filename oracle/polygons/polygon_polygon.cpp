@@ -9,6 +9,7 @@
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/elimination.h"
 #include "oracle/exact/rational_validation.h"
+#include "oracle/rings/boxes.h"
 #include "oracle/rings/simple.h"
 #include "oracle/rings/whole.h"
 
@@ -81,35 +82,54 @@ Arrangement arrangement_of(const std::vector<Edge>& a, const std::vector<Edge>& 
   for (const auto* ring : {&a, &b}) {
     for (const Edge& e : *ring) made.cuts.emplace_back(e.a.x);
   }
+  const Boxes boxes(b);
   for (const Edge& e : a) {
-    for (const Edge& f : b) {
-      const std::optional<Point> p = common_point(e, f);
-      if (!p) continue;
-      made.cuts.push_back(p->x);
-      if (!made.touch) made.touch = p;
-    }
+    const Boxes::Box own = Boxes::box_of(e);
+    const auto may_meet = [&own](const Boxes::Box& box) { return Boxes::meet(own, box); };
+    boxes.ascending(0, may_meet, [&](std::size_t j) {
+      const std::optional<Point> p = common_point(e, b[j]);
+      if (p) made.cuts.push_back(p->x);
+      if (p && !made.touch) made.touch = p;
+      return false;
+    });
   }
   std::sort(made.cuts.begin(), made.cuts.end());
   made.cuts.erase(std::unique(made.cuts.begin(), made.cuts.end()), made.cuts.end());
   return made;
 }
 
-/// Where the vertical line at x meets the edges, from below; x is not that of a vertex.
-std::vector<Rational> heights(const std::vector<Edge>& ring, const Rational& x) {
-  std::vector<Rational> found;
-  for (const Edge& e : ring) {
-    if ((e.a.x < x) == (e.b.x < x)) continue;
-    found.push_back(e.a.y + (x - e.a.x) * quotient(Integer(e.b.y - e.a.y), Integer(e.b.x - e.a.x)));
+/// The edges of a ring that a line crosses which moves from slab to slab, between two cuts next to each other.
+class Crossed {
+ public:
+  explicit Crossed(const std::vector<Edge>& ring) : waiting_(ring.size()) {
+    std::transform(ring.begin(), ring.end(), waiting_.begin(), [](const Edge& e) { return &e; });
+    std::sort(waiting_.begin(), waiting_.end(), [](const Edge* e, const Edge* f) { return left(*e) > left(*f); });
   }
-  std::sort(found.begin(), found.end());
-  return found;
-}
+
+  /// Where the vertical line at x meets the edges, from below; x is not that of a vertex, and it ascends.
+  std::vector<Rational> heights(const Rational& x) {
+    for (; !waiting_.empty() && left(*waiting_.back()) < x; waiting_.pop_back()) crossed_.push_back(waiting_.back());
+    std::erase_if(crossed_, [&x](const Edge* e) { return right(*e) < x; });
+    std::vector<Rational> found;
+    for (const Edge* e : crossed_)
+      found.push_back(e->a.y + (x - e->a.x) * quotient(Integer(e->b.y - e->a.y), Integer(e->b.x - e->a.x)));
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  static const Integer& left(const Edge& e) { return std::min(e.a.x, e.b.x); }
+  static const Integer& right(const Edge& e) { return std::max(e.a.x, e.b.x); }
+
+  std::vector<const Edge*> waiting_, crossed_;
+};
 
 std::optional<Point> common_interior_point(const std::vector<Edge>& a, const std::vector<Edge>& b,
                                            const std::vector<Rational>& cuts) {
+  Crossed crossed_a(a), crossed_b(b);
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const Rational middle = (cuts[k] + cuts[k + 1]) / 2;
-    const std::vector<Rational> of_a = heights(a, middle), of_b = heights(b, middle);
+    const std::vector<Rational> of_a = crossed_a.heights(middle), of_b = crossed_b.heights(middle);
     for (std::size_t i = 0, j = 0; i < of_a.size() && j < of_b.size();) {
       const Rational low = std::max(of_a[i], of_b[j]), high = std::min(of_a[i + 1], of_b[j + 1]);
       if (low < high) return Point{middle, (low + high) / 2};
@@ -122,12 +142,8 @@ std::optional<Point> common_interior_point(const std::vector<Edge>& a, const std
 Rational margin_of(const Rings& rings) {
   std::optional<SquaredLength<Integer>> least;
   for (const auto& [vertices, edges] : {std::pair(&rings.a, &rings.b), std::pair(&rings.b, &rings.a)}) {
-    for (const Edge& edge : *edges) {
-      for (const Edge& vertex : *vertices) {
-        SquaredLength<Integer> distance = squared_distance(vertex.a, edge, Extent::segment);
-        if (!least || distance < *least) least = std::move(distance);
-      }
-    }
+    const Boxes boxes(*edges);
+    for (const Edge& vertex : *vertices) boxes.lessen(least, vertex.a, [](std::size_t) { return true; });
   }
   return Rational(quotient(least->numerator, least->denominator) * rings.unit * rings.unit);
 }

@@ -8,8 +8,8 @@
 
 namespace touchstone::oracle {
 
-/// The first defect of a ring by definition: every pair of edges, asked for its common points. Empty: the ring is
-/// simple.
+/// The first defect of a ring by definition: every pair of edges whose boxes meet, asked for its common points. Empty:
+/// the ring is simple.
 std::optional<validation::RingDefect> ring_defect(const WholeRing& ring);
 
 }  // namespace touchstone::oracle

@@ -56,6 +56,12 @@ void WholeRing::find_words() {
   }
 }
 
+std::vector<Segment2<Integer>> WholeRing::edges() const {
+  std::vector<Segment2<Integer>> all;
+  for (std::size_t i = 0; i < ring.size(); ++i) all.push_back(edge(i));
+  return all;
+}
+
 Integer WholeRing::area(const Point2<Integer>& p, const Point2<Integer>& q, const Point2<Integer>& r) {
   return cross(q - p, r - p);
 }

@@ -19,6 +19,7 @@ class WholeRing {
   Index size() const { return static_cast<Index>(ring.size()); }
   const Point2<Integer>& operator[](std::size_t i) const { return ring[i]; }
   Segment2<Integer> edge(std::size_t i) const { return {ring[i], ring.next(i)}; }
+  std::vector<Segment2<Integer>> edges() const;
   Index after(Index i) const { return i + 1 == size() ? 0 : i + 1; }
   Index before(Index i) const { return i == 0 ? size() - 1 : i - 1; }
 

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <optional>
+#include <vector>
+
+#include "oracle/polygons/polygon_convexity.h"
+#include "oracle/polygons/polygon_polygon.h"
+#include "oracle/rings/boxes.h"
+#include "oracle/rings/simple.h"
+#include "proptests/growth.h"
+#include "proptests/long_rings.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using namespace oracle;
+
+Polygon2d moved(Polygon2d ring, double by) {
+  for (Point2d& p : ring.vertices) p.x += by;
+  return ring;
+}
+
+}  // namespace
+
+TEST_CASE("boxes: the edges that are visited hold all whose boxes meet, in order up and down") {
+  for (std::size_t n = 3; n < 80; ++n) {
+    const WholeRing ring(random_ring(n));
+    const std::vector<Segment2<Integer>> edges = ring.edges();
+    const Boxes boxes(edges);
+    const Boxes::Box own = Boxes::box_of(edges[n / 2]);
+    const auto may_meet = [&own](const Boxes::Box& box) { return Boxes::meet(own, box); };
+    std::vector<std::size_t> up, down, right;
+    boxes.ascending(n / 3, may_meet, [&](std::size_t i) { return up.push_back(i), false; });
+    boxes.descending(may_meet, [&](std::size_t i) { return down.push_back(i), i == n / 2; });
+    for (std::size_t i = n / 3; i < n; ++i) {
+      if (may_meet(Boxes::box_of(edges[i]))) right.push_back(i);
+    }
+    CHECK(up == right);
+    CHECK(down.back() == n / 2);
+    CHECK(std::is_sorted(down.rbegin(), down.rend()));
+  }
+}
+
+TEST_CASE("boxes: the least distance is the least of all edges that count") {
+  for (std::size_t n = 3; n < 60; ++n) {
+    const WholeRing ring(n % 2 == 0 ? random_ring(n) : comb(n, true));
+    const std::vector<Segment2<Integer>> edges = ring.edges();
+    const Boxes boxes(edges);
+    for (std::size_t v = 0; v < n; ++v) {
+      const auto counts = [&](std::size_t i) { return i != v && (i + 1) % n != v; };
+      std::optional<SquaredLength<Integer>> found, least;
+      boxes.lessen(found, ring[v], counts);
+      for (std::size_t i = 0; i < n; ++i) {
+        if (!counts(i)) continue;
+        auto distance = squared_distance(ring[v], edges[i], Extent::segment);
+        if (!least || distance < *least) least = distance;
+      }
+      REQUIRE(found.has_value());
+      CHECK(quotient(found->numerator, found->denominator) == quotient(least->numerator, least->denominator));
+    }
+  }
+}
+
+TEST_CASE("oracle: what is asked of a long ring takes far less than the square of its length") {
+  const auto convexity = [](auto ring_of) {
+    return growth([&](std::size_t n) { polygon_convexity(ring_of(n)), polygon_convexity_certificate(ring_of(n)); },
+                  500);
+  };
+  CHECK(convexity(wavy_ring) < far_below_quadratic);
+  CHECK(convexity([](std::size_t n) { return spoilt_at_the_end(wavy_ring(n)); }) < far_below_quadratic);
+  CHECK(convexity([](std::size_t n) { return comb(n, true); }) < far_below_quadratic);
+  CHECK(growth([](std::size_t n) { polygon_polygon(wavy_ring(n), moved(wavy_ring(n), 5)); }, 500) <
+        far_below_quadratic);
+  CHECK(growth([](std::size_t n) { polygon_polygon(wavy_ring(n), moved(wavy_ring(n), 1)); }, 500) <
+        far_below_quadratic);
+}
+
+}  // namespace touchstone::proptests

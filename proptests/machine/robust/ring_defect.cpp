@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <utility>
+
+#include "proptests/growth.h"
+#include "proptests/long_rings.h"
+#include "robust/lines/segment_segment.h"
+#include "robust/rings/simple.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Found = std::pair<std::size_t, std::size_t>;
+
+Found found_by(const std::optional<validation::RingDefect>& defect) {
+  return defect ? Found{defect->first, defect->second} : Found{SIZE_MAX, SIZE_MAX};
+}
+
+/// By the definition of a RingDefect, pair after pair. No neighbours of these rings are the same point.
+Found first_of_all_pairs(const Polygon2d& ring) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
+      const auto common = robust::segment_segment_relation({ring[i], ring.next(i)}, {ring[j], ring.next(j)});
+      if (common == SegmentRelation::overlap || (common == SegmentRelation::point && !neighbours)) return {i, j};
+    }
+  }
+  return {SIZE_MAX, SIZE_MAX};
+}
+
+}  // namespace
+
+TEST_CASE("ring_defect: the first defect that is named is the first of all pairs") {
+  int defects = 0;
+  for (std::size_t n = 4; n < 120; ++n) {
+    for (const Polygon2d& ring : {random_ring(n), wavy_ring(n), comb(n, true), comb(n, false)}) {
+      const Found right = first_of_all_pairs(ring);
+      CAPTURE(n, right.first, right.second);
+      CHECK(found_by(robust::ring_defect(ring)) == right);
+      defects += right.first != SIZE_MAX;
+      if (n < 10) continue;
+      const Polygon2d spoilt = spoilt_at_the_end(ring);
+      CHECK(found_by(robust::ring_defect(spoilt)) == first_of_all_pairs(spoilt));
+    }
+  }
+  CHECK(defects > 100);
+}
+
+TEST_CASE("ring_defect: naming the defect of a long ring takes far less than the square of its length") {
+  const auto naming = [](auto ring_of) {
+    return growth([&](std::size_t n) { CHECK(robust::ring_defect(ring_of(n))); }, 4000);
+  };
+  CHECK(naming(random_ring) < far_below_quadratic);
+  CHECK(naming([](std::size_t n) { return spoilt_at_the_end(wavy_ring(n)); }) < far_below_quadratic);
+  CHECK(naming([](std::size_t n) { return spoilt_at_the_end(comb(n, true)); }) < far_below_quadratic);
+  CHECK(naming([](std::size_t n) { return spoilt_at_the_end(comb(n, false)); }) < far_below_quadratic);
+}
+
+}  // namespace touchstone::proptests
