@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-
 #include "geometry/answers.h"
+#include "robust/kernel/decode.h"
 #include "robust/kernel/filters.h"
 #include "robust/kernel/staged.h"
 
@@ -20,7 +19,7 @@ namespace detail {
 
 struct implicit_circle : Filtered<implicit_circle, Location> {
   static Perhaps<Location> filter(const Circle2d& circle, const Point2d& point) {
-    if (std::signbit(circle.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+    if (kernel::sign_bit(circle.radius)) return std::nullopt;  // -0.0, or for validation to refuse
     return filters::by_sign(filters::circle(point - circle.center, circle.radius), Location::inside, Location::outside);
   }
   static Decided<Location> past_filter(const Circle2d& circle, const Point2d& point);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/sweeps/swept_sphere_sphere.h"
 
-#include <cmath>
 
 #include "robust/kernel/integers.h"
 #include "robust/kernel/quadratic_root.h"
@@ -119,7 +118,7 @@ void validate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a, 
 /// What the filter is sure of, `later` by its end or by the line of the sweep.
 std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b) {
-  if (std::signbit(a.radius) || std::signbit(b.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius)) return std::nullopt;  // -0.0, or for validation to refuse
   const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
   const Sign start = sweep.start();
   if (start == Sign::negative) return Meeting::at_start;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cmath>
-
 #include "geometry/answers.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/validation.h"
+#include "robust/kernel/decode.h"
 #include "robust/kernel/sphere_filter.h"
 #include "robust/kernel/staged.h"
 
@@ -32,7 +31,7 @@ struct sphere_sphere : Filtered<sphere_sphere, Contact> {
 
   static Perhaps<Contact> filter(const Ball& a, const Ball& b) {
     // -0.0, or for validation to refuse
-    if (std::signbit(a.radius) || std::signbit(b.radius)) return std::nullopt;
+    if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius)) return std::nullopt;
     return filters::by_sign(filters::spheres<double>(a, b), contact(1, a, b), Contact::disjoint);
   }
   static Decided<Contact> past_filter(const Ball& a, const Ball& b);
