@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+// "Every floating-point environment", as the contracts of robust say, is: each of the four rounding modes, results
+// flushed to zero or not, subnormal operands read as zero or not (FTZ, DAZ), and every sticky flag set or not, with all
+// exceptions masked, as every program starts. Filters round, underflow and overflow on purpose: they leave sticky flags
+// behind, and where the host has unmasked an exception they raise it. robust/masked_exceptions.h is for such hosts.
+
 // Every header of robust/ includes this one. -ffast-math lets a compiler assume that there is no NaN and reassociate
 // sums; the filters rest on both. (Contraction to FMA, any optimisation level and any rounding mode are fine.)
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
