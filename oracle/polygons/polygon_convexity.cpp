@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/elimination.h"
@@ -83,6 +84,19 @@ Rational room(const WholeRing& r, bool convex, int winding) {
   return quotient(least.numerator, least.denominator);
 }
 
+/// The least squared distance of an end of either edge from the other, unless it is at most `deepest`.
+std::optional<SquaredLength<Integer>> least_end_distance_beyond(const SquaredLength<Integer>& deepest,
+                                                                const Segment2<Integer>& e,
+                                                                const Segment2<Integer>& f) {
+  std::optional<SquaredLength<Integer>> least;
+  for (const auto& [end, edge] : {std::pair(&e.a, &f), std::pair(&e.b, &f), std::pair(&f.a, &e), std::pair(&f.b, &e)}) {
+    SquaredLength<Integer> distance = squared_distance(*end, *edge, Extent::segment);
+    if (!(deepest < distance)) return std::nullopt;
+    if (!least || distance < *least) least = std::move(distance);
+  }
+  return least;
+}
+
 /// In squared units; the ring is not simple. Two edges that meet in a point have an end within half the length of either
 /// edge from the other: so the longest come first, and those that are too short for more do not come at all.
 Rational depth(const WholeRing& r) {
@@ -95,21 +109,20 @@ Rational depth(const WholeRing& r) {
   std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return lengths[i] > lengths[j]; });
   std::vector<Index> rank(r.size());
   for (Index k = 0; k < r.size(); ++k) rank[order[k]] = k;
-  Rational deepest(0);
+  SquaredLength<Integer> deepest{Integer(0), Integer(1)};
+  const auto too_short = [&](std::size_t j) { return lengths[j] * deepest.denominator <= 4 * deepest.numerator; };
   for (const Index i : order) {
-    const auto too_short = [&](std::size_t j) { return lengths[j] <= 4 * deepest; };
     if (too_short(i)) break;
     const Boxes::Box own = Boxes::box_of(edges[i]);
     const auto may_meet = [&own](const Boxes::Box& box) { return Boxes::meet(own, box); };
     boxes.ascending(0, may_meet, [&](std::size_t j) {
       if (rank[j] <= rank[i] || too_short(j)) return false;
-      if (segment_segment_relation<Integer>(edges[i], edges[j]) == SegmentRelation::point)
-        deepest =
-            std::max(deepest, least_end_distance(edges[i], Extent::segment, edges[j]));  // 0 where ends are shared
+      const auto least = least_end_distance_beyond(deepest, edges[i], edges[j]);  // 0 where ends are shared
+      if (least && segment_segment_relation<Integer>(edges[i], edges[j]) == SegmentRelation::point) deepest = *least;
       return false;
     });
   }
-  return deepest;
+  return quotient(deepest.numerator, deepest.denominator);
 }
 
 template <class Number>
