@@ -210,6 +210,13 @@ Json Operation::answer_json(const TrueTape& answer) const {
   return named(json_of<TrueNumber>(*row_.answer, answer, [](const TrueNumber& number) { return written(number); }));
 }
 
+Json Operation::question_description() const {
+  if (alternatives_.empty()) return json_of(question_);
+  Json list = Json::array();
+  for (const Shape& alternative : alternatives_) list.push_back(json_of(alternative));
+  return list;
+}
+
 std::unique_ptr<Examination> Operation::examine(const Question& question) const {
   return std::make_unique<Examination>(*this, question);
 }

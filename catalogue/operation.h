@@ -60,6 +60,9 @@ class Operation {
   /// What an answer looks like: {"relation": "on | off", "t?": "number"}.
   Json answer_description() const { return named(json_of(*row_.answer)); }
 
+  /// The same of a question, by field; a list of these where there are alternatives.
+  Json question_description() const;
+
   /// Throws InvalidInput where the oracle refuses the question.
   std::unique_ptr<Examination> examine(const Question& question) const;
   /// Empty if robust and oracle both answer or both refuse with the same field and rule; else what differs.

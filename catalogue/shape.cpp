@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/shape.h"
 
+#include <algorithm>
 #include <array>
 
 namespace touchstone::audit {
@@ -74,6 +75,19 @@ std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& q
   Cursor<double> at(question);
   walk_tape(shape, at, places);
   return places.found;
+}
+
+Word longest_list(const Shape& shape, const Question& question) {
+  struct Longest {
+    Word length = 0;
+    void number(const Shape&, const Cursor<double>&) {}
+    void word(const Shape& part, const Cursor<double>& at) {
+      if (part.kind == Shape::Kind::list) length = std::max(length, *at.word);
+    }
+  } longest;
+  Cursor<double> at(question);
+  walk_tape(shape, at, longest);
+  return longest.length;
 }
 
 void draw_question(Scene& scene, const Shape& shape, const Question& question) {

@@ -114,7 +114,7 @@ const Shape& shape_of(Meaning meaning) {
 }
 
 /// Calls what there is for every leaf of a value in canonical order, moving the cursor past it:
-///   visit.number(shape), visit.word(shape) with the cursor before it; visit.list(shape, length) before the elements.
+///   visit.number(shape, cursor), visit.word(shape, cursor); the length of a list is a word too.
 template <class Real, class Visit>
 void walk_tape(const Shape& shape, Cursor<Real>& at, Visit& visit) {
   switch (shape.kind) {
@@ -151,6 +151,9 @@ void walk_tape(const Shape& shape, Cursor<Real>& at, Visit& visit) {
 
 /// Where each number of a question stands among all its numbers and words in canonical order.
 std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& question);
+
+/// How long the longest list of a question is.
+Word longest_list(const Shape& shape, const Question& question);
 
 /// Draws a question's arguments by their types; what has no figure is told.
 void draw_question(Scene& scene, const Shape& shape, const Question& question);

@@ -18,9 +18,11 @@ std::unique_ptr<Engine> engine_of(const AskCommand& command, const Operation& op
   throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name());
 }
 
-Json said_by(Engine& engine, const Operation& operation, const Question& question, const Examination& examination) {
+Json said_by(Engine& engine, const Operation& operation, const Question& question, const Examination& examination,
+             bool& found_any) {
   const Reply reply = engine.ask(operation, {question})[0];
   const Judgement judgement = judged(reply, examination, engine.declaration());
+  found_any = found_any || is_finding(judgement.verdict);
   Json result = Json::object();
   result["name"] = engine.declaration().engine;
   result.update(verdict_json(judgement, kept(reply.answer)));
@@ -45,7 +47,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   const std::unique_ptr<Engine> engine = engine_of(command, operation);
   const std::string& file = command.file;
   const Json meshes = meshes_of(command);
-  bool refused_any = false;
+  bool refused_any = false, found_any = false;
   const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
     Json error = Json::object();
     error["error"]["field"] = refused.field();
@@ -62,7 +64,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);
       Json line = explained(operation, question, *examination);
-      if (engine) line["engine"] = said_by(*engine, operation, question, *examination);
+      if (engine) line["engine"] = said_by(*engine, operation, question, *examination, found_any);
       if (command.as_typed) {
         line["as_typed"] = Json::object();
         line["as_typed"]["truth"] = operation.truth_as_typed(input);
@@ -76,7 +78,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
     err << place(file, 1) << "line: one JSON object, found an empty file\n";
     return bad_usage;
   }
-  return refused_any ? bad_usage : nothing_found;
+  return refused_any ? bad_usage : found_any ? findings : nothing_found;
 }
 
 }  // namespace touchstone::audit

@@ -47,6 +47,7 @@ int ops_command(bool json, std::ostream& out) {
     entry["pages"] = card.pages;
     entry["fields"] = card.fields;
     if (!card.other_fields.empty()) entry["other_fields"] = card.other_fields;
+    entry["input"] = operation->question_description();
     if (card.is_method()) entry["method_of"] = card.method_of;
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);

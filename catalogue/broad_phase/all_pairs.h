@@ -6,6 +6,8 @@
 #include "catalogue/box_choices.h"
 #include "catalogue/row.h"
 #include "oracle/broad_phase/all_pairs.h"
+#include "oracle/volumes/aabb_aabb.h"
+#include "oracle/volumes/sphere_sphere.h"
 #include "reference/broad_phase/all_pairs.h"
 #include "robust/broad_phase/all_pairs.h"
 
@@ -147,8 +149,18 @@ struct all_pairs {
   static Question map_centre() { return std::tuple(Spheres{{{0, 0, 0}, 2}, {{3, 4, 0}, 3}}); }
   static std::pair<std::size_t, std::size_t> map_axes() { return {3, 5}; }
 
+  using Pairs = std::vector<IndexPair>;
+  /// Solids that only touch are no pair.
+  static std::optional<Pairs> as_open_sets(const Pairs& truth, const Question& question) {
+    Pairs open = truth;
+    std::erase_if(open, [&](const IndexPair& pair) { return touching(pair, question); });
+    if (open.size() == truth.size()) return std::nullopt;
+    return open;
+  }
+
   static Hooks<all_pairs> hooks() {
-    return {.repair = repair,
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,
             .laws = {.maps = Laws::Maps::axes, .scales = true}};
@@ -167,6 +179,15 @@ struct all_pairs {
     Boxes list;
     while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
     return std::tuple(list);
+  }
+
+  static bool touching(const IndexPair& pair, const Question& question) {
+    if (const auto* asked = std::get_if<std::tuple<Spheres>>(&question)) {
+      const Spheres& list = std::get<0>(*asked);
+      return ::touchstone::oracle::sphere_sphere(list[pair.i], list[pair.j]).answer == Contact::touching;
+    }
+    const Boxes& list = std::get<0>(std::get<std::tuple<Boxes>>(question));
+    return ::touchstone::oracle::aabb_aabb(list[pair.i], list[pair.j]).answer == Contact::touching;
   }
 };
 

@@ -142,7 +142,6 @@ Covering covered(const TrueTape& truth, const Tape<double>& answer, std::size_t 
       std::sort(list.back().begin(), list.back().end());
     }
     std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
     return list;
   };
   const auto right = elements(truth.words), said = elements(answer.words);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/judge/examination.h"
 
+#include <set>
+#include <span>
+
 #include "catalogue/judge/tolerated.h"
 #include "catalogue/judge/ulps.h"
 #include "catalogue/operation.h"
@@ -152,8 +155,27 @@ int Examination::touch_reading(const std::string& outcome) const {
   return outcome == this->outcome() ? 1 : outcome == outcome_of(*row_.answer, open()->words) ? -1 : 0;
 }
 
+/// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all
+/// may take it for a touch.
+bool Examination::beside_a_touch(bool binary32) const {
+  if (!margin() || sgn(*margin()) == 0) return false;
+  const int degree = row_.card->margin_degree;
+  if (degree > 1 && *margin() < exact_value(binary32 ? 0x1p-126 : 0x1p-1022)) return true;  // products underflow
+  const mpq_class size = exact_value(greatest(question_)), few_units = 4 * exact_value(binary32 ? 0x1p-23 : 0x1p-52);
+  return within(*margin(), few_units * size, size, degree);
+}
+
+/// The same of a list: all of it, all but what only touches, or neither.
+int Examination::covered_reading(const Tape<double>& answer) const {
+  if (!open()) return 0;
+  const std::size_t each = row_.answer->parts[0].shape->word_count;
+  if (covered(solution_->answer, answer, each).missing == 0) return 1;
+  return covered(*open(), answer, each).missing == 0 ? -1 : 0;
+}
+
 /// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be
-/// sure of its decision here either (running error analysis); else nothing but the algorithm can be.
+/// sure of its decision here either (running error analysis), or if the question is beside a touch; else nothing but
+/// the algorithm can be.
 Judgement Examination::wrong(const Declaration& declaration, bool right_for_open_sets) const {
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
@@ -161,7 +183,8 @@ Judgement Examination::wrong(const Declaration& declaration, bool right_for_open
   } else if (margin() && tolerated(*margin(), declaration.tolerance, row_.card->margin_degree, question_)) {
     judgement.verdict = Verdict::tolerance;
   } else {
-    judgement.verdict = doubtful(declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
+    const bool rounding = doubtful(declaration.binary32) || beside_a_touch(declaration.binary32);
+    judgement.verdict = rounding ? Verdict::rounding : Verdict::algorithm;
   }
   return judgement;
 }
@@ -190,22 +213,39 @@ Tape<double> Examination::read_answer(const Json& json) const {
   return answer;
 }
 
+/// What is listed are tuples of different places in the question's list.
+void Examination::require_places(const Tape<double>& answer) const {
+  const std::size_t each = row_.answer->parts[0].shape->word_count;
+  const Word places = longest_list(*row_.question, question_);
+  for (std::size_t first = 1; first < answer.words.size(); first += each) {
+    const auto element = std::span(answer.words).subspan(first, each);
+    const std::set<Word> different(element.begin(), element.end());
+    if (different.size() < each || *different.rbegin() >= places) {
+      throw InvalidInput(row_.card->answer + ("[" + std::to_string((first - 1) / each) + "]"),
+                         "different places in the list");
+    }
+  }
+}
+
 Judgement Examination::judge_engine(const Json& json, const Declaration& declaration) const {
   try {
     if (json.is_boolean()) return judge_yes_or_no(json.get<bool>(), declaration);
     const Tape<double> answer = read_answer(json);
+    if (row_.card->kind == Kind::covering) require_places(answer);
     Judgement judgement;
     const Comparison found = compared(answer, Reading::partial, declaration.binary32, judgement);
-    const std::string outcome = outcome_of(*row_.answer, answer.words, row_.fault == nullptr);
+    const int reading = row_.card->kind == Kind::covering
+                            ? covered_reading(answer)
+                            : touch_reading(outcome_of(*row_.answer, answer.words, row_.fault == nullptr));
     if (!found.decision) {
-      judgement = wrong(declaration, touch_reading(outcome) == -1);
+      judgement = wrong(declaration, reading == -1);
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
     } else if (found.ulps > row_.card->ulps) {
       judgement.verdict = Verdict::inexact;
     }
     judgement.ulps = found.ulps;
-    judgement.touch_reading = touch_reading(outcome);
+    judgement.touch_reading = reading;
     return judgement;
   } catch (const InvalidInput& refused) {
     return {Verdict::invalid, 0, "answer." + std::string(refused.what())};

@@ -55,10 +55,13 @@ class Examination {
   bool right_in_exact_arithmetic() const;
   Tape<double> formula(bool binary32) const;
   Tape<double> read_answer(const Json& json) const;
+  void require_places(const Tape<double>& answer) const;
   Judgement wrong(const Declaration& declaration, bool right_for_open_sets) const;
   Judgement judge_yes_or_no(bool answer, const Declaration& declaration) const;
   const std::optional<TrueTape>& open() const;
+  bool beside_a_touch(bool binary32) const;
   int touch_reading(const std::string& outcome) const;
+  int covered_reading(const Tape<double>& answer) const;
 
   const Operation& operation_;
   const RowFunctions& row_;

@@ -1,23 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "catalogue/codec/tape.h"
 #include "catalogue/judge/ulps.h"
 
 namespace touchstone::audit {
 
-/// Whether the margin of a truth lies inside an engine's declared tolerance, a length in the unit of the coordinates. A
-/// margin that is an area or a square (degree 2) is compared with tolerance times the greatest coordinate of the
-/// question.
-inline bool tolerated(const mpq_class& margin, double tolerance, int degree, const Question& question) {
-  if (!(tolerance > 0)) return false;
-  mpq_class limit = exact_value(tolerance), greatest = 1;
-  for (const double number : question.numbers) {
-    const mpq_class size = abs(exact_value(number));
-    if (size > greatest) greatest = size;
-  }
-  for (int i = 1; i < degree; ++i) limit *= greatest;
+/// The greatest size of a question's numbers.
+inline double greatest(const Question& question) {
+  double size = 0;
+  for (const double number : question.numbers) size = std::max(size, std::fabs(number));
+  return size;
+}
+
+/// Whether a margin, a length to that power, is at most this length: times the size of the question's numbers where it
+/// is an area or a square (degree 2), and so on.
+inline bool within(const mpq_class& margin, const mpq_class& length, const mpq_class& size, int degree) {
+  mpq_class limit = length;
+  for (int i = 1; i < degree; ++i) limit *= size;
   return margin <= limit;
+}
+
+/// Whether the margin of a truth lies inside an engine's declared tolerance, a length in the unit of the coordinates.
+inline bool tolerated(const mpq_class& margin, double tolerance, int degree, const Question& question) {
+  return tolerance > 0 &&
+         within(margin, exact_value(tolerance), exact_value(std::max(1.0, greatest(question))), degree);
 }
 
 }  // namespace touchstone::audit

@@ -10,8 +10,8 @@ namespace touchstone::audit {
 
 /// What the judge says of one answer; the columns of every table.
 enum class Verdict {
-  agree,  ///< the decision is right and every number within the stated bound
-  rounding,  ///< wrong decision: the same formula in exact arithmetic is right (docs/judging.md)
+  agree,        ///< the decision is right and every number within the stated bound
+  rounding,     ///< wrong decision: the same formula in exact arithmetic is right (docs/judging.md)
   algorithm,    ///< wrong decision: the formula is wrong, or undefined, even in exact arithmetic
   inexact,      ///< right decision, a number further off than the stated bound
   convention,   ///< right for open sets, where the truth is a touch and the engine does not promise closed sets

@@ -130,6 +130,18 @@ struct swept_sphere_sphere {
            const double x = zero(), r = zero(), s = zero(), v = zero();
            return {{{x, small_integer(c, 1), 0}, r}, {{0, 0, 0}, s}, {v, small_integer(c, 1), 0}, {0, 0, 0}};
          }},
+        {"one_stands",
+         [](Choices& c) -> Question {
+           // The other comes from just beside it, or from afar, mostly fast.
+           const Point3d at = lattice_point_in_space(c, 3);
+           const Vector3d p = lattice_normal(c, 6), aside = lattice_normal(c, 2);
+           const Vector3d v = -static_cast<double>(1 + c.below(1000)) * p + aside;
+           const double radius = static_cast<double>(c.below(3)),
+                        length = std::floor(std::sqrt(dot(p, p))) + small_integer(c, 1);
+           const Sphere3d stands{at, radius}, comes{at + p, std::fabs(length - radius)};
+           if (c.below(2) == 0) return {stands, comes, {0, 0, 0}, v};
+           return {comes, stands, v, {0, 0, 0}};
+         }},
     };
   }
 
@@ -143,8 +155,18 @@ struct swept_sphere_sphere {
   static Question map_centre() { return {{{-12, 5, 0}, 2}, {{0, 0, 0}, 3}, {24, 0, 0}, {0, 0, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {1, 3}; }
 
+  using Truth = FirstContact<::touchstone::oracle::Surd>;
+  /// Open balls that only graze each other, or touch at the start and part, or at the last moment, have no contact.
+  static std::optional<Truth> as_open_sets(const Truth& truth, const Question& q) {
+    if (truth.relation != HitRelation::hit) return std::nullopt;
+    const auto margin = applied([](const auto&... value) { return oracle(value...); }, q).margin;
+    if (!margin || sgn(*margin) != 0) return std::nullopt;
+    return Truth{HitRelation::never, {}};
+  }
+
   static Hooks<swept_sphere_sphere> hooks() {
-    return {.repair = repair,
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,
             .laws = {.maps = Laws::Maps::similarities, .scales = true}};

@@ -65,4 +65,21 @@ TEST_CASE("documented: docs/engines.md shows examples/engine.py") {
   REQUIRE(block_of("docs/engines.md", "python") == example.substr(example.find("import json")));
 }
 
+TEST_CASE("documented: docs/engines.md lists what every operation is given and answers") {
+  const auto without = [](std::string text, const std::string& letters) {
+    std::erase_if(text, [&](char letter) { return letters.find(letter) != std::string::npos; });
+    return text;
+  };
+  const std::string page = without(text_of("docs/engines.md"), " \\");
+  for (const Operation* operation : catalogue()) {
+    const Json described = operation->question_description();
+    std::string inputs;
+    for (const Json& input : described.is_array() ? described : Json::array({described}))
+      inputs += (inputs.empty() ? "`" : "`or`") + input.dump();
+    const std::string row = "|`" + operation->name() + "`|" + inputs + "`|`" + operation->answer_description().dump();
+    INFO(row);
+    CHECK(page.find(without(row, " ") + "`|") != std::string::npos);
+  }
+}
+
 }  // namespace touchstone::audit

@@ -43,6 +43,34 @@ TEST_CASE("verdicts: a decision is right, wrong by algorithm, or wrong where the
   CHECK(near.says(R"({"side":"left"})") == "rounding");
 }
 
+TEST_CASE(
+    "verdicts: beside a touch by less than the input's last places, rounding may be to blame whatever the formula") {
+  // The formula asks for the contact at the start by the root; squares, which round to 0 here, do so too.
+  const Case start{"swept_sphere_sphere",
+                   R"({"a":{"center":[-1.8,0.6,0.1],"radius":1.9},"b":{"center":[0,0,0],"radius":0},)"
+                   R"("velocity_a":[-1.6,-2.5,1.4],"velocity_b":[0,0,0]})"};
+  CHECK(start.says(R"({"relation":"never"})") == "agree");
+  CHECK(start.says(R"({"relation":"hit","t":0})") == "rounding");
+  const Case boxes{"aabb_aabb", R"({"a":{"min":[0,0],"max":[0.3,1]},"b":{"min":[0.30000000000000004,0],"max":[1,1]}})"};
+  CHECK(boxes.says(R"({"contact":"touching"})") == "rounding");
+  const Case apart{"aabb_aabb", R"({"a":{"min":[0,0],"max":[0.3,1]},"b":{"min":[0.300000001,0],"max":[1,1]}})"};
+  CHECK(apart.says(R"({"contact":"touching"})") == "algorithm");
+}
+
+TEST_CASE("verdicts: of a list that must cover, what only touches is a convention, and what is no pair is no answer") {
+  const char* const chain =
+      R"({"boxes":[{"min":[0,0,0],"max":[1,1,1]},{"min":[1,0,0],"max":[2,1,1]},{"min":[0,0,0],"max":[1,1,1]}]})";
+  const Case closed{"all_pairs", chain, Boundary::closed}, open{"all_pairs", chain, Boundary::open};
+  CHECK(open.says(R"({"pairs":[[0,2]]})") == "convention");
+  CHECK(closed.says(R"({"pairs":[[0,2]]})") == "algorithm");
+  CHECK(open.says(R"({"pairs":[[0,1]]})") == "algorithm");
+  CHECK(open.touch(R"({"pairs":[[0,1],[0,2],[1,2]]})") == 1);
+  CHECK(closed.judge(R"({"pairs":[[0,1],[0,2],[2,0],[1,2]]})").surplus == 1);
+  CHECK(closed.judge(R"({"pairs":[[0,1],[0,2],[1,2],[1,3]]})").remark ==
+        "answer.pairs[3]: different places in the list");
+  CHECK(closed.says(R"({"pairs":[[0,1],[0,2],[1,2],[1,1]]})") == "invalid");
+}
+
 TEST_CASE("verdicts: where the formula divides by an exact 0, nothing was rounded") {
   const Case apart{"point_on_segment", R"({"point":[1,1],"segment":[[0,0],[0,0]]})"},
       inside{"point_on_segment", R"({"point":[0,1],"segment":[[0,0],[0,2]]})"};

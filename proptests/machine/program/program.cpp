@@ -137,4 +137,12 @@ TEST_CASE("program: what the table says to repeat a finding of an engine finds i
   CHECK(repeated >= 3);
 }
 
+TEST_CASE("program: asking an engine one question ends with 1 where its answer is a finding") {
+  const TextFile on_line("on_line.jsonl", R"({"p0":[0,0],"p1":[2,2],"p":[1,1]})"),
+      lost("lost.jsonl", R"({"p0":[0,0],"p1":[134217729,134217728],"p":[134217728,134217727]})");
+  const char* const engine = "python3 examples/engine.py";
+  CHECK(called({"ask", "orientation", "--engine", engine, on_line.path()}).code == nothing_found);
+  CHECK(called({"ask", "orientation", "--engine", engine, lost.path()}).code == findings);
+}
+
 }  // namespace touchstone::audit
