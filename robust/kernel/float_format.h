@@ -22,6 +22,11 @@ constexpr double power_of_two(int exponent) {
 ///   max_exponent  the largest number lies below 2^(max_exponent + 1)
 ///   above(c)      the least Float that is not below the real number c > 0, whatever the rounding mode
 ///   magnitude(x)  |x|, exact
+///
+/// robust/kernel/enclosed.h asks no exponents, and besides:
+///
+///   head(x)         x cut to precision / 2 digits
+///   square_root(x)  rounded
 template <class Float>
 struct FloatFormat;
 
@@ -30,6 +35,10 @@ struct FloatFormat<double> {
   static constexpr int precision = 53, min_exponent = -1022, max_exponent = 1023;
   static constexpr double above(double c) { return c; }
   static double magnitude(double x) { return __builtin_fabs(x); }
+  static double head(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~((std::uint64_t{1} << 27) - 1));
+  }
+  static double square_root(double x) { return __builtin_sqrt(x); }
 };
 
 }  // namespace touchstone::robust::filters

@@ -13,21 +13,24 @@ namespace touchstone::robust {
 
 /// Which stage decided, in the order in which they are asked.
 ///
-/// filter:  a few floating-point operations and a proved bound (robust/kernel/filters.h); may not know.
-/// lattice: the input as integers below 2^61 on one common power of two, products in 128 bits; may not fit.
-/// exact:   the input as integers of any size; CGAL over GMP integers. Always knows.
+/// filter:   a few floating-point operations and a proved bound (robust/kernel/filters.h); may not know.
+/// enclosed: numbers to one and a half times the precision with a proved bound, and a rounding test
+///           (robust/kernel/enclosed.h); may not know.
+/// lattice:  the input as integers below 2^61 on one common power of two, products in 128 bits; may not fit.
+/// exact:    the input as integers of any size; CGAL over GMP integers. Always knows.
 ///
 /// stages::X (robust/stages/CHAPTER/X.h, which is not installed) has what tests and other operations want of X beside
 /// its answer:
-///   X::filter, X::lattice, X::exact   the stages that X has, of valid arguments. `exact` returns the answer, the
+///   X::filter, X::enclosed, X::lattice, X::exact
+///                                     the stages that X has, of valid arguments. `exact` returns the answer, the
 ///                                     others Perhaps<Answer>, empty for "ask the next".
 ///   X::ask                            all in turn, and which of them decided; refuses arguments that are not valid.
 ///                                     Of several decisions the latest stage counts.
 ///   X::decision                       the same of the decision alone, where X also returns numbers.
 ///
 /// A new stage stands here, in the list and in `asked`, and that is all: every operation says which it has.
-enum class Stage { filter, lattice, exact };
-inline constexpr std::array all_stages{Stage::filter, Stage::lattice, Stage::exact};
+enum class Stage { filter, enclosed, lattice, exact };
+inline constexpr std::array all_stages{Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact};
 
 /// What a stage says: an answer, or nothing. Not std::optional, which g++ puts together in memory: that costs as much
 /// as a determinant. And an int says whether there is one: g++ joins the ways to a bool, and then tests it.
@@ -62,6 +65,10 @@ using At = std::integral_constant<Stage, stage>;
 template <class Stages>
 auto asked(At<Stage::filter>, const auto&... q) -> decltype(Stages::filter(q...)) {
   return Stages::filter(q...);
+}
+template <class Stages>
+auto asked(At<Stage::enclosed>, const auto&... q) -> decltype(Stages::enclosed(q...)) {
+  return Stages::enclosed(q...);
 }
 template <class Stages>
 auto asked(At<Stage::lattice>, const auto&... q) -> decltype(Stages::lattice(q...)) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_line.h"
 
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
 #include "robust/stages/lines/line_line.h"
 
 namespace touchstone::robust {
 namespace {
+
+using kernel::Two;
 
 template <class Integer>
 LineRelation relation_of(const Line2<Integer>& a, const Line2<Integer>& b) {
@@ -60,6 +63,14 @@ LineRelation stages::line_line::decision::exact(const Line2d& a, const Line2d& b
   return relation_of(first_in<mpz_class>(n), second_in<mpz_class>(n));
 }
 
+Perhaps<LineLine<double>> stages::line_line::enclosed(const Line2d& a, const Line2d& b) {
+  if (!kernel::in_window(Two(a.p), Two(a.q), Two(b.p), Two(b.q))) return std::nullopt;
+  if (!kernel::rounds_to_nearest()) return std::nullopt;
+  const auto crossing = kernel::crossing_of({a.p, a.q}, {b.p, b.q});
+  if (!crossing) return std::nullopt;
+  return LineLine<double>{LineRelation::crossing, crossing->ta, crossing->tb, crossing->point};
+}
+
 Perhaps<LineLine<double>> stages::line_line::lattice(const Line2d& a, const Line2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
@@ -76,7 +87,7 @@ Decided<LineRelation> detail::line_line_relation::past_filter(const Line2d& a, c
 }
 
 LineLine<double> line_line(const Line2d& a, const Line2d& b) {
-  return answer_in_turn<stages::line_line, validate, Stage::lattice, Stage::exact>(a, b);
+  return answer_in_turn<stages::line_line, Stage::enclosed, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

@@ -4,6 +4,7 @@
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
+#include "robust/kernel/window.h"
 #include "robust/stages/lines/line_point_at.h"
 
 namespace touchstone::robust {
@@ -32,6 +33,17 @@ void validate(const ParametricLine2d& line, double t) {
 
 }  // namespace
 
+Perhaps<Point2d> stages::line_point_at::enclosed(const ParametricLine2d& line, double t) {
+  using kernel::Two;
+  if (validation::zero(line.direction.x) && validation::zero(line.direction.y)) return std::nullopt;  // refused
+  const Two origin(line.origin), direction(line.direction), parameter(t);
+  if (!kernel::in_window(origin, direction, parameter) || !kernel::rounds_to_nearest()) return std::nullopt;
+  kernel::Sum sum(kernel::product(kernel::factor(parameter), kernel::factor(direction)));
+  const auto point = kernel::rounded((sum += origin).value());
+  if (!point) return std::nullopt;
+  return Point2d{point->first(), point->second()};
+}
+
 Perhaps<Point2d> stages::line_point_at::lattice(const ParametricLine2d& line, double t) {
   const auto x = on_lattice(line.origin.x, line.direction.x, t), y = on_lattice(line.origin.y, line.direction.y, t);
   if (!x || !y) return std::nullopt;
@@ -42,8 +54,18 @@ Point2d stages::line_point_at::exact(const ParametricLine2d& line, double t) {
   return {on_integers(line.origin.x, line.direction.x, t), on_integers(line.origin.y, line.direction.y, t)};
 }
 
+namespace {
+
+/// Apart from the usual way, which then has no registers to save.
+[[gnu::noinline]] Decided<Point2d> past_enclosure(const ParametricLine2d& line, double t) {
+  return in_turn<stages::line_point_at, validate, Stage::lattice, Stage::exact>(line, t);
+}
+
+}  // namespace
+
 Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
-  return in_turn<line_point_at, validate, Stage::lattice, Stage::exact>(line, t);
+  if (const auto answer = enclosed(line, t)) return {*answer, Stage::enclosed};
+  return past_enclosure(line, t);
 }
 
 Point2d line_point_at(const ParametricLine2d& line, double t) { return stages::line_point_at::ask(line, t).answer; }

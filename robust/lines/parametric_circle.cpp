@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/parametric_circle.h"
 
+#include "robust/kernel/enclosed_angles.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/sine_cosine.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
+#include "robust/kernel/window.h"
+#include "robust/stages/lines/parametric_circle.h"
 
 namespace touchstone::robust {
 namespace {
@@ -44,8 +47,18 @@ void validate(const Circle2d& circle, double u) {
 
 }  // namespace
 
-Point2d parametric_circle(const Circle2d& circle, double u) {
-  validate(circle, u);
+Perhaps<Point2d> stages::parametric_circle::enclosed(const Circle2d& circle, double u) {
+  using namespace kernel;
+  const Two center(circle.center), radius(circle.radius);
+  if (!in_window(center, Two(circle.radius, u)) || !rounds_to_nearest()) return std::nullopt;
+  const auto direction = enclosed_cosine_sine(u);
+  if (!direction || !direction->settled()) return std::nullopt;
+  const auto point = rounded(along(center, factor(*direction), direction->error, factor(radius)));
+  if (!point) return std::nullopt;
+  return Point2d{point->first(), point->second()};
+}
+
+Point2d stages::parametric_circle::exact(const Circle2d& circle, double u) {
   const Point2d& c = circle.center;
   if (validation::zero(circle.radius)) return {sum_rounded(c.x, 0), sum_rounded(c.y, 0)};
   if (validation::zero(u)) return {sum_rounded(c.x, circle.radius), sum_rounded(c.y, 0)};
@@ -64,5 +77,11 @@ Point2d parametric_circle(const Circle2d& circle, double u) {
   }
   return {*across, *up};
 }
+
+Decided<Point2d> stages::parametric_circle::ask(const Circle2d& circle, double u) {
+  return in_turn<parametric_circle, validate, Stage::enclosed, Stage::exact>(circle, u);
+}
+
+Point2d parametric_circle(const Circle2d& circle, double u) { return stages::parametric_circle::ask(circle, u).answer; }
 
 }  // namespace touchstone::robust

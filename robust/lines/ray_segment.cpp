@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/ray_segment.h"
 
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
 #include "robust/stages/lines/ray_segment.h"
@@ -117,6 +118,23 @@ RayRelation stages::ray_segment::decision::exact(const Ray2d& ray, const Segment
   return meeting_of(as_integers(ray, segment)).relation;
 }
 
+/// The numbers where the filter says that they meet in a point.
+Perhaps<RaySegment<double>> stages::ray_segment::enclosed(const Ray2d& ray, const Segment2d& segment) {
+  if (filters::ray(ray.origin, ray.direction, segment) != filters::Sign::negative) return std::nullopt;
+  using namespace kernel;
+  const Two origin(ray.origin), direction(ray.direction), a(segment.a), b(segment.b);
+  if (!in_window(origin, direction, a, b) || !rounds_to_nearest()) return std::nullopt;
+  const Factor<Two> v = factor(direction), s = vector_between(a, b);
+  const Enclosed<Two> crosses = enclosed_crosses(s, v, vector_between(origin, a));
+  const Enclosed<double> d = first(crosses);
+  if (!crosses.settled() || d.high == 0) return std::nullopt;
+  const Enclosed<double> t = second(crosses) / Divisor(d);
+  const auto parameter = rounded(t);
+  const auto point = rounded(along(origin, twice(t), v));
+  if (!parameter || !point) return std::nullopt;
+  return RaySegment<double>{RayRelation::point, parameter, point_of(*point), {}};
+}
+
 Perhaps<RaySegment<double>> stages::ray_segment::lattice(const Ray2d& ray, const Segment2d& segment) {
   const auto question = on_lattice(ray, segment);
   if (!question) return std::nullopt;
@@ -136,6 +154,8 @@ RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment) {
   using decision = stages::ray_segment::decision;
   const auto relation = decision::filter(ray, segment);
   if (relation && *relation == RayRelation::none) return {RayRelation::none, {}, {}, {}};
+  if (relation)
+    return answer_in_turn<stages::ray_segment, Stage::enclosed, validate, Stage::lattice, Stage::exact>(ray, segment);
   return answer_in_turn<stages::ray_segment, validate, Stage::lattice, Stage::exact>(ray, segment);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/segment_segment.h"
 
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
 #include "robust/stages/lines/segment_segment.h"
@@ -112,6 +113,17 @@ SegmentRelation stages::segment_segment::decision::exact(const Segment2d& a, con
   return meeting_of(first_in<mpz_class>(n), second_in<mpz_class>(n)).relation;
 }
 
+/// The numbers where the filter says that the segments cross.
+Perhaps<SegmentSegment<double>> stages::segment_segment::enclosed(const Segment2d& a, const Segment2d& b) {
+  if (filters::segments(a, b) != filters::Sign::negative) return std::nullopt;
+  using kernel::Two;
+  if (!kernel::in_window(Two(a.a), Two(a.b), Two(b.a), Two(b.b))) return std::nullopt;
+  if (!kernel::rounds_to_nearest()) return std::nullopt;
+  const auto crossing = kernel::crossing_of(a, b);
+  if (!crossing) return std::nullopt;
+  return SegmentSegment<double>{SegmentRelation::point, crossing->ta, crossing->tb, crossing->point, {}};
+}
+
 Perhaps<SegmentSegment<double>> stages::segment_segment::lattice(const Segment2d& a, const Segment2d& b) {
   const auto lattice = on_lattice(a, b);
   if (!lattice) return std::nullopt;
@@ -140,6 +152,8 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   using decision = stages::segment_segment::decision;
   const auto relation = decision::filter(a, b);
   if (relation && *relation == SegmentRelation::disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  if (relation)
+    return answer_in_turn<stages::segment_segment, Stage::enclosed, Stage::lattice, validate, Stage::exact>(a, b);
   return answer_in_turn<stages::segment_segment, Stage::lattice, validate, Stage::exact>(a, b);
 }
 

@@ -2,6 +2,7 @@
 #include "robust/planes/point_plane.h"
 
 #include "robust/kernel/cgal_predicates.h"
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_space.h"
@@ -42,6 +43,20 @@ Decided<PlaneSide> detail::point_plane_side::past_filter(const Plane3d& plane, c
   return in_turn<stages::point_plane::decision, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
+Perhaps<PointPlane<double>> stages::point_plane::enclosed(const Plane3d& plane, const Point3d& p) {
+  using namespace kernel;
+  const Vector3d& n = plane.normal;
+  const Two x(p.x, n.x), y(p.y, n.y), z(p.z, n.z), offset(plane.offset, 0);
+  if (!in_window(x, y, z, offset) || !rounds_to_nearest()) return std::nullopt;
+  const Enclosed<Two> height_and_square = enclosed_heights(factors(n), offset, factors(x, y, z));
+  const Enclosed<double> height = first(height_and_square), square = second(height_and_square);
+  if (!height_and_square.settled() || height.high == 0 || square.high == 0) return std::nullopt;
+  const Enclosed<double> length = square_root(square);
+  const auto distance = rounded(height / Divisor(length));
+  if (!distance) return std::nullopt;
+  return PointPlane<double>{height.high > 0 ? PlaneSide::front : PlaneSide::back, *distance};
+}
+
 Perhaps<PointPlane<double>> stages::point_plane::lattice(const Plane3d& plane, const Point3d& point) {
   const auto height = kernel::lattice_sum(kernel::height_over(plane, point));
   if (!height) return std::nullopt;
@@ -55,7 +70,7 @@ PointPlane<double> stages::point_plane::exact(const Plane3d& plane, const Point3
 }
 
 PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point) {
-  return answer_in_turn<stages::point_plane, validate, Stage::lattice, Stage::exact>(plane, point);
+  return answer_in_turn<stages::point_plane, Stage::enclosed, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
 }  // namespace touchstone::robust

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/planes/point_plane_toi.h"
 
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/plane_filter.h"
 #include "robust/kernel/plane_terms.h"
@@ -68,6 +69,25 @@ Perhaps<PointPlaneToi<double>> stages::point_plane_toi::filter(const Plane3d& pl
   return std::nullopt;
 }
 
+Perhaps<PointPlaneToi<double>> stages::point_plane_toi::enclosed(const Plane3d& plane, const Point3d& start,
+                                                                 const Point3d& end) {
+  using namespace kernel;
+  const Vector3d& n = plane.normal;
+  const Two x(start.x, end.x), y(start.y, end.y), z(start.z, end.z);
+  if (!in_window(Two(n.x, n.y), Two(n.z, plane.offset), x, y, z) || !rounds_to_nearest()) return std::nullopt;
+  const Enclosed<Two> heights = enclosed_heights(factors(n), Two(plane.offset), factors(x, y, z));
+  const Enclosed<double> e0 = first(heights), e1 = second(heights), descent = e0 - e1;
+  if (!heights.settled() || !descent.settled() || !(e0.high > 0 && e1.high < 0)) return std::nullopt;
+  const Enclosed<double> t = e0 / Divisor(descent);
+  const Two xy(start.x, start.y);
+  const auto parameter = rounded(t);
+  const auto there = rounded(along(xy, twice(t), vector_between(xy, Two(end.x, end.y))));
+  const auto up = rounded(along(start.z, t, factor(difference(end.z, start.z))));
+  if (!parameter || !there || !up) return std::nullopt;
+  return PointPlaneToi<double>{at_end(-1),
+                               {HitRelation::hit, parameter, Point3d{there->first(), there->second(), *up}}};
+}
+
 Perhaps<PointPlaneToi<double>> stages::point_plane_toi::lattice(const Plane3d& plane, const Point3d& start,
                                                                 const Point3d& end) {
   const auto first = kernel::lattice_sum(kernel::height_over(plane, start)),
@@ -91,7 +111,8 @@ PointPlaneToi<double> stages::point_plane_toi::exact(const Plane3d& plane, const
 
 Decided<PointPlaneToi<double>> stages::point_plane_toi::ask(const Plane3d& plane, const Point3d& start,
                                                             const Point3d& end) {
-  return in_turn<point_plane_toi, Stage::filter, validate, Stage::lattice, Stage::exact>(plane, start, end);
+  return in_turn<point_plane_toi, Stage::filter, Stage::enclosed, validate, Stage::lattice, Stage::exact>(plane, start,
+                                                                                                          end);
 }
 
 PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end) {

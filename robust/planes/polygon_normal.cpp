@@ -2,6 +2,7 @@
 #include "robust/planes/polygon_normal.h"
 
 #include "geometry/validation.h"
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/points_in_space.h"
 #include "robust/stages/planes/polygon_normal.h"
@@ -55,6 +56,44 @@ void validate(const Polygon3d& polygon) { validation::validate("polygon", polygo
 
 }  // namespace
 
+/// Two triangles of the fan round vertex 0 at a time: with a, b, c three vertices as seen from there, a x b + b x c = b
+/// x (c - a). Where the last triangle is alone, c is vertex 0.
+Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d& polygon) {
+  using namespace kernel;
+  const std::size_t n = polygon.size();
+  if (n < 3 || n > 1 << 12 || !rounds_to_nearest()) return std::nullopt;
+  const Point3d& hub = polygon[0];
+  const auto xy = [](const Point3d& p) { return Two(p.x, p.y); };
+  Window window(xy(hub));
+  window.add(xy(polygon[1])).add(Two(hub.z, polygon[1].z));
+  Sum<Two> sum_xy(Term2<Two>{Two(), Two()});
+  Sum<double> sum_z(Term2<double>{0, 0});
+  for (std::size_t i = 1; i + 1 < n; i += 2) {
+    const Point3d &a = polygon[i], &b = polygon[i + 1], &c = polygon.next(i + 1);
+    const Two of_b = xy(b), of_c = xy(c), zs(b.z, c.z);
+    window.add(of_b).add(of_c).add(zs);
+    const Factor<Two> p = vector_between(xy(hub), of_b), q = vector_between(xy(a), of_c),
+                      z = vector_between(Two(hub.z, a.z), zs);
+    // p and q as three lanes each: (x, y) and z, the latter beside each other.
+    sum_xy += product(both(second(p), first(z)), both(second(z), first(q)));
+    sum_xy -= product(both(first(z), first(p)), both(second(q), second(z)));
+    const Term2<Two> of_z = product(p, swapped(q));
+    sum_z += first(of_z), sum_z -= second(of_z);
+  }
+  if (!window.holds()) return std::nullopt;
+  const Enclosed<Two> nxy = sum_xy.value();
+  const Enclosed<double> nz = sum_z.value();
+  if (!nxy.settled() || !nz.settled()) return std::nullopt;
+  const Enclosed<double> square = sum_of_squares(nxy, nz);
+  if (!square.settled() || square.high == 0) return std::nullopt;
+  const Enclosed<double> length = square_root(square);
+  const auto normal_xy = rounded(nxy), unit_xy = rounded(nxy / Divisor(twice(length)));
+  const auto zs = rounded(both(nz, nz / Divisor(length)));
+  if (!normal_xy || !unit_xy || !zs) return std::nullopt;
+  return PolygonNormal<double>{NormalClass::proper, Vector3d{normal_xy->first(), normal_xy->second(), zs->first()},
+                               Vector3d{unit_xy->first(), unit_xy->second(), zs->second()}};
+}
+
 Perhaps<PolygonNormal<double>> stages::polygon_normal::lattice(const Polygon3d& polygon) {
   const auto points = kernel::lattice_of(polygon);
   if (!points) return std::nullopt;
@@ -66,7 +105,7 @@ PolygonNormal<double> stages::polygon_normal::exact(const Polygon3d& polygon) {
 }
 
 Decided<PolygonNormal<double>> stages::polygon_normal::ask(const Polygon3d& polygon) {
-  return in_turn<polygon_normal, validate, Stage::lattice, Stage::exact>(polygon);
+  return in_turn<polygon_normal, Stage::enclosed, validate, Stage::lattice, Stage::exact>(polygon);
 }
 
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon) { return stages::polygon_normal::ask(polygon).answer; }

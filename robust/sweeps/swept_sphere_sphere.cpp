@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/sweeps/swept_sphere_sphere.h"
 
-
+#include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/quadratic_root.h"
 #include "robust/kernel/sweep_filter.h"
@@ -118,7 +118,8 @@ void validate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a, 
 /// What the filter is sure of, `later` by its end or by the line of the sweep.
 std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b) {
-  if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius))
+    return std::nullopt;  // -0.0, or for validation to refuse
   const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
   const Sign start = sweep.start();
   if (start == Sign::negative) return Meeting::at_start;
@@ -146,6 +147,37 @@ Perhaps<FirstContact<double>> stages::swept_sphere_sphere::filter(const Sphere3d
   return std::nullopt;
 }
 
+/// The smaller zero of f where the filter says that the spheres meet on the way: the root is taken to where it adds.
+Perhaps<FirstContact<double>> stages::swept_sphere_sphere::enclosed(const Sphere3d& a, const Sphere3d& b,
+                                                                    const Vector3d& va, const Vector3d& vb) {
+  if (meeting_by_filter(a, b, va, vb) != Meeting::later) return std::nullopt;
+  using namespace kernel;
+  const Point3d &ca = a.center, &cb = b.center;
+  // Position and velocity beside each other.
+  const Vector3<Two> of_a{Two(ca.x, va.x), Two(ca.y, va.y), Two(ca.z, va.z)},
+      of_b{Two(cb.x, vb.x), Two(cb.y, vb.y), Two(cb.z, vb.z)};
+  const Two radii(a.radius, b.radius);
+  if (!in_window(of_a.x, of_a.y, of_a.z, of_b.x, of_b.y, of_b.z, radii) || !rounds_to_nearest()) return std::nullopt;
+  const Factor<Two> x = vector_between(of_b.x, of_a.x), y = vector_between(of_b.y, of_a.y),
+                    z = vector_between(of_b.z, of_a.z);
+  const Factor<double> reach = factor(two_sum(a.radius, b.radius));
+  Sum<Two> squares(kernel::product(x, x));
+  squares += kernel::product(y, y), squares += kernel::product(z, z);
+  Sum<double> slope(kernel::product(first(x), second(x)));
+  slope += kernel::product(first(y), second(y)), slope += kernel::product(first(z), second(z));
+  const Enclosed<Two> distance_and_speed = squares.value();
+  const Enclosed<double> half_slope = slope.value(), speed = second(distance_and_speed),
+                         gap = first(distance_and_speed) - Sum(kernel::product(reach, reach)).value();
+  if (!half_slope.settled() || !speed.settled() || !gap.settled()) return std::nullopt;
+  const Enclosed<double> discriminant = half_slope * half_slope - speed * gap;
+  if (!discriminant.settled() || !(half_slope.high < 0 && discriminant.high > 0)) return std::nullopt;
+  const Enclosed<double> below = square_root(discriminant) - half_slope;
+  if (!below.settled()) return std::nullopt;
+  const auto t = rounded(gap / Divisor(below));
+  if (!t) return std::nullopt;
+  return FirstContact<double>{HitRelation::hit, t};
+}
+
 Perhaps<FirstContact<double>> stages::swept_sphere_sphere::lattice(const Sphere3d& a, const Sphere3d& b,
                                                                    const Vector3d& va, const Vector3d& vb) {
   const auto motion = on_lattice(a, b, va, vb);
@@ -160,7 +192,8 @@ FirstContact<double> stages::swept_sphere_sphere::exact(const Sphere3d& a, const
 
 Decided<FirstContact<double>> stages::swept_sphere_sphere::ask(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
                                                                const Vector3d& vb) {
-  return in_turn<swept_sphere_sphere, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b, va, vb);
+  return in_turn<swept_sphere_sphere, Stage::filter, Stage::enclosed, validate, Stage::lattice, Stage::exact>(a, b, va,
+                                                                                                              vb);
 }
 
 FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,

@@ -83,7 +83,8 @@ TEST_CASE("line_point_at: what is not finite and a zero direction are refused by
 }
 
 TEST_CASE("line_point_at: each stage decides what is meant for it") {
-  CHECK(decided_by({{1, 2}, {3, 4}}, 2) == Stage::lattice);
+  CHECK(decided_by({{1, 2}, {3, 4}}, 2) == Stage::enclosed);
+  CHECK(decided_by({{1, 2}, {0x1p-53, 4}}, 1) == Stage::lattice);  // a tie
   CHECK(decided_by({{0, 0}, {tiny, huge}}, 0.5) == Stage::lattice);
   CHECK(decided_by({{1, 2}, {tiny, 4}}, 1) == Stage::exact);  // 1074 places apart
 }

@@ -102,6 +102,19 @@ TEST_CASE("parametric_circle: what is not finite and a negative radius are refus
   refused<Row>({{{0, 0}, 1}, -infinity}, "u", "finite number");
 }
 
+TEST_CASE("parametric_circle: each stage decides what is meant for it, and gives the same answer") {
+  using stages = robust::stages::parametric_circle;
+  CHECK(stages::ask({{1, 2}, 3}, 4).stage == Stage::enclosed);
+  CHECK(stages::ask({{1, 2}, 3}, -0x1p20).stage == Stage::enclosed);
+  CHECK(stages::ask({{1, 2}, 3}, 0x1.8p20).stage == Stage::exact);  // too many turns
+  CHECK(stages::ask({{1, 2}, tiny}, 4).stage == Stage::exact);
+  robust_law<Row>("stages", [](const auto& ask, const auto& asked) {
+    const auto& [circle, u] = asked;
+    const auto enclosed = stages::enclosed(circle, u);
+    return equal(ask(asked), stages::exact(circle, u)) && (!enclosed || equal(ask(asked), *enclosed));
+  });
+}
+
 TEST_CASE("parametric_circle: the formula in double stays within the bound of its contract") {
   contract<Row>("the forward error bound holds",
                 [](const auto& truth, const Point2d& answer, const Circle2d& circle, double u) {

@@ -171,7 +171,8 @@ TEST_CASE("point_plane_toi: what is not finite is refused by its field, and a pl
 TEST_CASE("point_plane_toi: each stage decides what is meant for it") {
   CHECK(decided_by(ground, {0, 3, 0}, {4, 1, 8}) == Stage::filter);
   CHECK(decided_by(ground, {0, -3, 0}, {4, 1, 8}) == Stage::filter);
-  CHECK(decided_by(ground, {0, 3, 0}, {4, -1, 8}) == Stage::lattice);  // numbers have to be found
+  CHECK(decided_by({{0, 1, 0}, -1}, {0, 3, 0}, {4, -1, 8}) == Stage::enclosed);  // numbers have to be found
+  CHECK(decided_by(ground, {0, 3, 0}, {4, -1, 8}) == Stage::lattice);            // y = 0: no enclosure proves that
   CHECK(decided_by(ground, {0, 0, 0}, {4, 1, 8}) == Stage::lattice);
   CHECK(decided_by(ground, {tiny, 3, 0}, {4, -1, 8}) == Stage::exact);  // 1074 places apart
 }

@@ -292,7 +292,7 @@ TEST_CASE("swept_sphere_sphere: each stage decides what is meant for it") {
     CHECK(decided_by(question) == Stage::filter);
     CHECK(relation_decided_by(question) == Stage::filter);
   }
-  CHECK(decided_by(hits) == Stage::lattice);  // t has to be found
+  CHECK(decided_by(hits) == Stage::enclosed);  // t has to be found
   CHECK(relation_decided_by(hits) == Stage::filter);
   CHECK(decided_by(wide) == Stage::exact);  // 1074 places apart
   CHECK(relation_decided_by(wide) == Stage::filter);

@@ -7,6 +7,7 @@
 namespace touchstone::robust::stages {
 
 struct line_line {
+  static Perhaps<LineLine<double>> enclosed(const Line2d& a, const Line2d& b);
   static Perhaps<LineLine<double>> lattice(const Line2d& a, const Line2d& b);
   static LineLine<double> exact(const Line2d& a, const Line2d& b);
 

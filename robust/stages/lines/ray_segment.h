@@ -7,6 +7,7 @@
 namespace touchstone::robust::stages {
 
 struct ray_segment {
+  static Perhaps<RaySegment<double>> enclosed(const Ray2d& ray, const Segment2d& segment);
   static Perhaps<RaySegment<double>> lattice(const Ray2d& ray, const Segment2d& segment);
   static RaySegment<double> exact(const Ray2d& ray, const Segment2d& segment);
 

@@ -7,6 +7,7 @@
 namespace touchstone::robust::stages {
 
 struct segment_segment {
+  static Perhaps<SegmentSegment<double>> enclosed(const Segment2d& a, const Segment2d& b);
   static Perhaps<SegmentSegment<double>> lattice(const Segment2d& a, const Segment2d& b);
   static SegmentSegment<double> exact(const Segment2d& a, const Segment2d& b);
 

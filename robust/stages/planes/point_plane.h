@@ -8,6 +8,7 @@ namespace touchstone::robust::stages {
 
 /// The distance has no filter: a number has to be found.
 struct point_plane {
+  static Perhaps<PointPlane<double>> enclosed(const Plane3d& plane, const Point3d& point);
   static Perhaps<PointPlane<double>> lattice(const Plane3d& plane, const Point3d& point);
   static PointPlane<double> exact(const Plane3d& plane, const Point3d& point);
 

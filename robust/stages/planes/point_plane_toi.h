@@ -10,6 +10,7 @@ namespace touchstone::robust::stages {
 struct point_plane_toi {
   using Answer = PointPlaneToi<double>;
   static Perhaps<Answer> filter(const Plane3d& plane, const Point3d& start, const Point3d& end);
+  static Perhaps<Answer> enclosed(const Plane3d& plane, const Point3d& start, const Point3d& end);
   static Perhaps<Answer> lattice(const Plane3d& plane, const Point3d& start, const Point3d& end);
   static Answer exact(const Plane3d& plane, const Point3d& start, const Point3d& end);
   static Decided<Answer> ask(const Plane3d& plane, const Point3d& start, const Point3d& end);

@@ -8,6 +8,7 @@ namespace touchstone::robust::stages {
 
 /// There is no filter: numbers have to be found.
 struct polygon_normal {
+  static Perhaps<PolygonNormal<double>> enclosed(const Polygon3d& polygon);
   static Perhaps<PolygonNormal<double>> lattice(const Polygon3d& polygon);
   static PolygonNormal<double> exact(const Polygon3d& polygon);
   static Decided<PolygonNormal<double>> ask(const Polygon3d& polygon);

@@ -11,6 +11,7 @@ namespace touchstone::robust::stages {
 struct swept_sphere_sphere {
   using Answer = FirstContact<double>;
   static Perhaps<Answer> filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& va, const Vector3d& vb);
+  static Perhaps<Answer> enclosed(const Sphere3d& a, const Sphere3d& b, const Vector3d& va, const Vector3d& vb);
   static Perhaps<Answer> lattice(const Sphere3d& a, const Sphere3d& b, const Vector3d& va, const Vector3d& vb);
   static Answer exact(const Sphere3d& a, const Sphere3d& b, const Vector3d& va, const Vector3d& vb);
   static Decided<Answer> ask(const Sphere3d& a, const Sphere3d& b, const Vector3d& va, const Vector3d& vb);
