@@ -155,10 +155,14 @@ void add_row(DataSet set) {
     add("mpq",
         [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
   }
+  // Which answers hold numbers, for the goals of ratios.py.
+  const audit::Kind kind = Row::card().kind;
+  const char* label = kind == audit::Kind::measure || kind == audit::Kind::set ? "numbers" : "";
   add("slide_answer", [=](benchmark::State& s) {
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_reference<Row>(q); });
   });
   add("robust_answer", [=](benchmark::State& s) {
+    s.SetLabel(label);
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_robust<Row>(q); });
   });
 }

@@ -22,6 +22,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+OF_ANGLES = {"parametric_circle", "interior_angles"}  # whose formulas call the library's cosine or arc tangent
 TRIANGULATION = "triangulate_polygon_10000"
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
@@ -35,12 +36,14 @@ class Times:
                    f"--benchmark_repetitions={repetitions}", "--benchmark_min_time=0.01",
                    "--benchmark_enable_random_interleaving=true"]
         done = subprocess.run(command, capture_output=True, text=True, check=True)
-        self.of = {}
+        self.of, self.labels = {}, {}
         for run in json.loads(done.stdout)["benchmarks"] if done.stdout else []:
             if run["run_type"] == "iteration":
                 if run.get("error_occurred"):
                     sys.exit(f"{run['name']}: {run['error_message']}")
-                self.of.setdefault(run["name"].rsplit("/", 1)[1], []).append(1e9 / run["items_per_second"])
+                name = run["name"].rsplit("/", 1)[1]
+                self.of.setdefault(name, []).append(1e9 / run["items_per_second"])
+                self.labels[name] = run.get("label", "")
 
     def least(self, name):
         return min(self.of[name]) if name in self.of else None
@@ -155,6 +158,11 @@ def goals(lines, oracle):
         for data in SETS:
             ratio(f"{group}, {data}: Epick / robust", f"{group}/{data}", "epick", "robust", 1, 1)
     ratio("point_plane, random: robust / naive", "point_plane/random", "robust", "naive", 1.3, -1)
+    for group, t in lines.items():
+        op, data = group.split("/", 1)
+        if data == "random" and t.labels.get("robust_answer") == "numbers":
+            bound = 20 if op in OF_ANGLES else 10
+            ratio(f"{op}, random: robust's answer / slide's", group, "robust_answer", "slide_answer", bound, -1)
     for group in lines:
         if group.startswith(TRIANGULATION):
             ratio(f"{group}: robust / earcut", group, "robust", "earcut", 1, -1)
