@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/ties.h"
 #include "catalogue/rounded_choices.h"
 #include "catalogue/row.h"
 #include "oracle/lines/line_line.h"
@@ -39,6 +40,11 @@ struct line_line {
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
            return {{along(p, small_integer(c, 4), u), along(p, 5, u)},
                    {along(p, small_integer(c, 4), v), along(p, 5, v)}};
+         }},
+        {"beside_a_tie",
+         [](Choices& c) -> Question {
+           const auto [d, q] = quotient_beside_tie(c);
+           return {{{0, 0}, {0, d}}, {{2 * d, d + 1}, {2 * d - 1, d + 1 + q}}};
          }},
         {"parallel",
          [](Choices& c) -> Question {

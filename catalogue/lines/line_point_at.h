@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/ties.h"
 #include "catalogue/row.h"
 #include "oracle/lines/line_point_at.h"
 #include "reference/lines/line_point_at.h"
@@ -32,6 +33,11 @@ struct line_point_at {
          [](Choices& c) -> Question {
            const Point2d origin = lattice_point(c);
            return {{origin, lattice_direction(c)}, integer(c, 20)};
+         }},
+        {"beside_a_tie",
+         [](Choices& c) -> Question {
+           const BesideTie x = beside_tie(c);
+           return {{{x.rest, 1}, {x.v, 1}}, x.t};
          }},
         {"at_zero",
          [](Choices& c) -> Question {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/rings.h"
+#include "catalogue/families/ties.h"
 #include "catalogue/figures.h"
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
@@ -41,6 +42,11 @@ struct polygon_normal {
          [](Choices& c) -> Question {
            const Point3d p = lattice_point_in_space(c), q = lattice_point_in_space(c);
            return {{{p, q, lattice_point_in_space(c)}}};
+         }},
+        {"beside_a_tie",
+         [](Choices& c) -> Question {
+           const BesideTie z = beside_tie(c);
+           return {{{{0, 0, 0}, {z.t, -z.rest, 0}, {1, z.v, 0}}}};
          }},
         {"parallelogram",
          [](Choices& c) -> Question {
