@@ -3,9 +3,8 @@
 
 #include <mpfr.h>
 
-#include <catch2/catch.hpp>
-
 #include "catalogue/families/numbers.h"
+#include "proptests/catch.h"
 
 // Sine, cosine and arc tangent against MPFR with 300 bits: no enclosure misses the truth, and hardly any is too wide to
 // round.

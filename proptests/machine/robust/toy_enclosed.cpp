@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/enclosed.h"
+
 #include <gmpxx.h>
 
-#include <catch2/catch.hpp>
 #include <functional>
 
 #include "catalogue/families/choices.h"
+#include "proptests/catch.h"
 #include "proptests/machine/robust/narrow_float.h"
-#include "robust/kernel/enclosed.h"
 
 // The number kernel on formats of 12 and 13 digits, where every truth is known: no enclosure misses it, no rounded
 // number is another, and most are found. Quotients and roots of single numbers are tried on all of them.
