@@ -43,7 +43,7 @@ struct polygon_normal {
            const Point3d p = lattice_point_in_space(c), q = lattice_point_in_space(c);
            return {{{p, q, lattice_point_in_space(c)}}};
          }},
-        {"beside_a_tie",
+        {"within_its_enclosure",
          [](Choices& c) -> Question {
            const BesideTie z = beside_tie(c);
            return {{{{0, 0, 0}, {z.t, -z.rest, 0}, {1, z.v, 0}}}};

@@ -94,7 +94,7 @@ void for_draws(const char* stream, double share, const std::function<void(Choice
 
 template <int p>
 void sums() {
-  for_draws<p>("sums", 1 / 4.0, [](Choices& choices, Count& count) {
+  for_draws<p>("sums", 1 / 8.0, [](Choices& choices, Count& count) {
     const auto d = drawn_determinant<p>(choices);
     count.add(d.computed, d.exact);
   });
