@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+
 #include "oracle/certificates/check.h"
 #include "program/commands.h"
 #include "program/program.h"
@@ -7,8 +9,9 @@ namespace touchstone::audit {
 
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err) {
   std::uint64_t refused = 0, without = 0;
+  const std::string folder = std::filesystem::path(file).parent_path().string();
   const std::uint64_t lines = each_line(file, [&](std::uint64_t number, const std::string& text) {
-    if (const auto reason = certify::refuse_text(text)) {
+    if (const auto reason = certify::refuse_text(text, folder)) {
       ++refused;
       err << place(file, number) << *reason << '\n';
     } else if (certify::is_refused_input(text)) {

@@ -5,6 +5,7 @@
 usage: certify.py [FILE...]    (standard input without a FILE, or where FILE is -)
 
 Each line is one claim, {"op":..,"input":{..},"truth":{..},"certificate":{"kind":..,facts}}; other keys are ignored.
+An input field "meshes/NAME.json" stands for the value in that file, in the folder of FILE.
 A test vector of a refused input, {"op":..,"input":{..},"refused":{"field":..,"rule":..}}, has to break that rule first.
 Prints every refused line with its reason and then "N certificates, M refused". Exit code: 0 all hold, 1 some refused,
 2 a file cannot be read, or holds nothing. The same checks as the files check_*.cpp beside it, and the same reasons.
@@ -112,12 +113,36 @@ def expect_refused(line):
     expect(of_input and broken == f"{field}: {rule}", "refused: this is not the first rule that the input breaks")
 
 
-def refuse(text):
-    """Why the claim in one line of text is not accepted, or None."""
-    return judged(text)[0]
+NAMED_FILE = re.compile(r"meshes/[a-z0-9_]+\.json")
+FIELD = re.compile(r"[a-z0-9_]+")
 
 
-def judged(text):
+def read_named_files(line, folder):
+    """Puts the values of files in the places where the input names them, as named_file.cpp does."""
+    given = line.get("input") if isinstance(line, dict) else None
+    for field, name in sorted(given.items()) if isinstance(given, dict) else ():
+        if not (isinstance(name, str) and name.endswith(".json") and FIELD.fullmatch(field)):
+            continue
+        named = NAMED_FILE.fullmatch(name) is not None
+        expect(named, f"{field}: a file meshes/NAME.json, NAME of small letters, digits and _")
+        path = pathlib.Path(folder, name)
+        try:
+            text = path.read_bytes().decode("utf-8", "surrogateescape") if path.is_file() else None
+        except OSError:
+            text = None
+        expect(text is not None, f"{field}: {name}: a file that can be read")
+        try:
+            given[field] = parsed(text) if not nested_too_deep(text) else no_constant(name)
+        except ValueError:
+            raise Refusal(f"{field}: {name}: JSON, nested at most {MOST_NESTED} deep") from None
+
+
+def refuse(text, folder="."):
+    """Why the claim in one line of text is not accepted, or None. `folder` is that of the file in which it stands."""
+    return judged(text, folder)[0]
+
+
+def judged(text, folder="."):
     """(why the line is not accepted or None, whether it is a test vector of an input that is refused)"""
     if nested_too_deep(text):
         return f"claim: nested at most {MOST_NESTED} deep", False
@@ -126,6 +151,7 @@ def judged(text):
     except ValueError:
         return "not JSON", False
     try:
+        read_named_files(line, folder)
         if refuses_input(line):
             expect_refused(line)
         else:
@@ -150,12 +176,13 @@ def main(paths):
         except OSError as error:
             print(f"{path}: {error.strerror}", file=sys.stderr)
             return 2
+        folder = "." if path == "-" else pathlib.Path(path).parent
         with stream:
             for position, raw in enumerate(stream, 1):
                 if not raw.strip(b" \t\r\n"):
                     continue
                 filled += 1
-                reason, of_refused_input = judged(raw.removesuffix(b"\n").decode("utf-8", "surrogateescape"))
+                reason, of_refused_input = judged(raw.removesuffix(b"\n").decode("utf-8", "surrogateescape"), folder)
                 if reason is None and of_refused_input:
                     without += 1
                     continue

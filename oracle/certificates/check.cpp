@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracle/certificates/check_reading.h"
+#include "oracle/certificates/named_file.h"
 
 namespace touchstone::certify {
 namespace {
@@ -99,6 +100,20 @@ std::optional<json> parsed(const std::string& text) {
   return twice || value.is_discarded() ? std::nullopt : std::optional<json>(std::move(value));
 }
 
+/// Puts the values of files in the places where the input names them.
+void read_named_files(json& claim, const std::string& folder) {
+  if (!claim.is_object() || !claim.contains("input") || !claim["input"].is_object()) return;
+  for (const auto& [field, value] : claim["input"].items()) {
+    if (!value.is_string()) continue;
+    const std::string name = value.get<std::string>();
+    const auto text = text_of_named_file(folder, field, name);
+    if (!text) continue;
+    auto held = nested_too_deep(*text) ? std::nullopt : parsed(*text);
+    expect(held.has_value(), field + ": " + name + ": JSON, nested at most " + std::to_string(most_nested) + " deep");
+    value = std::move(*held);
+  }
+}
+
 }  // namespace
 
 std::optional<std::string> refuse(const nlohmann::json& claim) {
@@ -110,10 +125,16 @@ std::optional<std::string> refuse(const nlohmann::json& claim) {
   }
 }
 
-std::optional<std::string> refuse_text(const std::string& line) {
+std::optional<std::string> refuse_text(const std::string& line, const std::string& folder) {
   if (nested_too_deep(line)) return "claim: nested at most " + std::to_string(most_nested) + " deep";
-  const auto claim = parsed(line);
-  return claim ? refuse(*claim) : "not JSON";
+  auto claim = parsed(line);
+  if (!claim) return "not JSON";
+  try {
+    read_named_files(*claim, folder);
+  } catch (const Refusal& refusal) {
+    return refusal.what();
+  }
+  return refuse(*claim);
 }
 
 bool is_refused_input(const std::string& line) {

@@ -16,8 +16,9 @@ namespace touchstone::certify {
 /// that the input breaks. Never throws.
 std::optional<std::string> refuse(const nlohmann::json& claim);
 
-/// The same for one line of text; text that is not JSON is refused as well.
-std::optional<std::string> refuse_text(const std::string& line);
+/// The same for one line of text; text that is not JSON is refused as well. An input field that is the name of a file
+/// (named_file.h) has the value that the file holds in JSON; `folder` is that of the file in which the line stands.
+std::optional<std::string> refuse_text(const std::string& line, const std::string& folder = ".");
 
 /// Whether the line is a test vector of an input that is refused.
 bool is_refused_input(const std::string& line);

@@ -4,7 +4,7 @@
 
 usage: checkers_agree.py CLAIMS [VERDICTS]
 CLAIMS: one claim a line. Line by line VERDICTS says what the C++ checker said ("accepted" or the reason); without it,
-each claim's own field `refused` does.
+each claim's own field `refused` does. Files that claims name stand in the folder of CLAIMS.
 """
 import json
 import pathlib
@@ -25,7 +25,7 @@ else:
     verdicts = [json.loads(claim).get("refused", "accepted") for claim in claims]
 wrong = 0
 for position, (claim, expected) in enumerate(zip(claims, verdicts, strict=True), 1):
-    said = certify.refuse(claim) or "accepted"
+    said = certify.refuse(claim, pathlib.Path(sys.argv[1]).parent) or "accepted"
     if said != expected:
         wrong += 1
         print(f"{sys.argv[1]}:{position}: {said!r} instead of {expected!r}: {claim[:400]}")
