@@ -2,73 +2,13 @@
 #include "catalogue/mesh_choices.h"
 
 #include <algorithm>
-#include <array>
-#include <set>
 
 #include "catalogue/families/numbers.h"
+#include "catalogue/lattice_hull.h"
+#include "catalogue/named_meshes.h"
 
 namespace touchstone::audit {
 namespace {
-
-using Whole = std::array<long, 3>;
-
-Whole minus(const Whole& p, const Whole& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
-Whole cross(const Whole& v, const Whole& w) {
-  return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
-}
-long dot(const Whole& v, const Whole& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
-
-/// The corners of a face of the hull, counter-clockwise about the normal, those on its edges left out (gift wrapping).
-std::vector<Index> corners(const std::vector<Whole>& points, const std::vector<Index>& members, const Whole& normal) {
-  std::vector<Index> ring{members[0]};
-  for (const Index m : members) {
-    if (points[m] < points[ring[0]]) ring[0] = m;
-  }
-  do {
-    Index next = members[0] == ring.back() ? members[1] : members[0];
-    for (const Index m : members) {
-      if (m == ring.back()) continue;
-      const Whole v = minus(points[next], points[ring.back()]), w = minus(points[m], points[ring.back()]);
-      const long turn = dot(normal, cross(v, w));
-      if (turn < 0 || (turn == 0 && dot(w, w) > dot(v, v))) next = m;
-    }
-    ring.push_back(next);
-  } while (ring.back() != ring[0]);
-  ring.pop_back();
-  return ring;
-}
-
-/// Triangles over the extreme points; none where all points lie in one plane.
-std::vector<Face> hull(const std::vector<Whole>& points) {
-  std::vector<Face> faces;
-  std::set<std::vector<Index>> seen;
-  const auto count = static_cast<Index>(points.size());
-  for (Index i = 0; i < count; ++i) {
-    for (Index j = i + 1; j < count; ++j) {
-      for (Index k = j + 1; k < count; ++k) {
-        Whole normal = cross(minus(points[j], points[i]), minus(points[k], points[i]));
-        if (normal == Whole{0, 0, 0}) continue;
-        std::vector<Index> members;
-        bool front = false, back = false;
-        for (Index m = 0; m < count; ++m) {
-          const long side = dot(normal, minus(points[m], points[i]));
-          front = front || side > 0;
-          back = back || side < 0;
-          if (side == 0) members.push_back(m);
-        }
-        if (front == back || !seen.insert(members).second) continue;
-        if (front) normal = {-normal[0], -normal[1], -normal[2]};
-        const std::vector<Index> ring = corners(points, members, normal);
-        for (std::size_t c = 1; c + 1 < ring.size(); ++c) faces.push_back({ring[0], ring[c], ring[c + 1]});
-      }
-    }
-  }
-  return faces;
-}
-
-Point3d as_doubles(const Whole& p) {
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
 
 std::vector<Whole> drawn_points(Choices& choices) {
   switch (choices.below(4)) {
@@ -97,21 +37,19 @@ Point3d middle(const Point3d& p, const Point3d& q) { return {(p.x + q.x) / 2, (p
 }  // namespace
 
 Meshd lattice_polyhedron(Choices& choices) {
-  std::vector<Whole> points = drawn_points(choices);
-  std::vector<Face> faces = hull(points);
-  if (faces.empty()) {
-    points = {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}};
-    faces = hull(points);
-  }
-  Meshd mesh;
-  for (const Whole& p : points) mesh.vertices.push_back(as_doubles(p));
-  mesh.faces = faces;
-  for (std::size_t i = faces.size(); i-- > 1;) std::swap(mesh.faces[i], mesh.faces[i - choices.below(i + 1)]);
+  Meshd mesh = lattice_hull(drawn_points(choices));
+  if (mesh.faces.empty()) mesh = lattice_hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
+  for (std::size_t i = mesh.faces.size(); i-- > 1;) std::swap(mesh.faces[i], mesh.faces[i - choices.below(i + 1)]);
   for (Face& face : mesh.faces) {
     if (choices.below(3) == 1) face = {face.b, face.c, face.a};
   }
   if (choices.below(4) == 3) std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over);
   return mesh;
+}
+
+const Meshd& named_mesh(Choices& choices) {
+  const auto& all = named_meshes();
+  return all[choices.below(all.size())].mesh;
 }
 
 Meshd with_flat_vertex(const Meshd& mesh, Choices& choices) {

@@ -14,6 +14,9 @@ namespace touchstone::audit {
 /// inside out.
 Meshd lattice_polyhedron(Choices& choices);
 
+/// One of those that test vectors name (catalogue/named_meshes.h).
+const Meshd& named_mesh(Choices& choices);
+
 /// One more vertex in the middle of an edge, or of a face: flat there.
 Meshd with_flat_vertex(const Meshd& mesh, Choices& choices);
 

@@ -39,6 +39,8 @@ template <class Question>
 struct HardCase {
   std::string name;            ///< the family: "collinear", "shared_end" ...
   Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
+  /// Neither scaled nor, as a family of its own, moved by an ulp: its mesh has to stay one that test vectors can name.
+  bool as_drawn = false;
 };
 
 /// robust has no function for the decision alone. Where it has, the row's `decision` holds robust(Question) ->

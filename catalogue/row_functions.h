@@ -79,7 +79,11 @@ struct RowFunctions {
   StageFunctions stages, decision_stages;
 
   /// Hard cases in the order of the row.
-  std::vector<std::string> hard_cases;
+  struct HardCaseName {
+    std::string name;
+    bool as_drawn;  ///< as in HardCase
+  };
+  std::vector<HardCaseName> hard_cases;
   Question (*draw_hard_case)(std::size_t which, Choices&);
 
   // Hooks of the row; nullptr where it has none.

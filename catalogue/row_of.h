@@ -256,7 +256,7 @@ RowFunctions RowOf<Row>::functions() {
   if constexpr (!std::is_void_v<Stages>) f.stages = stage_functions<Stages, Asked>();
   if constexpr (requires { typename Stages::decision; })
     f.decision_stages = stage_functions<typename Stages::decision, Asked>();
-  for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back(hard.name);
+  for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back({hard.name, hard.as_drawn});
   f.draw_hard_case = draw_hard_case;
   const auto given = hooks();
   if (given.as_open_sets) f.as_open_sets = as_open_sets;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "audit/vectors/named_files.h"
 #include "program/commands.h"
 #include "program/program.h"
 
@@ -19,8 +20,9 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 }  // namespace
 
 int vectors_write_command(const std::string& directory, std::uint64_t seed, std::ostream& out, std::ostream&) {
-  std::filesystem::create_directories(directory);
+  std::filesystem::create_directories(std::filesystem::path(directory) / "meshes");
   write_text(std::filesystem::path(directory) / "schema.json", vector_schema().dump(1) + "\n");
+  for (const NamedFile& file : named_files()) write_text(std::filesystem::path(directory) / file.name, file.text);
   for (const Operation* operation : catalogue()) {
     if (operation->card().is_method()) continue;  // the vectors of the operation itself serve
     const Vectors vectors = vectors_of(*operation, seed);
@@ -34,6 +36,8 @@ int vectors_write_command(const std::string& directory, std::uint64_t seed, std:
     }
     out << '\n';
   }
+  out << (std::filesystem::path(directory) / "meshes").string() << ": " << named_files().size()
+      << " meshes that vectors name\n";
   return nothing_found;
 }
 
@@ -48,7 +52,7 @@ int vectors_check_command(const std::string& directory, std::ostream& out, std::
   std::uint64_t checked = 0, refused = 0;
   for (const std::string& file : files) {
     checked += each_line(file, [&](std::uint64_t number, const std::string& text) {
-      const std::string complaint = vector_complaint(text);
+      const std::string complaint = vector_complaint(text, directory);
       if (complaint.empty()) return;
       ++refused;
       err << place(file, number) << complaint << '\n';

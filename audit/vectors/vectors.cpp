@@ -7,6 +7,7 @@
 
 #include "audit/audit_run.h"
 #include "audit/vectors/flags.h"
+#include "audit/vectors/named_files.h"
 #include "catalogue/explained.h"
 #include "catalogue/families/not_finite.h"
 #include "catalogue/judge/environment.h"
@@ -27,7 +28,8 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   line["touchstone"] = version;
   line["op"] = operation.name();
   line["family"] = family;
-  line["input"] = operation.print(question);
+  const Json input = operation.print(question);
+  line["input"] = with_names(input);
   try {
     const auto examination = operation.examine(question);
     Json all = explained(operation, question, *examination);
@@ -36,7 +38,7 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
     if (all.contains("margin")) line["margin"] = all["margin"];
     line["certificate"] = all["certificate"];
     line["flags"] = flags_of(question, *examination);
-    const Json as_typed = truth_of_decimals(operation, line["input"]);
+    const Json as_typed = truth_of_decimals(operation, input);
     if (!as_typed.is_null() && as_typed != line["truth"] && family.starts_with("typed")) line["as_typed"] = as_typed;
   } catch (const InvalidInput& refused) {
     line["refused"]["field"] = refused.field();
@@ -98,6 +100,10 @@ std::string other_complaint(const Operation& operation, const Json& line, const 
   if (family != not_finite && std::find(families.begin(), families.end(), family) == families.end())
     return "family: one of the operation's families";
   const Json written = vector_line(operation, family, question);
+  for (const auto& [field, value] : line["input"].items()) {
+    if (value.is_string() && value.get<std::string>().ends_with(".json") && value != written["input"][field])
+      return field + ": " + value.get<std::string>() + " is not the mesh of that name";
+  }
   for (const char* name : {"rounded", "margin", "flags", "as_typed"}) {
     const Json right = written.value(name, Json());
     if (!same(line.value(name, Json()), right)) return std::string(name) + " is " + one_line(right);
@@ -149,7 +155,8 @@ Json vector_schema() {
       "round to. "
       "`rounded` is the truth with every number the nearest double, ties to even. In the family \"not_finite\" an "
       "input number is "
-      "\"inf\", \"-inf\" or \"nan\".";
+      "\"inf\", \"-inf\" or \"nan\". An input field \"meshes/NAME.json\" stands for the mesh in that file, "
+      "relative to the file of vectors: {\"vertices\":[[x,y,z],..],\"faces\":[[i,j,k],..]}.";
   schema["type"] = "object";
   schema["required"] = {"touchstone", "op", "family", "input", "flags"};
   schema["oneOf"] =
@@ -163,7 +170,7 @@ Json vector_schema() {
   return schema;
 }
 
-std::string vector_complaint(const std::string& text) {
+std::string vector_complaint(const std::string& text, const std::string& folder) {
   Json line;
   try {
     line = parse_own_line(text);
@@ -175,22 +182,22 @@ std::string vector_complaint(const std::string& text) {
   const Operation* operation = line.contains("op") && line["op"].is_string() ? find_operation(line["op"]) : nullptr;
   if (operation == nullptr) return "op: an operation of the catalogue";
   if (!line.contains("refused")) {
-    if (const auto reason = certify::refuse_text(text)) return *reason;
+    if (const auto reason = certify::refuse_text(text, folder)) return *reason;
   }
   try {
-    const Question question = operation->parse_any(parse_line(text)["input"]);
+    const Question question = operation->parse_any(without_names(parse_line(text)["input"], folder));
     std::string complaint = robust_complaint(*operation, line, question);
-    if (complaint.empty()) complaint = certify::refuse_text(text).value_or("");
+    if (complaint.empty()) complaint = certify::refuse_text(text, folder).value_or("");
     return complaint.empty() ? other_complaint(*operation, line, question) : complaint;
   } catch (const std::exception& thrown) {
     return thrown.what();
   }
 }
 
-std::string robust_complaint(const std::string& text) {
+std::string robust_complaint(const std::string& text, const std::string& folder) {
   const Json line = parse_line(text);
   const Operation& operation = *find_operation(line["op"]);
-  return robust_complaint(operation, Json::parse(text), operation.parse_any(line["input"]));
+  return robust_complaint(operation, Json::parse(text), operation.parse_any(without_names(line["input"], folder)));
 }
 
 }  // namespace touchstone::audit

@@ -20,11 +20,12 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed);
 /// The JSON Schema of a line, with every flag explained.
 Json vector_schema();
 
-/// Why a line of vectors is refused: its certificate does not prove its truth, the oracle's truth is another, or robust
-/// disagrees. Empty if all is well.
-std::string vector_complaint(const std::string& line);
+/// Why a line of vectors is refused: its certificate does not prove its truth, the oracle's truth is another, robust
+/// disagrees, or a mesh that it names is not the catalogue's of that name. Empty if all is well. `folder` is that of
+/// the file in which the line stands.
+std::string vector_complaint(const std::string& line, const std::string& folder);
 
 /// The last of these alone: what robust, asked in every floating-point environment, answers otherwise.
-std::string robust_complaint(const std::string& line);
+std::string robust_complaint(const std::string& line, const std::string& folder);
 
 }  // namespace touchstone::audit

@@ -103,15 +103,21 @@ Question drawn(const RowFunctions& row, Choices& choices, const Derived& family)
 }  // namespace
 
 Families::Families(const RowFunctions& row) : row_(row) {
-  for (const std::string& hard : row.hard_cases) names_.push_back(hard);
-  for (const std::string& hard : row.hard_cases) names_.push_back(hard + "+ulp");
+  for (const auto& hard : row.hard_cases) names_.push_back(hard.name);
+  for (std::size_t which = 0; which < row.hard_cases.size(); ++which) {
+    if (row.hard_cases[which].as_drawn) continue;
+    moved_.push_back(which);
+    names_.push_back(row.hard_cases[which].name + "+ulp");
+  }
   for (const Derived& derived : derived_families) names_.emplace_back(derived.name);
 }
 
 Question Families::draw(Choices& choices, std::size_t family) const {
   const std::size_t hard = row_.hard_cases.size();
-  if (family >= 2 * hard) return drawn(row_, choices, derived_families[family - 2 * hard]);
-  Question question = row_.draw_hard_case(family % hard, choices);
+  if (family >= hard + moved_.size()) return drawn(row_, choices, derived_families[family - hard - moved_.size()]);
+  const std::size_t which = family < hard ? family : moved_[family - hard];
+  Question question = row_.draw_hard_case(which, choices);
+  if (row_.hard_cases[which].as_drawn) return question;
   scale(row_, question, scale_exponent(choices));
   keep_finite(question);
   if (family >= hard && !question.numbers.empty()) nudge(question, choices);

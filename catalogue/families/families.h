@@ -8,7 +8,8 @@
 
 namespace touchstone::audit {
 
-/// The families of inputs of an operation: its hard cases, each also moved by an ulp, and what follows from its types.
+/// The families of inputs of an operation: its hard cases, most of them also moved by an ulp, and what follows from its
+/// types.
 class Families {
  public:
   explicit Families(const RowFunctions& row);
@@ -19,6 +20,7 @@ class Families {
  private:
   const RowFunctions& row_;
   std::vector<std::string> names_;
+  std::vector<std::size_t> moved_;  ///< the hard cases of the families "+ulp"
 };
 
 }  // namespace touchstone::audit

@@ -100,6 +100,21 @@ struct point_in_convex_polyhedron {
            const Point3d point = between_vertices(mesh, c);
            return {broken(mesh, c), point};
          }},
+        {"named_mesh",
+         [](Choices& c) -> Question {
+           const Meshd& mesh = named_mesh(c);
+           return {mesh, c.below(4) == 3 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
+         },
+         /*as_drawn=*/true},
+        {"beside_named_mesh",
+         [](Choices& c) -> Question {
+           const Meshd& mesh = named_mesh(c);
+           const Point3d p = on_a_face_plane(mesh, c);
+           const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
+           const int x = ulps(), y = ulps(), z = ulps();
+           return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -11,8 +11,8 @@
 namespace touchstone::proptests {
 namespace {
 
-/// Of a family; a third of it where a question is dear.
-constexpr std::uint64_t drawn = 1500, drawn_dear = 500;
+/// Of a family; a third of it where a question is dear, and no more where they have had that many numbers.
+constexpr std::uint64_t drawn = 1500, drawn_dear = 500, most_numbers = 30'000;
 
 /// The words of an outcome: "convex/ccw" has two.
 std::vector<std::string> split(const std::string& outcome) {
@@ -38,10 +38,13 @@ struct Reached {
 Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
   const std::uint64_t cases = operation.card().price == audit::Price::thin ? drawn : drawn_dear;
-  for (std::uint64_t i = 0; i < cases; ++i) {
+  std::uint64_t numbers = 0;
+  for (std::uint64_t i = 0; i < cases && numbers < most_numbers; ++i) {
     Choices choices = Choices::seeded(audit::seed_of(1, operation.families()[family].c_str(), i));
+    const audit::Question question = operation.draw(choices, family);
+    numbers += question.numbers.size();
     try {
-      ++reached.outcomes[operation.examine(operation.draw(choices, family))->outcome()];
+      ++reached.outcomes[operation.examine(question)->outcome()];
     } catch (const InvalidInput& refused) {
       reached.refusals.insert(refused.what());
     }

@@ -1,13 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/vectors/vectors.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
+#include "audit/vectors/named_files.h"
+#include "catalogue/codec/described_shapes.h"
+#include "catalogue/codec/shape_json.h"
 #include "catalogue/families/not_finite.h"
+#include "catalogue/named_meshes.h"
 #include "catalogue/operation.h"
-#include "proptests/catch.h"
+#include "oracle/certificates/check.h"
+#include "proptests/machine/program/called.h"
 
 /// What `vectors check` says of vectors that were changed by hand.
 namespace touchstone::audit {
@@ -24,7 +35,7 @@ std::vector<Line> stored(const std::string& operation) {
   return lines;
 }
 
-std::string complaint(const Line& line) { return vector_complaint(line.dump()); }
+std::string complaint(const Line& line) { return vector_complaint(line.dump(), "vectors"); }
 
 }  // namespace
 
@@ -106,13 +117,88 @@ TEST_CASE("vectors: whatever else a vector says is complained about where it is 
   CHECK_THAT(changed("as_typed", {{"relation", "point"}}), StartsWith("as_typed is "));
 }
 
+TEST_CASE("vectors: a mesh that a line names is the catalogue's, to the last bit") {
+  const Operation& operation = *find_operation("point_in_convex_polyhedron");
+  std::map<std::string, Line> named;
+  for (const Line& line : stored(operation.name())) {
+    if (line["input"]["mesh"].is_string()) named.emplace(line["input"]["mesh"], line);
+  }
+  CHECK(named.size() == named_meshes().size());
+  for (const auto& [name, mesh] : named_meshes()) {
+    const Line& line = named.at("meshes/" + name + ".json");
+    const Json input = without_names(parse_line(line["input"].dump()), "vectors");
+    const auto [held, point] = unpacked<std::tuple<Meshd, Point3d>>(operation.parse(input));
+    CHECK(one_line(to_json(held)) == one_line(to_json(mesh)));
+    const auto bits = [](const Meshd& of) {
+      std::vector<std::uint64_t> all;
+      for (const Point3d& p : of.vertices) {
+        for (const double x : {p.x, p.y, p.z}) all.push_back(std::bit_cast<std::uint64_t>(x));
+      }
+      return all;
+    };
+    CHECK(bits(held) == bits(mesh));
+  }
+}
+
+TEST_CASE("vectors: a mesh file that was changed is complained about, even where every answer stays the same") {
+  const std::string folder =
+      (std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_vectors")).string();
+  const std::string name = "meshes/geodesic_66.json", file = folder + "/" + name;
+  std::filesystem::create_directories(folder + "/meshes");
+  std::ifstream original("vectors/" + name);
+  const Line mesh = Line::parse(original);
+  std::vector<Line> lines = stored("point_in_convex_polyhedron");
+  std::erase_if(lines, [&](const Line& line) { return line["input"]["mesh"] != name; });
+  REQUIRE(lines.size() >= 4);
+  const auto complaints = [&](const Line& changed) {
+    std::ofstream(file) << changed;
+    std::set<std::string> said;
+    for (const Line& line : lines) said.insert(vector_complaint(line.dump(), folder));
+    return said;
+  };
+  CHECK(complaints(mesh) == std::set<std::string>{""});
+  const std::set<std::string> another{"mesh: " + name + " is not the mesh of that name"};
+  Line turned = mesh;
+  std::rotate(turned["faces"][100].begin(), turned["faces"][100].begin() + 1, turned["faces"][100].end());
+  CHECK(complaints(turned) == another);
+  Line unused = mesh;
+  unused["vertices"].push_back({0, 0, 0});
+  CHECK(complaints(unused) == another);
+  Line moved = mesh;
+  moved["vertices"][9][0] = std::nextafter(moved["vertices"][9][0].get<double>(), 0);
+  CHECK(complaints(moved).count("") == 0);
+  Line open = mesh;
+  open["faces"].erase(7);
+  const auto of_open = complaints(open);
+  REQUIRE(of_open.size() == 1);
+  CHECK_THAT(*of_open.begin(), ContainsSubstring("closed: edge"));
+  const std::string one_vector = folder + "/x.jsonl";
+  std::ofstream(one_vector) << lines[0] << '\n';
+  std::ofstream(file) << mesh;
+  CHECK(called({"certify", one_vector.c_str()}).out == "1 certificates, 0 refused\n");
+  CHECK(called({"vectors", "check", folder.c_str()}).out == "1 vectors, 0 refused\n");
+  std::filesystem::remove(file);
+  const std::string missing = "touchstone: " + one_vector + ": line 1: mesh: " + name + ": a file that can be read\n";
+  CHECK(called({"certify", one_vector.c_str()}).err == missing);
+  CHECK(called({"vectors", "check", folder.c_str()}).err == missing);
+  Line unknown = lines[0];
+  CHECK(vector_complaint(unknown.dump(), folder) == "mesh: " + name + ": a file that can be read");
+  unknown["input"]["mesh"] = "meshes/../" + name;
+  CHECK_THAT(vector_complaint(unknown.dump(), folder), StartsWith("mesh: a file meshes/NAME.json"));
+  unknown["input"]["mesh"] = "meshes/mine.json";  // holds, and its certificate too, but vectors name only ours
+  std::ofstream(folder + "/meshes/mine.json") << mesh;
+  CHECK(vector_complaint(unknown.dump(), folder) == "mesh: meshes/mine.json is not the mesh of that name");
+  CHECK(!certify::refuse_text(unknown.dump(), folder));
+  std::filesystem::remove_all(folder);
+}
+
 TEST_CASE("vectors: what is no vector is complained about") {
-  CHECK(vector_complaint("nonsense") == "line: one JSON object");
-  CHECK(vector_complaint("[]") == "line: one JSON object");
-  CHECK(vector_complaint("{}") == "touchstone: version 1");
-  CHECK(vector_complaint(R"({"touchstone":2})") == "touchstone: version 1");
-  CHECK(vector_complaint(R"({"touchstone":1,"op":"rotation"})") == "op: an operation of the catalogue");
-  CHECK(vector_complaint(R"({"touchstone":1,"op":7})") == "op: an operation of the catalogue");
+  CHECK(vector_complaint("nonsense", "vectors") == "line: one JSON object");
+  CHECK(vector_complaint("[]", "vectors") == "line: one JSON object");
+  CHECK(vector_complaint("{}", "vectors") == "touchstone: version 1");
+  CHECK(vector_complaint(R"({"touchstone":2})", "vectors") == "touchstone: version 1");
+  CHECK(vector_complaint(R"({"touchstone":1,"op":"rotation"})", "vectors") == "op: an operation of the catalogue");
+  CHECK(vector_complaint(R"({"touchstone":1,"op":7})", "vectors") == "op: an operation of the catalogue");
 }
 
 }  // namespace touchstone::audit

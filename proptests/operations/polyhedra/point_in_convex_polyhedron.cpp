@@ -75,6 +75,9 @@ Meshd with_vertex(Meshd mesh, std::size_t place, const Point3d& p) {
   return mesh;
 }
 
+/// Of the vertices of large meshes, whose every question takes vertices times faces steps, only some are asked about.
+std::size_t step(const Meshd& mesh) { return 1 + mesh.vertices.size() / 16; }
+
 /// A worked example and its margin.
 void gives(const Meshd& mesh, const Point3d& point, Location expected, const Rational& margin,
            const std::string& by_reference = "agree") {
@@ -168,7 +171,7 @@ TEST_CASE("point_in_convex_polyhedron: the vertices of faces are on the boundary
     const Meshd& mesh = std::get<0>(asked);
     std::set<Index> used;
     for (const Face& f : mesh.faces) used.insert({f.a, f.b, f.c});
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
       const Location location = ask(Row::Question{mesh, mesh.vertices[v]});
       if (location == outside || (used.count(static_cast<Index>(v)) == 1 && location != boundary)) return false;
     }
@@ -185,7 +188,7 @@ TEST_CASE("point_in_convex_polyhedron: the middle of two points of the solid is 
       return ask(Row::Question{twice, {a.x + b.x, a.y + b.y, a.z + b.z}}) == outside;
     };
     const bool holds_point = ask(asked) != outside;
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
       if (middle_is_outside(mesh.vertices[0], mesh.vertices[v])) return false;
       if (holds_point && middle_is_outside(p, mesh.vertices[v])) return false;
     }

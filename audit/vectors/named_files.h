@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "catalogue/codec/json.h"
+
+/// Meshes that vectors name (catalogue/named_meshes.h): each is a file of JSON beside the vectors, and a line's input
+/// has the file's name where the mesh would stand.
+namespace touchstone::audit {
+
+struct NamedFile {
+  std::string name;  ///< "meshes/prism_64.json", relative to the vectors
+  std::string text;
+};
+const std::vector<NamedFile>& named_files();
+
+/// The input with the name of every mesh that has one.
+Json with_names(Json input);
+
+/// The input, as parse_line reads it, with what the files of that folder hold. Throws certify::Refusal or InvalidInput
+/// with field and rule.
+Json without_names(Json input, const std::string& folder);
+
+}  // namespace touchstone::audit
