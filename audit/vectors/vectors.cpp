@@ -76,7 +76,8 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
     try {
       operation.examine(question);
     } catch (const InvalidInput& refused) {
-      return refused.field() == line["refused"]["field"] && refused.rule() == line["refused"]["rule"]
+      return refused.field() == line["refused"]["field"].get<std::string>() &&
+                     refused.rule() == line["refused"]["rule"].get<std::string>()
                  ? ""
                  : "refused otherwise";
     }

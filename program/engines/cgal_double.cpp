@@ -4,11 +4,20 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/intersections.h>
 
+#include <boost/variant/get.hpp>
 #include <stdexcept>
+#include <variant>
 
 #include "program/engine_main.h"
 
 using namespace touchstone;
+
+/// What an intersection is, if it is one of these; nullptr else. It is a variant of Boost until CGAL 5, of std from 6 on.
+template <class Shape, template <class...> class Variant, class... Shapes>
+const Shape* held(const Variant<Shapes...>& common) {
+  if constexpr (std::is_same_v<Variant<Shapes...>, std::variant<Shapes...>>) return std::get_if<Shape>(&common);
+  else return boost::get<Shape>(&common);
+}
 
 /// Sets are closed; no tolerance. Degenerate segments, rays and triangles are left out where two objects are
 /// intersected: its functions assume that they have none (without NDEBUG some fail an assertion on them).
@@ -27,11 +36,11 @@ struct CgalDouble {
     const auto common = CGAL::intersection(a, b);
     contradiction(CGAL::do_intersect(a, b), common.has_value());
     if (!common) return answer;
-    if (const auto* meeting = boost::get<Point>(&*common)) {
+    if (const auto* meeting = held<Point>(*common)) {
       answer.relation = SegmentRelation::point;
       answer.point = back(*meeting);
     } else {
-      const auto& shared = boost::get<Kernel::Segment_2>(*common);
+      const auto& shared = *held<Kernel::Segment_2>(*common);
       answer.relation = SegmentRelation::overlap;
       answer.overlap = Segment2d{back(shared.min()), back(shared.max())};
     }
@@ -50,11 +59,11 @@ struct CgalDouble {
     const auto common = CGAL::intersection(ray, other);
     contradiction(CGAL::do_intersect(ray, other), common.has_value());
     if (!common) return answer;
-    if (const auto* meeting = boost::get<Point>(&*common)) {
+    if (const auto* meeting = held<Point>(*common)) {
       answer.relation = RayRelation::point;
       answer.point = back(*meeting);
     } else {
-      const auto& shared = boost::get<Kernel::Segment_2>(*common);
+      const auto& shared = *held<Kernel::Segment_2>(*common);
       answer.relation = RayRelation::overlap;
       const Point2d p = back(shared.source()), q = back(shared.target());
       const bool forward = r.direction.x != 0 ? (p.x < q.x) == (r.direction.x > 0) : (p.y < q.y) == (r.direction.y > 0);
@@ -66,7 +75,7 @@ struct CgalDouble {
   LineLine<double> line_line(const Line2d& first, const Line2d& second) {
     const auto common = CGAL::intersection(line(first), line(second));
     if (!common) return {LineRelation::parallel, {}, {}, {}};
-    if (const auto* meeting = boost::get<Point>(&*common)) return {LineRelation::crossing, {}, {}, back(*meeting)};
+    if (const auto* meeting = held<Point>(*common)) return {LineRelation::crossing, {}, {}, back(*meeting)};
     return {LineRelation::same, {}, {}, {}};
   }
 
@@ -117,7 +126,7 @@ struct CgalDouble {
     const auto common = CGAL::intersection(a, b);
     contradiction(CGAL::do_intersect(a, b), common.has_value());
     if (!common) return Contact::disjoint;
-    const bool thin = boost::get<Point>(&*common) != nullptr || boost::get<Kernel::Segment_2>(&*common) != nullptr;
+    const bool thin = held<Point>(*common) != nullptr || held<Kernel::Segment_2>(*common) != nullptr;
     return thin ? Contact::touching : Contact::overlapping;
   }
 
@@ -142,7 +151,7 @@ struct CgalDouble {
     const auto common = CGAL::intersection(kernel_plane(plane), step);
     contradiction(CGAL::do_intersect(kernel_plane(plane), step), common.has_value());
     if (!common) return answer;
-    const auto* meeting = boost::get<Spatial>(&*common);
+    const auto* meeting = held<Spatial>(*common);
     answer.option_2 = {HitRelation::hit, {}, meeting ? Point3d{meeting->x(), meeting->y(), meeting->z()} : start};
     return answer;
   }
