@@ -40,8 +40,8 @@ file(GLOB_RECURSE oracle_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/oracle/
 file(GLOB_RECURSE audit_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/catalogue/*.cpp ${PROJECT_SOURCE_DIR}/audit/*.cpp
      ${PROJECT_SOURCE_DIR}/report/*.cpp ${PROJECT_SOURCE_DIR}/program/*.cpp)
 set(certify_sources ${oracle_sources})
-list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
-list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/check[^/]*\\.cpp$")
+list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
+list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
 
 # Every check_NAME.cpp with a function checks_of_NAME is in the table of the checker.
 set(declared "")

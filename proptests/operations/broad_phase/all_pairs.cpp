@@ -94,9 +94,9 @@ const Spheres tangent{{{0, 0, 0}, 3}, {{5, 0, 0}, 2}, {{1, 4, 4}, 1}, {{9, 0, 0}
 const Boxes corner{{{0, 0, 0}, {2, 2, 2}}, {{2, 2, 2}, {3, 4, 5}}, {{1, 3, 0}, {4, 4, 1}}, {{5, 0, 0}, {5, 1, 1}}};
 
 /// What the judge says of an engine that answers these pairs to `tangent`, of which only the first two meet.
-audit::Judgement judged(const std::string& pairs) {
+audit::Judgement judged(const std::string& pairs, audit::Declaration::Boundary boundary) {
   const auto examination = examined<Row>(std::tuple(tangent));
-  return examination->judge_engine(audit::parse_line(R"({"pairs":)" + pairs + "}"), audit::Declaration{"by hand"});
+  return examination->judge_engine(audit::parse_line(R"({"pairs":)" + pairs + "}"), {"by hand", boundary});
 }
 
 }  // namespace
@@ -316,26 +316,29 @@ TEST_CASE("all_pairs: every stage that knows whether two balls meet says the sam
 }
 
 TEST_CASE("all_pairs: an engine may list more than the truth, in any order, and must miss nothing") {
+  constexpr auto closed = audit::Declaration::Boundary::closed, unspecified = audit::Declaration::Boundary::unspecified;
   const auto agrees = [](const std::string& pairs, std::uint64_t surplus) {
     INFO(pairs);
-    const audit::Judgement judgement = judged(pairs);
+    const audit::Judgement judgement = judged(pairs, closed);
     CHECK(judgement.verdict == audit::Verdict::agree);
     CHECK(judgement.surplus == surplus);
   };
   agrees("[[0,1]]", 0);
   agrees("[[1,0]]", 0);
-  agrees("[[0,1],[1,0],[0,1]]", 0);
+  agrees("[[0,1],[1,0],[0,1]]", 2);
   agrees("[[0,1],[0,2]]", 1);
-  agrees("[[3,2],[0,2],[1,0],[2,3]]", 2);
+  agrees("[[3,2],[0,2],[1,0],[2,3]]", 3);
   agrees("[[0,1],[0,2],[0,3],[1,2],[1,3],[2,3]]", 5);
   // The spheres that it misses are tangent, but their numbers are small integers: nothing was rounded.
   for (const char* pairs : {"[]", "[[0,2]]", "[[2,3],[1,3]]"}) {
     INFO(pairs);
-    CHECK(judged(pairs).verdict == audit::Verdict::algorithm);
+    CHECK(judged(pairs, closed).verdict == audit::Verdict::algorithm);
+    CHECK(judged(pairs, unspecified).verdict == audit::Verdict::convention);
   }
-  for (const char* pairs : {"[[0]]", "[0,1]", "[[0,1,2]]", "[[0,-1]]", "[[0,0.5]]", "{}", "true"}) {
+  for (const char* pairs :
+       {"[[0]]", "[0,1]", "[[0,1,2]]", "[[0,-1]]", "[[0,0.5]]", "[[0,1],[2,2]]", "[[0,4]]", "{}", "true"}) {
     INFO(pairs);
-    CHECK(judged(pairs).verdict == audit::Verdict::invalid);
+    CHECK(judged(pairs, closed).verdict == audit::Verdict::invalid);
   }
 }
 
