@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# bench/NAME.cpp -> bench/NAME, beside the peers that it measures.
+# bench/NAME.cpp -> bench/NAME, beside the peers that it measures. TOUCHSTONE_BENCH=COMPILE: they shall keep compiling, and nothing is
+# measured by them.
 
 find_package(benchmark QUIET)
 if(NOT benchmark_FOUND)
@@ -11,6 +12,9 @@ foreach(source ${benches})
   cmake_path(GET source STEM name)
   add_executable(bench_${name} ${source})
   touchstone_own(bench_${name})
+  if(TOUCHSTONE_BENCH STREQUAL COMPILE)
+    target_compile_options(bench_${name} PRIVATE -O0)
+  endif()
   target_link_libraries(bench_${name} PRIVATE touchstone_audit benchmark::benchmark MPFR::mpfr GMP::gmpxx)
   set_target_properties(bench_${name} PROPERTIES OUTPUT_NAME ${name}
                                                  RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bench)
