@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <optional>
 #include <vector>
 
@@ -7,6 +6,7 @@
 #include "oracle/polygons/polygon_polygon.h"
 #include "oracle/rings/boxes.h"
 #include "oracle/rings/simple.h"
+#include "proptests/catch.h"
 #include "proptests/growth.h"
 #include "proptests/long_rings.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
 #include <utility>
 
+#include "proptests/catch.h"
 #include "proptests/growth.h"
 #include "proptests/long_rings.h"
 #include "robust/lines/segment_segment.h"
