@@ -10,8 +10,8 @@
 namespace touchstone::audit {
 namespace {
 
-/// Twelve times the lattice points at squared distance 26 from the origin: 72, all of them corners. Most faces have more
-/// than three corners, so that neighbouring triangles lie in one plane.
+/// Twelve times the lattice points at squared distance 26 from the origin: 72, all of them corners. Most faces have
+/// more than three corners, so that neighbouring triangles lie in one plane.
 std::vector<Whole> lattice_sphere() {
   std::vector<Whole> points;
   for (long x = -5; x <= 5; ++x) {
@@ -24,8 +24,8 @@ std::vector<Whole> lattice_sphere() {
   return points;
 }
 
-/// The corners of an octahedron whose sides are cut into 16 triangles each, moved onto a sphere and rounded to multiples
-/// of 12. No two triangles of the hull lie in one plane.
+/// The corners of an octahedron whose sides are cut into 16 triangles each, moved onto a sphere and rounded to
+/// multiples of 12. No two triangles of the hull lie in one plane.
 std::vector<Whole> geodesic() {
   std::vector<Whole> points;
   for (long x = -4; x <= 4; ++x) {

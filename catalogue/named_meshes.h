@@ -14,8 +14,8 @@ struct NamedMesh {
 };
 
 /// Closed convex meshes too large to be repeated in every test vector: vectors name them, and `vectors write` writes
-/// each into a file of its own. Faces are counter-clockwise from outside; coordinates, before any scaling, are multiples
-/// of 12, so that the middles of edges and faces are exact.
+/// each into a file of its own. Faces are counter-clockwise from outside; coordinates, before any scaling, are
+/// multiples of 12, so that the middles of edges and faces are exact.
 const std::vector<NamedMesh>& named_meshes();
 
 }  // namespace touchstone::audit

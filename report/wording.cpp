@@ -96,12 +96,11 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
 std::string why_rounding(Speaker speaker) {
   if (speaker == Speaker::reference) {
     return "The slide's formula is right here: in exact arithmetic it gives the truth. Rounding its intermediate "
-           "results "
-           "changed the decision.";
+           "results changed the decision.";
   }
   return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this "
-         "input: "
-         "rounding is the presumed cause. The engine's own formula was not seen.";
+         "input, or the input is beside a touch by less than its last places: rounding is the presumed cause. The "
+         "engine's own formula was not seen.";
 }
 
 }  // namespace
@@ -138,8 +137,10 @@ std::string meaning(Verdict verdict, Speaker speaker) {
   switch (verdict) {
     case Verdict::agree: return "right decision, every number within the stated bound";
     case Verdict::rounding:
-      return foreign ? "wrong decision where the slide's formula in the engine's number type cannot be sure of its own"
-                     : "wrong decision; the same formula in exact arithmetic is right";
+      return foreign
+                 ? "wrong decision where the slide's formula in the engine's number type cannot be sure of its own, "
+                   "or beside a touch by less than the input's last places"
+                 : "wrong decision; the same formula in exact arithmetic is right";
     case Verdict::algorithm:
       return foreign ? "wrong decision where the slide's formula in the engine's number type is certain of its own"
                      : "wrong decision, or undefined, even in exact arithmetic";

@@ -16,8 +16,8 @@ namespace touchstone::audit {
 using Json = nlohmann::ordered_json;
 
 /// Parses one line. Every number arrives as a `typed number` (see `is_typed_number`), so that 1e999 can be reported by
-/// its field and 0.1 read as one tenth. Throws InvalidInput naming the line where its text is no JSON or nested too deep,
-/// or the key that an object has twice.
+/// its field and 0.1 read as one tenth. Throws InvalidInput naming the line where its text is no JSON or nested too
+/// deep, or the key that an object has twice.
 Json parse_line(const std::string& text);
 /// The same with numbers as JSON has them: a line of a file that this program writes.
 Json parse_own_line(const std::string& text);

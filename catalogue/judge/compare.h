@@ -29,8 +29,8 @@ enum class Reading {
 Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double>& answer, Reading reading,
                     bool binary32 = false);
 
-/// The elements of a list of words without regard to order, neither of the elements nor within one; what is listed twice
-/// is surplus.
+/// The elements of a list of words without regard to order, neither of the elements nor within one; what is listed
+/// twice is surplus.
 struct Covering {
   std::uint64_t missing = 0, surplus = 0;
 };

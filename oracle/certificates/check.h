@@ -11,9 +11,9 @@ namespace touchstone::certify {
 
 /// One claim, {"op":..,"input":{..},"truth":{..},"certificate":{"kind":..,facts}} (other keys are ignored): empty if
 /// the certificate proves that the truth is the answer of that operation to that input, otherwise why it does not.
-/// Input numbers are JSON numbers or hexadecimal float strings, exact values "p/q" or "p". A test vector of an input that
-/// is refused, {"op":..,"input":{..},"refused":{"field":..,"rule":..}}, has no certificate: that has to be the first rule
-/// that the input breaks. Never throws.
+/// Input numbers are JSON numbers or hexadecimal float strings, exact values "p/q" or "p". A test vector of an input
+/// that is refused, {"op":..,"input":{..},"refused":{"field":..,"rule":..}}, has no certificate: that has to be the
+/// first rule that the input breaks. Never throws.
 std::optional<std::string> refuse(const nlohmann::json& claim);
 
 /// The same for one line of text; text that is not JSON is refused as well. An input field that is the name of a file

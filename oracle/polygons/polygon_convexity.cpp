@@ -97,8 +97,8 @@ std::optional<SquaredLength<Integer>> least_end_distance_beyond(const SquaredLen
   return least;
 }
 
-/// In squared units; the ring is not simple. Two edges that meet in a point have an end within half the length of either
-/// edge from the other: so the longest come first, and those that are too short for more do not come at all.
+/// In squared units; the ring is not simple. Two edges that meet in a point have an end within half the length of
+/// either edge from the other: so the longest come first, and those that are too short for more do not come at all.
 Rational depth(const WholeRing& r) {
   const std::vector<Segment2<Integer>> edges = r.edges();
   const Boxes boxes(edges);

@@ -10,8 +10,8 @@
 
 namespace touchstone::oracle {
 
-/// Edges one after another along a ring, under boxes: each box holds a run of edges, and two halves of a run have boxes of
-/// their own. What the oracle asks of all edges by definition it asks here of all but those whose box tells.
+/// Edges one after another along a ring, under boxes: each box holds a run of edges, and two halves of a run have boxes
+/// of their own. What the oracle asks of all edges by definition it asks here of all but those whose box tells.
 class Boxes {
  public:
   struct Box {
@@ -26,8 +26,8 @@ class Boxes {
   }
   static Box box_of(const Segment2<Integer>& edge);
 
-  /// Calls visit(i) for edges from `first` on, in ascending order, but none in a box for which may(box) is false; until a
-  /// visit returns true, which is then returned.
+  /// Calls visit(i) for edges from `first` on, in ascending order, but none in a box for which may(box) is false; until
+  /// a visit returns true, which is then returned.
   template <class May, class Visit>
   bool ascending(std::size_t first, const May& may, const Visit& visit) const {
     return walk<true>(0, 0, edges_.size(), first, may, visit);

@@ -12,7 +12,8 @@
 
 using namespace touchstone;
 
-/// What an intersection is, if it is one of these; nullptr else. It is a variant of Boost until CGAL 5, of std from 6 on.
+/// What an intersection is, if it is one of these; nullptr else. It is a variant of Boost until CGAL 5, of std from 6
+/// on.
 template <class Shape, template <class...> class Variant, class... Shapes>
 const Shape* held(const Variant<Shapes...>& common) {
   if constexpr (std::is_same_v<Variant<Shapes...>, std::variant<Shapes...>>) return std::get_if<Shape>(&common);
