@@ -41,14 +41,36 @@ struct RowList {
 };
 
 /// The catalogue, in the order of the deck. There is no other list of operations.
-using Rows =
-    RowList<rows::explicit_line, rows::implicit_circle, rows::parametric_circle, rows::line_point_at,
-            rows::point_on_segment, rows::line_line, rows::segment_segment, rows::ray_segment, rows::orientation,
-            rows::polygon_convexity, rows::polygon_convexity_interior_angles, rows::interior_angles,
-            rows::triangulate_polygon, rows::convex_partition, rows::point_in_polygon, rows::point_in_convex_polygon,
-            rows::polygon_polygon, rows::point_ground_plane, rows::polygon_normal, rows::point_plane,
-            rows::point_plane_toi, rows::sphere_sphere, rows::aabb_aabb, rows::swept_sphere_sphere,
-            rows::point_in_convex_polyhedron, rows::all_pairs, rows::reflect_wall>;
+// clang-format off
+using Rows = RowList<
+    rows::explicit_line,
+    rows::implicit_circle,
+    rows::parametric_circle,
+    rows::line_point_at,
+    rows::point_on_segment,
+    rows::line_line,
+    rows::segment_segment,
+    rows::ray_segment,
+    rows::orientation,
+    rows::polygon_convexity,
+    rows::polygon_convexity_interior_angles,
+    rows::interior_angles,
+    rows::triangulate_polygon,
+    rows::convex_partition,
+    rows::point_in_polygon,
+    rows::point_in_convex_polygon,
+    rows::polygon_polygon,
+    rows::point_ground_plane,
+    rows::polygon_normal,
+    rows::point_plane,
+    rows::point_plane_toi,
+    rows::sphere_sphere,
+    rows::aabb_aabb,
+    rows::swept_sphere_sphere,
+    rows::point_in_convex_polyhedron,
+    rows::all_pairs,
+    rows::reflect_wall>;
+// clang-format on
 
 /// visit.template operator()<Row>() for every row.
 template <class Visit>

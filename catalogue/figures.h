@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -98,6 +99,25 @@ inline void draw(Scene& scene, const std::string& label, const Meshd& mesh, bool
   SpaceFigure figure{SpaceFigure::Kind::mesh, label, coordinates_of(mesh.vertices), {}, answer};
   for (const Face& face : mesh.faces) figure.faces.push_back({face.a, face.b, face.c});
   scene.space.push_back(std::move(figure));
+}
+/// A parallelepiped by its eight corners.
+inline void draw(Scene& scene, const std::string& label, const Obb3d& box, bool answer) {
+  const auto& [u, v, w] = box.half_axes;
+  std::vector<Point3d> corners;
+  for (const double r : {-1.0, 1.0})
+    for (const double s : {-1.0, 1.0})
+      for (const double t : {-1.0, 1.0}) corners.push_back(box.center + (r * u + (s * v + t * w)));
+  SpaceFigure figure{SpaceFigure::Kind::mesh, label, coordinates_of(corners), {}, answer};
+  figure.faces = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  const double volume = dot(cross(u, v), w);
+  if (volume < 0)
+    for (auto& face : figure.faces) std::reverse(face.begin(), face.end());
+  scene.space.push_back(std::move(figure));
+  scene.notes.push_back(label + ": center " + in_words(box.center) + ", half axes " + in_words({u.x, u.y, u.z}) + ", " +
+                        in_words({v.x, v.y, v.z}) + ", " + in_words({w.x, w.y, w.z}));
+}
+inline void draw(Scene& scene, const std::string& label, const Slabd& slab, bool) {
+  scene.notes.push_back(label + ": from " + decimal(slab.min) + " to " + decimal(slab.max));
 }
 
 /// The elements of a list, numbered; their numbers stand in the input already, unless they are all there is to show.

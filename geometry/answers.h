@@ -2,10 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geometry/polygons.h"
+#include "geometry/polyhedra.h"
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
+#include "geometry/volumes.h"
 
 /// What operations answer. An enumerator is a word of the contract; a field that the enumerator rules out is empty.
 namespace touchstone {
@@ -117,6 +120,26 @@ template <class Real>
 struct FirstContact {
   HitRelation relation;
   std::optional<Real> t;
+};
+
+/// The convex hull of points in the plane, by their places in the list; of equal points, any one. dimension 0: `point`;
+/// 1: `segment`, its ends; 2: `polygon`, the extreme points counter-clockwise. The other fields are empty.
+struct ConvexHull2 {
+  Index dimension;
+  std::optional<Index> point;
+  std::optional<IndexPair> segment;
+  std::optional<std::vector<Index>> polygon;
+};
+
+/// The convex hull of points in space, by their places in the list; of equal points, any one. dimension 0: `point`;
+/// 1: `segment`, its ends; 2: `polygon`, the extreme points in order around it, in either direction; 3: `faces`,
+/// triangles that are counter-clockwise as seen from outside. The other fields are empty.
+struct ConvexHull {
+  Index dimension;
+  std::optional<Index> point;
+  std::optional<IndexPair> segment;
+  std::optional<std::vector<Index>> polygon;
+  std::optional<std::vector<Face>> faces;
 };
 
 template <class Real>

@@ -95,6 +95,43 @@ inline void validate(const std::string& field, const Sphere3d& ball) {
   validate(field + ".center", ball.center), validate(field + ".radius", ball.radius);
   if (negative(ball.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
+/// Whether the half axes are linearly independent is decided where determinants are exact, and refused here.
+inline void validate(const std::string& field, const Obb3d& box) {
+  validate(field + ".center", box.center);
+  const auto& [u, v, w] = box.half_axes;
+  validate(field + ".half_axes[0]", u), validate(field + ".half_axes[1]", v), validate(field + ".half_axes[2]", w);
+}
+[[noreturn]] inline void refuse_dependent(const std::string& field) {
+  throw InvalidInput(field + ".half_axes", "linearly independent");
+}
+inline void validate_normal(const std::string& field, const Vector3d& normal) {
+  validate(field, normal);
+  if (zero(normal.x) && zero(normal.y) && zero(normal.z)) throw InvalidInput(field, "nonzero normal");
+}
+inline void validate(const std::string& field, const Slabd& slab) {
+  validate(field + "[0]", slab.min), validate(field + "[1]", slab.max);
+  if (!in_order(slab.min, slab.max)) throw InvalidInput(field + "[1]", "min <= max");
+}
+/// The lengths of its lists.
+template <class Real>
+void validate_lengths(const std::string& field, const Kdop3<Real>& kdop) {
+  if (kdop.normals.empty()) throw InvalidInput(field + ".normals", "at least 1 normal");
+  if (kdop.slabs.size() != kdop.normals.size()) throw InvalidInput(field + ".slabs", "as many slabs as normals");
+}
+inline void validate(const std::string& field, const Kdop3d& kdop) {
+  validate_lengths(field, kdop);
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+    validate_normal(field + ".normals[" + std::to_string(i) + "]", kdop.normals[i]);
+    validate(field + ".slabs[" + std::to_string(i) + "]", kdop.slabs[i]);
+  }
+}
+/// Points around which something is built.
+template <class Point>
+void validate_points(const std::string& field, const std::vector<Point>& points) {
+  if (points.empty()) throw InvalidInput(field, "at least 1 point");
+  for (std::size_t i = 0; i < points.size(); ++i) validate(field + "[" + std::to_string(i) + "]", points[i]);
+}
+
 template <class Shape>
 void validate(const std::string& field, const std::vector<Shape>& shapes) {
   for (std::size_t i = 0; i < shapes.size(); ++i) validate(field + "[" + std::to_string(i) + "]", shapes[i]);

@@ -71,6 +71,21 @@ struct Described<FirstContact<R>> {
   static constexpr auto members =
       std::tuple{member("relation", &FirstContact<R>::relation), member("t", &FirstContact<R>::t)};
 };
+template <>
+struct Described<ConvexHull2> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{member("dimension", &ConvexHull2::dimension), member("point", &ConvexHull2::point),
+                 member("segment", &ConvexHull2::segment), member("polygon", &ConvexHull2::polygon)};
+};
+template <>
+struct Described<ConvexHull> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{member("dimension", &ConvexHull::dimension), member("point", &ConvexHull::point),
+                 member("segment", &ConvexHull::segment), member("polygon", &ConvexHull::polygon),
+                 member("faces", &ConvexHull::faces)};
+};
 template <class R>
 struct Described<PointPlaneToi<R>> {
   static constexpr Form form = Form::record;
@@ -139,6 +154,10 @@ struct Words<HitRelation> {
   static constexpr HitRelation no = HitRelation::never;
 };
 
+template <>
+struct Words<SphereMethod> {
+  static constexpr std::array<const char*, 4> words{"box", "centroid", "ritter", "smallest"};
+};
 template <>
 struct Words<Axis> {
   static constexpr std::array<const char*, 3> words{"x", "y", "z"};

@@ -96,6 +96,28 @@ struct Described<Sphere3<R>> {
   static constexpr auto members =
       std::tuple{member("center", &Sphere3<R>::center), member("radius", &Sphere3<R>::radius)};
 };
+template <class R>
+struct Described<HalfAxes<R>> {
+  static constexpr Form form = Form::list;
+  static constexpr auto members =
+      std::tuple{member("u", &HalfAxes<R>::u), member("v", &HalfAxes<R>::v), member("w", &HalfAxes<R>::w)};
+};
+template <class R>
+struct Described<Obb3<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{member("center", &Obb3<R>::center), member("half_axes", &Obb3<R>::half_axes)};
+};
+template <class R>
+struct Described<Slab<R>> {
+  static constexpr Form form = Form::list;
+  static constexpr auto members = std::tuple{member("min", &Slab<R>::min), member("max", &Slab<R>::max)};
+};
+template <class R>
+struct Described<Kdop3<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{member("normals", &Kdop3<R>::normals), member("slabs", &Kdop3<R>::slabs)};
+};
 template <>
 struct Described<Face> {
   static constexpr Form form = Form::list;

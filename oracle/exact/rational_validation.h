@@ -53,6 +53,23 @@ inline void validate(const std::string& field, const Aabb3<oracle::Rational>& bo
 inline void validate(const std::string& field, const Sphere3<oracle::Rational>& ball) {
   if (negative(ball.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
+inline void validate(const std::string& field, const Obb3<oracle::Rational>& box) {
+  const auto& [u, v, w] = box.half_axes;
+  if (zero(dot(cross(u, v), w))) refuse_dependent(field);
+}
+inline void validate_normal(const std::string& field, const Vector3<oracle::Rational>& normal) {
+  if (zero(normal.x) && zero(normal.y) && zero(normal.z)) throw InvalidInput(field, "nonzero normal");
+}
+inline void validate(const std::string& field, const Slab<oracle::Rational>& slab) {
+  if (slab.min > slab.max) throw InvalidInput(field + "[1]", "min <= max");
+}
+inline void validate(const std::string& field, const Kdop3<oracle::Rational>& kdop) {
+  validate_lengths(field, kdop);
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+    validate_normal(field + ".normals[" + std::to_string(i) + "]", kdop.normals[i]);
+    validate(field + ".slabs[" + std::to_string(i) + "]", kdop.slabs[i]);
+  }
+}
 inline void validate(const std::string& field, const Polygon2<oracle::Rational>& polygon) {
   if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
 }

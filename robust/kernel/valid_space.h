@@ -29,4 +29,19 @@ inline bool valid(const Aabb3d& box) {
          in_order(box.min.z, box.max.z);
 }
 
+/// But for the half axes' independence, which takes a determinant.
+inline bool valid(const Obb3d& box) {
+  return valid(box.center) && valid(box.half_axes.u) && valid(box.half_axes.v) && valid(box.half_axes.w);
+}
+inline bool valid_normal(const Vector3d& n) {
+  return valid(n) && !(validation::zero(n.x) && validation::zero(n.y) && validation::zero(n.z));
+}
+inline bool valid(const Slabd& slab) { return all_finite(slab.min, slab.max) && in_order(slab.min, slab.max); }
+inline bool valid(const Kdop3d& kdop) {
+  if (kdop.normals.empty() || kdop.slabs.size() != kdop.normals.size()) return false;
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i)
+    if (!valid_normal(kdop.normals[i]) || !valid(kdop.slabs[i])) return false;
+  return true;
+}
+
 }  // namespace touchstone::robust::kernel
