@@ -34,7 +34,7 @@ inline bool valid(const Obb3d& box) {
   return valid(box.center) && valid(box.half_axes.u) && valid(box.half_axes.v) && valid(box.half_axes.w);
 }
 inline bool valid_normal(const Vector3d& n) {
-  return valid(n) && !(validation::zero(n.x) && validation::zero(n.y) && validation::zero(n.z));
+  return valid(n) && (!validation::zero(n.x) || !validation::zero(n.y) || !validation::zero(n.z));
 }
 inline bool valid(const Slabd& slab) { return all_finite(slab.min, slab.max) && in_order(slab.min, slab.max); }
 inline bool valid(const Kdop3d& kdop) {
