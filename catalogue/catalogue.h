@@ -28,6 +28,7 @@
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 #include "catalogue/volumes/aabb_aabb.h"
+#include "catalogue/volumes/aabb_of_points.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
 namespace touchstone::audit {
@@ -64,6 +65,7 @@ using Rows = RowList<
     rows::polygon_normal,
     rows::point_plane,
     rows::point_plane_toi,
+    rows::aabb_of_points,
     rows::sphere_sphere,
     rows::aabb_aabb,
     rows::swept_sphere_sphere,

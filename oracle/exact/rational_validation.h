@@ -70,6 +70,10 @@ inline void validate(const std::string& field, const Kdop3<oracle::Rational>& kd
     validate(field + ".slabs[" + std::to_string(i) + "]", kdop.slabs[i]);
   }
 }
+template <AlwaysValid Point>
+void validate_points(const std::string& field, const std::vector<Point>& points) {
+  if (points.empty()) throw InvalidInput(field, "at least 1 point");
+}
 inline void validate(const std::string& field, const Polygon2<oracle::Rational>& polygon) {
   if (polygon.size() < 3) throw InvalidInput(field, "at least 3 vertices");
 }
