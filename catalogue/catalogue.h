@@ -29,6 +29,7 @@
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
+#include "catalogue/volumes/closest_point_on_aabb.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
 namespace touchstone::audit {
@@ -68,6 +69,7 @@ using Rows = RowList<
     rows::aabb_of_points,
     rows::sphere_sphere,
     rows::aabb_aabb,
+    rows::closest_point_on_aabb,
     rows::swept_sphere_sphere,
     rows::point_in_convex_polyhedron,
     rows::all_pairs,

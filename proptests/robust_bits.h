@@ -27,6 +27,9 @@ void append_bits(const T& value, std::vector<std::uint64_t>& words) {
   } else if constexpr (audit::is_vector<T>) {
     words.push_back(value.size());
     for (const auto& element : value) append_bits(element, words);
+  } else if constexpr (audit::is_variant<T>) {
+    words.push_back(value.index());
+    std::visit([&words](const auto& alternative) { append_bits(alternative, words); }, value);
   } else {
     words.push_back(std::bit_cast<std::uint64_t>(value));
   }

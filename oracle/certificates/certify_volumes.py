@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of bounding volumes: one function an operation, as in check_volumes.cpp."""
 
-from certify_reading import WRONG_KIND, expect
-from certify_space import ball_or_disc, box, box_holds
+from certify_reading import WRONG_KIND, exact_value, expect
+from certify_space import ball_or_disc, box, box_holds, two_or_three
 
 
 def axis_of(claim, axes):
@@ -51,6 +51,26 @@ def check_aabb_aabb(claim):
         claim.expect_kind("common_interior_point"), claim.facts("point")
         point = point_of(claim, axes)
         expect(holds_inside(*a, point) and holds_inside(*b, point), "certificate: the point is not inside both boxes")
+
+
+def check_closest_point_on_aabb(claim):
+    claim.inputs("point", "aabb")
+    p, (low, high) = two_or_three(claim.input["point"], "point"), box(claim.input["aabb"], "aabb")
+    axes = len(p)
+    expect(len(low) == axes, "aabb: as many coordinates as point")
+    claim.answers("point")
+    answer = claim.truth["point"]
+    expect(isinstance(answer, list) and len(answer) == axes, "truth.point: as many coordinates as the box")
+    x = [exact_value(value, f"truth.point[{k}]") for k, value in enumerate(answer)]
+    claim.expect_kind("multipliers"), claim.facts("lower", "upper")
+    lower, upper = claim.list("lower"), claim.list("upper")
+    expect(len(lower) == len(upper) == axes, "certificate: as many multipliers as coordinates")
+    expect(box_holds(low, high, x), "truth: the point is not in the box")
+    for k in range(axes):
+        expect(lower[k] >= 0 and upper[k] >= 0, "certificate: a multiplier is negative")
+        attained = lower[k] == 0 or x[k] == low[k], upper[k] == 0 or x[k] == high[k]
+        expect(all(attained), "certificate: a multiplier of a bound that is not attained")
+        expect(x[k] - p[k] == lower[k] - upper[k], "certificate: the multipliers do not balance")
 
 
 def squared_distance(p, q):

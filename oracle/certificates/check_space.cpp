@@ -10,14 +10,6 @@ void array_of_three(const json& value, const std::string& what) {
 
 using Coordinates = std::vector<Rational>;
 
-Coordinates two_or_three(const json& value, const std::string& what) {
-  expect(value.is_array() && (value.size() == 2 || value.size() == 3), what + ": a list of two or three");
-  Coordinates coordinates;
-  for (const json& coordinate : value)
-    coordinates.push_back(number(coordinate, what + "[" + std::to_string(coordinates.size()) + "]"));
-  return coordinates;
-}
-
 Coordinates three(const json& value, const std::string& what) {
   array_of_three(value, what);
   return two_or_three(value, what);
@@ -38,6 +30,14 @@ bool Box::holds(const std::vector<Rational>& p) const {
   for (std::size_t k = 0; k < axes(); ++k)
     if (p[k] < min[k] || p[k] > max[k]) return false;
   return true;
+}
+
+Coordinates two_or_three(const json& value, const std::string& what) {
+  expect(value.is_array() && (value.size() == 2 || value.size() == 3), what + ": a list of two or three");
+  Coordinates coordinates;
+  for (const json& coordinate : value)
+    coordinates.push_back(number(coordinate, what + "[" + std::to_string(coordinates.size()) + "]"));
+  return coordinates;
 }
 
 Triple point_in_space(const json& value, const std::string& what) {

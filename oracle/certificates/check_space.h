@@ -50,6 +50,8 @@ struct Box {
 };
 
 /// Input, by the field's name; `what` is how the field is called in a refusal.
+/// The coordinates of a point of the plane or of space.
+std::vector<Rational> two_or_three(const json& value, const std::string& what);
 Triple point_in_space(const json& value, const std::string& what);
 Plane plane(const json& value, const std::string& what);
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what);

@@ -70,6 +70,29 @@ void check_aabb_aabb(const Claim& claim) {
   }
 }
 
+/// Why nothing in the box is nearer than x stands in nearest_in_interval.h: the conditions of Karush, Kuhn and Tucker.
+void check_closest_point_on_aabb(const Claim& claim) {
+  claim.inputs({"point", "aabb"});
+  const std::vector<Rational> p = two_or_three(claim.input["point"], "point");
+  const Box b = box(claim.input["aabb"], "aabb");
+  expect(b.axes() == p.size(), "aabb: as many coordinates as point");
+  claim.answers({"point"});
+  const json& answer = claim.truth["point"];
+  expect(answer.is_array() && answer.size() == p.size(), "truth.point: as many coordinates as the box");
+  std::vector<Rational> x;
+  for (const json& value : answer) x.push_back(exact_value(value, "truth.point[" + std::to_string(x.size()) + "]"));
+  expect(claim.kind() == "multipliers", wrong_kind), claim.facts({"lower", "upper"});
+  const std::vector<Rational> lower = claim.list("lower"), upper = claim.list("upper");
+  expect(lower.size() == p.size() && upper.size() == p.size(), "certificate: as many multipliers as coordinates");
+  expect(b.holds(x), "truth: the point is not in the box");
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    expect(sgn(lower[k]) >= 0 && sgn(upper[k]) >= 0, "certificate: a multiplier is negative");
+    expect((sgn(lower[k]) == 0 || x[k] == b.min[k]) && (sgn(upper[k]) == 0 || x[k] == b.max[k]),
+           "certificate: a multiplier of a bound that is not attained");
+    expect(x[k] - p[k] == lower[k] - upper[k], "certificate: the multipliers do not balance");
+  }
+}
+
 /// Of two positions.
 Rational squared_distance(const std::vector<Rational>& p, const std::vector<Rational>& q) {
   Rational sum;
@@ -116,6 +139,10 @@ void check_sphere_sphere(const Claim& claim) {
 
 }  // namespace
 
-Checks checks_of_volumes() { return {{"aabb_aabb", check_aabb_aabb}, {"sphere_sphere", check_sphere_sphere}}; }
+Checks checks_of_volumes() {
+  return {{"aabb_aabb", check_aabb_aabb},
+          {"sphere_sphere", check_sphere_sphere},
+          {"closest_point_on_aabb", check_closest_point_on_aabb}};
+}
 
 }  // namespace touchstone::certify

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
+from itertools import product
+
 from simplest_truth_reading import dot, minus, number, point
 
 
@@ -32,3 +34,11 @@ def truth_sphere_sphere(q):
         (tuple(share * x for x in way), r), (tuple((1 - share) * x for x in way), s))]
     contact = "disjoint" if max(beyond) > 0 else "touching" if max(beyond) == 0 else "overlapping"
     return {"contact": contact}, abs(min((r + s) ** 2 - square for square in (dot(way, way), r * r, s * s)))
+
+
+def truth_closest_point_on_aabb(q):
+    """The nearest point lies inside the box, a face, an edge, or is a corner; there it is the foot of the perpendicular. So
+    of the points that have on each axis the coordinate of the point, of min or of max it is the nearest that is in the box."""
+    p, low, high = point(q["point"]), point(q["aabb"]["min"]), point(q["aabb"]["max"])
+    in_box = [x for x in product(*zip(p, low, high)) if all(a <= y <= b for a, y, b in zip(low, x, high))]
+    return {"point": [str(x) for x in min(in_box, key=lambda x: dot(minus(x, p), minus(x, p)))]}, None

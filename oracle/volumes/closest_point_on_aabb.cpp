@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/closest_point_on_aabb.h"
+
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/nearest_in_interval.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// Axis by axis: the point's coordinate, min and max.
+template <class Number>
+CommonScale<Number, 6> scale_of(const Point2<Number>& p, const Aabb2<Number>& box) {
+  return CommonScale<Number, 6>({p.x, box.min.x, box.max.x, p.y, box.min.y, box.max.y});
+}
+template <class Number>
+CommonScale<Number, 9> scale_of(const Point3<Number>& p, const Aabb3<Number>& box) {
+  return CommonScale<Number, 9>({p.x, box.min.x, box.max.x, p.y, box.min.y, box.max.y, p.z, box.min.z, box.max.z});
+}
+
+using Nearest = NearestInInterval<Rational>;
+
+/// Refuses what is not valid.
+template <class Point, class Box>
+auto nearest_by_axis(const Point& point, const Box& aabb) {
+  const auto n = scale_of(point, aabb);
+  const auto validate = [&] { validation::validate("point", point), validation::validate("aabb", aabb); };
+  if (!n.finite()) validate();
+  const auto on_axis = [&](std::size_t k) -> Nearest {
+    const Integer p = n.whole(3 * k), min = n.whole(3 * k + 1), max = n.whole(3 * k + 2);
+    if (min > max) validate();
+    const auto found = nearest_in_interval(p, min, max);
+    return {n.actual(rational(found.x), 1), n.actual(rational(found.lower), 1), n.actual(rational(found.upper), 1)};
+  };
+  std::vector<Nearest> axes{on_axis(0), on_axis(1)};
+  if constexpr (requires { point.z; }) axes.push_back(on_axis(2));
+  return axes;
+}
+
+template <class Point, class Box>
+Certificate certificate_of(const Point& point, const Box& aabb) {
+  std::vector<Rational> lower, upper;
+  for (const Nearest& axis : nearest_by_axis(point, aabb)) lower.push_back(axis.lower), upper.push_back(axis.upper);
+  return {"multipliers", {{"lower", std::move(lower)}, {"upper", std::move(upper)}}};
+}
+
+template <class Number>
+Truth<Point2<Rational>> truth_of(const Point2<Number>& point, const Aabb2<Number>& aabb) {
+  const auto axes = nearest_by_axis(point, aabb);
+  return {{axes[0].x, axes[1].x}, std::nullopt};
+}
+template <class Number>
+Truth<Point3<Rational>> truth_of(const Point3<Number>& point, const Aabb3<Number>& aabb) {
+  const auto axes = nearest_by_axis(point, aabb);
+  return {{axes[0].x, axes[1].x, axes[2].x}, std::nullopt};
+}
+
+}  // namespace
+
+Truth<Point2<Rational>> closest_point_on_aabb(const Point2d& point, const Aabb2d& aabb) {
+  return truth_of(point, aabb);
+}
+Truth<Point3<Rational>> closest_point_on_aabb(const Point3d& point, const Aabb3d& aabb) {
+  return truth_of(point, aabb);
+}
+
+template <Exact Number>
+Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb) {
+  return truth_of(point, aabb);
+}
+template <Exact Number>
+Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb) {
+  return truth_of(point, aabb);
+}
+template Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Rational>&, const Aabb2<Rational>&);
+template Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Rational>&, const Aabb3<Rational>&);
+
+Certificate closest_point_on_aabb_certificate(const Point2d& point, const Aabb2d& aabb) {
+  return certificate_of(point, aabb);
+}
+Certificate closest_point_on_aabb_certificate(const Point3d& point, const Aabb3d& aabb) {
+  return certificate_of(point, aabb);
+}
+
+}  // namespace touchstone::oracle
