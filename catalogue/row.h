@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <tuple>
 #include <variant>
 
+#include "catalogue/codec/tape.h"
 #include "catalogue/families/numbers.h"
 #include "catalogue/judge/ulps.h"
 #include "catalogue/row_functions.h"
 #include "oracle/truth.h"
 
 /// A row of the catalogue is a struct named like its operation, in the file of that name. It holds
-///   TOUCHSTONE_MODULES(op)                   the functions of the three modules
+///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where alternatives of the question have
+///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op), and before it
+///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
 ///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
 ///   static const Card& card();               names, pages, kind of judgement
 ///   static std::vector<HardCase<Question>> hard_cases();
@@ -29,8 +33,34 @@
   static auto ask(E& engine, const auto&... q)->decltype(engine.op(q...)) {                          \
     return engine.op(q...);                                                                          \
   }
+#define TOUCHSTONE_MODULES_EITHER(op)                                                                    \
+  static auto reference(const auto&... q) { return either<Answers>(::touchstone::reference::op(q...)); } \
+  static auto robust(const auto&... q) { return either<Answers>(::touchstone::robust::op(q...)); }       \
+  static auto oracle(const auto&... q)->decltype(either<Answers>(::touchstone::oracle::op(q...))) {      \
+    return either<Answers>(::touchstone::oracle::op(q...));                                              \
+  }                                                                                                      \
+  static auto certificate(const auto&... q) { return ::touchstone::oracle::op##_certificate(q...); }     \
+  template <class E>                                                                                     \
+  static auto ask(E& engine, const auto&... q)->decltype(either<Answers>(engine.op(q...))) {             \
+    return either<Answers>(engine.op(q...));                                                             \
+  }
 
 namespace touchstone::audit {
+
+/// An answer to one alternative of a question, or the truth of it, as one of the answers to all of them.
+template <template <class> class Answers, class Answer>
+Answers<number_of_t<Answer>> either(const Answer& answer) {
+  return answer;
+}
+template <template <class> class Answers, class Answer>
+::touchstone::oracle::Truth<Answers<number_of_t<Answer>>> either(const ::touchstone::oracle::Truth<Answer>& truth) {
+  return {truth.answer, truth.margin};
+}
+template <template <class> class Answers, class Answer>
+std::optional<Answers<number_of_t<Answer>>> either(const std::optional<Answer>& answer) {
+  if (!answer) return std::nullopt;
+  return *answer;
+}
 
 /// The rows, each named like its operation.
 namespace rows {}

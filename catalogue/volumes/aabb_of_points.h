@@ -10,44 +10,13 @@
 namespace touchstone::audit::rows {
 
 struct aabb_of_points {
+  template <class Real>
+  using Answers = std::variant<Aabb2<Real>, Aabb3<Real>>;
+  TOUCHSTONE_MODULES_EITHER(aabb_of_points)
   using InPlane = std::vector<Point2d>;
   using InSpace = std::vector<Point3d>;
   using Question = std::variant<std::tuple<InPlane>, std::tuple<InSpace>>;
   using decision = NoDecision;
-
-  /// The answer of either alternative.
-  template <class Real>
-  using Box = std::variant<Aabb2<Real>, Aabb3<Real>>;
-  template <class Solid>
-  using Either = Box<number_of_t<Solid>>;
-  template <class Real>
-  static Box<Real> either(const Aabb2<Real>& box) {
-    return box;
-  }
-  template <class Real>
-  static Box<Real> either(const Aabb3<Real>& box) {
-    return box;
-  }
-  template <class Solid>
-  static ::touchstone::oracle::Truth<Either<Solid>> either(const ::touchstone::oracle::Truth<Solid>& truth) {
-    return {truth.answer, truth.margin};
-  }
-  template <class Solid>
-  static std::optional<Either<Solid>> either(const std::optional<Solid>& box) {
-    if (!box) return std::nullopt;
-    return *box;
-  }
-
-  static auto reference(const auto& points) { return either(::touchstone::reference::aabb_of_points(points)); }
-  static auto robust(const auto& points) { return either(::touchstone::robust::aabb_of_points(points)); }
-  static auto oracle(const auto& points) -> decltype(either(::touchstone::oracle::aabb_of_points(points))) {
-    return either(::touchstone::oracle::aabb_of_points(points));
-  }
-  static auto certificate(const auto& points) { return ::touchstone::oracle::aabb_of_points_certificate(points); }
-  template <class E>
-  static auto ask(E& engine, const auto& points) -> decltype(either(engine.aabb_of_points(points))) {
-    return either(engine.aabb_of_points(points));
-  }
 
   static const Card& card() {
     static const Card card{.name = "aabb_of_points",

@@ -10,29 +10,13 @@
 namespace touchstone::audit::rows {
 
 struct closest_point_on_aabb {
+  template <class Real>
+  using Answers = std::variant<Point2<Real>, Point3<Real>>;
+  TOUCHSTONE_MODULES_EITHER(closest_point_on_aabb)
   using InPlane = std::tuple<Point2d, Aabb2d>;
   using InSpace = std::tuple<Point3d, Aabb3d>;
   using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
-
-  // The functions of the modules, their answers as one type.
-  static auto reference(const auto& point, const auto& aabb) {
-    return either(::touchstone::reference::closest_point_on_aabb(point, aabb));
-  }
-  static auto robust(const auto& point, const auto& aabb) {
-    return either(::touchstone::robust::closest_point_on_aabb(point, aabb));
-  }
-  static auto oracle(const auto& point, const auto& aabb) {
-    auto truth = ::touchstone::oracle::closest_point_on_aabb(point, aabb);
-    return ::touchstone::oracle::Truth<decltype(either(truth.answer))>{either(truth.answer), truth.margin};
-  }
-  static auto certificate(const auto& point, const auto& aabb) {
-    return ::touchstone::oracle::closest_point_on_aabb_certificate(point, aabb);
-  }
-  template <class E>
-  static auto ask(E& engine, const auto&... q) -> decltype(engine.closest_point_on_aabb(q...)) {
-    return engine.closest_point_on_aabb(q...);
-  }
 
   static const Card& card() {
     static const Card card{.name = "closest_point_on_aabb",
@@ -115,14 +99,6 @@ struct closest_point_on_aabb {
   }
 
  private:
-  template <class Real>
-  static std::variant<Point2<Real>, Point3<Real>> either(const Point2<Real>& point) {
-    return point;
-  }
-  template <class Real>
-  static std::variant<Point2<Real>, Point3<Real>> either(const Point3<Real>& point) {
-    return point;
-  }
   /// In space, or the same without z.
   static Question seen(const Point3d& point, const Aabb3d& box, Choices& c) {
     if (c.below(2) == 0) return InSpace{point, box};
