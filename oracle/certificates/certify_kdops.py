@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of volumes of intervals around points, boxes and k-DOPs, as in check_kdops.cpp."""
 
-from certify_reading import exact_value, expect, number, only
+from certify_reading import exact_value, expect, number, only, point
+from certify_space import dot, point_in_space
+
+WRONG_VALUE = "certificate: the value of N . P is wrong"
 
 
 def points(value, what):
@@ -43,3 +46,48 @@ def check_aabb_of_points(claim):
         last = everything[place(greatest[k], len(everything), "point")][k]
         expect(first == low[k] and last == high[k], "certificate: the point has another coordinate")
         expect(all(low[k] <= p[k] <= high[k] for p in everything), "truth: a point is not in the box")
+
+
+def normal(value, what):
+    found = point_in_space(value, what)
+    expect(found != (0, 0, 0), what + ": nonzero normal")
+    return found
+
+
+def kdop(value, what):
+    """(normals, slabs), a slab being (min, max)."""
+    only(value, what, ("normals", "slabs"))
+    written, slabs = value["normals"], value["slabs"]
+    expect(isinstance(written, list) and written, what + ".normals: at least 1 normal")
+    expect(isinstance(slabs, list) and len(slabs) == len(written), what + ".slabs: as many slabs as normals")
+    found = []
+    for i, (one, slab) in enumerate(zip(written, slabs)):
+        n, (low, high) = normal(one, f"{what}.normals[{i}]"), point(slab, f"{what}.slabs[{i}]")
+        expect(low <= high, f"{what}.slabs[{i}][1]: min <= max")
+        found.append((n, (low, high)))
+    return [n for n, _ in found], [slab for _, slab in found]
+
+
+def check_point_in_kdop(claim):
+    claim.inputs("kdop", "point")
+    normals, slabs = kdop(claim.input["kdop"], "kdop")
+    p = point_in_space(claim.input["point"], "point")
+    claim.answers("location")
+    location = claim.word("location")
+    values = [dot(n, p) for n in normals]
+    if location == "inside":
+        claim.expect_kind("values"), claim.facts("values")
+        expect(claim.list("values") == values, WRONG_VALUE)
+        inside = all(low < value < high for value, (low, high) in zip(values, slabs))
+        expect(inside, "truth: the point is not inside a slab")
+        return
+    expect(location in ("boundary", "outside"), "truth: location is wrong")
+    claim.expect_kind("beyond_slab" if location == "outside" else "end_of_slab"), claim.facts("slab", "value")
+    i = place(claim.single("slab"), len(values), "slab")
+    expect(claim.single("value") == values[i], WRONG_VALUE)
+    if location == "outside":
+        expect(not slabs[i][0] <= values[i] <= slabs[i][1], "certificate: the slab holds the point")
+        return
+    expect(values[i] in slabs[i], "certificate: the slab does not end there")
+    held = all(low <= value <= high for value, (low, high) in zip(values, slabs))
+    expect(held, "truth: a slab excludes the point")

@@ -10,6 +10,9 @@ namespace {
 
 using Numbers = std::vector<Rational>;
 
+const char* const wrong_kind = "certificate: no such kind for this truth";
+const char* const wrong_value = "certificate: the value of N . P is wrong";
+
 /// A list of points of one dimension, two or three; at least one.
 std::vector<Numbers> points(const json& value, const std::string& what) {
   expect(value.is_array() && !value.empty(), what + ": at least 1 point");
@@ -50,7 +53,7 @@ void check_aabb_of_points(const Claim& claim) {
   only(claim.truth["aabb"], "truth.aabb", {"min", "max"});
   const Numbers low = exact_values(claim.truth["aabb"]["min"], "truth.aabb.min", axes),
                 high = exact_values(claim.truth["aabb"]["max"], "truth.aabb.max", axes);
-  expect(claim.kind() == "extreme_points", "certificate: no such kind for this truth");
+  expect(claim.kind() == "extreme_points", wrong_kind);
   claim.facts({"least", "greatest"});
   const Numbers least = claim.list("least"), greatest = claim.list("greatest");
   expect(least.size() == axes && greatest.size() == axes, "certificate: two places for each axis");
@@ -62,8 +65,65 @@ void check_aabb_of_points(const Claim& claim) {
   }
 }
 
+/// Normals and the ends of their slabs, x <= y.
+struct Kdop {
+  std::vector<Triple> normals;
+  std::vector<Pair> slabs;
+  bool holds(std::size_t i, const Rational& value) const { return slabs[i].x <= value && value <= slabs[i].y; }
+};
+
+Triple normal(const json& value, const std::string& what) {
+  const Triple n = point_in_space(value, what);
+  expect(n.x != 0 || n.y != 0 || n.z != 0, what + ": nonzero normal");
+  return n;
+}
+
+Kdop kdop(const json& value, const std::string& what) {
+  only(value, what, {"normals", "slabs"});
+  const json &normals = value["normals"], &slabs = value["slabs"];
+  expect(normals.is_array() && !normals.empty(), what + ".normals: at least 1 normal");
+  expect(slabs.is_array() && slabs.size() == normals.size(), what + ".slabs: as many slabs as normals");
+  Kdop found;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const std::string at = "[" + std::to_string(i) + "]", slab = what + ".slabs" + at;
+    found.normals.push_back(normal(normals[i], what + ".normals" + at));
+    found.slabs.push_back(point(slabs[i], slab));
+    expect(found.slabs[i].x <= found.slabs[i].y, slab + "[1]: min <= max");
+  }
+  return found;
+}
+
+/// Outside: beyond an end of one slab. On the boundary: at an end of one, and within all. Inside: strictly within all.
+void check_point_in_kdop(const Claim& claim) {
+  claim.inputs({"kdop", "point"});
+  const Kdop solid = kdop(claim.input["kdop"], "kdop");
+  const Triple p = point_in_space(claim.input["point"], "point");
+  claim.answers({"location"});
+  const std::string location = claim.word("location"), kind = claim.kind();
+  Numbers values;
+  for (const Triple& n : solid.normals) values.push_back(dot(n, p));
+  if (location == "inside") {
+    expect(kind == "values", wrong_kind), claim.facts({"values"});
+    expect(claim.list("values") == values, wrong_value);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      expect(solid.slabs[i].x < values[i] && values[i] < solid.slabs[i].y, "truth: the point is not inside a slab");
+    return;
+  }
+  expect(location == "boundary" || location == "outside", "truth: location is wrong");
+  const bool outside = location == "outside";
+  expect(kind == (outside ? "beyond_slab" : "end_of_slab"), wrong_kind), claim.facts({"slab", "value"});
+  const std::size_t i = place(claim.single("slab"), values.size(), "slab");
+  expect(claim.single("value") == values[i], wrong_value);
+  if (outside) {
+    expect(!solid.holds(i, values[i]), "certificate: the slab holds the point");
+    return;
+  }
+  expect(values[i] == solid.slabs[i].x || values[i] == solid.slabs[i].y, "certificate: the slab does not end there");
+  for (std::size_t k = 0; k < values.size(); ++k) expect(solid.holds(k, values[k]), "truth: a slab excludes the point");
+}
+
 }  // namespace
 
-Checks checks_of_kdops() { return {{"aabb_of_points", check_aabb_of_points}}; }
+Checks checks_of_kdops() { return {{"aabb_of_points", check_aabb_of_points}, {"point_in_kdop", check_point_in_kdop}}; }
 
 }  // namespace touchstone::certify

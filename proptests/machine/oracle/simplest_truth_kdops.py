@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of volumes of intervals around points, boxes and k-DOPs, for simplest_truth.py: each takes an input
 as it stands in a claim and gives the answer and the margin."""
-from simplest_truth_reading import point
+from simplest_truth_reading import dot, minus, number, point
 
 
 def truth_aabb_of_points(q):
@@ -10,3 +10,20 @@ def truth_aabb_of_points(q):
     low = [next(x for x in numbers if all(x <= y for y in numbers)) for numbers in axes]
     high = [next(x for x in numbers if all(x >= y for y in numbers)) for numbers in axes]
     return {"aabb": {"min": list(map(str, low)), "max": list(map(str, high))}}, None
+
+
+def truth_point_in_kdop(q):
+    """The foot of the perpendicular on either plane of a slab is that point of the plane; the point is on the inner
+    side where the way there goes along the normal, or against it. Margin: the shortest way, or the longest that leads
+    in."""
+    p, ways = point(q["point"]), []
+    for normal, slab in zip(q["kdop"]["normals"], q["kdop"]["slabs"]):
+        n = point(normal)
+        for end, inwards in zip(map(number, slab), (-1, 1)):
+            share = (end - dot(n, p)) / dot(n, n)
+            foot = tuple(x + share * k for x, k in zip(p, n))
+            way = minus(foot, p)
+            inner = dot(way, n) * inwards
+            ways.append(dot(way, way) * (1 if inner > 0 else -1 if inner < 0 else 0))
+    least = min(ways)
+    return {"location": "inside" if least > 0 else "outside" if least < 0 else "boundary"}, abs(least)

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/point_in_kdop.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/whole_list.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// What one slab says of the point.
+struct Depth {
+  Rational squared;  ///< the distance from the nearer plane, squared, negative beyond it
+  Rational value;    ///< N . P
+};
+
+/// Of all slabs; refuses what is not valid.
+template <class Number>
+std::vector<Depth> depths(const Kdop3<Number>& kdop, const Point3<Number>& point) {
+  validation::validate("kdop", kdop), validation::validate("point", point);
+  const WholeList p = whole_list(std::vector<Number>{point.x, point.y, point.z, Number(1)});
+  const Integer &x = p.whole[0], &y = p.whole[1], &z = p.whole[2], &w = p.whole[3];
+  std::vector<Depth> found;
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+    const auto& [nx, ny, nz] = kdop.normals[i];
+    const WholeList s = whole_list(std::vector<Number>{nx, ny, nz, kdop.slabs[i].min, kdop.slabs[i].max});
+    const Integer &a = s.whole[0], &b = s.whole[1], &c = s.whole[2];
+    const Integer height(a * x + b * y + c * z), over(height - s.whole[3] * w), under(s.whole[4] * w - height);
+    const Integer depth = std::min(over, under), square(a * a + b * b + c * c);
+    Rational squared(Integer(depth * abs(depth)), square);
+    squared.canonicalize();
+    found.push_back({p.actual(squared, 2), Rational(p.actual(Rational(height), 1) * s.unit)});
+  }
+  return found;
+}
+
+std::size_t deciding(const std::vector<Depth>& depths) {
+  const auto least = std::min_element(depths.begin(), depths.end(),
+                                      [](const Depth& a, const Depth& b) { return a.squared < b.squared; });
+  return static_cast<std::size_t>(least - depths.begin());
+}
+
+template <class Number>
+Truth<Location> truth(const Kdop3<Number>& kdop, const Point3<Number>& point) {
+  const std::vector<Depth> all = depths(kdop, point);
+  const Rational& least = all[deciding(all)].squared;
+  const int sign = sgn(least);
+  return {sign < 0 ? Location::outside : sign > 0 ? Location::inside : Location::boundary, Rational(abs(least))};
+}
+
+}  // namespace
+
+Truth<Location> point_in_kdop(const Kdop3d& kdop, const Point3d& point) { return truth(kdop, point); }
+
+template <Exact Number>
+Truth<Location> point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& point) {
+  return truth(kdop, point);
+}
+template Truth<Location> point_in_kdop(const Kdop3<Rational>&, const Point3<Rational>&);
+
+Certificate point_in_kdop_certificate(const Kdop3d& kdop, const Point3d& point) {
+  const std::vector<Depth> all = depths(kdop, point);
+  const std::size_t i = deciding(all);
+  const int sign = sgn(all[i].squared);
+  if (sign <= 0)
+    return {sign < 0 ? "beyond_slab" : "end_of_slab", {{"slab", {Rational(i)}}, {"value", {all[i].value}}}};
+  std::vector<Rational> values;
+  for (const Depth& depth : all) values.push_back(depth.value);
+  return {"values", {{"values", std::move(values)}}};
+}
+
+}  // namespace touchstone::oracle
