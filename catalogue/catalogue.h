@@ -30,6 +30,7 @@
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
 #include "catalogue/volumes/closest_point_on_aabb.h"
+#include "catalogue/volumes/kdop_kdop.h"
 #include "catalogue/volumes/point_in_kdop.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
@@ -69,6 +70,7 @@ using Rows = RowList<
     rows::point_plane_toi,
     rows::aabb_of_points,
     rows::point_in_kdop,
+    rows::kdop_kdop,
     rows::sphere_sphere,
     rows::aabb_aabb,
     rows::closest_point_on_aabb,

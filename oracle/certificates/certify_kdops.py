@@ -91,3 +91,36 @@ def check_point_in_kdop(claim):
     expect(values[i] in slabs[i], "certificate: the slab does not end there")
     held = all(low <= value <= high for value, (low, high) in zip(values, slabs))
     expect(held, "truth: a slab excludes the point")
+
+
+def check_kdop_kdop(claim):
+    claim.inputs("a", "b")
+    (normals, a), (others, b) = kdop(claim.input["a"], "a"), kdop(claim.input["b"], "b")
+    expect(len(others) == len(normals), "b.normals: the same normals as a")
+    for i, (n, m) in enumerate(zip(normals, others)):
+        expect(n == m, f"b.normals[{i}]: the same normal as in a")
+    claim.answers("contact")
+    contact = claim.word("contact")
+    if contact == "disjoint":
+        claim.expect_kind("separating_slab"), claim.facts("slab", "value")
+        i, value = place(claim.single("slab"), len(a), "slab"), claim.single("value")
+        apart = a[i][1] < value < b[i][0] or b[i][1] < value < a[i][0]
+        expect(apart, "certificate: the slabs are not apart there")
+        return
+    expect(contact in ("touching", "overlapping"), "truth: contact is wrong")
+    touching = contact == "touching"
+    claim.expect_kind("touching_slab" if touching else "common_values")
+    claim.facts(*(("slab", "values") if touching else ("values",)))
+    values = claim.list("values")
+    expect(len(values) == len(a), "certificate: a value for each normal")
+    for value, *both in zip(values, a, b):
+        if touching:
+            expect(all(low <= value <= high for low, high in both), "certificate: a slab does not hold the value")
+        else:
+            inside = all(low < value < high for low, high in both)
+            expect(inside, "certificate: the value is not inside both slabs")
+    if touching:
+        i = place(claim.single("slab"), len(a), "slab")
+        (first, last), (begin, end) = a[i], b[i]
+        single = first == last or begin == end or last == begin or end == first
+        expect(single, "certificate: these slabs have an interval in common")

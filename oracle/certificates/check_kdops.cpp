@@ -122,8 +122,49 @@ void check_point_in_kdop(const Claim& claim) {
   for (std::size_t k = 0; k < values.size(); ++k) expect(solid.holds(k, values[k]), "truth: a slab excludes the point");
 }
 
+/// Slab by slab. Disjoint: a value between two slabs. Overlapping: a value strictly within each two. Touching: a value
+/// within each two, and two that have no interval in common.
+void check_kdop_kdop(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Kdop a = kdop(claim.input["a"], "a"), b = kdop(claim.input["b"], "b");
+  const std::size_t count = a.normals.size();
+  expect(b.normals.size() == count, "b.normals: the same normals as a");
+  for (std::size_t i = 0; i < count; ++i)
+    expect(a.normals[i] == b.normals[i], "b.normals[" + std::to_string(i) + "]: the same normal as in a");
+  claim.answers({"contact"});
+  const std::string contact = claim.word("contact"), kind = claim.kind();
+  if (contact == "disjoint") {
+    expect(kind == "separating_slab", wrong_kind), claim.facts({"slab", "value"});
+    const std::size_t i = place(claim.single("slab"), count, "slab");
+    const Rational value = claim.single("value");
+    expect((a.slabs[i].y < value && value < b.slabs[i].x) || (b.slabs[i].y < value && value < a.slabs[i].x),
+           "certificate: the slabs are not apart there");
+    return;
+  }
+  const bool touching = contact == "touching";
+  expect(touching || contact == "overlapping", "truth: contact is wrong");
+  expect(kind == (touching ? "touching_slab" : "common_values"), wrong_kind);
+  touching ? claim.facts({"slab", "values"}) : claim.facts({"values"});
+  const Numbers values = claim.list("values");
+  expect(values.size() == count, "certificate: a value for each normal");
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pair &s = a.slabs[i], &t = b.slabs[i];
+    const bool held = a.holds(i, values[i]) && b.holds(i, values[i]);
+    expect(
+        touching ? held : s.x < values[i] && values[i] < s.y && t.x < values[i] && values[i] < t.y,
+        touching ? "certificate: a slab does not hold the value" : "certificate: the value is not inside both slabs");
+  }
+  if (!touching) return;
+  const std::size_t i = place(claim.single("slab"), count, "slab");
+  const Pair &s = a.slabs[i], &t = b.slabs[i];
+  expect(s.x == s.y || t.x == t.y || s.y == t.x || t.y == s.x, "certificate: these slabs have an interval in common");
+}
+
 }  // namespace
 
-Checks checks_of_kdops() { return {{"aabb_of_points", check_aabb_of_points}, {"point_in_kdop", check_point_in_kdop}}; }
+Checks checks_of_kdops() {
+  return {
+      {"aabb_of_points", check_aabb_of_points}, {"point_in_kdop", check_point_in_kdop}, {"kdop_kdop", check_kdop_kdop}};
+}
 
 }  // namespace touchstone::certify

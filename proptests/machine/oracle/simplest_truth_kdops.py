@@ -27,3 +27,18 @@ def truth_point_in_kdop(q):
             ways.append(dot(way, way) * (1 if inner > 0 else -1 if inner < 0 else 0))
     least = min(ways)
     return {"location": "inside" if least > 0 else "outside" if least < 0 else "boundary"}, abs(least)
+
+
+def truth_kdop_kdop(q):
+    """Of the four ends of two slabs, and the numbers halfway between neighbours, one is in both slabs, or none is; and
+    inside both. Margin: how little an end of a slab has to be moved, alone, for the least overlap to change."""
+    pairs = [tuple(map(number, s + t)) for s, t in zip(q["a"]["slabs"], q["b"]["slabs"])]
+
+    def tried(ends):
+        ascending = sorted(ends)
+        return ascending + [(x + y) / 2 for x, y in zip(ascending, ascending[1:])]
+
+    meet = all(any(a <= x <= b and c <= x <= d for x in tried((a, b, c, d))) for a, b, c, d in pairs)
+    inside = all(any(a < x < b and c < x < d for x in tried((a, b, c, d))) for a, b, c, d in pairs)
+    least = min(high - low for a, b, c, d in pairs for high in (b, d) for low in (a, c))
+    return {"contact": "overlapping" if inside else "touching" if meet else "disjoint"}, abs(least)

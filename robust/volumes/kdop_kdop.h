@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// Whether two k-DOPs with the same normals are `disjoint`, only touch or overlap, slab by slab: conservative, because
+/// slabs may meet where the solids do not. A flat slab (min == max) has no interior: it can only touch.
+///
+/// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so do all that point_in_kdop refuses of a k-DOP, and normals of b that are not those
+/// of a ("the same normals as a", "the same normal as in a"). Contract: reference/volumes/kdop_kdop.h.
+Contact kdop_kdop(const Kdop3d& a, const Kdop3d& b);
+
+}  // namespace touchstone::robust
