@@ -43,7 +43,9 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
 int exhaust_command(const std::string& operation, int grid, const std::string& shard, const std::string& json_file,
                     bool decisions, std::ostream& out, std::ostream& err);
 int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);
-int vectors_write_command(const std::string& directory, std::uint64_t seed, std::ostream& out, std::ostream& err);
+/// Of the operations named, with commas, or all.
+int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
+                          std::ostream& out, std::ostream& err);
 int vectors_check_command(const std::string& directory, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
 

@@ -106,12 +106,15 @@ void add_vectors(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("vectors", "Test vectors: JSON lines with a schema");
   command->require_subcommand(1);
   auto directory = std::make_shared<std::string>();
+  auto operations = std::make_shared<std::string>("all");
   auto seed = std::make_shared<std::uint64_t>(1);
   auto* write = command->add_subcommand("write", "Writes them into a directory");
   write->add_option("directory", *directory)->required();
+  write->add_option("--ops", *operations, "Operations with commas, or all");
   write->add_option("--seed", *seed)->check(any_seed);
-  write->callback(
-      [=, &action] { action = [=] { return vectors_write_command(*directory, *seed, std::cout, std::cerr); }; });
+  write->callback([=, &action] {
+    action = [=] { return vectors_write_command(*directory, *operations, *seed, std::cout, std::cerr); };
+  });
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   check->add_option("directory", *directory)->required();
   check->callback([=, &action] { action = [=] { return vectors_check_command(*directory, std::cout, std::cerr); }; });

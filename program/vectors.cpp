@@ -19,11 +19,13 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 
 }  // namespace
 
-int vectors_write_command(const std::string& directory, std::uint64_t seed, std::ostream& out, std::ostream&) {
+int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
+                          std::ostream& out, std::ostream&) {
+  const std::vector<const Operation*> chosen = operations_named(operations);
   std::filesystem::create_directories(std::filesystem::path(directory) / "meshes");
   write_text(std::filesystem::path(directory) / "schema.json", vector_schema().dump(1) + "\n");
   for (const NamedFile& file : named_files()) write_text(std::filesystem::path(directory) / file.name, file.text);
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : chosen) {
     if (operation->card().is_method()) continue;  // the vectors of the operation itself serve
     const Vectors vectors = vectors_of(*operation, seed);
     std::string text;

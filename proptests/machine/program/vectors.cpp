@@ -192,6 +192,22 @@ TEST_CASE("vectors: a mesh file that was changed is complained about, even where
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("vectors: those of one operation are written alone, as they stand among all") {
+  const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_one_operation");
+  CHECK(called({"vectors", "write", folder.c_str(), "--ops", "orientation"}).code == 0);
+  std::set<std::string> written;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) written.insert(entry.path().filename());
+  CHECK(written == std::set<std::string>{"meshes", "orientation.jsonl", "schema.json"});
+  const auto text_of = [](const std::filesystem::path& path) {
+    std::ifstream in(path);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  CHECK(text_of(folder / "orientation.jsonl") == text_of("vectors/orientation.jsonl"));
+  std::filesystem::remove_all(folder);
+  require_refused(called({"vectors", "write", folder.c_str(), "--ops", "orientaton"}), 2, "orientaton");
+  CHECK(!std::filesystem::exists(folder));
+}
+
 TEST_CASE("vectors: what is no vector is complained about") {
   CHECK(vector_complaint("nonsense", "vectors") == "line: one JSON object");
   CHECK(vector_complaint("[]", "vectors") == "line: one JSON object");
