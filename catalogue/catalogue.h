@@ -32,6 +32,7 @@
 #include "catalogue/volumes/closest_point_on_aabb.h"
 #include "catalogue/volumes/kdop_kdop.h"
 #include "catalogue/volumes/point_in_kdop.h"
+#include "catalogue/volumes/convex_hull_2d.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
 namespace touchstone::audit {
@@ -71,6 +72,7 @@ using Rows = RowList<
     rows::aabb_of_points,
     rows::point_in_kdop,
     rows::kdop_kdop,
+    rows::convex_hull_2d,
     rows::sphere_sphere,
     rows::aabb_aabb,
     rows::closest_point_on_aabb,

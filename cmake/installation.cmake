@@ -13,7 +13,7 @@ install(EXPORT touchstone-audit NAMESPACE touchstone:: DESTINATION ${package_dir
 
 foreach(room geometry reference robust oracle catalogue audit report program)
   install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone FILES_MATCHING PATTERN "*.h"
-          PATTERN robust/stages EXCLUDE PATTERN robust/rings EXCLUDE)
+          PATTERN robust/stages EXCLUDE PATTERN robust/rings EXCLUDE PATTERN robust/hulls EXCLUDE)
 endforeach()
 
 configure_package_config_file(cmake/touchstone-config.cmake.in ${PROJECT_BINARY_DIR}/touchstone-config.cmake

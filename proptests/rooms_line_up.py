@@ -41,9 +41,9 @@ STAGES = "robust/stages"
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings", "stages"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "stages"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/installation.cmake leaves these out.
-NOT_INSTALLED = (f"{STAGES}/", "robust/rings/")
+NOT_INSTALLED = (f"{STAGES}/", "robust/rings/", "robust/hulls/")
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".mjs"}
 LONGEST = 400

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/answers.h"
+#include "oracle/certificates/certificate.h"
+
+namespace touchstone::oracle {
+
+/// Truth: on integers, from vertex to vertex, so that no point lies to the right of the way; the first is the
+/// lexicographically least, and of equal points the first in the list. Margin: the least size of twice the area of an
+/// edge of the hull and a point that is no end of it, which is 0 where points are equal, inside an edge or all on one
+/// line; of two points their squared distance; none of a single one.
+Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>& points);
+template <Exact Number>
+Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points);
+Certificate convex_hull_2d_certificate(const std::vector<Point2d>& points);
+
+/// What is wrong with a hull of these points; "" if it is right, ours or not.
+std::string convex_hull_2d_fault(const std::vector<Point2d>& points, const ConvexHull2& hull);
+
+}  // namespace touchstone::oracle
