@@ -33,6 +33,7 @@
 #include "catalogue/volumes/kdop_kdop.h"
 #include "catalogue/volumes/point_in_kdop.h"
 #include "catalogue/volumes/convex_hull_2d.h"
+#include "catalogue/volumes/sphere_aabb.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
 namespace touchstone::audit {
@@ -76,6 +77,7 @@ using Rows = RowList<
     rows::sphere_sphere,
     rows::aabb_aabb,
     rows::closest_point_on_aabb,
+    rows::sphere_aabb,
     rows::swept_sphere_sphere,
     rows::point_in_convex_polyhedron,
     rows::all_pairs,

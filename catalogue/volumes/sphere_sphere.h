@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
+#include "catalogue/whole_steps.h"
 #include "oracle/volumes/sphere_sphere.h"
 #include "reference/volumes/sphere_sphere.h"
 #include "robust/volumes/sphere_sphere.h"
@@ -178,31 +177,6 @@ struct sphere_sphere {
   }
 
  private:
-  /// The way from one center to the other and, where it is whole, its length; and whether all is to be seen in the
-  /// plane.
-  struct Step {
-    Vector3d way;
-    double length;
-    bool in_plane;
-  };
-
-  /// Of whole length: by a Pythagorean triple or, in space, quadruple.
-  static Step whole_step(Choices& c) {
-    static constexpr std::array<std::array<double, 4>, 9> steps{{{3, 4, 0, 5},
-                                                                 {1, 0, 0, 1},
-                                                                 {5, -12, 0, 13},
-                                                                 {119, 120, 0, 169},
-                                                                 {1, 2, 2, 3},
-                                                                 {2, -3, 6, 7},
-                                                                 {4, 4, 7, 9},
-                                                                 {0, 8, 15, 17},
-                                                                 {2, 10, 11, 15}}};
-    const bool in_plane = c.below(2) == 1;
-    const auto [x, y, z, length] = steps[c.below(in_plane ? 4 : 9)];
-    const double k = 1 + static_cast<double>(c.below(1 << 12));
-    return {{k * x, k * y, k * z}, k * length, in_plane};
-  }
-
   /// From nothing to all of a whole length.
   static double part_of(double length, Choices& c) {
     return static_cast<double>(c.below(static_cast<std::uint64_t>(length) + 1));

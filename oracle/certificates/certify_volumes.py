@@ -104,3 +104,39 @@ def check_sphere_sphere(claim):
         expect(distance == reach, "certificate: the balls are not tangent")
     else:
         expect(r == 0 or s == 0, "certificate: both balls have an interior")
+
+
+def is_nearest(low, high, p, x):
+    """Why that is so stands in check_volumes.cpp."""
+    return all(not (q < y != least) and not (q > y != greatest) for least, q, y, greatest in zip(low, p, x, high))
+
+
+def check_sphere_aabb(claim):
+    claim.inputs("sphere", "aabb")
+    (center, radius), (low, high) = ball_or_disc(claim.input["sphere"], "sphere"), box(claim.input["aabb"], "aabb")
+    axes = len(center)
+    expect(len(low) == axes, "aabb: as many coordinates as sphere")
+    claim.answers("contact")
+    contact, kind = claim.word("contact"), claim.kind()
+    touching = "flat_axis", "tangent"
+    kinds = {"disjoint": ("nearest_point",), "touching": touching, "overlapping": ("common_interior_point",)}
+    expect(contact in kinds, "truth: contact is wrong")
+    expect(kind in kinds[contact], WRONG_KIND)
+    flat = kind == "flat_axis"
+    claim.facts(*(("point", "axis") if flat else ("point",)))
+    point = point_of(claim, axes)
+    beyond = squared_distance(center, point) - radius**2
+    if contact == "overlapping":
+        expect(holds_inside(low, high, point) and beyond < 0, "certificate: the point is not inside both")
+        return
+    expect(box_holds(low, high, point), "certificate: the point is not in the box")
+    if flat:
+        expect(beyond <= 0, "certificate: the point is not in the ball")
+        k = axis_of(claim, axes)
+        expect(low[k] == high[k], "certificate: the box is not flat on the axis")
+        return
+    expect(is_nearest(low, high, center, point), "certificate: a point of the box is nearer")
+    if contact == "disjoint":
+        expect(beyond > 0, "certificate: the point is in the ball")
+    else:
+        expect(beyond == 0, "certificate: the point is not on the boundary of the ball")

@@ -137,11 +137,56 @@ void check_sphere_sphere(const Claim& claim) {
   }
 }
 
+/// No point of the box is nearer to p than x, a point of the box: from x, the way to p leads out of the box on each
+/// axis on which it leads anywhere.
+bool is_nearest(const Box& box, const std::vector<Rational>& p, const std::vector<Rational>& x) {
+  for (std::size_t k = 0; k < box.axes(); ++k)
+    if ((p[k] < x[k] && x[k] != box.min[k]) || (p[k] > x[k] && x[k] != box.max[k])) return false;
+  return true;
+}
+
+void check_sphere_aabb(const Claim& claim) {
+  claim.inputs({"sphere", "aabb"});
+  const BallOrDisc ball = ball_or_disc(claim.input["sphere"], "sphere");
+  const Box b = box(claim.input["aabb"], "aabb");
+  expect(b.axes() == ball.axes(), "aabb: as many coordinates as sphere");
+  claim.answers({"contact"});
+  const std::string contact = claim.word("contact"), kind = claim.kind();
+  const bool flat = kind == "flat_axis";
+  if (contact == "disjoint") {
+    expect(kind == "nearest_point", wrong_kind);
+  } else if (contact == "touching") {
+    expect(flat || kind == "tangent", wrong_kind);
+  } else {
+    expect(contact == "overlapping", "truth: contact is wrong");
+    expect(kind == "common_interior_point", wrong_kind);
+  }
+  if (flat) claim.facts({"point", "axis"});
+  else claim.facts({"point"});
+  const std::vector<Rational> point = point_of(claim, b);
+  const int in_ball = sgn(beyond(ball, point));
+  if (contact == "overlapping") {
+    expect(holds_inside(b, point) && in_ball < 0, "certificate: the point is not inside both");
+    return;
+  }
+  expect(b.holds(point), "certificate: the point is not in the box");
+  if (flat) {
+    expect(in_ball <= 0, "certificate: the point is not in the ball");
+    const std::size_t k = axis_of(claim, b);
+    expect(b.min[k] == b.max[k], "certificate: the box is not flat on the axis");
+    return;
+  }
+  expect(is_nearest(b, ball.center, point), "certificate: a point of the box is nearer");
+  if (contact == "disjoint") expect(in_ball > 0, "certificate: the point is in the ball");
+  else expect(in_ball == 0, "certificate: the point is not on the boundary of the ball");
+}
+
 }  // namespace
 
 Checks checks_of_volumes() {
   return {{"aabb_aabb", check_aabb_aabb},
           {"sphere_sphere", check_sphere_sphere},
+          {"sphere_aabb", check_sphere_aabb},
           {"closest_point_on_aabb", check_closest_point_on_aabb}};
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of bounding volumes, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
+from fractions import Fraction
 from itertools import product
 
 from simplest_truth_reading import dot, minus, number, point
@@ -42,3 +43,16 @@ def truth_closest_point_on_aabb(q):
     p, low, high = point(q["point"]), point(q["aabb"]["min"]), point(q["aabb"]["max"])
     in_box = [x for x in product(*zip(p, low, high)) if all(a <= y <= b for a, y, b in zip(low, x, high))]
     return {"point": [str(x) for x in min(in_box, key=lambda x: dot(minus(x, p), minus(x, p)))]}, None
+
+
+def truth_sphere_aabb(q):
+    """Whether the ball reaches the box is told by the point nearest to its center, found as above; whether it reaches into
+    the box, of a box and a ball that have an interior, by the same. Margin: how far the squared distance is from the
+    square of the radius, and, where they meet, how wide the box is, squared."""
+    p, r = point(q["sphere"]["center"]), number(q["sphere"]["radius"])
+    nearest = truth_closest_point_on_aabb({"point": q["sphere"]["center"], "aabb": q["aabb"]})[0]["point"]
+    way = minus(tuple(map(Fraction, nearest)), p)
+    gap = dot(way, way) - r * r
+    width = min(minus(point(q["aabb"]["max"]), point(q["aabb"]["min"])))
+    contact = "disjoint" if gap > 0 else "touching" if gap == 0 or width == 0 or r == 0 else "overlapping"
+    return {"contact": contact}, gap if gap > 0 else min(-gap, width * width)

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/sphere_aabb.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/nearest_in_interval.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// The radius, then axis by axis the center's coordinate, min and max.
+template <class Number>
+CommonScale<Number, 7> scale_of(const Circle2<Number>& s, const Aabb2<Number>& b) {
+  return CommonScale<Number, 7>({s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y});
+}
+template <class Number>
+CommonScale<Number, 10> scale_of(const Sphere3<Number>& s, const Aabb3<Number>& b) {
+  return CommonScale<Number, 10>(
+      {s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y, s.center.z, b.min.z, b.max.z});
+}
+
+/// In units of the scale; x is the box's point nearest to the center c.
+template <class Value>
+struct Axis {
+  Value c, min, max, x;
+};
+template <class Value, std::size_t Axes>
+struct BallAndBox {
+  Value radius;
+  std::array<Axis<Value>, Axes> axes;
+
+  /// R - S
+  Value depth() const {
+    Value left(radius * radius);
+    for (const auto& axis : axes) left -= Value((axis.x - axis.c) * (axis.x - axis.c));
+    return left;
+  }
+  const Axis<Value>& narrowest() const {
+    return *std::min_element(axes.begin(), axes.end(), [](const auto& first, const auto& second) {
+      return first.max - first.min < second.max - second.min;
+    });
+  }
+};
+
+template <class Value, class Number, std::size_t N>
+BallAndBox<Value, N / 3> solids_of(const CommonScale<Number, N>& n) {
+  BallAndBox<Value, N / 3> solids{whole<Value>(n, 0), {}};
+  for (std::size_t k = 0; k < N / 3; ++k) {
+    const Value c = whole<Value>(n, 3 * k + 1), min = whole<Value>(n, 3 * k + 2), max = whole<Value>(n, 3 * k + 3);
+    solids.axes[k] = {c, min, max, nearest_in_interval(c, min, max).x};
+  }
+  return solids;
+}
+
+/// The solids; refuses what is not valid.
+template <class Value, class Scale, class Ball, class Box>
+auto validated(const Scale& n, const Ball& sphere, const Box& aabb) {
+  const auto validate = [&] { validation::validate("sphere", sphere), validation::validate("aabb", aabb); };
+  if (!n.finite()) validate();
+  const auto solids = solids_of<Value>(n);
+  const auto in_order = [](const auto& axis) { return axis.min <= axis.max; };
+  if (solids.radius < 0 || !std::all_of(solids.axes.begin(), solids.axes.end(), in_order)) validate();
+  return solids;
+}
+
+template <class Value, class Scale, class Ball, class Box>
+Truth<Contact> truth(const Scale& n, const Ball& sphere, const Box& aabb) {
+  const auto solids = validated<Value>(n, sphere, aabb);
+  const Value depth = solids.depth();
+  if (sgn(depth) < 0) return {Contact::disjoint, n.actual(absolute(depth), 2)};
+  const Value extent(solids.narrowest().max - solids.narrowest().min), square(extent * extent);
+  const Value margin(depth < square ? depth : square);
+  return {sgn(margin) > 0 ? Contact::overlapping : Contact::touching, n.actual(absolute(margin), 2)};
+}
+
+template <class Ball, class Box>
+Truth<Contact> truth_of(const Ball& sphere, const Box& aabb) {
+  const auto n = scale_of(sphere, aabb);
+  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, sphere, aabb)
+                                                      : truth<Integer>(n, sphere, aabb);
+}
+
+/// From the nearest point x a part t of the way w to the middle of the box: inside it for t > 0, because on each axis
+/// the middle is. The squared distance from the center grows by 2 t (x - c) . w + t^2 w . w, which is less than the
+/// depth for t = depth / (depth + 2 (x - c) . w + w . w) <= 1; (x - c) . w is not negative, since x is nearest.
+template <class Solids>
+std::vector<Rational> common_interior_point(const Solids& solids) {
+  const Rational depth(solids.depth());
+  Rational growth = 0;
+  std::vector<Rational> way;
+  for (const auto& axis : solids.axes) {
+    const Rational w(Rational(axis.min + axis.max) / 2 - axis.x);
+    growth += w * (2 * Rational(axis.x - axis.c) + w);
+    way.push_back(w);
+  }
+  const Rational t(depth / (depth + growth));
+  for (std::size_t k = 0; k < way.size(); ++k) way[k] = solids.axes[k].x + t * way[k];
+  return way;
+}
+
+template <class Ball, class Box>
+Certificate certificate_of(const Ball& sphere, const Box& aabb) {
+  const auto n = scale_of(sphere, aabb);
+  const auto solids = validated<Integer>(n, sphere, aabb);
+  const int depth = sgn(solids.depth());
+  const auto& narrowest = solids.narrowest();
+  const bool flat = narrowest.min == narrowest.max;
+  const bool overlap = depth > 0 && !flat;
+  std::vector<Rational> point;
+  if (overlap) point = common_interior_point(solids);
+  else
+    for (const auto& axis : solids.axes) point.emplace_back(axis.x);
+  for (Rational& coordinate : point) coordinate = n.actual(coordinate, 1);
+  const char* kind = depth < 0    ? "nearest_point"
+                     : depth == 0 ? "tangent"
+                     : flat       ? "flat_axis"
+                                  : "common_interior_point";
+  Certificate certificate{kind, {{"point", std::move(point)}}};
+  if (depth > 0 && flat)
+    certificate.facts.push_back({"axis", {Rational(static_cast<long>(&narrowest - solids.axes.data()))}});
+  return certificate;
+}
+
+}  // namespace
+
+Truth<Contact> sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb) { return truth_of(sphere, aabb); }
+Truth<Contact> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb) { return truth_of(sphere, aabb); }
+
+template <Exact Number>
+Truth<Contact> sphere_aabb(const Circle2<Number>& sphere, const Aabb2<Number>& aabb) {
+  return truth_of(sphere, aabb);
+}
+template <Exact Number>
+Truth<Contact> sphere_aabb(const Sphere3<Number>& sphere, const Aabb3<Number>& aabb) {
+  return truth_of(sphere, aabb);
+}
+template Truth<Contact> sphere_aabb(const Circle2<Rational>&, const Aabb2<Rational>&);
+template Truth<Contact> sphere_aabb(const Sphere3<Rational>&, const Aabb3<Rational>&);
+
+Certificate sphere_aabb_certificate(const Circle2d& sphere, const Aabb2d& aabb) { return certificate_of(sphere, aabb); }
+Certificate sphere_aabb_certificate(const Sphere3d& sphere, const Aabb3d& aabb) { return certificate_of(sphere, aabb); }
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/volumes/sphere_aabb.h"
+
+#include "geometry/validation.h"
+#include "robust/kernel/integers.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/stages/volumes/sphere_aabb.h"
+
+namespace touchstone::robust {
+namespace {
+
+/// Of the radius, then axis by axis of the center's coordinate, min and max, all in one unit.
+template <class Product, class Integer, std::size_t N>
+Contact contact(const std::array<Integer, N>& n) {
+  const Integer zero(0);
+  Product beyond(0);
+  bool interiors = n[0] != zero;
+  for (std::size_t k = 1; k < N; k += 3) {
+    const Integer &c = n[k], &min = n[k + 1], &max = n[k + 2];
+    const Product way(c < min ? Integer(min - c) : c > max ? Integer(c - max) : zero);
+    beyond += way * way;
+    interiors = interiors && min < max;
+  }
+  const Product radius(n[0]), squared_radius(radius * radius);
+  if (beyond > squared_radius) return Contact::disjoint;
+  return beyond < squared_radius && interiors ? Contact::overlapping : Contact::touching;
+}
+
+auto lattice_of(const Circle2d& s, const Aabb2d& b) {
+  return kernel::lattice_of(s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y);
+}
+auto lattice_of(const Sphere3d& s, const Aabb3d& b) {
+  return kernel::lattice_of(s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y, s.center.z, b.min.z,
+                            b.max.z);
+}
+auto integers_of(const Circle2d& s, const Aabb2d& b) {
+  return kernel::integers_of(s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y);
+}
+auto integers_of(const Sphere3d& s, const Aabb3d& b) {
+  return kernel::integers_of(s.radius, s.center.x, b.min.x, b.max.x, s.center.y, b.min.y, b.max.y, s.center.z, b.min.z,
+                             b.max.z);
+}
+
+/// Squares below 2^124, and three of them with a fourth, below 2^122, fit.
+template <class Ball, class Box>
+Perhaps<Contact> on_lattice(const Ball& sphere, const Box& aabb) {
+  const auto lattice = lattice_of(sphere, aabb);
+  if (!lattice) return std::nullopt;
+  return contact<kernel::Int128>(lattice->at);
+}
+
+template <class Ball, class Box>
+void validate(const Ball& sphere, const Box& aabb) {
+  if (!kernel::valid(sphere) || !kernel::valid(aabb))
+    validation::validate("sphere", sphere), validation::validate("aabb", aabb);
+}
+
+}  // namespace
+
+Perhaps<Contact> stages::sphere_aabb::lattice(const Circle2d& sphere, const Aabb2d& aabb) {
+  return on_lattice(sphere, aabb);
+}
+Perhaps<Contact> stages::sphere_aabb::lattice(const Sphere3d& sphere, const Aabb3d& aabb) {
+  return on_lattice(sphere, aabb);
+}
+Contact stages::sphere_aabb::exact(const Circle2d& sphere, const Aabb2d& aabb) {
+  return contact<mpz_class>(integers_of(sphere, aabb).at);
+}
+Contact stages::sphere_aabb::exact(const Sphere3d& sphere, const Aabb3d& aabb) {
+  return contact<mpz_class>(integers_of(sphere, aabb).at);
+}
+
+Decided<Contact> detail::sphere_aabb::past_filter(const Circle2d& sphere, const Aabb2d& aabb) {
+  return in_turn<stages::sphere_aabb, validate<Circle2d, Aabb2d>, Stage::lattice, Stage::exact>(sphere, aabb);
+}
+Decided<Contact> detail::sphere_aabb::past_filter(const Sphere3d& sphere, const Aabb3d& aabb) {
+  return in_turn<stages::sphere_aabb, validate<Sphere3d, Aabb3d>, Stage::lattice, Stage::exact>(sphere, aabb);
+}
+
+}  // namespace touchstone::robust
