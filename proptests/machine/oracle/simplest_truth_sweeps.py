@@ -46,3 +46,24 @@ def truth_swept_sphere_sphere(q):
     if gap(nearest) > 0:
         return {"relation": "never"}, gap(nearest)
     return {"relation": "hit", "t": FirstRoot(constant, linear, square)}, -gap(nearest)
+
+
+def truth_swept_aabb_aabb(q):
+    """On each axis two lines over t, height + slope t, must not be above 0. They all meet that first at 0 or where one of
+    them is 0, if ever. Margin: where two lines of different axes take turns at being the higher one, or at an end of the
+    step, the higher one is at its lowest; the greatest of these values."""
+    lines = []
+    for axis, (a, c, b, d, v) in enumerate(
+        zip(q["a"]["min"], q["a"]["max"], q["b"]["min"], q["b"]["max"], q["velocity"])
+    ):
+        lines += [(number(b) - number(c), -number(v), axis), (number(a) - number(d), number(v), axis)]
+    times = {Fraction(0)} | {-height / slope for height, slope, _ in lines if slope and 0 <= -height / slope <= 1}
+    met = [t for t in times if all(height + slope * t <= 0 for height, slope, _ in lines)]
+
+    def lowest(one, other):
+        crossing = (one[0] - other[0]) / (other[1] - one[1]) if one[1] != other[1] else 0
+        tried = {Fraction(0), Fraction(1), min(max(crossing, Fraction(0)), Fraction(1))}
+        return min(max(height + slope * t for height, slope, _ in (one, other)) for t in tried)
+
+    margin = abs(max(lowest(one, other) for one in lines for other in lines if one[2] != other[2] or one == other))
+    return ({"relation": "hit", "t": str(min(met))} if met else {"relation": "never"}), margin

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 
+#include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
 #include "robust/stages/sweeps/swept_sphere_sphere.h"
 
@@ -51,28 +52,6 @@ std::optional<Triple> sum(const Triple& a, const Vector3d& b) {
 Vector3d some_vector(const Row::Question& question) {
   const auto& [a, b, va, vb] = question;
   return {b.center.y, va.x, a.center.z};
-}
-
-/// (v.x, v.y, v.z) times 2^k where that is exact.
-std::optional<Vector3d> times_two_to(const Vector3d& v, int k) {
-  const Vector3d w = std::ldexp(1, k) * v;
-  const bool kept =
-      finite(w.x, w.y, w.z) && std::ldexp(w.x, -k) == v.x && std::ldexp(w.y, -k) == v.y && std::ldexp(w.z, -k) == v.z;
-  return kept ? std::optional(w) : std::nullopt;
-}
-
-/// Whether `found` is the answer after all velocities have been multiplied by 2^k: t is divided by it. What is never
-/// met may be met by a faster motion, and a slower one may not get there.
-bool divided(const Answer& answer, const Answer& found, int k) {
-  if (!answer.t) return k > 0 || !found.t;
-  if (*answer.t > Surd(power_of_two(k))) return !found.t;
-  return found.t && *found.t == *answer.t * Surd(power_of_two(-k));
-}
-bool divided(const FirstContact<double>& answer, const FirstContact<double>& found, int k) {
-  if (!answer.t) return k > 0 || !found.t;
-  // A rounded t that is 2^k may have been more.
-  if (!found.t) return *answer.t >= std::ldexp(1, k);
-  return scaled_number(*answer.t, *found.t, -k);
 }
 
 struct Distance {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_swept_solids.h"
+
+#include "oracle/certificates/check_space.h"
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+
+Coordinates fact(const Claim& claim, const char* name, std::size_t size) {
+  Coordinates coordinates = claim.list(name);
+  expect(coordinates.size() == size, std::string("certificate.") + name + ": as many coordinates as the velocity");
+  return coordinates;
+}
+
+struct BoxSolid : Solid {
+  explicit BoxSolid(Box of) : box(std::move(of)) {}
+  bool holds(const Coordinates& p) const override { return box.holds(p); }
+  Rational highest(const Coordinates& normal) const override {
+    Rational sum;
+    for (std::size_t k = 0; k < normal.size(); ++k) sum += normal[k] * (sgn(normal[k]) > 0 ? box.max[k] : box.min[k]);
+    return sum;
+  }
+  Box box;
+};
+
+void check_swept_aabb_aabb(const Claim& claim) {
+  claim.inputs({"a", "b", "velocity"});
+  const BoxSolid a(box(claim.input["a"], "a")), b(box(claim.input["b"], "b"));
+  expect(b.box.axes() == a.box.axes(), "b: as many coordinates as a");
+  const json& velocity = claim.input["velocity"];
+  expect(velocity.is_array() && velocity.size() == a.box.axes(), "velocity: as many coordinates as a");
+  Coordinates v;
+  for (const json& coordinate : velocity) v.push_back(number(coordinate, "velocity[" + std::to_string(v.size()) + "]"));
+  prove_first_contact(claim, a, b, v);
+}
+
+}  // namespace
+
+Rational dot(const Coordinates& p, const Coordinates& q) {
+  Rational sum;
+  for (std::size_t k = 0; k < p.size(); ++k) sum += p[k] * q[k];
+  return sum;
+}
+
+Rational Solid::lowest(Coordinates normal) const {
+  for (Rational& coordinate : normal) coordinate = -coordinate;
+  return Rational(-highest(normal));
+}
+
+void prove_first_contact(const Claim& claim, const Solid& a, const Solid& b, const Coordinates& velocity) {
+  const std::string relation = claim.word("relation"), kind = claim.kind();
+  if (relation == "never") {
+    claim.answers({"relation"});
+    expect(kind == "separating_axis", wrong_kind), claim.facts({"normal"});
+    const Coordinates normal = fact(claim, "normal", velocity.size());
+    const Rational gap(b.lowest(normal) - a.highest(normal));
+    expect(sgn(gap) > 0 && gap > dot(normal, velocity), "certificate: the axis does not separate");
+    return;
+  }
+  expect(relation == "hit", "truth: relation is wrong");
+  claim.answers({"relation", "t"});
+  const Rational t = exact_value(claim.truth["t"], "truth.t");
+  const bool start = kind == "start";
+  expect(start || kind == "first_contact", wrong_kind);
+  if (start) {
+    claim.facts({"point"});
+  } else {
+    claim.facts({"point", "normal"});
+  }
+  expect(start ? sgn(t) == 0 : sgn(t) > 0 && t <= 1, "truth: t is wrong");
+  const Coordinates point = fact(claim, "point", velocity.size());
+  Coordinates before = point;
+  for (std::size_t k = 0; k < before.size(); ++k) before[k] -= t * velocity[k];
+  expect(a.holds(before) && b.holds(point), "certificate: the point is not in both at t");
+  if (start) return;
+  const Coordinates normal = fact(claim, "normal", velocity.size());
+  const Rational speed = dot(normal, velocity);
+  const bool first = sgn(speed) > 0 && a.highest(normal) + t * speed <= b.lowest(normal);
+  expect(first, "certificate: the axis does not separate them before t");
+}
+
+Checks checks_of_swept_solids() { return {{"swept_aabb_aabb", check_swept_aabb_aabb}}; }
+
+}  // namespace touchstone::certify
