@@ -27,6 +27,7 @@
 #include "catalogue/polyhedra/point_in_convex_polyhedron.h"
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
+#include "catalogue/sweeps/swept_sphere_plane.h"
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
@@ -81,6 +82,7 @@ using Rows = RowList<
     rows::sphere_aabb,
     rows::swept_sphere_sphere,
     rows::swept_aabb_aabb,
+    rows::swept_sphere_plane,
     rows::point_in_convex_polyhedron,
     rows::all_pairs,
     rows::reflect_wall>;

@@ -2,7 +2,7 @@
 """What certify.py checks of moving shapes: one function an operation, as in check_sweeps.cpp."""
 
 from certify_reading import WRONG_KIND, expect
-from certify_space import ball, dot, point_in_space, triple
+from certify_space import ball, dot, plane, point_in_space, triple
 from certify_surd import exact_surd
 
 NO_PROOF = "certificate: the kind does not hold"
@@ -32,9 +32,7 @@ def never_zero(kind, constant, linear, square):
     return 4 * square * constant - linear**2 > 0
 
 
-def check_swept_sphere_sphere(claim):
-    claim.inputs("a", "b", "velocity_a", "velocity_b")
-    constant, linear, square = squared_gap(claim)
+def prove_first_zero(claim, constant, linear, square):
     relation, kind = claim.word("relation"), claim.kind()
     expect(relation in ("hit", "never"), "truth: relation is wrong")
     claim.facts("polynomial")
@@ -54,3 +52,17 @@ def check_swept_sphere_sphere(claim):
     zero = (t.square() * square + t * linear + constant).sign() == 0
     first = t.sign() > 0 and (t + -1).sign() <= 0 and zero and (t * (2 * square) + linear).sign() <= 0
     expect(first, "truth: t is wrong")
+
+
+def check_swept_sphere_sphere(claim):
+    claim.inputs("a", "b", "velocity_a", "velocity_b")
+    prove_first_zero(claim, *squared_gap(claim))
+
+
+def check_swept_sphere_plane(claim):
+    claim.inputs("sphere", "velocity", "plane")
+    center, radius = ball(claim.input["sphere"], "sphere")
+    velocity = point_in_space(claim.input["velocity"], "velocity")
+    normal, offset = plane(claim.input["plane"], "plane")
+    e, rise = dot(normal, center) + offset, dot(normal, velocity)
+    prove_first_zero(claim, e * e - radius**2 * dot(normal, normal), 2 * e * rise, rise * rise)

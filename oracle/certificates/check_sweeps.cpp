@@ -40,9 +40,8 @@ bool never_zero(const std::string& kind, const Polynomial& f) {
   return sgn(Rational(4 * f.square * f.constant - f.linear * f.linear)) > 0;
 }
 
-void check_swept_sphere_sphere(const Claim& claim) {
-  claim.inputs({"a", "b", "velocity_a", "velocity_b"});
-  const Polynomial f = squared_gap(claim);
+/// The truth is the first zero in [0, 1] of f, which is recomputed; 0 where f(0) <= 0.
+void prove_first_zero(const Claim& claim, const Polynomial& f) {
   const std::string relation = claim.word("relation"), kind = claim.kind();
   expect(relation == "hit" || relation == "never", "truth: relation is wrong");
   claim.facts({"polynomial"});
@@ -67,8 +66,26 @@ void check_swept_sphere_sphere(const Claim& claim) {
   expect(first, "truth: t is wrong");
 }
 
+void check_swept_sphere_sphere(const Claim& claim) {
+  claim.inputs({"a", "b", "velocity_a", "velocity_b"});
+  prove_first_zero(claim, squared_gap(claim));
+}
+
+/// E^2 - r^2 N . N for the height E = N . (c + t v) + d of the center: at most 0 where ball and plane meet.
+void check_swept_sphere_plane(const Claim& claim) {
+  claim.inputs({"sphere", "velocity", "plane"});
+  const Ball sphere = ball(claim.input["sphere"], "sphere");
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
+  const Plane level = plane(claim.input["plane"], "plane");
+  const Rational e = level.at(sphere.center), rise = dot(level.normal, velocity), r(sphere.radius);
+  prove_first_zero(claim, {Rational(e * e - r * r * dot(level.normal, level.normal)), Rational(2 * e * rise),
+                           Rational(rise * rise)});
+}
+
 }  // namespace
 
-Checks checks_of_sweeps() { return {{"swept_sphere_sphere", check_swept_sphere_sphere}}; }
+Checks checks_of_sweeps() {
+  return {{"swept_sphere_sphere", check_swept_sphere_sphere}, {"swept_sphere_plane", check_swept_sphere_plane}};
+}
 
 }  // namespace touchstone::certify

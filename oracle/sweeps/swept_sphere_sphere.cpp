@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/sweeps/swept_sphere_sphere.h"
 
-#include <array>
-
 #include "oracle/exact/common_scale.h"
+#include "oracle/exact/parabola.h"
 #include "oracle/exact/rational_validation.h"
 
 namespace touchstone::oracle {
@@ -24,15 +23,7 @@ Scale<Number> validated(const Sphere3<Number>& a, const Sphere3<Number>& b, cons
   return n;
 }
 
-/// square t^2 + 2 half t + start, in squares of the unit.
-struct Parabola {
-  Integer start, half, square;
-
-  Integer end() const { return Integer(start + 2 * half + square); }
-  Integer half_slope_at_end() const { return Integer(half + square); }
-  Integer discriminant() const { return Integer(half * half - square * start); }
-};
-
+/// |c + t v|^2 - r^2 in squares of the unit.
 template <class Number>
 Parabola parabola(const Scale<Number>& n) {
   const auto difference = [&n](std::size_t i, std::size_t j) {
@@ -44,50 +35,10 @@ Parabola parabola(const Scale<Number>& n) {
   return {Integer(dot(position, position) - radii * radii), dot(position, velocity), dot(velocity, velocity)};
 }
 
-int changes_of_sign(const std::array<int, 3>& chain) {
-  int changes = 0, last = 0;
-  for (const int sign : chain) {
-    changes += sign != 0 && last == -sign;
-    if (sign != 0) last = sign;
-  }
-  return changes;
-}
-
-/// The zeros in (0, 1], each counted once, of a parabola with f(0) > 0: Sturm's chain is f, half its derivative, and
-/// the remainder of these two with its sign changed, which has the sign of the discriminant.
-int zeros_within(const Parabola& f) {
-  if (sgn(f.square) == 0) return 0;  // no velocity: constant
-  const int remainder = sgn(f.discriminant());
-  return changes_of_sign({sgn(f.start), sgn(f.half), remainder}) -
-         changes_of_sign({sgn(f.end()), sgn(f.half_slope_at_end()), remainder});
-}
-
-FirstContact<Surd> contact(const Parabola& f) {
-  if (sgn(f.start) <= 0) return {HitRelation::hit, Surd(Rational(0))};
-  if (zeros_within(f) == 0) return {HitRelation::never, std::nullopt};
-  const Rational square(f.square);
-  return {HitRelation::hit, Surd(Rational(-f.half / square), Rational(-1 / square), Rational(f.discriminant()))};
-}
-
-/// The least value in [0, 1].
-Rational least(const Parabola& f) {
-  if (sgn(f.half) >= 0) return Rational(f.start);
-  if (sgn(f.half_slope_at_end()) <= 0) return Rational(f.end());
-  return quotient(Integer(-f.discriminant()), f.square);
-}
-
 template <class Number>
 Truth<FirstContact<Surd>> truth(const Scale<Number>& n) {
   const Parabola f = parabola(n);
-  return {contact(f), n.actual(Rational(abs(least(f))), 2)};
-}
-
-/// In this order: a claim of `never` has a kind that fits, since only the last has its least value inside the step.
-const char* kind_of(const Parabola& f) {
-  if (sgn(f.start) <= 0) return "start";
-  if (zeros_within(f) != 0) return "first_root";
-  if (sgn(f.half) >= 0) return "receding";
-  return sgn(f.half_slope_at_end()) <= 0 ? "too_late" : "no_root";
+  return {f.contact(), n.actual(Rational(abs(f.least())), 2)};
 }
 
 }  // namespace
@@ -110,7 +61,7 @@ Certificate swept_sphere_sphere_certificate(const Sphere3d& a, const Sphere3d& b
   const Scale<double> n = validated(a, b, velocity_a, velocity_b);
   const Parabola f = parabola(n);
   const auto actual = [&n](const Integer& coefficient) { return n.actual(Rational(coefficient), 2); };
-  return {kind_of(f), {{"polynomial", {actual(f.start), actual(Integer(2 * f.half)), actual(f.square)}}}};
+  return {f.kind(), {{"polynomial", {actual(f.start), actual(Integer(2 * f.half)), actual(f.square)}}}};
 }
 
 }  // namespace touchstone::oracle

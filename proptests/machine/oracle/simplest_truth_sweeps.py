@@ -49,9 +49,9 @@ def truth_swept_sphere_sphere(q):
 
 
 def truth_swept_aabb_aabb(q):
-    """On each axis two lines over t, height + slope t, must not be above 0. They all meet that first at 0 or where one of
-    them is 0, if ever. Margin: where two lines of different axes take turns at being the higher one, or at an end of the
-    step, the higher one is at its lowest; the greatest of these values."""
+    """On each axis two lines over t, height + slope t, must not be above 0. They all meet that first at 0 or where one
+    of them is 0, if ever. Margin: where two lines of different axes take turns at being the higher one, or at an end of
+    the step, the higher one is at its lowest; the greatest of these values."""
     lines = []
     for axis, (a, c, b, d, v) in enumerate(
         zip(q["a"]["min"], q["a"]["max"], q["b"]["min"], q["b"]["max"], q["velocity"])
@@ -67,3 +67,23 @@ def truth_swept_aabb_aabb(q):
 
     margin = abs(max(lowest(one, other) for one in lines for other in lines if one[2] != other[2] or one == other))
     return ({"relation": "hit", "t": str(min(met))} if met else {"relation": "never"}), margin
+
+
+def truth_swept_sphere_plane(q):
+    """The interval of heights that the ball reaches, times the length of the normal, has its ends at roots: they are
+    compared by squares with signs. Margin: how far the squares of the radius and of the nearer way out are apart."""
+    normal, radius = point(q["plane"]["normal"]), number(q["sphere"]["radius"])
+    start = dot(normal, point(q["sphere"]["center"])) + number(q["plane"]["offset"])
+    end = start + dot(normal, point(q["velocity"]))
+    square = dot(normal, normal)
+
+    def signed(height):
+        return height * abs(height) / square
+
+    margin = min(radius**2 + signed(max(start, end)), radius**2 - signed(min(start, end)))
+    if start**2 <= radius**2 * square:
+        return {"relation": "hit", "t": "0"}, abs(margin)
+    if margin < 0:
+        return {"relation": "never"}, abs(margin)
+    rise = end - start
+    return {"relation": "hit", "t": FirstRoot(start**2 - radius**2 * square, 2 * start * rise, rise**2)}, abs(margin)

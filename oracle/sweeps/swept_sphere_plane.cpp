@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/sweeps/swept_sphere_plane.h"
+
+#include <algorithm>
+
+#include "oracle/exact/parabola.h"
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/space.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// E at the start, what it gains in a step, r^2 and N . N.
+struct Approach {
+  Rational height, rise, squared_radius, squared_normal;
+
+  Rational start() const { return Rational(height * height - squared_radius * squared_normal); }
+  Rational half() const { return Rational(height * rise); }
+  Rational square() const { return Rational(rise * rise); }
+};
+
+template <class Number>
+Approach examine(const Sphere3<Number>& sphere, const Vector3<Number>& velocity, const Plane<Number>& plane) {
+  validation::validate("sphere", sphere), validation::validate("velocity", velocity);
+  validation::validate("plane", plane);
+  const Plane<Rational> exactly = exact(plane);
+  const Vector3<Rational> v{exact(velocity.x), exact(velocity.y), exact(velocity.z)};
+  const Rational radius = exact(sphere.radius);
+  return {height_over(exactly, exact(sphere.center)), dot(exactly.normal, v), Rational(radius * radius),
+          dot(exactly.normal, exactly.normal)};
+}
+
+/// f times a common denominator, which moves no zero.
+Parabola parabola(const Approach& a) {
+  Rational start = a.start(), half = a.half(), square = a.square();
+  Integer common(1);
+  for (const Rational* coefficient : {&start, &half, &square})
+    mpz_lcm(common.get_mpz_t(), common.get_mpz_t(), coefficient->get_den_mpz_t());
+  const auto whole = [&common](const Rational& c) { return Integer(c.get_num() * (common / c.get_den())); };
+  return {whole(start), whole(half), whole(square)};
+}
+
+Rational margin(const Approach& a) {
+  const auto with_sign = [&a](const Rational& height) { return Rational(height * abs(height) / a.squared_normal); };
+  const Rational end(a.height + a.rise);
+  const Rational above(a.squared_radius + with_sign(std::max(a.height, end))),
+      below(a.squared_radius - with_sign(std::min(a.height, end)));
+  return Rational(abs(std::min(above, below)));
+}
+
+template <class Number>
+Truth<FirstContact<Surd>> truth(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
+                                const Plane<Number>& plane) {
+  const Approach a = examine(sphere, velocity, plane);
+  return {parabola(a).contact(), margin(a)};
+}
+
+}  // namespace
+
+Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
+  return truth(sphere, velocity, plane);
+}
+
+template <Exact Number>
+Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
+                                             const Plane<Number>& plane) {
+  return truth(sphere, velocity, plane);
+}
+template Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Rational>&, const Vector3<Rational>&,
+                                                      const Plane<Rational>&);
+
+Certificate swept_sphere_plane_certificate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
+  const Approach a = examine(sphere, velocity, plane);
+  return {parabola(a).kind(), {{"polynomial", {a.start(), Rational(2 * a.half()), a.square()}}}};
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// When a ball that moves along a straight line first has a common point with a plane: `hit` with the first t in [0,
+/// 1], counted in steps, or `never`.
+///
+/// The plane is the thin closed set normal . p + offset = 0, not the half-space behind it. Touching is a hit; a ball
+/// that meets the plane at the start hits at t = 0; radius 0 is a point, and the velocity may be 0. Right for all
+/// finite doubles in every floating-point environment, and t correctly rounded. NaN and infinities throw InvalidInput,
+/// which names the field and "finite number"; so do a negative radius ("radius >= 0") and a normal of length 0
+/// ("nonzero normal"). Contract: reference/sweeps/swept_sphere_plane.h.
+FirstContact<double> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane);
+
+}  // namespace touchstone::robust
