@@ -32,9 +32,10 @@
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
 #include "catalogue/volumes/closest_point_on_aabb.h"
-#include "catalogue/volumes/kdop_kdop.h"
-#include "catalogue/volumes/point_in_kdop.h"
 #include "catalogue/volumes/convex_hull_2d.h"
+#include "catalogue/volumes/kdop_kdop.h"
+#include "catalogue/volumes/kdop_of_points.h"
+#include "catalogue/volumes/point_in_kdop.h"
 #include "catalogue/volumes/sphere_aabb.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
@@ -73,6 +74,7 @@ using Rows = RowList<
     rows::point_plane,
     rows::point_plane_toi,
     rows::aabb_of_points,
+    rows::kdop_of_points,
     rows::point_in_kdop,
     rows::kdop_kdop,
     rows::convex_hull_2d,

@@ -161,10 +161,19 @@ std::string not_asked_in_words(const Cell& cell) {
   return counted(cell.not_asked, "question") + " not asked: the engine was " + cell.given_up;
 }
 
+namespace {
+
+/// What the checker said of the answer comes first.
+std::string with_remark(const std::string& why, const Finding& finding) {
+  return finding.judgement.remark.empty() ? why : "The answer: " + finding.judgement.remark + ". " + why;
+}
+
+}  // namespace
+
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
-    case Verdict::rounding: return why_rounding(speaker);
-    case Verdict::algorithm: return why_algorithm(finding, operation, speaker, binary32);
+    case Verdict::rounding: return with_remark(why_rounding(speaker), finding);
+    case Verdict::algorithm: return with_remark(why_algorithm(finding, operation, speaker, binary32), finding);
     case Verdict::inexact: {
       const std::string off = ulps_in_words(finding.judgement.ulps);
       if (speaker == Speaker::robust)

@@ -154,7 +154,8 @@ Json vector_schema() {
       "One JSON object a line. Exact numbers are \"p/q\" or \"p\", or roots \"p+q*sqrt(r)\"; where nothing is decided "
       "there is no margin; input numbers are the doubles that the decimals "
       "round to. "
-      "`rounded` is the truth with every number the nearest double, ties to even. In the family \"not_finite\" an "
+      "`rounded` is the truth with every number the nearest double, ties to even; where those are no right answer, "
+      "because slabs are rounded outwards, what robust answers. In the family \"not_finite\" an "
       "input number is "
       "\"inf\", \"-inf\" or \"nan\". An input field \"meshes/NAME.json\" stands for the mesh in that file, "
       "relative to the file of vectors: {\"vertices\":[[x,y,z],..],\"faces\":[[i,j,k],..]}.";

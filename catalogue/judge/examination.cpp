@@ -3,12 +3,21 @@
 
 #include <set>
 #include <span>
+#include <utility>
 
 #include "catalogue/judge/tolerated.h"
 #include "catalogue/judge/ulps.h"
 #include "catalogue/operation.h"
 
 namespace touchstone::audit {
+namespace {
+
+/// Whether an answer has numbers, and a checker refuses it.
+bool refused_numbers(const RowFunctions& row, const Question& question, const Tape<double>& answer) {
+  return row.fault != nullptr && !answer.numbers.empty() && !row.fault(question, answer).empty();
+}
+
+}  // namespace
 
 Examination::Examination(const Operation& operation, const Question& question)
     : operation_(operation),
@@ -21,8 +30,10 @@ Examination::Examination(const Operation& method, const Examination& of_operatio
 
 Json Examination::truth() const { return operation_.answer_json(solution_->answer); }
 Json Examination::rounded_truth() const {
-  return operation_.answer_json(
-      tape_with<double>(solution_->answer, [](const TrueNumber& number) { return nearest(number); }));
+  const auto rounded = tape_with<double>(solution_->answer, [](const TrueNumber& number) { return nearest(number); });
+  // Where numbers are to be rounded otherwise, this is no right answer.
+  if (row_.fault != nullptr && !row_.fault(question_, rounded).empty()) return robust();
+  return operation_.answer_json(rounded);
 }
 std::string Examination::outcome() const { return outcome_of(*row_.answer, solution_->answer.words); }
 bool Examination::touch() const { return open().has_value(); }
@@ -49,7 +60,8 @@ Comparison Examination::compared(const Tape<double>& answer, Reading reading, bo
                                  Judgement& judgement) const {
   Comparison found;
   if (row_.fault != nullptr) {
-    found.decision = row_.fault(question_, answer).empty();
+    judgement.remark = row_.fault(question_, answer);
+    found.decision = judgement.remark.empty();
   } else if (row_.card->kind == Kind::covering && reading != Reading::complete) {
     const Covering covering = covered(solution_->answer, answer, row_.answer->parts[0].shape->word_count);
     found.decision = covering.missing == 0;
@@ -65,7 +77,10 @@ bool Examination::right_in_exact_arithmetic() const {
   const auto in_doubles = [&] {
     return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
   };
-  if (row_.fault != nullptr) return row_.fault(question_, in_doubles()).empty();
+  if (row_.fault != nullptr) {
+    return same_as_truth(*row_.answer, solution_->answer, answer, Reading::complete) ||
+           row_.fault(question_, in_doubles()).empty();
+  }
   if (row_.card->kind == Kind::covering)
     return covered(solution_->answer, in_doubles(), row_.answer->parts[0].shape->word_count).missing == 0;
   return same_as_truth(*row_.answer, solution_->answer, answer,
@@ -80,7 +95,9 @@ Judgement Examination::judge_reference(bool binary32) const {
   judgement.ulps = found.ulps;
   if (!found.decision) {
     // What running error analysis is sure of, exact arithmetic decides alike, at a far higher price.
-    judgement.verdict = doubtful(binary32) && right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
+    // Numbers that a checker refuses may be off although every comparison was sure.
+    const bool rounded = doubtful(binary32) || refused_numbers(row_, question_, answer);
+    judgement.verdict = rounded && right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
   } else if (!found.finite) {
     judgement.verdict = Verdict::invalid;
     judgement.remark = "NaN or infinity where the truth is finite";
@@ -174,8 +191,8 @@ int Examination::covered_reading(const Tape<double>& answer) const {
 }
 
 /// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be
-/// sure of its decision here either (running error analysis), or if the question is beside a touch; else nothing but
-/// the algorithm can be.
+/// sure of its decision here either (running error analysis), or answers numbers that are refused too, or if the
+/// question is beside a touch; else nothing but the algorithm can be.
 Judgement Examination::wrong(const Declaration& declaration, bool right_for_open_sets) const {
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
@@ -183,7 +200,8 @@ Judgement Examination::wrong(const Declaration& declaration, bool right_for_open
   } else if (margin() && tolerated(*margin(), declaration.tolerance, row_.card->margin_degree, question_)) {
     judgement.verdict = Verdict::tolerance;
   } else {
-    const bool rounding = doubtful(declaration.binary32) || beside_a_touch(declaration.binary32);
+    const bool rounding = doubtful(declaration.binary32) || beside_a_touch(declaration.binary32) ||
+                          refused_numbers(row_, question_, formula(declaration.binary32));
     judgement.verdict = rounding ? Verdict::rounding : Verdict::algorithm;
   }
   return judgement;
@@ -238,7 +256,9 @@ Judgement Examination::judge_engine(const Json& json, const Declaration& declara
                             ? covered_reading(answer)
                             : touch_reading(outcome_of(*row_.answer, answer.words, row_.fault == nullptr));
     if (!found.decision) {
+      std::string remark = std::move(judgement.remark);
       judgement = wrong(declaration, reading == -1);
+      judgement.remark = std::move(remark);
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
     } else if (found.ulps > row_.card->ulps) {

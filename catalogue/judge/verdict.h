@@ -33,7 +33,7 @@ inline bool is_finding(Verdict v) {
 struct Judgement {
   Verdict verdict = Verdict::agree;
   double ulps = 0;     ///< greatest distance of a number from the exact one, in units in the last place
-  std::string remark;  ///< for `invalid`: what was wrong with the answer
+  std::string remark;  ///< for `invalid`, and of an answer that a checker refuses: what is wrong with it
   int touch_reading =
       0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
   std::uint64_t surplus = 0;  ///< of an answer that must cover: what it holds beyond the truth

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of volumes of intervals around points, boxes and k-DOPs, as in check_kdops.cpp."""
 
-from certify_reading import exact_value, expect, number, only, point
+from certify_reading import exact_pair, exact_value, expect, number, only, point
 from certify_space import dot, point_in_space
 
 WRONG_VALUE = "certificate: the value of N . P is wrong"
@@ -124,3 +124,24 @@ def check_kdop_kdop(claim):
         (first, last), (begin, end) = a[i], b[i]
         single = first == last or begin == end or last == begin or end == first
         expect(single, "certificate: these slabs have an interval in common")
+
+
+def check_kdop_of_points(claim):
+    claim.inputs("points", "normals")
+    written, listed = claim.input["points"], claim.input["normals"]
+    expect(isinstance(written, list) and written, "points: at least 1 point")
+    everything = [point_in_space(one, f"points[{i}]") for i, one in enumerate(written)]
+    expect(isinstance(listed, list) and listed, "normals: at least 1 normal")
+    normals = [normal(one, f"normals[{i}]") for i, one in enumerate(listed)]
+    claim.answers("slabs")
+    slabs = claim.truth["slabs"]
+    expect(isinstance(slabs, list) and len(slabs) == len(normals), "truth.slabs: as many slabs as normals")
+    claim.expect_kind("extreme_points"), claim.facts("least", "greatest")
+    least, greatest = claim.list("least"), claim.list("greatest")
+    expect(len(least) == len(greatest) == len(normals), "certificate: two places for each normal")
+    for i, n in enumerate(normals):
+        low, high = exact_pair(slabs[i], f"truth.slabs[{i}]")
+        values = [dot(n, p) for p in everything]
+        first, last = (values[place(one, len(values), "point")] for one in (least[i], greatest[i]))
+        expect((first, last) == (low, high), "certificate: the slab does not end at this point")
+        expect(all(low <= value <= high for value in values), "truth: a point is not in the slab")

@@ -72,6 +72,13 @@ struct Kdop {
   bool holds(std::size_t i, const Rational& value) const { return slabs[i].x <= value && value <= slabs[i].y; }
 };
 
+std::vector<Triple> points_in_space(const json& value, const std::string& what) {
+  expect(value.is_array() && !value.empty(), what + ": at least 1 point");
+  std::vector<Triple> found;
+  for (const json& one : value) found.push_back(point_in_space(one, what + "[" + std::to_string(found.size()) + "]"));
+  return found;
+}
+
 Triple normal(const json& value, const std::string& what) {
   const Triple n = point_in_space(value, what);
   expect(n.x != 0 || n.y != 0 || n.z != 0, what + ": nonzero normal");
@@ -160,11 +167,40 @@ void check_kdop_kdop(const Claim& claim) {
   expect(s.x == s.y || t.x == t.y || s.y == t.x || t.y == s.x, "certificate: these slabs have an interval in common");
 }
 
+/// For each normal a point of the list has either end as its N . P, and no point is beyond.
+void check_kdop_of_points(const Claim& claim) {
+  claim.inputs({"points", "normals"});
+  const json& written = claim.input["normals"];
+  const std::vector<Triple> all = points_in_space(claim.input["points"], "points");
+  expect(written.is_array() && !written.empty(), "normals: at least 1 normal");
+  std::vector<Triple> normals;
+  for (const json& one : written) normals.push_back(normal(one, "normals[" + std::to_string(normals.size()) + "]"));
+  claim.answers({"slabs"});
+  const json& slabs = claim.truth["slabs"];
+  expect(slabs.is_array() && slabs.size() == normals.size(), "truth.slabs: as many slabs as normals");
+  expect(claim.kind() == "extreme_points", wrong_kind), claim.facts({"least", "greatest"});
+  const Numbers least = claim.list("least"), greatest = claim.list("greatest");
+  expect(least.size() == normals.size() && greatest.size() == normals.size(),
+         "certificate: two places for each normal");
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Pair slab = exact_pair(slabs[i], "truth.slabs[" + std::to_string(i) + "]");
+    expect(dot(normals[i], all[place(least[i], all.size(), "point")]) == slab.x &&
+               dot(normals[i], all[place(greatest[i], all.size(), "point")]) == slab.y,
+           "certificate: the slab does not end at this point");
+    for (const Triple& p : all) {
+      const Rational value = dot(normals[i], p);
+      expect(slab.x <= value && value <= slab.y, "truth: a point is not in the slab");
+    }
+  }
+}
+
 }  // namespace
 
 Checks checks_of_kdops() {
-  return {
-      {"aabb_of_points", check_aabb_of_points}, {"point_in_kdop", check_point_in_kdop}, {"kdop_kdop", check_kdop_kdop}};
+  return {{"aabb_of_points", check_aabb_of_points},
+          {"kdop_of_points", check_kdop_of_points},
+          {"point_in_kdop", check_point_in_kdop},
+          {"kdop_kdop", check_kdop_kdop}};
 }
 
 }  // namespace touchstone::certify

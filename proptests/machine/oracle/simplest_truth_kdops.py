@@ -42,3 +42,13 @@ def truth_kdop_kdop(q):
     inside = all(any(a < x < b and c < x < d for x in tried((a, b, c, d))) for a, b, c, d in pairs)
     least = min(high - low for a, b, c, d in pairs for high in (b, d) for low in (a, c))
     return {"contact": "overlapping" if inside else "touching" if meet else "disjoint"}, abs(least)
+
+
+def truth_kdop_of_points(q):
+    """Of all N . P, the one that none is below, and the one that none is above."""
+    slabs = []
+    for normal in map(point, q["normals"]):
+        values = [dot(normal, point(p)) for p in q["points"]]
+        low = next(x for x in values if not any(y < x for y in values))
+        slabs.append([str(low), str(next(x for x in values if not any(y > x for y in values)))])
+    return {"slabs": slabs}, None

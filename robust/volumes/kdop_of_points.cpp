@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/volumes/kdop_of_points.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "robust/kernel/filters.h"
+#include "robust/kernel/outward.h"
+#include "robust/kernel/term_sum.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/stages/volumes/kdop_of_points.h"
+
+namespace touchstone::robust {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::array<kernel::Term, 3> height(const Vector3d& n, const Point3d& p) {
+  return {kernel::term(n.x, p.x), kernel::term(n.y, p.y), kernel::term(n.z, p.z)};
+}
+
+double computed(const Vector3d& n, const Point3d& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
+
+/// The greatest sum of magnitudes of a point's coordinates.
+double greatest_extent(const std::vector<Point3d>& points) {
+  double greatest = 0;
+  for (const Point3d& p : points) {
+    const double size = filters::extent(p.x, p.y, p.z);
+    greatest = size > greatest ? size : greatest;
+  }
+  return greatest;
+}
+
+/// How far apart two computed N . P may be whose order is not that of the exact ones. As robust/kernel/plane_filter.h
+/// has it for one of them, 3 u + 48 u^2 times the product of the extents, and A; for two, and the rounding of their
+/// difference, three times that are taken. Infinite where the guard does not hold.
+double doubt(const Vector3d& n, double of_points) {
+  using B = filters::Bounds<double>;
+  const double of_normal = filters::extent(n.x, n.y, n.z);
+  if (!(of_normal + of_points <= B::high())) return infinity;
+  return B::relative<18, 144>() * (of_normal * of_points) + 4 * B::absolute();
+}
+
+/// visit(point) for every point that may have the least or the greatest N . P.
+template <class Visit>
+bool for_each_candidate(const std::vector<Point3d>& points, const Vector3d& n, double of_points, const Visit& visit) {
+  double low = infinity, high = -infinity;
+  for (const Point3d& p : points) {
+    const double value = computed(n, p);
+    low = value < low ? value : low, high = value > high ? value : high;
+  }
+  const double apart = doubt(n, of_points);
+  for (const Point3d& p : points) {
+    const double value = computed(n, p);
+    if (value - low > apart && high - value > apart) continue;
+    if (!visit(p)) return false;
+  }
+  return true;
+}
+
+/// Around all numbers that were added: rounding is monotone, so the ends may be rounded one by one.
+class Outward {
+ public:
+  template <class Integer>
+  void add(const kernel::Scaled<Integer>& number) {
+    const double below = kernel::round_down(number.n, number.exponent),
+                 above = kernel::round_up(number.n, number.exponent);
+    if (empty_ || !validation::in_order(slab_.min, below)) slab_.min = below;
+    if (empty_ || !validation::in_order(above, slab_.max)) slab_.max = above;
+    empty_ = false;
+  }
+  const Slabd& slab() const { return slab_; }
+
+ private:
+  Slabd slab_{};
+  bool empty_ = true;
+};
+
+void validate(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
+  const bool finite = std::all_of(points.begin(), points.end(), [](const Point3d& p) { return kernel::valid(p); });
+  if (!finite || points.empty()) validation::validate_points("points", points);
+  if (normals.empty()) throw InvalidInput("normals", "at least 1 normal");
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    if (!kernel::valid_normal(normals[i]))
+      validation::validate_normal("normals[" + std::to_string(i) + "]", normals[i]);
+  }
+}
+
+}  // namespace
+
+Perhaps<std::vector<Slabd>> stages::kdop_of_points::lattice(const std::vector<Point3d>& points,
+                                                            const std::vector<Vector3d>& normals) {
+  std::vector<Slabd> slabs;
+  slabs.reserve(normals.size());
+  const double of_points = greatest_extent(points);
+  for (const Vector3d& n : normals) {
+    Outward around;
+    const bool known = for_each_candidate(points, n, of_points, [&](const Point3d& p) {
+      const auto sum = kernel::lattice_sum(height(n, p));
+      if (sum) around.add(*sum);
+      return sum.has_value();
+    });
+    if (!known) return std::nullopt;
+    slabs.push_back(around.slab());
+  }
+  return slabs;
+}
+
+std::vector<Slabd> stages::kdop_of_points::exact(const std::vector<Point3d>& points,
+                                                 const std::vector<Vector3d>& normals) {
+  std::vector<Slabd> slabs;
+  for (const Vector3d& n : normals) {
+    Outward around;
+    for (const Point3d& p : points) around.add(kernel::exact_sum(height(n, p)));
+    slabs.push_back(around.slab());
+  }
+  return slabs;
+}
+
+Decided<std::vector<Slabd>> stages::kdop_of_points::ask(const std::vector<Point3d>& points,
+                                                        const std::vector<Vector3d>& normals) {
+  validate(points, normals);
+  return in_turn<kdop_of_points, Stage::lattice, Stage::exact>(points, normals);
+}
+
+std::vector<Slabd> kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
+  return stages::kdop_of_points::ask(points, normals).answer;
+}
+
+}  // namespace touchstone::robust

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/volumes.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// The slabs of a k-DOP around points: for each normal N, in order, the least interval of doubles that holds N . P of
+/// every point P, exactly. So no point is lost, and no narrower slab of doubles is right.
+///
+/// An end beyond the range is the greatest double, or the infinity where nothing else is outside. Right for all finite
+/// doubles in every floating-point environment; 0 is returned as 0.0. NaN and infinities throw InvalidInput, which
+/// names the field and "finite number"; so do an empty list of points ("at least 1 point") or normals ("at least 1
+/// normal") and a normal of length 0 ("nonzero normal"). Contract: reference/volumes/kdop_of_points.h.
+std::vector<Slabd> kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals);
+
+}  // namespace touchstone::robust
