@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How certify.py reads oriented boxes, and what it checks of them, as check_obbs.cpp does."""
+
+from certify_reading import expect, only
+from certify_space import dot, list_of_three, point_in_space, triple
+
+
+def obb(value, what):
+    """(center, half axes)"""
+    only(value, what, ["center", "half_axes"])
+    center, name = point_in_space(value["center"], what + ".center"), what + ".half_axes"
+    axes = list_of_three(value["half_axes"], name)
+    u, v, w = axes = [point_in_space(axis, f"{name}[{k}]") for k, axis in enumerate(axes)]
+    across = (v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0])
+    expect(dot(u, across) != 0, name + ": linearly independent")
+    return center, axes
+
+
+def at(box, coefficients):
+    center, axes = box
+    return tuple(center[k] + sum(c * axis[k] for c, axis in zip(coefficients, axes)) for k in range(3))
+
+
+def reach(box, normal):
+    return sum(abs(dot(normal, axis)) for axis in box[1])
+
+
+def greatest(coefficients, name):
+    expect(len(coefficients) == 3, f"certificate.{name}: a list of three")
+    return max(map(abs, coefficients))
+
+
+def minus(p, q):
+    return tuple(x - y for x, y in zip(p, q))
+
+
+def check_point_in_obb(claim):
+    claim.inputs("obb", "point")
+    box, p = obb(claim.input["obb"], "obb"), point_in_space(claim.input["point"], "point")
+    claim.answers("location")
+    location = claim.word("location")
+    if location == "outside":
+        claim.expect_kind("separating_plane"), claim.facts("normal")
+        normal = triple(claim, "normal")
+        expect(dot(normal, minus(p, box[0])) > reach(box, normal), "certificate: the plane does not separate")
+        return
+    claim.expect_kind("coefficients"), claim.facts("coefficients")
+    coefficients = claim.list("coefficients")
+    growth = greatest(coefficients, "coefficients")
+    expect(at(box, coefficients) == p, "certificate: the coefficients give another point")
+    expect(growth <= 1, "certificate: the point is not in the box")
+    expect(location == ("inside" if growth < 1 else "boundary"), "truth: location is wrong")

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_obbs.h"
+
+#include <algorithm>
+#include <string>
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+
+/// The greatest magnitude of three coefficients.
+Rational greatest(const std::vector<Rational>& coefficients, const std::string& name) {
+  expect(coefficients.size() == 3, "certificate." + name + ": a list of three");
+  Rational result;
+  for (const Rational& each : coefficients) result = std::max<Rational>(result, abs(each));
+  return result;
+}
+
+/// The coefficients of a point are the only ones, because the half axes are independent.
+void check_point_in_obb(const Claim& claim) {
+  claim.inputs({"obb", "point"});
+  const Obb box = obb(claim.input["obb"], "obb");
+  const Triple p = point_in_space(claim.input["point"], "point");
+  claim.answers({"location"});
+  const std::string location = claim.word("location");
+  if (location == "outside") {
+    expect(claim.kind() == "separating_plane", wrong_kind), claim.facts({"normal"});
+    const Triple normal = triple(claim, "normal");
+    expect(dot(normal, p - box.center) > box.reach(normal), "certificate: the plane does not separate");
+    return;
+  }
+  expect(claim.kind() == "coefficients", wrong_kind), claim.facts({"coefficients"});
+  const std::vector<Rational> coefficients = claim.list("coefficients");
+  const Rational growth = greatest(coefficients, "coefficients");
+  expect(box.at(coefficients) == p, "certificate: the coefficients give another point");
+  expect(growth <= 1, "certificate: the point is not in the box");
+  expect(location == (growth < 1 ? "inside" : "boundary"), "truth: location is wrong");
+}
+
+}  // namespace
+
+Triple Obb::at(const std::vector<Rational>& coefficients) const {
+  Triple p = center;
+  for (std::size_t k = 0; k < 3; ++k) p = along(p, coefficients[k], half_axes[k]);
+  return p;
+}
+
+Rational Obb::reach(const Triple& normal) const {
+  Rational sum;
+  for (const Triple& half_axis : half_axes) sum += abs(dot(normal, half_axis));
+  return sum;
+}
+
+Obb obb(const json& value, const std::string& what) {
+  only(value, what, {"center", "half_axes"});
+  Obb result{point_in_space(value["center"], what + ".center"), {}};
+  const json& axes = value["half_axes"];
+  const std::string name = what + ".half_axes";
+  expect(axes.is_array() && axes.size() == 3, name + ": a list of three");
+  for (std::size_t k = 0; k < 3; ++k)
+    result.half_axes[k] = point_in_space(axes[k], name + "[" + std::to_string(k) + "]");
+  const auto& [u, v, w] = result.half_axes;
+  const Rational volume(u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x));
+  expect(sgn(volume) != 0, name + ": linearly independent");
+  return result;
+}
+
+Checks checks_of_obbs() { return {{"point_in_obb", check_point_in_obb}}; }
+
+}  // namespace touchstone::certify

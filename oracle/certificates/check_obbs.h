@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "oracle/certificates/check_space.h"
+
+namespace touchstone::certify {
+
+/// The points center + r u + s v + t w with r, s, t in [-1, 1]; the half axes u, v, w are linearly independent.
+struct Obb {
+  Triple center;
+  std::array<Triple, 3> half_axes;
+
+  Triple at(const std::vector<Rational>& coefficients) const;
+  /// The sum of |normal . half axis|: how far it reaches from its center to either side, in units of the normal.
+  Rational reach(const Triple& normal) const;
+};
+
+Obb obb(const json& value, const std::string& what);
+
+}  // namespace touchstone::certify

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/point_in_obb.h"
+
+#include <utility>
+
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/zonotope.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// The solid around its center, and the way from there to the point, in units of the scale.
+template <class Number>
+struct Question {
+  CommonScale<Number, 15> scale;
+  Zonotope solid;
+  Vector3<Integer> way;
+};
+
+template <class Number>
+Question<Number> validated(const Obb3<Number>& obb, const Point3<Number>& point) {
+  validate_parallelepiped("obb", obb), validation::validate("point", point);
+  const auto& [u, v, w] = obb.half_axes;
+  const Point3<Number>& c = obb.center;
+  CommonScale<Number, 15> scale(
+      {u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, c.x, c.y, c.z, point.x, point.y, point.z});
+  const auto at = [&scale](std::size_t i) {
+    return Vector3<Integer>{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+  };
+  Zonotope solid({at(0), at(3), at(6)});
+  Vector3<Integer> way = at(12) - at(9);
+  return {std::move(scale), std::move(solid), std::move(way)};
+}
+
+template <class Number>
+Truth<Location> truth_of(const Obb3<Number>& obb, const Point3<Number>& point) {
+  const Question<Number> q = validated(obb, point);
+  const Rational growth = q.solid.held(q.way).growth;
+  return {growth < 1   ? Location::inside
+          : growth > 1 ? Location::outside
+                       : Location::boundary,
+          q.scale.actual(q.solid.deciding(q.way).squared_distance(), 2)};
+}
+
+}  // namespace
+
+Truth<Location> point_in_obb(const Obb3d& obb, const Point3d& point) { return truth_of(obb, point); }
+
+template <Exact Number>
+Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point) {
+  return truth_of(obb, point);
+}
+template Truth<Location> point_in_obb(const Obb3<Rational>&, const Point3<Rational>&);
+
+Certificate point_in_obb_certificate(const Obb3d& obb, const Point3d& point) {
+  const Question<double> q = validated(obb, point);
+  Zonotope::Held held = q.solid.held(q.way);
+  if (held.growth <= 1) return {"coefficients", {{"coefficients", std::move(held.coefficients)}}};
+  const auto& [x, y, z] = q.solid.deciding(q.way).normal;
+  return {"separating_plane", {{"normal", {Rational(x), Rational(y), Rational(z)}}}};
+}
+
+}  // namespace touchstone::oracle

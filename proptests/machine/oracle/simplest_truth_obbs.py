@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The second truths of oriented boxes, for simplest_truth.py. The solid around the origin, or the differences of two
+solids, is what lies between the planes that two edges span, as far from the origin as all edges together reach."""
+from itertools import combinations
+
+from simplest_truth_polyhedra import cross
+from simplest_truth_reading import dot, minus, point
+
+
+def edges_of(obb):
+    return [point(axis) for axis in obb["half_axes"]]
+
+
+def beyond(edges, way):
+    """How far the way leads beyond the planes: the greatest squared distance, or the least one, negative, from inside;
+    in squared units."""
+    heights = []
+    for e, f in combinations(edges, 2):
+        normal = cross(e, f)
+        if any(normal):
+            height = abs(dot(normal, way)) - sum(abs(dot(normal, edge)) for edge in edges)
+            heights.append(height * abs(height) / dot(normal, normal))
+    return max(heights)
+
+
+def truth_point_in_obb(q):
+    by = beyond(edges_of(q["obb"]), minus(point(q["point"]), point(q["obb"]["center"])))
+    return {"location": "outside" if by > 0 else "inside" if by < 0 else "boundary"}, abs(by)
