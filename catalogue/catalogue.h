@@ -37,6 +37,7 @@
 #include "catalogue/volumes/kdop_of_points.h"
 #include "catalogue/volumes/point_in_kdop.h"
 #include "catalogue/volumes/sphere_aabb.h"
+#include "catalogue/volumes/obb_obb.h"
 #include "catalogue/volumes/point_in_obb.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
@@ -84,6 +85,7 @@ using Rows = RowList<
     rows::closest_point_on_aabb,
     rows::sphere_aabb,
     rows::point_in_obb,
+    rows::obb_obb,
     rows::swept_sphere_sphere,
     rows::swept_aabb_aabb,
     rows::swept_sphere_plane,

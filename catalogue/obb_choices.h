@@ -86,6 +86,35 @@ inline Point3d on_obb(const Obb3d& box, Choices& c) {
   }
 }
 
+/// Moves b to where it touches a from outside, as far as their half axes number i and j, a's before b's, are not
+/// parallel: on the axis at right angles to both. What that axis leaves open is drawn: where along the common edges or
+/// faces. Exact for small integers.
+inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, Choices& c) {
+  const Vector3d* edges[] = {&a.half_axes.u, &a.half_axes.v, &a.half_axes.w,
+                             &b.half_axes.u, &b.half_axes.v, &b.half_axes.w};
+  const Vector3d n = cross(*edges[i], *edges[j]);
+  b.center = a.center;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double along = dot(n, *edges[k]), open = small_integer(c, 2);
+    const double halves = k == i || k == j || along == 0 ? open : along > 0 ? 2 : -2;
+    b.center = b.center + halves / 2 * *edges[k];
+  }
+}
+
+/// A box with the half axes of another, in another order and perhaps half or twice as long, its center on the grid of
+/// halves of these.
+inline Obb3d alike(const Obb3d& a, Choices& c) {
+  const auto [u, v, w] = a.half_axes;
+  Obb3d b{{}, c.below(2) == 1 ? HalfAxes3d{v, w, u} : HalfAxes3d{u, v, w}};
+  for (Vector3d* axis : each_of(b.half_axes)) {
+    static constexpr double factors[] = {1, 0.5, 2, -1};
+    *axis = factors[c.below(4)] * *axis;
+  }
+  const double r = small_integer(c, 4), s = small_integer(c, 4);
+  b.center = halves_along(a, r, s, small_integer(c, 4));
+  return b;
+}
+
 /// Each coordinate by its own power of two: past the lattice, past the filter's guard, below its absolute term.
 class Stretch {
  public:

@@ -50,3 +50,31 @@ def check_point_in_obb(claim):
     expect(at(box, coefficients) == p, "certificate: the coefficients give another point")
     expect(growth <= 1, "certificate: the point is not in the box")
     expect(location == ("inside" if growth < 1 else "boundary"), "truth: location is wrong")
+
+
+def check_obb_obb(claim):
+    claim.inputs("a", "b")
+    a, b = obb(claim.input["a"], "a"), obb(claim.input["b"], "b")
+    claim.answers("contact")
+    contact, way = claim.word("contact"), minus(b[0], a[0])
+
+    def gap(normal):
+        return dot(normal, way) - reach(a, normal) - reach(b, normal)
+
+    if contact == "disjoint":
+        claim.expect_kind("separating_axis"), claim.facts("normal")
+        expect(gap(triple(claim, "normal")) > 0, "certificate: the axis does not separate")
+        return
+    touching = contact == "touching"
+    expect(touching or contact == "overlapping", "truth: contact is wrong")
+    claim.expect_kind("supporting_axis" if touching else "common_interior_point")
+    claim.facts("on_a", "on_b", *["normal"] * touching)
+    on_a, on_b = claim.list("on_a"), claim.list("on_b")
+    growth = max(greatest(on_a, "on_a"), greatest(on_b, "on_b"))
+    expect(at(a, on_a) == at(b, on_b), "certificate: the coefficients give two points")
+    if touching:
+        expect(growth <= 1, "certificate: the point is not in both boxes")
+        normal = triple(claim, "normal")
+        expect(any(normal) and gap(normal) == 0, "certificate: the axis does not support")
+    else:
+        expect(growth < 1, "certificate: the point is not inside both boxes")

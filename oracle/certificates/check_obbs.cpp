@@ -38,6 +38,37 @@ void check_point_in_obb(const Claim& claim) {
   expect(location == (growth < 1 ? "inside" : "boundary"), "truth: location is wrong");
 }
 
+void check_obb_obb(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Obb a = obb(claim.input["a"], "a"), b = obb(claim.input["b"], "b");
+  claim.answers({"contact"});
+  const std::string contact = claim.word("contact");
+  const auto gap = [&](const Triple& normal) {
+    return Rational(dot(normal, b.center - a.center) - a.reach(normal) - b.reach(normal));
+  };
+  if (contact == "disjoint") {
+    expect(claim.kind() == "separating_axis", wrong_kind), claim.facts({"normal"});
+    expect(sgn(gap(triple(claim, "normal"))) > 0, "certificate: the axis does not separate");
+    return;
+  }
+  const bool touching = contact == "touching";
+  expect(touching || contact == "overlapping", "truth: contact is wrong");
+  expect(claim.kind() == (touching ? "supporting_axis" : "common_interior_point"), wrong_kind);
+  if (touching) claim.facts({"on_a", "on_b", "normal"});
+  else claim.facts({"on_a", "on_b"});
+  const std::vector<Rational> on_a = claim.list("on_a"), on_b = claim.list("on_b");
+  const Rational growth = std::max(greatest(on_a, "on_a"), greatest(on_b, "on_b"));
+  expect(a.at(on_a) == b.at(on_b), "certificate: the coefficients give two points");
+  if (touching) {
+    expect(growth <= 1, "certificate: the point is not in both boxes");
+    const Triple normal = triple(claim, "normal");
+    const bool supports = !(normal == Triple{0, 0, 0}) && sgn(gap(normal)) == 0;
+    expect(supports, "certificate: the axis does not support");
+  } else {
+    expect(growth < 1, "certificate: the point is not inside both boxes");
+  }
+}
+
 }  // namespace
 
 Triple Obb::at(const std::vector<Rational>& coefficients) const {
@@ -66,6 +97,6 @@ Obb obb(const json& value, const std::string& what) {
   return result;
 }
 
-Checks checks_of_obbs() { return {{"point_in_obb", check_point_in_obb}}; }
+Checks checks_of_obbs() { return {{"obb_obb", check_obb_obb}, {"point_in_obb", check_point_in_obb}}; }
 
 }  // namespace touchstone::certify

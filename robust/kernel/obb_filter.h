@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
 #include "robust/kernel/face_filter.h"
@@ -76,5 +78,43 @@ Perhaps<Location> point_in_obb(const Obb3<Float>& box, const Point3<Float>& poin
   if (within != 0) return Location::inside;
   return std::nullopt;
 }
+
+/// Whether axes keep two parallelepipeds apart. edges: the half axes of one and then of the other; way: the computed
+/// difference of the centers.
+template <class Float, class Format = FloatFormat<Float>>
+class ObbAxes {
+  using B = AxisBounds<Float, Format>;
+
+ public:
+  ObbAxes(const std::array<Vector3<Float>, 6>& edges, const Vector3<Float>& way) : edges_(edges), way_(way) {
+    for (std::size_t i = 0; i < 6; ++i) sizes_[i] = size_of<Float, Format>(edges[i]);
+    sum_ = size_of<Float, Format>(way) + ((sizes_[0] + sizes_[1] + sizes_[2]) + (sizes_[3] + sizes_[4] + sizes_[5]));
+  }
+
+  /// Whether the half axes of either are certain to be independent, where the guard holds; it is asked with every axis.
+  bool independent() const { return volume_is_certain(0) && volume_is_certain(3); }
+
+  /// Of the axis n = v x w for edges number v and w, to which these two add nothing: positive where it separates,
+  /// negative where the boxes have a common interval of positive length along it.
+  Sign on_axis(std::size_t v, std::size_t w, const std::array<std::size_t, 4>& others) const {
+    const Vector3<Float> n = cross(edges_[v], edges_[w]);
+    const auto along = [&n](const Vector3<Float>& x) { return Format::magnitude(dot(n, x)); };
+    const Float reach =
+        (along(edges_[others[0]]) + along(edges_[others[1]])) + (along(edges_[others[2]]) + along(edges_[others[3]]));
+    const Float error = B::error(sizes_[v], sizes_[w], sum_);
+    return certain<Float, Format>(along(way_) - reach, error, sum_, B::high());
+  }
+
+ private:
+  bool volume_is_certain(std::size_t i) const {
+    const Float volume = dot(cross(edges_[i], edges_[i + 1]), edges_[i + 2]);
+    return Format::magnitude(volume) > B::error(sizes_[i], sizes_[i + 1], sum_);
+  }
+
+  const std::array<Vector3<Float>, 6>& edges_;
+  Vector3<Float> way_;
+  std::array<Float, 6> sizes_;
+  Float sum_;
+};
 
 }  // namespace touchstone::robust::filters

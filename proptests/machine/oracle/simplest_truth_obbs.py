@@ -26,3 +26,9 @@ def beyond(edges, way):
 def truth_point_in_obb(q):
     by = beyond(edges_of(q["obb"]), minus(point(q["point"]), point(q["obb"]["center"])))
     return {"location": "outside" if by > 0 else "inside" if by < 0 else "boundary"}, abs(by)
+
+
+def truth_obb_obb(q):
+    edges = edges_of(q["a"]) + edges_of(q["b"])
+    by = beyond(edges, minus(point(q["b"]["center"]), point(q["a"]["center"])))
+    return {"contact": "disjoint" if by > 0 else "overlapping" if by < 0 else "touching"}, abs(by)

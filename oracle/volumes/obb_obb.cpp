@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/volumes/obb_obb.h"
+
+#include <utility>
+
+#include "oracle/exact/zonotope.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// The half axes of both as edges, and the way from a's center to b's, in units of the scale.
+template <class Number>
+struct Pair {
+  CommonScale<Number, 24> scale;
+  Zonotope differences;
+  Vector3<Integer> way;
+};
+
+template <class Number>
+Pair<Number> validated(const Obb3<Number>& a, const Obb3<Number>& b) {
+  validate_parallelepiped("a", a), validate_parallelepiped("b", b);
+  const Point3<Number>&c = a.center, &d = b.center;
+  const auto& [u, v, w] = a.half_axes;
+  const auto& [x, y, z] = b.half_axes;
+  CommonScale<Number, 24> scale({u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, x.x, x.y, x.z,  //
+                                 y.x, y.y, y.z, z.x, z.y, z.z, c.x, c.y, c.z, d.x, d.y, d.z});
+  const auto at = [&scale](std::size_t i) {
+    return Vector3<Integer>{scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)};
+  };
+  Zonotope differences({at(0), at(3), at(6), at(9), at(12), at(15)});
+  Vector3<Integer> way = at(21) - at(18);
+  return {std::move(scale), std::move(differences), std::move(way)};
+}
+
+template <class Number>
+Truth<Contact> truth_of(const Obb3<Number>& a, const Obb3<Number>& b) {
+  const Pair<Number> pair = validated(a, b);
+  const Rational growth = pair.differences.held(pair.way).growth;
+  return {growth < 1   ? Contact::overlapping
+          : growth > 1 ? Contact::disjoint
+                       : Contact::touching,
+          pair.scale.actual(pair.differences.deciding(pair.way).squared_distance(), 2)};
+}
+
+}  // namespace
+
+Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b) { return truth_of(a, b); }
+
+template <Exact Number>
+Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
+  return truth_of(a, b);
+}
+template Truth<Contact> obb_obb(const Obb3<Rational>&, const Obb3<Rational>&);
+
+Certificate obb_obb_certificate(const Obb3d& a, const Obb3d& b) {
+  const Pair<double> pair = validated(a, b);
+  const auto [growth, coefficients] = pair.differences.held(pair.way);
+  const auto& [x, y, z] = pair.differences.deciding(pair.way).normal;
+  const std::pair<std::string, std::vector<Rational>> normal{"normal", {Rational(x), Rational(y), Rational(z)}};
+  if (growth > 1) return {"separating_axis", {normal}};
+  // a's center and its half axes times these make the same point as b's center less its half axes times the others.
+  std::vector<Rational> on_a, on_b;
+  for (std::size_t i = 0; i < 3; ++i) on_a.push_back(coefficients[i]), on_b.push_back(Rational(-coefficients[3 + i]));
+  Certificate found{"common_interior_point", {{"on_a", std::move(on_a)}, {"on_b", std::move(on_b)}}};
+  if (growth == 1) found.kind = "supporting_axis", found.facts.push_back(normal);
+  return found;
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// Whether two oriented boxes, as closed solids, are `disjoint`, only touch or overlap.
+///
+/// The half axes need not be at right angles to each other: the boxes are the parallelepipeds that they make, exactly.
+/// Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so do half axes that are linearly dependent ("a.half_axes", "linearly independent").
+/// Contract: reference/volumes/obb_obb.h.
+Contact obb_obb(const Obb3d& a, const Obb3d& b);
+
+}  // namespace touchstone::robust
