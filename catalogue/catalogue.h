@@ -25,6 +25,8 @@
 #include "catalogue/polygons/polygon_polygon.h"
 #include "catalogue/polygons/triangulate_polygon.h"
 #include "catalogue/polyhedra/point_in_convex_polyhedron.h"
+#include "catalogue/response/damped_reflection.h"
+#include "catalogue/response/reflect_plane.h"
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
 #include "catalogue/sweeps/swept_sphere_plane.h"
@@ -91,7 +93,9 @@ using Rows = RowList<
     rows::swept_sphere_plane,
     rows::point_in_convex_polyhedron,
     rows::all_pairs,
-    rows::reflect_wall>;
+    rows::reflect_wall,
+    rows::reflect_plane,
+    rows::damped_reflection>;
 // clang-format on
 
 /// visit.template operator()<Row>() for every row.

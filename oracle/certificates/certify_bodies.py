@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How certify.py reads bodies and what they do, as check_bodies.cpp does."""
+
+from certify_reading import expect, list_of_two, number, only
+from certify_space import point_in_space
+
+
+def plus(p, q):
+    return tuple(x + y for x, y in zip(p, q))
+
+
+def minus(p, q):
+    return tuple(x - y for x, y in zip(p, q))
+
+
+def times(t, p):
+    return tuple(t * x for x in p)
+
+
+def cross(p, q):
+    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
+
+
+def bodies(value, what):
+    """[(mass, velocity)]"""
+    expect(isinstance(value, list), what + ": a list")
+    found = []
+    for i, body in enumerate(value):
+        name = f"{what}[{i}]"
+        only(body, name, ["mass", "velocity"])
+        mass, velocity = number(body["mass"], name + ".mass"), point_in_space(body["velocity"], name + ".velocity")
+        expect(mass > 0, name + ".mass: mass > 0")
+        found.append((mass, velocity))
+    return found
+
+
+def normal(value, what):
+    n = point_in_space(value, what)
+    expect(n != (0, 0, 0), what + ": nonzero normal")
+    return n
+
+
+def restitution(value, what):
+    e = number(value, what)
+    expect(0 <= e <= 1, what + ": between 0 and 1")
+    return e
+
+
+def two_bodies(claim):
+    """`masses` and `velocities` of a claim as [(mass, velocity)]."""
+    masses = [number(m, f"masses[{i}]") for i, m in enumerate(list_of_two(claim.input["masses"], "masses"))]
+    for i, mass in enumerate(masses):
+        expect(mass > 0, f"masses[{i}]: mass > 0")
+    given = list_of_two(claim.input["velocities"], "velocities")
+    return [(mass, point_in_space(v, f"velocities[{i}]")) for i, (mass, v) in enumerate(zip(masses, given))]

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_bodies.h"
+
+namespace touchstone::certify {
+namespace {
+
+void array_of_two(const json& value, const std::string& what) {
+  expect(value.is_array() && value.size() == 2, what + ": a list of two");
+}
+
+}  // namespace
+
+std::vector<Body> bodies(const json& value, const std::string& what) {
+  expect(value.is_array(), what + ": a list");
+  std::vector<Body> result;
+  for (const json& body : value) {
+    const std::string name = what + "[" + std::to_string(result.size()) + "]";
+    only(body, name, {"mass", "velocity"});
+    const Rational mass = number(body["mass"], name + ".mass");
+    result.push_back({mass, point_in_space(body["velocity"], name + ".velocity")});
+    expect(sgn(mass) > 0, name + ".mass: mass > 0");
+  }
+  return result;
+}
+
+Triple normal(const json& value, const std::string& what) {
+  const Triple n = point_in_space(value, what);
+  expect(!(n == Triple{0, 0, 0}), what + ": nonzero normal");
+  return n;
+}
+
+Rational restitution(const json& value, const std::string& what) {
+  const Rational e = number(value, what);
+  expect(e >= 0 && e <= 1, what + ": between 0 and 1");
+  return e;
+}
+
+std::vector<Body> two_bodies(const Claim& claim) {
+  const json &masses = claim.input["masses"], &velocities = claim.input["velocities"];
+  array_of_two(masses, "masses");
+  const Rational m1 = number(masses[0], "masses[0]"), m2 = number(masses[1], "masses[1]");
+  expect(sgn(m1) > 0, "masses[0]: mass > 0");
+  expect(sgn(m2) > 0, "masses[1]: mass > 0");
+  array_of_two(velocities, "velocities");
+  const Triple v1 = point_in_space(velocities[0], "velocities[0]");
+  return {{m1, v1}, {m2, point_in_space(velocities[1], "velocities[1]")}};
+}
+
+}  // namespace touchstone::certify

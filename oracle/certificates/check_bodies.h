@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "oracle/certificates/check_space.h"
+
+/// Bodies and what they do, as claims write them, each with the rules of its shape.
+namespace touchstone::certify {
+
+inline Triple operator+(const Triple& p, const Triple& q) { return along(p, 1, q); }
+inline Triple operator*(const Rational& t, const Triple& p) { return along({0, 0, 0}, t, p); }
+inline Triple cross(const Triple& p, const Triple& q) {
+  return {Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z), Rational(p.x * q.y - p.y * q.x)};
+}
+
+/// Of a positive mass.
+struct Body {
+  Rational mass;
+  Triple velocity;
+};
+
+/// Input, by the field's name; `what` is how the field is called in a refusal.
+std::vector<Body> bodies(const json& value, const std::string& what);
+Triple normal(const json& value, const std::string& what);
+Rational restitution(const json& value, const std::string& what);
+/// `masses` and `velocities` of a claim, two of each.
+std::vector<Body> two_bodies(const Claim& claim);
+
+}  // namespace touchstone::certify

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/response/damped_reflection.h"
+
+#include "oracle/exact/impact.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Number& k) {
+  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
+  validation::validate("k", k);
+  return {after_bounce(velocity, normal, exact(k)), std::nullopt};
+}
+
+}  // namespace
+
+Truth<Vector3<Rational>> damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
+  return truth(velocity, normal, k);
+}
+
+template <Exact Number>
+Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
+                                           const Number& k) {
+  return truth(velocity, normal, k);
+}
+template Truth<Vector3<Rational>> damped_reflection(const Vector3<Rational>&, const Vector3<Rational>&,
+                                                    const Rational&);
+
+Certificate damped_reflection_certificate(const Vector3d& velocity, const Vector3d& normal, double k) {
+  truth(velocity, normal, k);  // validates
+  const Vector3<Rational> across = after_bounce(velocity, normal, Rational(0));
+  return {"decomposition", {{"along", listed(exact_vector(velocity) - across)}, {"across", listed(across)}}};
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "proptests/space_laws.h"
+
+/// Laws of motion, as identities over rationals.
+namespace touchstone::proptests {
+
+using Motion3 = Vector3<Rational>;
+
+template <class R>
+Motion3 exactly(const Vector3<R>& v) {
+  if constexpr (std::is_same_v<R, Rational>) return v;
+  else return {exact(v.x), exact(v.y), exact(v.z)};
+}
+inline bool same(const Motion3& v, const Motion3& w) { return v.x == w.x && v.y == w.y && v.z == w.z; }
+inline Motion3 none() { return {Rational(0), Rational(0), Rational(0)}; }
+
+/// The same question in rationals.
+template <class Asked>
+auto in_rationals(const Asked& asked) {
+  return audit::converted<Rational>(asked, [](double number) { return exact(number); });
+}
+
+/// The property that `holds(ask, asked)` for the oracle, both over rationals: what rounding would break.
+template <class Row, class Holds>
+void exact_law(const std::string& sentence, const Holds& holds) {
+  law_of<Row>(
+      "oracle: " + sentence, [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      [&](const auto& ask, const auto& asked) { return holds(ask, in_rationals(asked)); }, 3);
+}
+
+/// Where the contracts of `response` bound the formula's error: every number is 0 or between 2^-100 and 2^100 in size.
+template <class... Asked>
+bool moderate(const Asked&... asked) {
+  bool all = true;
+  const auto look = [&all](const double& number) {
+    const double size = std::fabs(number);
+    all = all && (size == 0 || (size >= 0x1p-100 && size <= 0x1p100));
+  };
+  (audit::for_each_number(asked, look), ...);
+  return all;
+}
+
+/// |vx nx| + |vy ny| + |vz nz| over n . n.
+inline Rational condition(const Motion3& v, const Motion3& n) {
+  return Rational((abs(v.x * n.x) + abs(v.y * n.y) + abs(v.z * n.z)) / dot(n, n));
+}
+
+/// Whether computed components differ from the exact ones by at most (along |n_i| + stays |v_i|) u.
+inline bool within_bounds(const Vector3d& computed, const Motion3& truth, const Motion3& n, const Rational& along,
+                          const Motion3& v, int stays) {
+  const auto kept = [&](double found, const Rational& exactly, const Rational& n_i, const Rational& v_i) {
+    return within(found, exactly, (along * abs(n_i) + stays * abs(v_i)) * unit());
+  };
+  return kept(computed.x, truth.x, n.x, v.x) && kept(computed.y, truth.y, n.y, v.y) &&
+         kept(computed.z, truth.z, n.z, v.z);
+}
+
+/// The vector times 2^k, where that is exact.
+inline std::optional<Vector3d> longer(const Vector3d& v, int k) {
+  const Vector3d w = std::ldexp(1, k) * v, back{std::ldexp(w.x, -k), std::ldexp(w.y, -k), std::ldexp(w.z, -k)};
+  if (!finite(w.x, w.y, w.z) || !equal(back, v)) return std::nullopt;
+  return w;
+}
+
+/// Normals of the same plane: times powers of two, and opposite.
+inline std::vector<Vector3d> same_plane(const Vector3d& n) {
+  std::vector<Vector3d> found{{-n.x, -n.y, -n.z}};
+  for (const int k : {1, -1, 60, -60, 700, -700})
+    if (const auto stretched = longer(n, k)) found.push_back(*stretched);
+  return found;
+}
+
+/// Whether components are those times 2^k, as far as rounding keeps its relative place.
+template <class R>
+bool scaled_vector(const Vector3<R>& v, const Vector3<R>& found, int k) {
+  return scaled_number(v.x, found.x, k) && scaled_number(v.y, found.y, k) && scaled_number(v.z, found.z, k);
+}
+
+/// +0, as IEEE 754's sum of both zeros.
+inline bool plus_zero(double x) { return x == 0 && !std::signbit(x); }
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/response/damped_reflection.h"
+
+#include "robust/kernel/along_normal.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/stages/response/damped_reflection.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
+  if (kernel::valid(velocity) && kernel::valid_normal(normal) && kernel::all_finite(k)) return;
+  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
+  validation::validate("k", k);
+}
+
+}  // namespace
+
+/// v - (1 + k) (v . n / n . n) n.
+///
+/// A quotient of degree 3 by degree 2, one more than where lines cross (robust/kernel/window.h): it is 0 or lies
+/// between 2^-668 and 2^512, its head is a multiple of 2^-694, and what is left of the numerator one of 2^-998, above
+/// 2^-1022. What may underflow afterwards is below 2^-1022, or 2^-922 after a product with a number of the input, and E
+/// 2^-768 holds it.
+Perhaps<Vector3d> stages::damped_reflection::enclosed(const Vector3d& v, const Vector3d& n, double k) {
+  using namespace kernel;
+  if (!in_window(Two(v.x, n.x), Two(v.y, n.y), Two(v.z, n.z), Two(k, 0)) || !rounds_to_nearest()) return std::nullopt;
+  const Enclosed<Two> dots = approach_and_square(v, n);
+  const Enclosed<double> approach = first(dots), square = second(dots);
+  if (square.high == 0) return std::nullopt;  // refused
+  const Pair<double> gain = two_sum(1.0, k);
+  const Term2<double> back = product(factor(approach), factor(Pair<double>{-gain.high, -gain.low}));
+  const double size = filters::FloatFormat<double>::magnitude(gain.high) * approach.error;
+  const Divisor d(square);
+  const auto answer = enclosed_push(v, share(back, size, d.value, d.inverse), n);
+  if (!answer) return std::nullopt;
+  return *answer;
+}
+
+Vector3d stages::damped_reflection::exact(const Vector3d& v, const Vector3d& n, double k) {
+  const kernel::Integers<3> velocity = kernel::integers_of(v);
+  const Vector3<mpz_class> whole = kernel::whole_vector(velocity),
+                           normal = kernel::whole_vector(kernel::integers_of(n));
+  const auto [one, factor] = kernel::integers_of(1.0, k).at;
+  const mpz_class back = -(one + factor) * dot(whole, normal), below = one * dot(normal, normal);
+  return kernel::pushed(whole, back, below, normal, velocity.exponent);
+}
+
+Decided<Vector3d> stages::damped_reflection::ask(const Vector3d& v, const Vector3d& n, double k) {
+  return in_turn<damped_reflection, Stage::enclosed, validate, Stage::exact>(v, n, k);
+}
+
+Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
+  return answer_in_turn<stages::damped_reflection, Stage::enclosed, validate, Stage::exact>(velocity, normal, k);
+}
+
+}  // namespace touchstone::robust

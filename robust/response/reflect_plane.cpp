@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/response/reflect_plane.h"
+
+#include "robust/kernel/along_normal.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/stages/response/reflect_plane.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const Vector3d& velocity, const Vector3d& normal) {
+  if (kernel::valid(velocity) && kernel::valid_normal(normal)) return;
+  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
+}
+
+}  // namespace
+
+/// v - 2 (v . n / n . n) n: the window is that of where lines cross.
+Perhaps<Vector3d> stages::reflect_plane::enclosed(const Vector3d& v, const Vector3d& n) {
+  using namespace kernel;
+  if (!in_window(Two(v.x, n.x), Two(v.y, n.y), Two(v.z, n.z)) || !rounds_to_nearest()) return std::nullopt;
+  const Enclosed<Two> dots = approach_and_square(v, n);
+  const Enclosed<double> approach = first(dots), square = second(dots);
+  if (square.high == 0) return std::nullopt;  // refused
+  const Term2<double> twice_back{-2 * approach.high, -2 * approach.low};
+  const Divisor d(square);
+  const auto answer = enclosed_push(v, share(twice_back, 2 * approach.error, d.value, d.inverse), n);
+  if (!answer) return std::nullopt;
+  return *answer;
+}
+
+Vector3d stages::reflect_plane::exact(const Vector3d& v, const Vector3d& n) {
+  const kernel::Integers<3> velocity = kernel::integers_of(v);
+  const Vector3<mpz_class> whole = kernel::whole_vector(velocity),
+                           normal = kernel::whole_vector(kernel::integers_of(n));
+  const mpz_class twice_back = -2 * dot(whole, normal);
+  return kernel::pushed(whole, twice_back, dot(normal, normal), normal, velocity.exponent);
+}
+
+Decided<Vector3d> stages::reflect_plane::ask(const Vector3d& v, const Vector3d& n) {
+  return in_turn<reflect_plane, Stage::enclosed, validate, Stage::exact>(v, n);
+}
+
+Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal) {
+  return answer_in_turn<stages::reflect_plane, Stage::enclosed, validate, Stage::exact>(velocity, normal);
+}
+
+}  // namespace touchstone::robust

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/space.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// The velocity of a particle after it bounced, without loss, off a plane: what it has along the normal is turned
+/// round, whether the particle comes or goes, and what it has along the plane stays.
+///
+/// The normal may have any length but 0, and point to either side. Every component is the double nearest to the exact
+/// one, for all finite doubles in every floating-point environment; beyond the range it is infinite, and zero is +0.
+/// NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a normal of length 0
+/// ("nonzero normal"). Contract: reference/response/reflect_plane.h.
+Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal);
+
+}  // namespace touchstone::robust
