@@ -26,10 +26,13 @@
 #include "catalogue/polygons/triangulate_polygon.h"
 #include "catalogue/polyhedra/point_in_convex_polyhedron.h"
 #include "catalogue/response/damped_reflection.h"
+#include "catalogue/response/elastic_collision.h"
+#include "catalogue/response/inelastic_collision.h"
 #include "catalogue/response/reflect_plane.h"
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
 #include "catalogue/sweeps/swept_sphere_plane.h"
+#include "catalogue/response/restitution_collision.h"
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
@@ -95,6 +98,9 @@ using Rows = RowList<
     rows::all_pairs,
     rows::reflect_wall,
     rows::reflect_plane,
+    rows::elastic_collision,
+    rows::inelastic_collision,
+    rows::restitution_collision,
     rows::damped_reflection>;
 // clang-format on
 

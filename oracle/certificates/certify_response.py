@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of collision response: one function an operation, as in check_response.cpp."""
 
-from certify_bodies import cross, minus, normal, plus, times
-from certify_reading import expect, number
+from certify_bodies import cross, minus, normal, plus, restitution, times, two_bodies
+from certify_reading import expect, list_of_two, number
 from certify_space import dot, exact_triple, point_in_space, triple
 
 
@@ -41,3 +41,41 @@ def check_damped_reflection(claim):
     claim.inputs("velocity", "normal", "k")
     v, n = point_in_space(claim.input["velocity"], "velocity"), normal(claim.input["normal"], "normal")
     expect_decomposition(claim, v, n, number(claim.input["k"], "k"))
+
+
+def check_inelastic_collision(claim):
+    claim.inputs("masses", "velocities")
+    (m1, v1), (m2, v2) = two_bodies(claim)
+    claim.answers("velocity")
+    claim.expect_kind("momentum"), claim.facts("momentum")
+    after, momentum = exact_triple(claim.truth["velocity"], "truth.velocity"), triple(claim, "momentum")
+    expect(momentum == plus(times(m1, v1), times(m2, v2)), "certificate: the momentum is wrong")
+    expect(times(m1 + m2, after) == momentum, "truth: momentum is not kept")
+
+
+def expect_impulse(claim, before, n, e):
+    (m1, v1), (m2, v2) = before
+    claim.answers("velocities")
+    claim.expect_kind("impulse"), claim.facts("impulse", "doubled_energies")
+    truth = list_of_two(claim.truth["velocities"], "truth.velocities")
+    v, w = (exact_triple(velocity, f"truth.velocities[{i}]") for i, velocity in enumerate(truth))
+    impulse, energies = claim.single("impulse"), claim.pair("doubled_energies")
+    expect(times(m1, minus(v, v1)) == times(impulse, n), "truth: the first body's impulse is another")
+    expect(times(m2, minus(w, v2)) == times(-impulse, n), "truth: momentum is not kept")
+    expect(dot(minus(v, w), n) == -e * dot(minus(v1, v2), n), "truth: the relative velocity along the normal is wrong")
+    recomputed = (m1 * dot(v1, v1) + m2 * dot(v2, v2), m1 * dot(v, v) + m2 * dot(w, w))
+    expect(energies == recomputed, "certificate: the energies are wrong")
+    kept = energies[1] == energies[0] if e == 1 else energies[1] <= energies[0]
+    expect(kept, "truth: energy is gained or lost")
+
+
+def check_elastic_collision(claim):
+    claim.inputs("masses", "velocities", "normal")
+    before = two_bodies(claim)
+    expect_impulse(claim, before, normal(claim.input["normal"], "normal"), 1)
+
+
+def check_restitution_collision(claim):
+    claim.inputs("masses", "velocities", "normal", "e")
+    before, n = two_bodies(claim), normal(claim.input["normal"], "normal")
+    expect_impulse(claim, before, n, restitution(claim.input["e"], "e"))

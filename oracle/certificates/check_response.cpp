@@ -54,12 +54,63 @@ void check_damped_reflection(const Claim& claim) {
   check_decomposition(claim, v, n, number(claim.input["k"], "k"));
 }
 
+/// Momentum is kept, and only one velocity is common to both.
+void check_inelastic_collision(const Claim& claim) {
+  claim.inputs({"masses", "velocities"});
+  const std::vector<Body> before = two_bodies(claim);
+  claim.answers({"velocity"});
+  expect_kind(claim, "momentum"), claim.facts({"momentum"});
+  const Triple after = exact_triple(claim.truth["velocity"], "truth.velocity"), p = triple(claim, "momentum");
+  const Body &first = before[0], &second = before[1];
+  expect(p == first.mass * first.velocity + second.mass * second.velocity, "certificate: the momentum is wrong");
+  expect(Rational(first.mass + second.mass) * after == p, "truth: momentum is not kept");
+}
+
+/// Both velocities change along the normal, by opposite impulses, so momentum is kept and what is across the normal
+/// stays. Of all impulses one alone makes the relative velocity along the normal -e times what it was.
+void check_impulse(const Claim& claim, const std::vector<Body>& before, const Triple& n, const Rational& e) {
+  claim.answers({"velocities"});
+  expect_kind(claim, "impulse"), claim.facts({"impulse", "doubled_energies"});
+  const json& truth = claim.truth["velocities"];
+  expect(truth.is_array() && truth.size() == 2, "truth.velocities: a list of two");
+  const Triple v = exact_triple(truth[0], "truth.velocities[0]"), w = exact_triple(truth[1], "truth.velocities[1]");
+  const Body &first = before[0], &second = before[1];
+  const Rational impulse = claim.single("impulse");
+  const Pair energies = claim.pair("doubled_energies");
+  expect(first.mass * (v - first.velocity) == impulse * n, "truth: the first body's impulse is another");
+  expect(second.mass * (w - second.velocity) == Rational(-impulse) * n, "truth: momentum is not kept");
+  expect(dot(v - w, n) == Rational(-e * dot(first.velocity - second.velocity, n)),
+         "truth: the relative velocity along the normal is wrong");
+  const auto doubled = [&](const Triple& p, const Triple& q) {
+    return Rational(first.mass * dot(p, p) + second.mass * dot(q, q));
+  };
+  expect(energies == Pair{doubled(first.velocity, second.velocity), doubled(v, w)},
+         "certificate: the energies are wrong");
+  expect(e == 1 ? energies.y == energies.x : energies.y <= energies.x, "truth: energy is gained or lost");
+}
+
+void check_elastic_collision(const Claim& claim) {
+  claim.inputs({"masses", "velocities", "normal"});
+  const std::vector<Body> before = two_bodies(claim);
+  check_impulse(claim, before, normal(claim.input["normal"], "normal"), 1);
+}
+
+void check_restitution_collision(const Claim& claim) {
+  claim.inputs({"masses", "velocities", "normal", "e"});
+  const std::vector<Body> before = two_bodies(claim);
+  const Triple n = normal(claim.input["normal"], "normal");
+  check_impulse(claim, before, n, restitution(claim.input["e"], "e"));
+}
+
 }  // namespace
 
 Checks checks_of_response() {
   return {{"reflect_wall", check_reflect_wall},
           {"reflect_plane", check_reflect_plane},
-          {"damped_reflection", check_damped_reflection}};
+          {"damped_reflection", check_damped_reflection},
+          {"inelastic_collision", check_inelastic_collision},
+          {"elastic_collision", check_elastic_collision},
+          {"restitution_collision", check_restitution_collision}};
 }
 
 }  // namespace touchstone::certify

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of collision response, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
-from simplest_truth_reading import dot, number, point
+from simplest_truth_reading import dot, minus, number, point
 
 
 def truth_reflect_wall(q):
@@ -26,3 +26,25 @@ def truth_reflect_plane(q):
 def truth_damped_reflection(q):
     share = 1 + number(q["k"])
     return {"velocity": written_velocity(without_part(point(q["velocity"]), point(q["normal"]), share))}, None
+
+
+def truth_inelastic_collision(q):
+    (m1, m2), (v1, v2) = map(number, q["masses"]), map(point, q["velocities"])
+    return {"velocity": written_velocity((m1 * x + m2 * y) / (m1 + m2) for x, y in zip(v1, v2))}, None
+
+
+def after_impact(q, e):
+    """In the frame in which the bodies have no momentum together, each one's part along the normal is turned round and
+    multiplied by e."""
+    (m1, m2), velocities = map(number, q["masses"]), list(map(point, q["velocities"]))
+    centre = [(m1 * x + m2 * y) / (m1 + m2) for x, y in zip(*velocities)]
+    turned = (without_part(minus(v, centre), point(q["normal"]), 1 + e) for v in velocities)
+    return {"velocities": [written_velocity(x + c for x, c in zip(v, centre)) for v in turned]}, None
+
+
+def truth_elastic_collision(q):
+    return after_impact(q, 1)
+
+
+def truth_restitution_collision(q):
+    return after_impact(q, number(q["e"]))

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/response/elastic_collision.h"
+
+#include "oracle/exact/impact.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                  const Vector3<Number>& normal) {
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_normal("normal", normal);
+  return {after_impact(masses, velocities, normal, Rational(1)), std::nullopt};
+}
+
+}  // namespace
+
+Truth<Velocities<Rational>> elastic_collision(const Massesd& masses, const Velocitiesd& velocities,
+                                              const Vector3d& normal) {
+  return truth(masses, velocities, normal);
+}
+
+template <Exact Number>
+Truth<Velocities<Rational>> elastic_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                              const Vector3<Number>& normal) {
+  return truth(masses, velocities, normal);
+}
+template Truth<Velocities<Rational>> elastic_collision(const Masses<Rational>&, const Velocities<Rational>&,
+                                                       const Vector3<Rational>&);
+
+Certificate elastic_collision_certificate(const Massesd& masses, const Velocitiesd& velocities,
+                                          const Vector3d& normal) {
+  return impulse_certificate(masses, velocities, normal, truth(masses, velocities, normal).answer);
+}
+
+}  // namespace touchstone::oracle

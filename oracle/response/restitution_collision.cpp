@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/response/restitution_collision.h"
+
+#include "oracle/exact/impact.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                  const Vector3<Number>& normal, const Number& e) {
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_normal("normal", normal);
+  validation::validate_restitution("e", e);
+  return {after_impact(masses, velocities, normal, exact(e)), std::nullopt};
+}
+
+}  // namespace
+
+Truth<Velocities<Rational>> restitution_collision(const Massesd& masses, const Velocitiesd& velocities,
+                                                  const Vector3d& normal, double e) {
+  return truth(masses, velocities, normal, e);
+}
+
+template <Exact Number>
+Truth<Velocities<Rational>> restitution_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                                  const Vector3<Number>& normal, const Number& e) {
+  return truth(masses, velocities, normal, e);
+}
+template Truth<Velocities<Rational>> restitution_collision(const Masses<Rational>&, const Velocities<Rational>&,
+                                                           const Vector3<Rational>&, const Rational&);
+
+Certificate restitution_collision_certificate(const Massesd& masses, const Velocitiesd& velocities,
+                                              const Vector3d& normal, double e) {
+  return impulse_certificate(masses, velocities, normal, truth(masses, velocities, normal, e).answer);
+}
+
+}  // namespace touchstone::oracle

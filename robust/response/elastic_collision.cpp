@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/response/elastic_collision.h"
+
+#include "robust/kernel/impulse.h"
+#include "robust/kernel/valid_bodies.h"
+#include "robust/stages/response/elastic_collision.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
+  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal)) return;
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_normal("normal", normal);
+}
+
+}  // namespace
+
+Perhaps<Velocitiesd> stages::elastic_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
+                                                         const Vector3d& n) {
+  using namespace kernel;
+  const auto& [v, w] = velocities;
+  const Two both_masses(masses.first, masses.second);
+  if (!in_narrow_window(both_masses, Two(v.x, w.x), Two(v.y, w.y), Two(v.z, w.z), Two(n.x, n.y), Two(n.z, 0)) ||
+      !(both_masses >= Two(0x1p-60)) || !rounds_to_nearest())
+    return std::nullopt;
+  const auto answer = enclosed_impulse(masses, velocities, n, factor(Two(-2 * masses.second, 2 * masses.first)));
+  if (!answer) return std::nullopt;
+  return *answer;
+}
+
+Velocitiesd stages::elastic_collision::exact(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& n) {
+  return kernel::exact_impulse(masses, velocities, n, 2, 1);
+}
+
+Decided<Velocitiesd> stages::elastic_collision::ask(const Massesd& masses, const Velocitiesd& velocities,
+                                                    const Vector3d& n) {
+  return in_turn<elastic_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities, n);
+}
+
+Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
+  return answer_in_turn<stages::elastic_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities, normal);
+}
+
+}  // namespace touchstone::robust

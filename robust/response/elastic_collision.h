@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/bodies.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// The velocities of two bodies after they bounced off each other without loss: momentum and kinetic energy are kept,
+/// and so is what is across the normal of their contact.
+///
+/// The normal may have any length but 0, and point to either body. Bodies that part are answered by the same law. Every
+/// component is the double nearest to the exact one, for all finite doubles in every floating-point environment; beyond
+/// the range it is infinite, and zero is +0. NaN and infinities throw InvalidInput, which names the field and "finite
+/// number"; so do a mass that is not positive ("mass > 0") and a normal of length 0 ("nonzero normal"). Contract:
+/// reference/response/elastic_collision.h.
+Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal);
+
+}  // namespace touchstone::robust

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/bodies.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// The velocity that two bodies have in common after they met and stuck together, so that momentum is kept.
+///
+/// Every component is the double nearest to the exact one, for all finite doubles in every floating-point environment;
+/// zero is +0. It lies between those before, so none is infinite. NaN and infinities throw InvalidInput, which names
+/// the field and "finite number"; so does a mass that is not positive ("mass > 0"). Contract:
+/// reference/response/inelastic_collision.h.
+Vector3d inelastic_collision(const Massesd& masses, const Velocitiesd& velocities);
+
+}  // namespace touchstone::robust

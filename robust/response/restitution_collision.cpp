@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/response/restitution_collision.h"
+
+#include "robust/kernel/impulse.h"
+#include "robust/kernel/valid_bodies.h"
+#include "robust/stages/response/restitution_collision.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal, double e) {
+  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal) &&
+      kernel::valid_restitution(e))
+    return;
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
+}
+
+}  // namespace
+
+Perhaps<Velocitiesd> stages::restitution_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
+                                                             const Vector3d& n, double e) {
+  using namespace kernel;
+  const auto& [v, w] = velocities;
+  const Two both_masses(masses.first, masses.second);
+  const bool near_one =
+      in_narrow_window(both_masses, Two(v.x, w.x), Two(v.y, w.y), Two(v.z, w.z), Two(n.x, n.y), Two(n.z, e));
+  if (!near_one || !(both_masses >= Two(0x1p-60)) || !(0 <= e && e <= 1) || !rounds_to_nearest()) return std::nullopt;
+  const Pair<double> bounce = two_sum(1.0, e);
+  const Factor<double> one_and_e = factor(bounce);
+  const Term2<Two> c = product(both(one_and_e, one_and_e), factor(Two(-masses.second, masses.first)));
+  const auto answer = enclosed_impulse(masses, velocities, n, factor(Enclosed<Two>{c.head, c.tail, Two()}));
+  if (!answer) return std::nullopt;
+  return *answer;
+}
+
+Velocitiesd stages::restitution_collision::exact(const Massesd& masses, const Velocitiesd& velocities,
+                                                 const Vector3d& n, double e) {
+  const auto [one, part] = kernel::integers_of(1.0, e).at;
+  return kernel::exact_impulse(masses, velocities, n, one + part, one);
+}
+
+Decided<Velocitiesd> stages::restitution_collision::ask(const Massesd& masses, const Velocitiesd& velocities,
+                                                        const Vector3d& n, double e) {
+  return in_turn<restitution_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities, n, e);
+}
+
+Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
+                                  double e) {
+  return answer_in_turn<stages::restitution_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities,
+                                                                                                normal, e);
+}
+
+}  // namespace touchstone::robust
