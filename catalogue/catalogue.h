@@ -28,6 +28,8 @@
 #include "catalogue/response/damped_reflection.h"
 #include "catalogue/response/elastic_collision.h"
 #include "catalogue/response/inelastic_collision.h"
+#include "catalogue/response/kinetic_energy.h"
+#include "catalogue/response/momentum.h"
 #include "catalogue/response/reflect_plane.h"
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
@@ -96,6 +98,8 @@ using Rows = RowList<
     rows::swept_sphere_plane,
     rows::point_in_convex_polyhedron,
     rows::all_pairs,
+    rows::momentum,
+    rows::kinetic_energy,
     rows::reflect_wall,
     rows::reflect_plane,
     rows::elastic_collision,

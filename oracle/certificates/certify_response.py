@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of collision response: one function an operation, as in check_response.cpp."""
 
-from certify_bodies import cross, minus, normal, plus, restitution, times, two_bodies
-from certify_reading import expect, list_of_two, number
+from certify_bodies import bodies, cross, minus, normal, plus, restitution, times, two_bodies
+from certify_reading import exact_value, expect, list_of_two, number
 from certify_space import dot, exact_triple, point_in_space, triple
 
 
@@ -79,3 +79,30 @@ def check_restitution_collision(claim):
     claim.inputs("masses", "velocities", "normal", "e")
     before, n = two_bodies(claim), normal(claim.input["normal"], "normal")
     expect_impulse(claim, before, n, restitution(claim.input["e"], "e"))
+
+
+def check_momentum(claim):
+    claim.inputs("bodies")
+    total = (0, 0, 0)
+    for mass, velocity in bodies(claim.input["bodies"], "bodies"):
+        total = plus(total, times(mass, velocity))
+    claim.answers("momentum")
+    claim.expect_kind("sum"), claim.facts()
+    expect(exact_triple(claim.truth["momentum"], "truth.momentum") == total, "truth: momentum is wrong")
+
+
+def check_kinetic_energy(claim):
+    claim.inputs("bodies")
+    every = bodies(claim.input["bodies"], "bodies")
+    claim.answers("energy")
+    claim.expect_kind("centre"), claim.facts("mass", "velocity", "doubled_energies")
+    energy, mass = exact_value(claim.truth["energy"], "truth.energy"), claim.single("mass")
+    centre, parts = triple(claim, "velocity"), claim.pair("doubled_energies")
+    expect(mass == sum(m for m, _ in every), "certificate: the mass is wrong")
+    momentum = tuple(sum(m * v[axis] for m, v in every) for axis in range(3))
+    right = times(mass, centre) == momentum and (mass > 0 or centre == (0, 0, 0))
+    expect(right, "certificate: the velocity of the centre is wrong")
+    seen = sum(m * dot(minus(v, centre), minus(v, centre)) for m, v in every)
+    expect(parts == (mass * dot(centre, centre), seen), "certificate: the energies are wrong")
+    doubled = sum(m * dot(v, v) for m, v in every)
+    expect(2 * energy == doubled == parts[0] + parts[1], "truth: energy is wrong")

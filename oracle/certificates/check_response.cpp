@@ -102,6 +102,38 @@ void check_restitution_collision(const Claim& claim) {
   check_impulse(claim, before, n, restitution(claim.input["e"], "e"));
 }
 
+void check_momentum(const Claim& claim) {
+  claim.inputs({"bodies"});
+  Triple sum{0, 0, 0};
+  for (const auto& [mass, velocity] : bodies(claim.input["bodies"], "bodies")) sum = sum + mass * velocity;
+  claim.answers({"momentum"});
+  expect_kind(claim, "sum"), claim.facts({});
+  expect(exact_triple(claim.truth["momentum"], "truth.momentum") == sum, "truth: momentum is wrong");
+}
+
+/// The energy is that of all mass at the centre's velocity, and what the bodies have as seen from there (Koenig); and
+/// it is their sum.
+void check_kinetic_energy(const Claim& claim) {
+  claim.inputs({"bodies"});
+  const std::vector<Body> all = bodies(claim.input["bodies"], "bodies");
+  claim.answers({"energy"});
+  expect_kind(claim, "centre"), claim.facts({"mass", "velocity", "doubled_energies"});
+  const Rational energy = exact_value(claim.truth["energy"], "truth.energy"), mass = claim.single("mass");
+  const Triple centre = triple(claim, "velocity");
+  const Pair parts = claim.pair("doubled_energies");
+  Rational weight, doubled, seen;
+  Triple momentum{0, 0, 0};
+  for (const auto& [m, v] : all) {
+    weight += m, momentum = momentum + m * v;
+    doubled += m * dot(v, v), seen += m * dot(v - centre, v - centre);
+  }
+  expect(mass == weight, "certificate: the mass is wrong");
+  expect(mass * centre == momentum && (sgn(mass) > 0 || centre == Triple{0, 0, 0}),
+         "certificate: the velocity of the centre is wrong");
+  expect(parts == Pair{Rational(mass * dot(centre, centre)), seen}, "certificate: the energies are wrong");
+  expect(Rational(2 * energy) == doubled && Rational(parts.x + parts.y) == doubled, "truth: energy is wrong");
+}
+
 }  // namespace
 
 Checks checks_of_response() {
@@ -110,7 +142,9 @@ Checks checks_of_response() {
           {"damped_reflection", check_damped_reflection},
           {"inelastic_collision", check_inelastic_collision},
           {"elastic_collision", check_elastic_collision},
-          {"restitution_collision", check_restitution_collision}};
+          {"restitution_collision", check_restitution_collision},
+          {"momentum", check_momentum},
+          {"kinetic_energy", check_kinetic_energy}};
 }
 
 }  // namespace touchstone::certify

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of collision response, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
+from fractions import Fraction
+
 from simplest_truth_reading import dot, minus, number, point
 
 
@@ -48,3 +50,13 @@ def truth_elastic_collision(q):
 
 def truth_restitution_collision(q):
     return after_impact(q, number(q["e"]))
+
+
+def truth_momentum(q):
+    bodies = [(number(body["mass"]), point(body["velocity"])) for body in q["bodies"]]
+    return {"momentum": [str(sum(m * v[axis] for m, v in bodies)) for axis in range(3)]}, None
+
+
+def truth_kinetic_energy(q):
+    bodies = [(number(body["mass"]), point(body["velocity"])) for body in q["bodies"]]
+    return {"energy": str(sum((m * dot(v, v) for m, v in bodies), Fraction(0)) / 2)}, None

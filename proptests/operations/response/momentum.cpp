@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/response/momentum.h"
+
+#include "proptests/body_laws.h"
+#include "robust/stages/response/momentum.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::momentum;
+
+constexpr double greatest = std::numeric_limits<double>::max();
+
+Stage decided_by(const Bodies& bodies) { return robust::stages::momentum::ask(bodies).stage; }
+
+}  // namespace
+
+TEST_CASE("momentum: bodies in any order, in other units") {
+  law<Row>("any order", in_any_order);
+  law<Row>("masses scale", masses_scale);
+}
+
+TEST_CASE("momentum: another observer sees the mass of all times his velocity more; lists add up") {
+  exact_law<Row>("observers and sums", [](const auto& ask, const auto& asked) {
+    const ExactBodies& bodies = std::get<0>(asked);
+    const Motion3 shift{Rational(7, 3), Rational(-11), Rational(13, 5)}, sum = ask(asked);
+    ExactBodies twice = bodies;
+    twice.insert(twice.end(), bodies.begin(), bodies.end());
+    return same(ask(std::tuple(with(bodies, shift))), sum + mass_of(bodies) * shift) &&
+           same(ask(std::tuple(twice)), Rational(2) * sum);
+  });
+}
+
+TEST_CASE("momentum: of one body it is IEEE 754's product, and a body and its opposite have none") {
+  robust_law<Row>("one and two", [](const auto& ask, const auto& asked) {
+    const Bodies& bodies = std::get<0>(asked);
+    for (const auto& [m, v] : bodies) {
+      if (!equal(ask(std::tuple(Bodies{{m, v}})), m * v)) return false;
+      if (!equal(ask(std::tuple(Bodies{{m, v}, {m, -1.0 * v}})), Vector3d{0, 0, 0})) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("momentum: p. 65 worked by hand") {
+  example<Row>({{{1, {1, 2, 3}}, {3, {1, 0, 0}}}}, {4, 2, 3});
+  example<Row>({{{2, {3, -6, 9}}, {3, {-2, 4, -6}}}}, {0, 0, 0});
+  example<Row>({{{0.5, {1, 1, 1}}}}, {Rational(1, 2), Rational(1, 2), Rational(1, 2)});
+  example<Row>({{}}, {0, 0, 0});
+}
+
+TEST_CASE("momentum: huge, subnormal and negative zero") {
+  const Rational most = exact(greatest), least = exact(tiny);
+  example<Row>({{{2, {greatest, 0, 0}}, {1, {-greatest, 0, 0}}}}, {most, 0, 0}, "invalid");
+  example<Row>({{{2, {greatest, 0, 0}}}}, {Rational(2 * most), 0, 0});  // the nearest double is infinity
+  example<Row>({{{0.25, {tiny, 0, 0}}, {0.5, {tiny, 0, 0}}}}, {Rational(3 * least / 4), 0, 0});
+  example<Row>({{{1, {1, 0x1p53, 0}}, {1, {tiny, 1, 0}}, {1, {-1, 0, 0}}}}, {least, Rational(exact(0x1p53) + 1), 0});
+  CHECK(plus_zero(robust::momentum({{1, {-0.0, 1, 0}}, {2, {-0.0, -0.5, 0}}}).x));
+  CHECK(plus_zero(robust::momentum({{1, {-0.0, 1, 0}}, {2, {-0.0, -0.5, 0}}}).y));
+}
+
+TEST_CASE("momentum: ties go to the even neighbour") {
+  CHECK(robust::momentum({{1, {0x1p53, 0, 0}}, {1, {1, 0, 0}}}).x == 0x1p53);
+  CHECK(robust::momentum({{1, {0x1p53, 0, 0}}, {1, {3, 0, 0}}}).x == 0x1p53 + 4);
+}
+
+TEST_CASE("momentum: thousands of bodies") {
+  const Bodies bodies = thousands_of_bodies();
+  const auto truth = oracle::momentum(bodies).answer;
+  const auto found = robust::momentum(bodies);
+  CHECK(
+      (found.x == audit::nearest(truth.x) && found.y == audit::nearest(truth.y) && found.z == audit::nearest(truth.z)));
+}
+
+TEST_CASE("momentum: what is not finite is refused by its field, and a mass that is not positive") {
+  refused<Row>({{{infinity, {0, 0, 0}}}}, "bodies[0].mass", "finite number");
+  refused<Row>({{{1, {0, 0, 0}}, {1, {0, not_a_number, 0}}}}, "bodies[1].velocity[1]", "finite number");
+  refused<Row>({{{1, {0, 0, 0}}, {-tiny, {1, 2, 3}}, {0, {0, 0, 0}}}}, "bodies[1].mass", "mass > 0");
+  refused<Row>({{{1, {0, 0, 0}}, {1, {1, 2, 3}}, {-0.0, {0, 0, 0}}}}, "bodies[2].mass", "mass > 0");
+}
+
+TEST_CASE("momentum: each stage decides what is meant for it") {
+  CHECK(decided_by({{0.1, {0.2, 0.3, 0.4}}, {0.5, {0.6, 0.7, 0.8}}, {0.9, {0.1, 0.2, 0.3}}}) == Stage::enclosed);
+  CHECK(decided_by({}) == Stage::enclosed);
+  CHECK(decided_by({{1, {0x1p53, 0, 0}}, {1, {1, 0, 0}}}) == Stage::exact);  // a tie
+  CHECK(decided_by({{0x1p-101, {1, 2, 3}}}) == Stage::exact);
+  CHECK(decided_by(thousands_of_bodies()) == Stage::exact);
+}
+
+TEST_CASE("momentum: the formula in double keeps its contract") {
+  contract<Row>("the error bound", [](const auto& truth, const Vector3d& answer, const Bodies& bodies) {
+    if (!moderate(bodies)) return true;
+    Motion3 sizes = none();
+    for (const auto& [m, v] : bodies) sizes = sizes + exact(m) * Motion3{size(v.x), size(v.y), size(v.z)};
+    const Rational factor = Rational(bodies.size() + 1) * unit();
+    return within(answer.x, truth.answer.x, factor * sizes.x) && within(answer.y, truth.answer.y, factor * sizes.y) &&
+           within(answer.z, truth.answer.z, factor * sizes.z);
+  });
+  right_in_exact_arithmetic<Row>();
+}
+
+}  // namespace touchstone::proptests

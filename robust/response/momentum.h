@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/bodies.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// The momentum of bodies together, the sum of mass times velocity; none have the momentum 0.
+///
+/// Every component is the double nearest to the exact sum, for all finite doubles in every floating-point environment,
+/// in whatever order the bodies come; beyond the range it is infinite, and zero is +0. NaN and infinities throw
+/// InvalidInput, which names the field and "finite number"; so does a mass that is not positive ("mass > 0"). Contract:
+/// reference/response/momentum.h.
+Vector3d momentum(const std::vector<Bodyd>& bodies);
+
+}  // namespace touchstone::robust
