@@ -38,6 +38,7 @@
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
+#include "catalogue/volumes/bounding_sphere.h"
 #include "catalogue/volumes/closest_point_on_aabb.h"
 #include "catalogue/volumes/convex_hull_2d.h"
 #include "catalogue/volumes/kdop_kdop.h"
@@ -87,6 +88,8 @@ using Rows = RowList<
     rows::kdop_of_points,
     rows::point_in_kdop,
     rows::kdop_kdop,
+    rows::convex_hull_2d,
+    rows::bounding_sphere,
     rows::sphere_sphere,
     rows::aabb_aabb,
     rows::closest_point_on_aabb,

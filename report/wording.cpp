@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "catalogue/codec/plain.h"
 
@@ -103,6 +104,14 @@ std::string why_rounding(Speaker speaker) {
          "engine's own formula was not seen.";
 }
 
+/// What a checker says of the answer, as a sentence before others.
+std::string fault_of(const Finding& finding) {
+  std::string text = finding.judgement.remark;
+  if (text.empty()) return text;
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ". ";
+}
+
 }  // namespace
 
 std::string grouped(std::uint64_t n) {
@@ -161,19 +170,10 @@ std::string not_asked_in_words(const Cell& cell) {
   return counted(cell.not_asked, "question") + " not asked: the engine was " + cell.given_up;
 }
 
-namespace {
-
-/// What the checker said of the answer comes first.
-std::string with_remark(const std::string& why, const Finding& finding) {
-  return finding.judgement.remark.empty() ? why : "The answer: " + finding.judgement.remark + ". " + why;
-}
-
-}  // namespace
-
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
-    case Verdict::rounding: return with_remark(why_rounding(speaker), finding);
-    case Verdict::algorithm: return with_remark(why_algorithm(finding, operation, speaker, binary32), finding);
+    case Verdict::rounding: return fault_of(finding) + why_rounding(speaker);
+    case Verdict::algorithm: return fault_of(finding) + why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {
       const std::string off = ulps_in_words(finding.judgement.ulps);
       if (speaker == Speaker::robust)

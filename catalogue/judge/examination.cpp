@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/judge/examination.h"
 
+#include <algorithm>
 #include <set>
 #include <span>
 #include <utility>
@@ -12,10 +13,8 @@
 namespace touchstone::audit {
 namespace {
 
-/// Whether an answer has numbers, and a checker refuses it.
-bool refused_numbers(const RowFunctions& row, const Question& question, const Tape<double>& answer) {
-  return row.fault != nullptr && !answer.numbers.empty() && !row.fault(question, answer).empty();
-}
+/// Where a checker sees numbers, what it says turns on every rounding.
+bool checks_numbers(const RowFunctions& row) { return row.fault != nullptr && row.answer->numbers > 0; }
 
 }  // namespace
 
@@ -78,8 +77,9 @@ bool Examination::right_in_exact_arithmetic() const {
     return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
   };
   if (row_.fault != nullptr) {
-    return same_as_truth(*row_.answer, solution_->answer, answer, Reading::complete) ||
-           row_.fault(question_, in_doubles()).empty();
+    // Numbers may be right, and wrong as soon as they are rounded.
+    if (checks_numbers(row_) && same_as_truth(*row_.answer, solution_->answer, answer, Reading::complete)) return true;
+    return row_.fault(question_, in_doubles()).empty();
   }
   if (row_.card->kind == Kind::covering)
     return covered(solution_->answer, in_doubles(), row_.answer->parts[0].shape->word_count).missing == 0;
@@ -95,9 +95,7 @@ Judgement Examination::judge_reference(bool binary32) const {
   judgement.ulps = found.ulps;
   if (!found.decision) {
     // What running error analysis is sure of, exact arithmetic decides alike, at a far higher price.
-    // Numbers that a checker refuses may be off although every comparison was sure.
-    const bool rounded = doubtful(binary32) || refused_numbers(row_, question_, answer);
-    judgement.verdict = rounded && right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
+    judgement.verdict = doubtful(binary32) && right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
   } else if (!found.finite) {
     judgement.verdict = Verdict::invalid;
     judgement.remark = "NaN or infinity where the truth is finite";
@@ -152,11 +150,13 @@ bool Examination::doubtful(bool binary32) const {
   if (binary32) {
     Tracked<float>::doubtful() = false;
     row_.track_in_float(question_);
-    return Tracked<float>::doubtful();
+    return Tracked<float>::doubtful() || checks_numbers(row_);
   }
   Tracked<double>::doubtful() = false;
-  row_.reference_tracked(question_);
-  return Tracked<double>::doubtful();
+  const auto tracked = row_.reference_tracked(question_);
+  const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
+  return Tracked<double>::doubtful() ||
+         (checks_numbers(row_) && std::any_of(tracked.numbers.begin(), tracked.numbers.end(), rounded));
 }
 
 const std::optional<TrueTape>& Examination::open() const {
@@ -191,8 +191,8 @@ int Examination::covered_reading(const Tape<double>& answer) const {
 }
 
 /// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be
-/// sure of its decision here either (running error analysis), or answers numbers that are refused too, or if the
-/// question is beside a touch; else nothing but the algorithm can be.
+/// sure of its decision here either (running error analysis), or if the question is beside a touch; of numbers that a
+/// checker refuses, if the formula's are refused for rounding; else nothing but the algorithm can be.
 Judgement Examination::wrong(const Declaration& declaration, bool right_for_open_sets) const {
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
@@ -200,8 +200,8 @@ Judgement Examination::wrong(const Declaration& declaration, bool right_for_open
   } else if (margin() && tolerated(*margin(), declaration.tolerance, row_.card->margin_degree, question_)) {
     judgement.verdict = Verdict::tolerance;
   } else {
-    const bool rounding = doubtful(declaration.binary32) || beside_a_touch(declaration.binary32) ||
-                          refused_numbers(row_, question_, formula(declaration.binary32));
+    const bool rounding = checks_numbers(row_) ? judge_reference(declaration.binary32).verdict == Verdict::rounding
+                                               : doubtful(declaration.binary32) || beside_a_touch(declaration.binary32);
     judgement.verdict = rounding ? Verdict::rounding : Verdict::algorithm;
   }
   return judgement;
