@@ -70,6 +70,15 @@ struct obb_obb {
            for (Vector3d* axis : each_of(b.half_axes)) step(*axis, c);
            return {a, b};
          }},
+        {"ridges",
+         [](Choices& c) -> Question {
+           // One roof upside down on another: the ridges cross at an angle of a few times the least number, or are one.
+           const auto least = [&c] { return std::ldexp(small_integer(c, 2), -1074); };
+           const auto slope = [&c] { return static_cast<double>(1 + c.below(3)); };
+           const double p = slope(), q = slope(), r = slope(), s = slope(), y = least(), z = small_integer(c, 1);
+           const HalfAxes3d roof{{4, 0, 0}, {0, p, q}, {0, -1, 1}}, other{{4, y, 0}, {0, r, s}, {0, -1, 1}};
+           return {{{0, 0, 0}, roof}, {{0, 0, 2 + q + s + z}, other}};
+         }},
         {"dependent",
          [](Choices& c) -> Question {
            const Vector3d u = lattice_normal(c), v = lattice_normal(c);
