@@ -50,14 +50,21 @@ Share<Float> share(const Term2<Float>& numerator, const Float& size, const Facto
   return {q, rest * inverse, Format::above(8) * size * inverse};
 }
 
-/// v + t n, rounded; as `along` and `rounded` of enclosed.h, with the bound above.
+/// v + t n, as `along` of enclosed.h, but that the error holds for the ends of the enclosure as they are rounded, too.
 template <class Float>
-std::optional<Float> enclosed_push(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
+Enclosed<Float> along(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
   using Format = filters::FloatFormat<Float>;
   const Pair<Float> sum = two_sum(t.head * n.head, v);
   const Float low = sum.low + (t.head * n.tail + t.tail * n.whole);
   const Float margin = t.error * Format::magnitude(n.whole) + Format::above(cut<Float>) * Format::magnitude(v);
-  const Float above = sum.high + (low + margin), below = sum.high + (low - margin);
+  return {sum.high, low, margin};
+}
+
+/// The same, rounded.
+template <class Float>
+std::optional<Float> enclosed_push(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
+  const Enclosed<Float> x = along(v, t, n);
+  const Float above = x.high + (x.low + x.error), below = x.high + (x.low - x.error);
   if (!(above <= below)) return std::nullopt;
   return above + Float();  // -0 + 0 is +0
 }
