@@ -33,6 +33,7 @@
 #include "catalogue/response/reflect_plane.h"
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
+#include "catalogue/sweeps/swept_convex_polyhedra.h"
 #include "catalogue/sweeps/swept_sphere_plane.h"
 #include "catalogue/response/restitution_collision.h"
 #include "catalogue/sweeps/swept_sphere_sphere.h"
@@ -98,6 +99,7 @@ using Rows = RowList<
     rows::swept_sphere_sphere,
     rows::swept_aabb_aabb,
     rows::swept_sphere_plane,
+    rows::swept_convex_polyhedra,
     rows::point_in_convex_polyhedron,
     rows::all_pairs,
     rows::momentum,

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of convex solids that move along straight lines, as in check_swept_solids.cpp."""
 
+from certify_meshes import height, mesh, outward_planes
 from certify_reading import WRONG_KIND, exact_value, expect, number
-from certify_space import box, box_holds
+from certify_space import box, box_holds, point_in_space
 
 
 def dot(p, q):
@@ -28,6 +29,24 @@ def check_swept_aabb_aabb(claim):
     velocity = claim.input["velocity"]
     expect(isinstance(velocity, list) and len(velocity) == axes, "velocity: as many coordinates as a")
     prove_first_contact(claim, a, b, [number(v, f"velocity[{k}]") for k, v in enumerate(velocity)])
+
+
+class MeshSolid:
+    def __init__(self, claim, name):
+        self.vertices, faces = mesh(claim.input[name], name)
+        self.planes = outward_planes(self.vertices, faces, name)
+
+    def holds(self, p):
+        return all(height(plane, p) <= 0 for plane in self.planes)
+
+    def highest(self, normal):
+        return max(dot(normal, vertex) for vertex in self.vertices)
+
+
+def check_swept_convex_polyhedra(claim):
+    claim.inputs("a", "b", "velocity")
+    a, b = MeshSolid(claim, "a"), MeshSolid(claim, "b")
+    prove_first_contact(claim, a, b, point_in_space(claim.input["velocity"], "velocity"))
 
 
 def fact(claim, name, size):

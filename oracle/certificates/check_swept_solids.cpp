@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/certificates/check_swept_solids.h"
 
-#include "oracle/certificates/check_space.h"
+#include <algorithm>
+
+#include "oracle/certificates/check_meshes.h"
 
 namespace touchstone::certify {
 namespace {
@@ -34,6 +36,31 @@ void check_swept_aabb_aabb(const Claim& claim) {
   Coordinates v;
   for (const json& coordinate : velocity) v.push_back(number(coordinate, "velocity[" + std::to_string(v.size()) + "]"));
   prove_first_contact(claim, a, b, v);
+}
+
+/// The convex hull of the vertices, and what the planes of the faces enclose: both are the same, see check_meshes.h.
+struct MeshSolid : Solid {
+  MeshSolid(const Claim& claim, const char* name)
+      : surface(mesh(claim.input[name], name)), planes(outward_planes(surface, name)) {}
+  bool holds(const Coordinates& p) const override {
+    return std::all_of(planes.begin(), planes.end(),
+                       [at = Triple{p[0], p[1], p[2]}](const Plane& plane) { return sgn(plane.at(at)) <= 0; });
+  }
+  Rational highest(const Coordinates& normal) const override {
+    const Triple n{normal[0], normal[1], normal[2]};
+    Rational most = dot(n, surface.vertices[0]);
+    for (const Triple& vertex : surface.vertices) most = std::max(most, dot(n, vertex));
+    return most;
+  }
+  Mesh surface;
+  std::vector<Plane> planes;
+};
+
+void check_swept_convex_polyhedra(const Claim& claim) {
+  claim.inputs({"a", "b", "velocity"});
+  const MeshSolid a(claim, "a"), b(claim, "b");
+  const Triple velocity = point_in_space(claim.input["velocity"], "velocity");
+  prove_first_contact(claim, a, b, {velocity.x, velocity.y, velocity.z});
 }
 
 }  // namespace
@@ -81,6 +108,8 @@ void prove_first_contact(const Claim& claim, const Solid& a, const Solid& b, con
   expect(first, "certificate: the axis does not separate them before t");
 }
 
-Checks checks_of_swept_solids() { return {{"swept_aabb_aabb", check_swept_aabb_aabb}}; }
+Checks checks_of_swept_solids() {
+  return {{"swept_aabb_aabb", check_swept_aabb_aabb}, {"swept_convex_polyhedra", check_swept_convex_polyhedra}};
+}
 
 }  // namespace touchstone::certify

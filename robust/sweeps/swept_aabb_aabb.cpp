@@ -3,9 +3,8 @@
 
 #include <tuple>
 
+#include "robust/kernel/axis_times.h"
 #include "robust/kernel/box_differences.h"
-#include "robust/kernel/integers.h"
-#include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_space.h"
 #include "robust/kernel/window.h"
 #include "robust/stages/sweeps/swept_aabb_aabb.h"
@@ -13,14 +12,9 @@
 namespace touchstone::robust {
 namespace {
 
+using kernel::AxisMotion;
 using kernel::greater;
 using kernel::lesser;
-
-/// Both intervals of one axis, and the velocity of a.
-template <class Number>
-struct AxisMotion {
-  Number a_min, a_max, b_min, b_max, velocity;
-};
 
 std::array<AxisMotion<double>, 2> axes_of(const Aabb2d& a, const Aabb2d& b, const Vector2d& v) {
   return {{{a.min.x, a.max.x, b.min.x, b.max.x, v.x}, {a.min.y, a.max.y, b.min.y, b.max.y, v.y}}};
@@ -106,43 +100,9 @@ Perhaps<FirstContact<double>> by_enclosure(const Axes& axes) {
   return FirstContact<double>{HitRelation::hit, latest};
 }
 
-/// The same on integers: on a lattice differences are below 2^62, and products of two below 2^124.
-template <class Integer>
-class WholeTimes {
- public:
-  void cut(const AxisMotion<Integer>& m) {
-    const bool backwards = kernel::sign_of(m.velocity) < 0;
-    const Time entry = backwards ? Time{m.a_min - m.b_max, -m.velocity} : Time{m.b_min - m.a_max, m.velocity},
-               exit = backwards ? Time{m.a_max - m.b_min, -m.velocity} : Time{m.b_max - m.a_min, m.velocity};
-    if (kernel::sign_of(m.velocity) == 0) {
-      apart_ = apart_ || kernel::sign_of(entry.way) > 0 || kernel::sign_of(exit.way) < 0;
-      return;
-    }
-    if (before(first_, entry)) first_ = entry;
-    if (before(exit, last_)) last_ = exit;
-  }
-
-  FirstContact<double> contact() const {
-    if (apart_ || before(last_, first_)) return {HitRelation::never, std::nullopt};
-    return {HitRelation::hit, kernel::round_quotient(wide(first_.way), wide(first_.speed))};
-  }
-
- private:
-  /// way / speed, speed > 0.
-  struct Time {
-    Integer way, speed;
-  };
-  static kernel::Int128 wide(std::int64_t n) { return n; }
-  static const mpz_class& wide(const mpz_class& n) { return n; }
-  static bool before(const Time& s, const Time& t) { return wide(s.way) * t.speed < wide(t.way) * s.speed; }
-
-  Time first_{0, 1}, last_{1, 1};
-  bool apart_ = false;
-};
-
 template <class Numbers>
 FirstContact<double> contact_of(const Numbers& n) {
-  WholeTimes<std::decay_t<decltype(n[0])>> times;
+  kernel::AxisTimes<std::decay_t<decltype(n[0])>> times;
   for (std::size_t i = 0; i < n.size(); i += 5) times.cut({n[i], n[i + 1], n[i + 2], n[i + 3], n[i + 4]});
   return times.contact();
 }

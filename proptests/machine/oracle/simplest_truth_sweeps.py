@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truth of moving shapes, in the style of simplest_truth.py."""
 from fractions import Fraction
+from itertools import combinations
+from math import lcm
 
+from simplest_truth_polyhedra import cross
 from simplest_truth_reading import dot, minus, number, point
 
 
@@ -87,3 +90,36 @@ def truth_swept_sphere_plane(q):
         return {"relation": "never"}, abs(margin)
     rise = end - start
     return {"relation": "hit", "t": FirstRoot(start**2 - radius**2 * square, 2 * start * rise, rise**2)}, abs(margin)
+
+
+def truth_swept_convex_polyhedra(q):
+    """b less a, swept backwards, and that with a cube around it, are polytopes: normals of their facets are normals of
+    faces, or cross products of edges, of the velocity and of the axes. On each, a has to be between two numbers, from
+    which an interval of t follows, and how far it is beyond one of them at best."""
+    a, b = ([point(v) for v in q[name]["vertices"]] for name in ("a", "b"))
+    velocity = point(q["velocity"])
+    scale = lcm(*(x.denominator for p in a + b + [velocity] for x in p))
+    a, b, velocity = ([tuple(int(x * scale) for x in p) for p in points] for points in (a, b, [velocity]))
+
+    def edges(points, faces):
+        return {minus(points[j], points[i]) for f in faces for i, j in (f[:2], f[1:], f[::2])}
+
+    axes = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    parts = [edges(a, q["a"]["faces"]), edges(b, q["b"]["faces"]), velocity, axes]
+    normals = {cross(u, v) for one, other in combinations(parts, 2) for u in one for v in other} | set(axes)
+    for points, faces in ((a, q["a"]["faces"]), (b, q["b"]["faces"])):
+        normals |= {cross(minus(points[j], points[i]), minus(points[k], points[i])) for i, j, k in faces}
+    first, last, beyond = Fraction(0), Fraction(1), []
+    for n in normals - {(0, 0, 0)}:
+        of_a, of_b, speed = [dot(n, p) for p in a], [dot(n, p) for p in b], dot(n, velocity[0])
+        for low in (min(of_b) - max(of_a), min(of_a) - max(of_b)):  # low - speed t has to be at most 0
+            beyond.append(Fraction(low - max(speed, 0), sum(map(abs, n))))
+            if speed > 0:
+                first = max(first, Fraction(low, speed))
+            elif speed < 0:
+                last = min(last, Fraction(low, speed))
+            elif low > 0:
+                last = Fraction(-1)
+            speed = -speed
+    hit = {"relation": "hit", "t": str(first)} if first <= last else {"relation": "never"}
+    return hit, abs(max(beyond)) / scale
