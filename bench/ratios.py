@@ -24,6 +24,8 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 OF_ANGLES = {"parametric_circle", "interior_angles"}  # whose formulas call the library's cosine or arc tangent
 TRIANGULATION = "triangulate_polygon_10000"
+HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
+HULL_REPETITIONS = 3  # a time is up to half a minute
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
 
@@ -130,6 +132,20 @@ def triangulations(timed):
     return table(["10,000 vertices", "robust ms", "earcut ms", "robust / earcut"], rows)
 
 
+def hulls(timed):
+    rows = []
+    for group, t in timed.items():
+        if group.startswith(HULL):
+            data = group.split("/")[1]
+            times = [written(t.least(name) / 1e6) if name in t.of else "" for name in ["robust", "epick", "qhull"]]
+            small = timed.get(f"{TENTH_OF_HULL}/{data}")
+            growth = written(t.least("robust") / small.least("robust")) if small else ""
+            qhull = "no hull" if t.labels.get("qhull") == "0" else written(t.ratio("qhull", "robust"))
+            rows.append([data, *times, written(t.ratio("epick", "robust")), qhull, growth, t.labels["robust"]])
+    return table(["a million points", "robust ms", "Epick ms", "qhull ms", "Epick / robust", "qhull / robust",
+                  "robust, to a tenth of them", "faces, or dimension"], rows)
+
+
 def goals(lines, oracle):
     """(what, bound, sign, measured by least times, by medians): sign -1 for "at most"."""
     median = statistics.median
@@ -166,6 +182,18 @@ def goals(lines, oracle):
     for group in lines:
         if group.startswith(TRIANGULATION):
             ratio(f"{group}: robust / earcut", group, "robust", "earcut", 1, -1)
+    for data, epick, qhull in [("ball", 40, 10), ("grid", 40, 10), ("clusters", 40, 10), ("sphere", 10, 5)]:
+        ratio(f"{HULL}/{data}: Epick / robust", f"{HULL}/{data}", "epick", "robust", epick, 1)
+        ratio(f"{HULL}/{data}: qhull / robust", f"{HULL}/{data}", "qhull", "robust", qhull, 1)
+    for group, t in lines.items():
+        if group.startswith(HULL) and t.labels.get("qhull", "0") != "0" and group.split("/")[1] not in (
+                "ball", "grid", "clusters", "sphere"):
+            ratio(f"{group}: qhull / robust", group, "qhull", "robust", 0.5, 1)
+    for group in lines:
+        tenth = lines.get(group.replace(HULL, TENTH_OF_HULL))
+        if group.startswith(HULL) and tenth:
+            times = [of(lines[group].of["robust"]) / of(tenth.of["robust"]) for of in (min, median)]
+            found.append((f"{group}: robust, to a tenth of the points", 10 ** 1.25, -1, *times))
     for grid in [3, 4, 10]:
         rate(f"segment_segment, exhaustive on the {grid}-grid, million a second", f"segment_segment/grid_{grid}",
              "exhaust", 20)
@@ -196,16 +224,18 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     timed = {}
-    for name in ["operations", "polygons", "triangulation", "oracle"]:
+    for name in ["operations", "polygons", "triangulation", "hulls", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         for group in groups(program, options.ops):
             print(group, file=sys.stderr)
-            timed[name][group] = Times(program, group, options.repetitions)
+            repetitions = min(HULL_REPETITIONS, options.repetitions) if name == "hulls" else options.repetitions
+            timed[name][group] = Times(program, group, repetitions)
     add_earcut(str(options.build / "bench/triangulation"), timed["triangulation"])
     decided = timed["operations"] | timed["polygons"]
-    report = "\n\n".join([circumstances(options.build), goals(decided | timed["triangulation"], timed["oracle"]),
-                          decisions(decided), triangulations(timed["triangulation"]), answers(timed["operations"]),
+    report = "\n\n".join([circumstances(options.build),
+                          goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"]), decisions(decided),
+                          triangulations(timed["triangulation"]), hulls(timed["hulls"]), answers(timed["operations"]),
                           truths(timed["oracle"]),
                           exhausted(timed["oracle"])])
     print(report)

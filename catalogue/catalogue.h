@@ -41,6 +41,7 @@
 #include "catalogue/volumes/aabb_of_points.h"
 #include "catalogue/volumes/bounding_sphere.h"
 #include "catalogue/volumes/closest_point_on_aabb.h"
+#include "catalogue/volumes/convex_hull.h"
 #include "catalogue/volumes/convex_hull_2d.h"
 #include "catalogue/volumes/kdop_kdop.h"
 #include "catalogue/volumes/kdop_of_points.h"
@@ -90,6 +91,7 @@ using Rows = RowList<
     rows::kdop_of_points,
     rows::point_in_kdop,
     rows::kdop_kdop,
+    rows::convex_hull,
     rows::sphere_sphere,
     rows::aabb_aabb,
     rows::closest_point_on_aabb,

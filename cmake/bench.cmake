@@ -19,3 +19,8 @@ foreach(source ${benches})
   set_target_properties(bench_${name} PROPERTIES OUTPUT_NAME ${name}
                                                  RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bench)
 endforeach()
+# One peer more, where it is there.
+find_library(QHULL_R_LIBRARY qhull_r)
+if(QHULL_R_LIBRARY AND TARGET bench_hulls)
+  target_link_libraries(bench_hulls PRIVATE ${QHULL_R_LIBRARY})
+endif()

@@ -96,7 +96,7 @@ template <class Row, class Alter>
 void hull_checkers_agree(const Alter& alter) {
   const audit::Operation& operation = audit::operation_of_row<Row>();
   int right = 0, wrong = 0, different = 0;
-  for (std::uint64_t i = 0; i < 4000; ++i) {
+  for (std::uint64_t i = 0; i < 2500; ++i) {
     audit::Choices choices = audit::Choices::seeded(audit::seed_of(i, "altered hulls", 0));
     const Question question = operation.draw(choices, choices.below(operation.families().size()));
     const auto asked = typed<Row>(question);

@@ -142,11 +142,12 @@ bool span_space(const std::vector<Triple>& normals) {
   return false;
 }
 
-/// Triangles that have an area, with all points below their planes or in them, and some below, lie on the boundary of the
-/// hull and face outwards. With every edge once in each direction they have no rim: they cover the whole boundary, every
-/// part of it equally often. A corner whose faces' normals span space is extreme. Corners that are extreme and different
-/// points leave for an edge of the hull nothing but the one edge between its ends, which is there once: so they cover the
-/// boundary once, and as an extreme point is inside no triangle and no edge, all of them are corners.
+/// Triangles that have an area, with all points below their planes or in them, and some below, lie on the boundary of
+/// the hull and face outwards. With every edge once in each direction they have no rim: they cover the whole boundary,
+/// every part of it equally often. A corner whose faces' normals span space is extreme. Corners that are extreme and
+/// different
+/// points leave for an edge of the hull nothing but the one edge between its ends, which is there once: so they cover
+/// the boundary once, and as an extreme point is inside no triangle and no edge, all of them are corners.
 Places expect_faces(const std::vector<Triple>& points, const std::vector<Corners>& triangles) {
   std::set<std::pair<std::size_t, std::size_t>> edges;
   std::map<std::size_t, std::vector<Triple>> normals;

@@ -17,26 +17,26 @@ Real squared_cosine(const Vector& v, const Vector& w) {
 
 /// The convex hull of points in the plane: its extreme points counter-clockwise, by their places in the list.
 ///
-/// Deck p. 35-42: gift wrapping, in the plane. The highest point (y is up; of several the first) comes first. From there
-/// the next is the one that makes the smallest angle with the horizontal, from the others on the one that makes the
-/// smallest angle with the edge before, until that is the first one again. Angles are compared by their cosines. The
-/// slide does not say which of several points in one direction comes next: it is the first in the list. A walk that has
-/// not closed after as many points as there are is given up.
+/// Deck p. 35-42: gift wrapping, in the plane. The highest point (y is up; of several the first) comes first. From
+/// there the next is the one that makes the smallest angle with the horizontal, from the others on the one that makes
+/// the smallest angle with the edge before, until that is the first one again. Angles are compared by their cosines.
+/// The slide does not say which of several points in one direction comes next: it is the first in the list. A walk
+/// that has not closed after as many points as there are is given up.
 ///
-/// points: at least one, any unit of length. The answer has dimension 0 (all points are equal: `point`), 1 (they lie on
-/// one line: `segment`, its ends in either order) or 2 (`polygon`). A vertex is an extreme point: one that lies on no
-/// segment between two others. Points inside an edge are none, and of equal points one alone is listed. Any first
+/// points: at least one, any unit of length. The answer has dimension 0 (all points are equal: `point`), 1 (they lie
+/// on one line: `segment`, its ends in either order) or 2 (`polygon`). A vertex is an extreme point: one that lies on
+/// no segment between two others. Points inside an edge are none, and of equal points one alone is listed. Any first
 /// vertex, and any of equal points, is right.
 /// Refused by robust and oracle: NaN or infinity (points[i][k], "finite number"), an empty list (points, "at least 1
 /// point").
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): with all differences of coordinates 0 or between 2^-200 and 2^200 in
-/// magnitude the computed value is off by at most 20u: the dot product by 4u |v| |w|, its square by 9u |v|^2 |w|^2 (two
-/// of those and a rounding), the divisor by a factor of 1 + 9u (four roundings for each square of a length, one for
-/// their product), the quotient by one rounding, and u is left for terms of u^2. So the answer is right where no other
-/// point is as high as the first one and where, at each vertex of the hull, the next one's value exceeds that of every
-/// other point by more than 40u: points in the direction of an edge are beyond that promise even where they lie on it
-/// exactly, and an angle of 1e-8 is taken for 0.
+/// magnitude the computed value is off by at most 20u: the dot product by 4u |v| |w|, its square by 9u |v|^2 |w|^2
+/// (two of those and a rounding), the divisor by a factor of 1 + 9u (four roundings for each square of a length, one
+/// for their product), the quotient by one rounding, and u is left for terms of u^2. So the answer is right where no
+/// other point is as high as the first one and where, at each vertex of the hull, the next one's value exceeds that of
+/// every other point by more than 40u: points in the direction of an edge are beyond that promise even where they lie
+/// on it exactly, and an angle of 1e-8 is taken for 0.
 /// Where points lie inside an edge, or several are highest, the formula may list them, or pass by its first point and
 /// never close (cause: algorithm); elsewhere it is right in exact arithmetic.
 template <class Real>

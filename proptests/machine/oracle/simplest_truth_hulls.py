@@ -3,6 +3,11 @@
 answer, in the oracle's order, and the margin."""
 from simplest_truth_reading import cross, dot, minus, point
 
+# Operations that have no second truth, and why.
+WITHOUT = {
+    "convex_hull": "many answers are right; certify_hulls.py proves each in integers",
+}
+
 
 def turn(p, q, r):
     return cross(minus(q, p), minus(r, p))

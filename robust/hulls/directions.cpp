@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "robust/hulls/solid.h"
+
+// Most points of a cloud are far from its hull. The farthest point in each of some hundred directions around the
+// centre of the box is found, and the hull of those. Finer cells of directions then know which of its facets their
+// rays can meet, and a distance within which a point is certainly inside: one comparison for most. A point beyond that
+// is outside if and only if it is strictly above one of the facets that its ray can meet, which is decided exactly;
+// those few go on, sorted by cell, so that neighbours in space are neighbours in memory.
+//
+// What holds however numbers are rounded: the centre O lies inside the surface by 10^-4 of each normal's length
+// (checked; |q| < 2). So the ray from O to a point p meets the surface once, in a facet f, and p is outside if and
+// only if it is above f. Directions are rounded by less than 10^-15, so that a facet is met in a cell, or 10^-11
+// beside it, at most; each cell's list has all facets that come within 10^-9 of it. It may have more: being above
+// another facet is being outside too.
+namespace touchstone::robust::hulls {
+namespace {
+
+constexpr double slack = 1e-9, depth = 1e-4;
+constexpr std::array<std::size_t, 3> next{1, 2, 0};
+
+double length(const Facet& f) { return std::sqrt(f.n[0] * f.n[0] + f.n[1] * f.n[1] + f.n[2] * f.n[2]); }
+
+/// How far the surface is above the centre, at least, in units of the normal's length.
+double depth_below(const Facet& f, const FramePoint& centre) { return -f.height(centre) - 3 * double{f.error}; }
+
+/// A cube map of k * k cells on each face, as Directions has it, with the facets that each cell's rays can meet.
+class CubeMap {
+ public:
+  CubeMap(int k, const Surface& surface, const FramePoint& centre) : k_(k), surface_(surface), centre_(centre) {}
+
+  std::size_t cells() const { return static_cast<std::size_t>(6) * static_cast<std::size_t>(k_ * k_); }
+
+  /// False where that would be more than `most` entries.
+  bool list_facets(std::size_t most) {
+    struct Entry {
+      std::int32_t cell, facet;
+    };
+    std::vector<Entry> entries;
+    for (std::size_t f = 0; f < surface_.facets.size(); ++f) {
+      if (!surface_.facets[f].alive()) continue;
+      for (int face = 0; face < 6; ++face) {
+        const auto box = box_on(face, surface_.facets[f]);
+        if (!box) continue;
+        for (int i = box->low[0]; i <= box->high[0]; ++i) {
+          for (int j = box->low[1]; j <= box->high[1]; ++j)
+            entries.push_back({(face * k_ + i) * k_ + j, static_cast<std::int32_t>(f)});
+        }
+        if (entries.size() > most) return false;
+      }
+    }
+    begins.assign(cells() + 1, 0);
+    for (const Entry& entry : entries) ++begins[static_cast<std::size_t>(entry.cell) + 1];
+    for (std::size_t c = 0; c < cells(); ++c) begins[c + 1] += begins[c];
+    std::vector<std::size_t> ends(begins.begin(), begins.end() - 1);
+    listed.resize(entries.size());
+    for (const Entry& entry : entries) listed[ends[static_cast<std::size_t>(entry.cell)]++] = entry.facet;
+    return true;
+  }
+
+  /// Up to which distance on the axis of a cell's face a point is below all of the cell's facets. Along a ray of
+  /// direction v, 1 on that axis, the plane is reached at depth / (n . v), and n . v is greatest in a corner of the
+  /// cell. Its rounding, 10^-14 |n|, is far less than 10^-6 of the depth.
+  std::vector<double> inside_of_cells() const {
+    std::vector<double> inside(cells(), 0);
+    for (std::size_t c = 0; c < cells(); ++c) {
+      const auto cell = static_cast<int>(c);
+      const int face = cell / (k_ * k_), i = cell / k_ % k_, j = cell % k_;
+      const auto axis = static_cast<std::size_t>(face / 2);
+      const double u = 2.0 * i / k_ - 1, v = 2.0 * j / k_ - 1, step = 2.0 / k_;
+      if (begins[c] == begins[c + 1]) continue;
+      double least = std::numeric_limits<double>::infinity();
+      for (std::size_t l = begins[c]; l < begins[c + 1]; ++l) {
+        const Facet& f = surface_.facets[static_cast<std::size_t>(listed[l])];
+        const double across = f.n[next[axis]], up = f.n[next[next[axis]]];
+        const double rise = (face % 2 == 1 ? -f.n[axis] : f.n[axis]) + std::max(across * u, across * (u + step)) +
+                            std::max(up * v, up * (v + step));
+        if (rise > 0) least = std::min(least, depth_below(f, centre_) / rise);
+      }
+      inside[c] = least * (1 - 1e-6);
+    }
+    return inside;
+  }
+
+  std::vector<std::size_t> begins;   ///< by cell, into `listed`
+  std::vector<std::int32_t> listed;  ///< facets
+
+ private:
+  struct Box {
+    std::array<int, 2> low, high;
+  };
+  using Corner = std::array<double, 3>;  // across, up, ahead
+
+  /// The cells of a face in whose box the facet's projection on it lies: the facet is cut down to the face's pyramid.
+  std::optional<Box> box_on(int face, const Facet& f) const {
+    const auto axis = static_cast<std::size_t>(face / 2);
+    const double sign = face % 2 == 1 ? -1 : 1;
+    std::array<Corner, 8> ring, cut;
+    std::size_t count = 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const FramePoint& p = surface_.points[static_cast<std::size_t>(f.corner[i])];
+      const std::size_t across = next[axis], up = next[across];
+      ring[i] = {p[across] - centre_[across], p[up] - centre_[up], sign * (p[axis] - centre_[axis])};
+    }
+    for (int wall = 0; wall < 4 && count > 0; ++wall) {
+      const auto inside = [&](const Corner& c) {
+        const double side = c[static_cast<std::size_t>(wall / 2)];
+        return c[2] * (1 + slack) - (wall % 2 == 1 ? -side : side);
+      };
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const Corner &p = ring[i], &q = ring[i + 1 == count ? 0 : i + 1];
+        const double a = inside(p), b = inside(q);
+        if (a >= 0) cut[kept++] = p;
+        if ((a >= 0) == (b >= 0)) continue;
+        const double t = a / (a - b);
+        cut[kept++] = {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]), p[2] + t * (q[2] - p[2])};
+      }
+      count = kept;
+      ring = cut;
+    }
+    if (count == 0) return std::nullopt;
+    const auto cell_of = [this](double x) {
+      return static_cast<int>(std::clamp(std::floor((x + 1) * (0.5 * k_)), 0.0, k_ - 1.0));
+    };
+    Box box{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      double low = 2, high = -2;
+      for (std::size_t i = 0; i < count; ++i) {
+        const double x = ring[i][k] / std::max(ring[i][2], 1e-300);
+        low = std::min(low, x), high = std::max(high, x);
+      }
+      box.low[k] = cell_of(low - 4 * slack), box.high[k] = cell_of(high + 4 * slack);
+    }
+    return box;
+  }
+
+  int k_;
+  const Surface& surface_;
+  FramePoint centre_;
+};
+
+/// The farthest of each cell, in the order of cells; sets the grain of all.
+std::vector<std::size_t> far_points(const std::vector<Point3d>& points, const Frame& frame, int k, Grain& grain) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<double> most(static_cast<std::size_t>(6 * k * k), -1);
+  std::vector<std::size_t> who(most.size(), none);
+  Directions found;
+  grain = Grain::narrow;
+  for (std::size_t i = 0; i < points.size(); i += Directions::most) {
+    const std::size_t count = std::min(Directions::most, points.size() - i);
+    grain = std::max(grain, directions_of(points.data() + i, count, frame, k, found));
+    for (std::size_t j = 0; j < count; ++j) {
+      const auto cell = static_cast<std::size_t>(found.cell[j]);
+      if (found.squared[j] > most[cell]) most[cell] = found.squared[j], who[cell] = i + j;
+    }
+  }
+  std::erase(who, none);
+  return who;
+}
+
+struct Outside {
+  std::int32_t cell, facet;
+  std::size_t point;
+};
+
+/// The points outside, in order of the list.
+std::vector<Outside> outside_of(const Surface& surface, const CubeMap& map, const std::vector<Point3d>& points,
+                                const Frame& frame, int k) {
+  const std::vector<double> inside = map.inside_of_cells();
+  std::vector<Outside> outside;
+  Directions found;
+  std::array<std::size_t, Directions::most> doubtful{};
+  double height = 0;
+  for (std::size_t i = 0; i < points.size(); i += Directions::most) {
+    const std::size_t count = std::min(Directions::most, points.size() - i);
+    directions_of(points.data() + i, count, frame, k, found);
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < count; ++j) {
+      doubtful[left] = j;
+      left += !(found.distance[j] < inside[static_cast<std::size_t>(found.cell[j])]);
+    }
+    for (std::size_t t = 0; t < left; ++t) {
+      const std::size_t j = doubtful[t], cell = static_cast<std::size_t>(found.cell[j]);
+      const FramePoint p = framed(frame, points, i + j);
+      for (std::size_t l = map.begins[cell]; l < map.begins[cell + 1]; ++l) {
+        if (surface.sides.of(surface.facets[static_cast<std::size_t>(map.listed[l])], p, surface.points, height) <= 0)
+          continue;
+        outside.push_back({found.cell[j], map.listed[l], i + j});
+        break;
+      }
+    }
+  }
+  return outside;
+}
+
+/// Each once, sorted by cell.
+void keep_outside(Surface& surface, const std::vector<Outside>& outside, std::size_t cells,
+                  const std::vector<Point3d>& points, const Frame& frame) {
+  std::vector<std::size_t> ends(cells + 1, 0);
+  for (const Outside& p : outside) ++ends[static_cast<std::size_t>(p.cell) + 1];
+  for (std::size_t c = 0; c < cells; ++c) ends[c + 1] += ends[c];
+  std::vector<Outside> sorted(outside.size());
+  for (const Outside& p : outside) sorted[ends[static_cast<std::size_t>(p.cell)]++] = p;
+  surface.points.reserve(surface.points.size() + sorted.size());
+  surface.facets.reserve(surface.facets.size() + 2 * sorted.size() + 64);
+  surface.open_slots(surface.facets.size());
+  Seen seen(sorted.size());
+  std::vector<std::int32_t> order;
+  for (const Outside& p : sorted) {
+    const FramePoint framed_point = framed(frame, points, p.point);
+    const auto number = static_cast<std::int32_t>(surface.points.size());
+    if (!seen.is_new(framed_point, number, surface.points)) continue;
+    surface.points.push_back(framed_point);
+    const Facet& facet = surface.facet(p.facet);
+    if (facet.above < 0) order.push_back(p.facet);
+    surface.keep(number, p.facet, facet.height(framed_point), static_cast<std::size_t>(p.facet));
+  }
+  for (auto f = order.rbegin(); f != order.rend(); ++f) surface.wait(*f, static_cast<std::size_t>(*f));
+}
+
+}  // namespace
+
+std::optional<Surface> surface_of_far_points(const std::vector<Point3d>& points, const Frame& frame, Stage& latest) {
+  const double directions = std::pow(static_cast<double>(points.size()), 0.25) / 2;
+  const int coarse = std::clamp(static_cast<int>(std::lround(directions)), 1, 32), fine = 4 * coarse;
+  Grain grain = Grain::narrow;
+  const std::vector<std::size_t> far = far_points(points, frame, coarse, grain);
+  if (grain == Grain::lossy) return std::nullopt;
+  Surface surface(frame, grain, latest);
+  for (const std::size_t i : far) surface.points.push_back(framed(frame, points, i));
+  if (surface.start()) return std::nullopt;
+  surface.grow();
+  const FramePoint centre{frame.centre[0], frame.centre[1], frame.centre[2], -1, -1};
+  for (const Facet& f : surface.facets) {
+    if (f.alive() && !(depth_below(f, centre) > depth * length(f))) return std::nullopt;
+  }
+  CubeMap map(fine, surface, centre);
+  if (!map.list_facets(4 * points.size() + 100'000)) return std::nullopt;
+  keep_outside(surface, outside_of(surface, map, points, frame, fine), map.cells(), points, frame);
+  return surface;
+}
+
+}  // namespace touchstone::robust::hulls

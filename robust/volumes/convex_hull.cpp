@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/volumes/convex_hull.h"
+
+#include <stdexcept>
+
+#include "geometry/validation.h"
+#include "robust/hulls/planar.h"
+#include "robust/hulls/solid.h"
+#include "robust/kernel/control_word.h"
+#include "robust/stages/lines/orientation.h"
+#include "robust/stages/volumes/convex_hull.h"
+
+namespace touchstone::robust {
+namespace {
+
+double coordinate(const Point3d& p, std::size_t k) { return k == 0 ? p.x : k == 1 ? p.y : p.z; }
+
+/// The coordinates in which the span of a simplex, of one to three points, is seen one to one: k and the one after it.
+std::size_t seen_along(const std::vector<Point3d>& simplex) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto seen = [&](std::size_t i) {
+      return Point2d{coordinate(simplex[i], k), coordinate(simplex[i], (k + 1) % 3)};
+    };
+    if (simplex.size() == 2 && !(seen(0) == seen(1))) return k;
+    if (simplex.size() == 3 && stages::orientation::ask(seen(0), seen(1), seen(2)).answer != Side::on) return k;
+  }
+  return 2;
+}
+
+}  // namespace
+
+Decided<ConvexHull> stages::convex_hull::ask(const std::vector<Point3d>& points) {
+  if (points.size() >= std::size_t{1} << 30) throw std::length_error("convex_hull: fewer than 2^30 points");
+  const kernel::ControlWord ieee;  // the bounds of robust/hulls
+  const auto frame = points.empty() ? std::nullopt : hulls::frame_of(points);
+  if (!frame) validation::validate_points("points", points);
+  Stage latest = Stage::filter;
+  const hulls::Solid solid = hulls::solid_of(points, *frame, latest);
+  if (solid.simplex.empty()) return {{3, {}, {}, {}, solid.faces}, latest};
+  std::vector<Point3d> simplex;
+  for (const hulls::FramePoint& p : solid.simplex) simplex.push_back(points[static_cast<std::size_t>(p.place)]);
+  const std::size_t k = seen_along(simplex);
+  std::vector<Point2d> seen;
+  seen.reserve(points.size());
+  for (const Point3d& p : points) seen.push_back({coordinate(p, k), coordinate(p, (k + 1) % 3)});
+  const std::vector<Index> ring = planar_hull(seen, latest);
+  if (ring.size() == 1) return {{0, ring[0], {}, {}, {}}, latest};
+  if (ring.size() == 2) return {{1, {}, IndexPair{ring[0], ring[1]}, {}, {}}, latest};
+  return {{2, {}, {}, ring, {}}, latest};
+}
+
+ConvexHull convex_hull(const std::vector<Point3d>& points) { return stages::convex_hull::ask(points).answer; }
+
+}  // namespace touchstone::robust
