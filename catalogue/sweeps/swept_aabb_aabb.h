@@ -114,8 +114,8 @@ struct swept_aabb_aabb {
          }},
         {"beside_a_tie",
          [](Choices& c) -> Question {
-           // The way is the velocity times an odd integer of 54 digits, and one more or less, all in units of 2^-k: beside
-           // a tie by far less than enclosures can tell.
+           // The way is the velocity times an odd integer of 54 digits, and one more or less, all in units of 2^-k:
+           // beside a tie by far less than enclosures can tell.
            __extension__ using Wide = __int128;
            const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
            const auto speed = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));

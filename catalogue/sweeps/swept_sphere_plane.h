@@ -96,6 +96,13 @@ struct swept_sphere_plane {
            const Vector3d n{std::ldexp(1 + small_integer(c, 1) / 4, k), std::ldexp(y, k + m), 0};
            return {{{x, y, 0}, std::fabs(r)}, {-2 * x, small_integer(c), 0}, {n, std::ldexp(d, k)}};
          }},
+        {"normal_of_few_digits",
+         [](Choices& c) -> Question {
+           // Its square is subnormal, and off by more than nothing; the ball touches the plane at the start.
+           const int k = static_cast<int>(c.below(24)) - 540;
+           const double n = std::ldexp(5 + static_cast<double>(c.below(3)), k), x = 1 + static_cast<double>(c.below(6));
+           return {{{x, 0, 0}, x}, {small_integer(c), 0, 0}, {{n, 0, 0}, 0}};
+         }},
         {"least_beside_greatest",
          [](Choices& c) -> Question {
            const double least = std::ldexp(small_integer(c), -1074),

@@ -23,9 +23,8 @@ struct Solid {
 
 /// The truth, `relation` and `t`, of a moving with that velocity while b rests.
 ///
-/// start: `point` is in both, t is 0.
-/// first_contact: `point` less t velocity is in a, the point in b, 0 < t <= 1; along `normal` a ends at t no higher than
-/// where b begins, and rises with t: before, it was lower, so nothing was common.
+/// start: `point` is in both, t is 0. first_contact: `point` less t velocity is in a, the point in b, 0 < t <= 1; along
+/// `normal` a ends at t no higher than where b begins, and rises with t: before, it was lower, so nothing was common.
 /// separating_axis: along `normal` a ends below where b begins at t = 0 and at t = 1, and so in between.
 void prove_first_contact(const Claim& claim, const Solid& a, const Solid& b, const Coordinates& velocity);
 

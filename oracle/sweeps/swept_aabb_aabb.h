@@ -8,15 +8,15 @@
 
 namespace touchstone::oracle {
 
-/// Truth: the least t of the linear program in t and a common point p: 0 <= t <= 1, p in b, p - t velocity in a; `never`
-/// where Farkas' lemma contradicts it.
+/// Truth: the least t of the linear program in t and a common point p: 0 <= t <= 1, p in b, p - t velocity in a;
+/// `never` where Farkas' lemma contradicts it.
 ///
 /// Margin: a length, how far a has to be moved in the maximum norm until the relation changes. Each inequality of one
 /// axis, low - t v <= 0 or t v - high <= 0, is a line over t. Where two lines of different axes, one of which falls and
-/// the other rises, meet, neither is lower than that before and after; the least value in [0, 1] of a line alone
-/// counts too. The greatest of all these values is positive where the boxes never meet, and then it is their least
-/// distance; else its magnitude is the way out. (Two lines of one axis meet half of both extents below 0, where only
-/// invalid boxes would get.)
+/// the other rises, meet, neither is lower than that before and after; the least value in [0, 1] of a line alone counts
+/// too. The greatest of all these values is positive where the boxes never meet, and then it is their least distance;
+/// else its magnitude is the way out. (Two lines of one axis meet half of both extents below 0, where only invalid
+/// boxes would get.)
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
 template <Exact Number>

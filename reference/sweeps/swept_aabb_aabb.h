@@ -38,13 +38,11 @@ struct CommonTime {
 /// times (b.min - a.max) / v and (b.max - a.min) / v, the lesser of which is the entry and the greater the exit; on an
 /// axis where it does not move, all the time or never. The boxes overlap as long as they do on every axis: from the
 /// latest entry to the earliest exit. `hit` with the latest of 0 and the entries, if that is not after 1 and all exits;
-/// else `never`.
-/// a, b: any unit of length, the same for both; velocity in that unit a step, of a, while b rests; t counts in steps.
-/// Closed sets: touching is a hit, also where a only grazes b along a face, an edge or a corner, at t = 0 or at t = 1.
-/// The truth is `hit` with t = 0 where the boxes have a common point at the start. Flat boxes and points are valid, and
-/// so is a velocity of 0, on an axis or on all.
-/// NaN or infinity: refused by robust and oracle (field "a.min[0]" ... "velocity[0]" ..., "finite number"); so is
-/// min > max (field "a.max[0]" ..., "min <= max").
+/// else `never`. a, b: any unit of length, the same for both; velocity in that unit a step, of a, while b rests; t
+/// counts in steps. Closed sets: touching is a hit, also where a only grazes b along a face, an edge or a corner, at t
+/// = 0 or at t = 1. The truth is `hit` with t = 0 where the boxes have a common point at the start. Flat boxes and
+/// points are valid, and so is a velocity of 0, on an axis or on all. NaN or infinity: refused by robust and oracle
+/// (field "a.min[0]" ... "velocity[0]" ..., "finite number"); so is min > max (field "a.max[0]" ..., "min <= max").
 ///
 /// In exact arithmetic the formula is always right.
 ///
@@ -53,9 +51,9 @@ struct CommonTime {
 ///
 /// Rounding (binary64, to nearest, u = 2^-53): a difference is off by u of itself, a quotient by u once more, and where
 /// it underflows by 2^-1075. So unless a difference overflows, a time T as computed is off by at most e(T) = 3u |T| +
-/// 2^-1074; rounding is monotone, so that an axis's exit stays behind its entry. 0 and 1 are exact, e(0) = e(1) = 0. The
-/// relation is right, and t as good as that, where every entry T, and 0, is more than e(T) + e(S) away from every exit
-/// S of another axis, and from 1. ulps: 2 roundings behind t.
+/// 2^-1074; rounding is monotone, so that an axis's exit stays behind its entry. 0 and 1 are exact, e(0) = e(1) = 0.
+/// The relation is right, and t as good as that, where every entry T, and 0, is more than e(T) + e(S) away from every
+/// exit S of another axis, and from 1. ulps: 2 roundings behind t.
 template <class Real>
 FirstContact<Real> swept_aabb_aabb(const Aabb2<Real>& a, const Aabb2<Real>& b, const Vector2<Real>& velocity) {
   CommonTime<Real> time;

@@ -31,10 +31,10 @@ std::array<AxisMotion<double>, 3> axes_of(const Aabb3d& a, const Aabb3d& b, cons
 /// 2^-1021, which is 2^-121 of it: with u = 2^-52, which bounds a rounding in every mode, it is off by u + 2^-120, and
 /// has the right sign. (One that overflows is beyond every velocity: its time is at least 1 or at most -1, as it is and
 /// as computed, and no more counts of it.) Its quotient is off by u more, where that underflows by 2^-1021. A velocity
-/// that is subnormal may be read as zero, but then the time is beyond 2^100 as it is, and the quotient infinite with the
-/// same sign. A velocity of 0 makes infinities too: an entry of -infinity and an exit of infinity where the intervals
-/// overlap, else both of one sign, as if a were there at no time of the step. So a time T, cut to [-1, 2], is off by
-/// less than 2.5 u |T| + 2^-1020, and so are the latest entry and the earliest exit.
+/// that is subnormal may be read as zero, but then the time is beyond 2^100 as it is, and the quotient infinite with
+/// the same sign. A velocity of 0 makes infinities too: an entry of -infinity and an exit of infinity where the
+/// intervals overlap, else both of one sign, as if a were there at no time of the step. So a time T, cut to [-1, 2], is
+/// off by less than 2.5 u |T| + 2^-1020, and so are the latest entry and the earliest exit.
 ///
 /// Both entries and exits are compared with the sign of entry - exit, rounded with u of it: where that is beyond 4 u
 /// (entry + |exit|) + 2^-1000, of which three roundings leave more than 3.7 u, it is certain.

@@ -11,9 +11,9 @@ namespace touchstone::robust {
 /// first t in [0, 1], counted in steps, or `never`; in the plane and in space.
 ///
 /// a moves, b rests. Touching is a hit, grazing along a face too; boxes that meet at the start hit at t = 0; flat boxes
-/// are valid, and velocities may be 0. Right for all finite doubles in every floating-point environment, and t correctly
-/// rounded. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does min > max ("min <=
-/// max"). Contract: reference/sweeps/swept_aabb_aabb.h.
+/// are valid, and velocities may be 0. Right for all finite doubles in every floating-point environment, and t
+/// correctly rounded. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does min >
+/// max ("min <= max"). Contract: reference/sweeps/swept_aabb_aabb.h.
 FirstContact<double> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
 FirstContact<double> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
 
