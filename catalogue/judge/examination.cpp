@@ -13,8 +13,13 @@
 namespace touchstone::audit {
 namespace {
 
+bool holds_numbers(const Shape& shape) {
+  return shape.kind == Shape::Kind::number || std::any_of(shape.parts.begin(), shape.parts.end(),
+                                                          [](const auto& part) { return holds_numbers(*part.shape); });
+}
+
 /// Where a checker sees numbers, what it says turns on every rounding.
-bool checks_numbers(const RowFunctions& row) { return row.fault != nullptr && row.answer->numbers > 0; }
+bool checks_numbers(const RowFunctions& row) { return row.fault != nullptr && holds_numbers(*row.answer); }
 
 }  // namespace
 
@@ -95,7 +100,9 @@ Judgement Examination::judge_reference(bool binary32) const {
   judgement.ulps = found.ulps;
   if (!found.decision) {
     // What running error analysis is sure of, exact arithmetic decides alike, at a far higher price.
-    judgement.verdict = doubtful(binary32) && right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
+    // Numbers that a checker refuses may be off although no comparison was in doubt.
+    const bool rounded = checks_numbers(row_) || doubtful(binary32);
+    judgement.verdict = rounded && right_in_exact_arithmetic() ? Verdict::rounding : Verdict::algorithm;
   } else if (!found.finite) {
     judgement.verdict = Verdict::invalid;
     judgement.remark = "NaN or infinity where the truth is finite";
