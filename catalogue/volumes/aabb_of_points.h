@@ -111,7 +111,7 @@ struct aabb_of_points {
 
   /// In space, or the same without z.
   static Question seen(const InSpace& points, Choices& c) {
-    if (c.below(2) == 0) return std::tuple(points);
+    if (c.below(2) == 0 && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
     InPlane seen;
     for (const Point3d& p : points) seen.push_back({p.x, p.y});
     return std::tuple(seen);

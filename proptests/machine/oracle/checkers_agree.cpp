@@ -133,6 +133,7 @@ TEST_CASE("certificates: both checkers verify every vector of a refused input, a
     for (std::string line; std::getline(in, line);) {
       json vector = json::parse(line);
       if (!vector.contains("refused")) continue;
+      if (line.find("\"meshes/") != std::string::npos) continue;  // named files are asked of both in named_files.cpp
       CAPTURE(line);
       CHECK(shown.accepts(vector));
       if (++of_operation % 8 != 0) continue;  // the others would say the same, in Python at length
