@@ -255,6 +255,8 @@ TEST_CASE("certificates: both checkers refuse another truth, for the same reason
   Shown shown;
   Choices choices = Choices::seeded(audit::seed_of(1, "other truths", 0));
   for (const json& claim : drawn_claims("other truths", 3)) {
+    // Of a grown ball a claim proves that it holds every point and is not too large; so may be another.
+    if (claim["certificate"]["kind"] == "lower_bound") continue;
     for (const auto& place : some_of(leaves(claim, "truth"))) {
       if (claim[place].is_boolean()) {
         json broken = claim;
