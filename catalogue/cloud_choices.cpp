@@ -46,7 +46,8 @@ Points few(Choices& c) {
 }
 
 Points all_equal(Choices& c) {
-  Points points(1 + c.below(6), lattice_point_in_space(c));
+  const Point3d p = lattice_point_in_space(c);
+  Points points(1 + c.below(6), p);
   if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
   return points;
 }
@@ -211,7 +212,8 @@ Points many_beside_faces(Choices& c) {
       for (const double z : {-0.2, 0.8}) points.push_back({x, y, z});
   for (std::uint64_t left = many(c); left > 0; --left) {
     const double u = static_cast<double>(c.below(100)) / 100, v = static_cast<double>(c.below(100)) / 100;
-    const double on = moved_by_ulps(c.below(2) == 1 ? 0.7 : -0.3, static_cast<int>(small_integer(c, 1)));
+    const int ulps = static_cast<int>(small_integer(c, 1));
+    const double on = moved_by_ulps(c.below(2) == 1 ? 0.7 : -0.3, ulps);
     points.push_back(c.below(5) == 4 ? Point3d{on, u - 0.1, v - 0.2} : Point3d{u - 0.3, v - 0.1, 0.3});
   }
   return shuffled(points, c);

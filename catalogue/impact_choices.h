@@ -55,7 +55,11 @@ inline Impact in_company(Choices& c) {
 inline Massesd unequal_masses(Choices& c) {
   const double m = lattice_mass(c);
   constexpr int ratios[]{40, 53, 60, 107, 400, 900};
-  const double heavy = c.below(4) == 3 ? 1e12 * m : std::ldexp(lattice_mass(c), ratios[c.below(6)]);
+  const auto many_times = [&] {
+    const int ratio = ratios[c.below(6)];
+    return std::ldexp(lattice_mass(c), ratio);
+  };
+  const double heavy = c.below(4) == 3 ? 1e12 * m : many_times();
   if (c.below(2) == 1) return {heavy, m};
   return {m, heavy};
 }

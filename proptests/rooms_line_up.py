@@ -53,6 +53,9 @@ FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision
 FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
 CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
 CGAL_MAY_BE_PEER = ("proptests/", "bench/", "program/engines/")
+# A family draws its choices from `c`: handed on, or a member called.
+CALL = re.compile(r"\b(?!(?:for|if|while|switch|return)\b)\w+(?:<[\w:]+>)?\(")
+DRAW = re.compile(r"[(,] *c *[,)]|\bc\.\w+\(")
 
 
 class Tree:
@@ -188,6 +191,32 @@ def public_headers(tree):
                 waiting.append(target)
 
 
+def arguments_of(text, start):
+    """What stands between the commas of the call whose parenthesis opens at start."""
+    depth, found = 0, [""]
+    for character in text[start:]:
+        depth += (character in "([{") - (character in ")]}")
+        if depth == 0:
+            break
+        if character == "," and depth == 1:
+            found.append("")
+        else:
+            found[-1] += character
+    return found
+
+
+def draws(tree):
+    """C++ leaves the order of arguments open: with two draws in one call, compilers make different questions."""
+    for name, text in tree.text.items():
+        if not name.startswith("catalogue/"):
+            continue
+        code = COMMENT.sub(lambda comment: "\n" * comment.group(0).count("\n"), text)
+        for call in CALL.finditer(code):
+            passed = arguments_of(code, call.end() - 1)
+            if sum(bool(DRAW.search(a)) for a in passed if not re.match(r"\(?\s*\[", a)) > 1:
+                yield f"{name}:{code[:call.start()].count(chr(10)) + 1}: two draws in one call, in no order"
+
+
 def lengths(tree):
     for name, text in tree.text.items():
         lines = text.count("\n")
@@ -205,6 +234,7 @@ def faults(root, operations):
     yield from directions(tree)
     yield from cgal(tree)
     yield from public_headers(tree)
+    yield from draws(tree)
     yield from lengths(tree)
 
 
@@ -222,6 +252,7 @@ def right_tree():
     files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
+    files["catalogue/hull.h"] = "turn(box(c), 1, c); Box{box(c), box(c)}; turn([](C& c) { return box(c); }, box(c));\n"
     files["catalogue/row.h"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
     files["program/main.cpp"] = '#include "catalogue/row.h"\n'
     files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
@@ -263,6 +294,8 @@ PLANTED = [
     ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
     ("robust/stages/lines/cross.h", "", "robust/stages/lines/cross.h: stray"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
+    ("catalogue/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/lines/touch.h:1: two draws in one call"),
+    ("catalogue/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),

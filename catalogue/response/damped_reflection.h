@@ -72,7 +72,10 @@ struct damped_reflection {
   static double one(Choices&) { return 1; }
   /// 1 + k is 0, or all its digits are cancelled but the last.
   static double near_minus_one(Choices& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
-  static double any_size(Choices& c) { return std::ldexp(ordinary(c), static_cast<int>(c.below(1200)) - 600); }
+  static double any_size(Choices& c) {
+    const int exponent = static_cast<int>(c.below(1200)) - 600;
+    return std::ldexp(ordinary(c), exponent);
+  }
 
   template <auto draw, auto draw_k>
   static HardCase<Question> hard(const char* name) {

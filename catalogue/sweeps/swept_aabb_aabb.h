@@ -58,14 +58,14 @@ struct swept_aabb_aabb {
         {"contact_at_end",
          [](Choices& c) -> Question {
            const Aabb3d a = lattice_box(c);
-           const double gap = 1 + static_cast<double>(c.below(8)), y = small_integer(c, 1);
-           return turned(a, beside(a, overlapping(a, c), gap), {gap, y, small_integer(c, 1)}, c);
+           const double gap = 1 + static_cast<double>(c.below(8)), y = small_integer(c, 1), z = small_integer(c, 1);
+           return turned(a, beside(a, overlapping(a, c), gap), {gap, y, z}, c);
          }},
         {"touching_at_start",
          [](Choices& c) -> Question {
            const Aabb3d a = lattice_box(c);
-           const double x = small_integer(c), y = small_integer(c, 2);
-           return turned(a, beside(a, overlapping(a, c), 0), {x, y, small_integer(c, 2)}, c);
+           const double x = small_integer(c), y = small_integer(c, 2), z = small_integer(c, 2);
+           return turned(a, beside(a, overlapping(a, c), 0), {x, y, z}, c);
          }},
         {"along_face",
          [](Choices& c) -> Question {
@@ -79,7 +79,8 @@ struct swept_aabb_aabb {
         {"at_rest",
          [](Choices& c) -> Question {
            const Aabb3d a = lattice_box(c);
-           return turned(a, beside(a, overlapping(a, c), small_integer(c, 2)), {0, 0, 0}, c);
+           const double gap = small_integer(c, 2);
+           return turned(a, beside(a, overlapping(a, c), gap), {0, 0, 0}, c);
          }},
         {"flat_and_points",
          [](Choices& c) -> Question {
@@ -95,8 +96,8 @@ struct swept_aabb_aabb {
         {"one_inside",
          [](Choices& c) -> Question {
            const Aabb3d a = lattice_box(c);
-           const double x = small_integer(c), y = small_integer(c);
-           return turned(a, within(a, c), {x, y, small_integer(c)}, c);
+           const double x = small_integer(c), y = small_integer(c), z = small_integer(c);
+           return turned(a, within(a, c), {x, y, z}, c);
          }},
         {"rounded_corner_pass",
          [](Choices& c) -> Question {

@@ -47,8 +47,8 @@ struct swept_sphere_plane {
         {"overlaps_at_start",
          [](Choices& c) -> Question {
            const double radius = 1 + static_cast<double>(c.below(6));
-           return of_whole_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius,
-                                  small_integer(c));
+           const double aside = small_integer(c);
+           return of_whole_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius, aside);
          }},
         {"along_plane",
          [](Choices& c) -> Question {

@@ -43,7 +43,8 @@ struct convex_hull_2d {
          }},
         {"all_equal",
          [](Choices& c) -> Question {
-           Points points(1 + c.below(6), lattice_point(c));
+           const Point2d p = lattice_point(c);
+           Points points(1 + c.below(6), p);
            if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
            return points;
          }},

@@ -87,7 +87,8 @@ struct kdop_of_points {
            // Sums of which little is left beside the products, or nothing.
            Points points;
            do {
-             const double x = std::ldexp(1 + static_cast<double>(c.below(8)), 40 + static_cast<int>(c.below(60)));
+             const int exponent = 40 + static_cast<int>(c.below(60));
+             const double x = std::ldexp(1 + static_cast<double>(c.below(8)), exponent);
              const double y = c.below(2) == 1 ? moved_by_ulps(x, ulps(c)) : x;
              points.push_back({x, y, small_integer(c)});
            } while (points.size() < 8 && c.below(4) != 0);
@@ -96,7 +97,8 @@ struct kdop_of_points {
         {"as_wide_as_a_lattice",
          [](Choices& c) -> Question {
            // The terms span about 124 binary digits, from where on their sum does not fit two words.
-           const double x = std::ldexp(8 + static_cast<double>(c.below(8)), 57 + static_cast<int>(c.below(4)));
+           const int exponent = 57 + static_cast<int>(c.below(4));
+           const double x = std::ldexp(8 + static_cast<double>(c.below(8)), exponent);
            const double y = c.below(2) == 1 ? x : -x, sign = c.below(2) == 1 ? -1 : 1;
            return {{{x, y, small_integer(c, 2)}, {x, y, small_integer(c, 2)}}, {{x, sign * x, 1}}};
          }},
