@@ -1,5 +1,7 @@
-// SPDX-License-Identifier: Apache-2.0 Convex hulls of many points in space: robust, CGAL's convex_hull_3 with the
-// kernel Epick, and qhull, all from the same list of points, in processor time.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Convex hulls of many points in space: robust, CGAL's convex_hull_3 with the kernel Epick, and qhull, all from the same
+// list of points, in processor time.
 //
 // bench/hulls --verify compares the numbers of faces that robust and CGAL find (of points whose faces are triangles)
 // and times nothing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/lines/implicit_circle.h"
 #include "reference/lines/implicit_circle.h"
@@ -88,17 +89,12 @@ struct implicit_circle {
   static constexpr int triples[][3] = {{3, 4, 5},   {0, 1, 1},    {5, 12, 13},     {8, 15, 17},
                                        {7, 24, 25}, {20, 21, 29}, {119, 120, 169}, {12, 35, 37}};
 
-  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
-    if (truth != Location::boundary) return std::nullopt;
-    return Location::outside;
-  }
-
   /// The point (12.5, 5.5) of a circle by the triple 5, 12, 13; moves the centre.
   static Question map_centre() { return {{{0.5, 0.5}, 13}, {12.5, 5.5}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static Hooks<implicit_circle> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = outside_if_on_boundary<Question>,
             .map_centre = map_centre,
             .map_axes = map_axes,
             .laws = {.maps = Laws::Maps::similarities, .scales = true}};

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "catalogue/families/rings.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/polygons/point_in_convex_polygon.h"
@@ -106,11 +107,6 @@ struct point_in_convex_polygon {
     };
   }
 
-  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
-    if (truth != Location::boundary) return std::nullopt;
-    return Location::outside;
-  }
-
   /// The convex hull of the vertices, every second time clockwise. What has none stays and is refused.
   static void repair(Question& question) {
     std::vector<Point2d>& vertices = std::get<0>(question).vertices;
@@ -139,7 +135,7 @@ struct point_in_convex_polygon {
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
 
   static Hooks<point_in_convex_polygon> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = outside_if_on_boundary<Question>,
             .repair = repair,
             .map_centre = map_centre,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};

@@ -3,6 +3,7 @@
 
 #include "catalogue/codec/walk.h"
 #include "catalogue/families/rings.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/rounded_choices.h"
 #include "catalogue/row.h"
 #include "oracle/polygons/point_in_polygon.h"
@@ -203,11 +204,6 @@ struct point_in_polygon {
     };
   }
 
-  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
-    if (truth != Location::boundary) return std::nullopt;
-    return Location::outside;
-  }
-
   struct decision {
     static Location robust(const Question& q) {
       return ::touchstone::robust::point_in_polygon(std::get<0>(q), std::get<1>(q));
@@ -227,8 +223,9 @@ struct point_in_polygon {
   static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
 
   static Hooks<point_in_polygon> hooks() {
-    return {
-        .as_open_sets = as_open_sets, .map_centre = map_centre, .laws = {.maps = Laws::Maps::affine, .scales = true}};
+    return {.as_open_sets = outside_if_on_boundary<Question>,
+            .map_centre = map_centre,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/rings.h"
 #include "catalogue/figures.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/polygons/polygon_polygon.h"
 #include "reference/polygons/polygon_polygon.h"
@@ -141,17 +142,12 @@ struct polygon_polygon {
 
   static void repair(Question& question) { untangle(std::get<0>(question)), untangle(std::get<1>(question)); }
 
-  static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
-    if (truth != Contact::touching) return std::nullopt;
-    return Contact::disjoint;
-  }
-
   /// A vertex of b on an edge of a.
   static Question map_centre() { return {{{{-12, -12}, {24, 24}, {-12, 30}}}, {{{0.5, 0.5}, {20, -5}, {16, -9}}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {8, 9}; }
 
   static Hooks<polygon_polygon> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = disjoint_if_touching<Question>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/mesh_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/polyhedra/point_in_convex_polyhedron.h"
 #include "reference/polyhedra/point_in_convex_polyhedron.h"
@@ -118,11 +119,6 @@ struct point_in_convex_polyhedron {
     };
   }
 
-  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
-    if (truth != Location::boundary) return std::nullopt;
-    return Location::outside;
-  }
-
   static void repair(Question& question) { make_tetrahedron(std::get<0>(question)); }
 
   /// Tetrahedra of size 12 and a point that runs over the numbers from 0 in thirds of 12, so that many lie on faces,
@@ -151,7 +147,7 @@ struct point_in_convex_polyhedron {
   }
 
   static Hooks<point_in_convex_polyhedron> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = outside_if_on_boundary<Question>,
             .repair = repair,
             .map_centre = map_centre,
             .world_count = world_count,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/box_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/sweeps/swept_aabb_aabb.h"
 #include "reference/sweeps/swept_aabb_aabb.h"
@@ -172,17 +173,8 @@ struct swept_aabb_aabb {
   /// a passes the corner (4, 0) of b with its own corner, at t = 1/2: moves its velocity.
   static Question map_centre() { return InPlane{{{-4, -4}, {0, 0}}, {{4, -12}, {12, 0}}, {8, 8}}; }
 
-  using Truth = FirstContact<::touchstone::oracle::Rational>;
-  /// Open boxes that only graze each other, or touch at the start and part, or at the last moment, have no contact.
-  static std::optional<Truth> as_open_sets(const Truth& truth, const Question& q) {
-    if (truth.relation != HitRelation::hit) return std::nullopt;
-    const auto margin = applied([](const auto&... value) { return oracle(value...); }, q).margin;
-    if (!margin || sgn(*margin) != 0) return std::nullopt;
-    return Truth{HitRelation::never, {}};
-  }
-
   static Hooks<swept_aabb_aabb> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = never_if_grazing<swept_aabb_aabb>,
             .repair = repair,
             .map_centre = map_centre,
             .world_count = world_count,

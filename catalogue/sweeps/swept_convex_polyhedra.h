@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "catalogue/mesh_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
 #include "oracle/sweeps/swept_convex_polyhedra.h"
@@ -135,17 +136,8 @@ struct swept_convex_polyhedra {
     return {a, b, {24, 0, 0}};
   }
 
-  using Truth = FirstContact<::touchstone::oracle::Rational>;
-  /// Open solids that only graze each other, or touch at the start and part, or at the last moment, have no contact.
-  static std::optional<Truth> as_open_sets(const Truth& truth, const Question& q) {
-    if (truth.relation != HitRelation::hit) return std::nullopt;
-    const auto margin = applied([](const auto&... value) { return oracle(value...); }, q).margin;
-    if (!margin || sgn(*margin) != 0) return std::nullopt;
-    return Truth{HitRelation::never, {}};
-  }
-
   static Hooks<swept_convex_polyhedra> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = never_if_grazing<swept_convex_polyhedra>,
             .repair = repair,
             .map_centre = map_centre,
             .world_count = world_count,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
 #include "oracle/sweeps/swept_sphere_plane.h"
@@ -142,19 +143,12 @@ struct swept_sphere_plane {
   static Question map_centre() { return {{{3, 6, 6}, 6}, {-1, -2, -2}, {{1, 2, 2}, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {5, 6}; }
 
-  using Truth = FirstContact<::touchstone::oracle::Surd>;
-  /// An open ball that only slides along the plane, or touches it at the start and leaves, or at the last moment, has
-  /// no contact.
-  static std::optional<Truth> as_open_sets(const Truth& truth, const Question& q) {
-    if (truth.relation != HitRelation::hit) return std::nullopt;
-    const auto margin = applied([](const auto&... value) { return oracle(value...); }, q).margin;
-    if (!margin || sgn(*margin) != 0) return std::nullopt;
-    return Truth{HitRelation::never, {}};
-  }
-
   static Hooks<swept_sphere_plane> hooks() {
-    return {
-        .as_open_sets = as_open_sets, .repair = repair, .scale = scale, .map_centre = map_centre, .map_axes = map_axes};
+    return {.as_open_sets = never_if_grazing<swept_sphere_plane>,
+            .repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .map_axes = map_axes};
   }
 
  private:

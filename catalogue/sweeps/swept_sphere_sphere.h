@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
 #include "oracle/sweeps/swept_sphere_sphere.h"
@@ -155,17 +156,8 @@ struct swept_sphere_sphere {
   static Question map_centre() { return {{{-12, 5, 0}, 2}, {{0, 0, 0}, 3}, {24, 0, 0}, {0, 0, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {1, 3}; }
 
-  using Truth = FirstContact<::touchstone::oracle::Surd>;
-  /// Open balls that only graze each other, or touch at the start and part, or at the last moment, have no contact.
-  static std::optional<Truth> as_open_sets(const Truth& truth, const Question& q) {
-    if (truth.relation != HitRelation::hit) return std::nullopt;
-    const auto margin = applied([](const auto&... value) { return oracle(value...); }, q).margin;
-    if (!margin || sgn(*margin) != 0) return std::nullopt;
-    return Truth{HitRelation::never, {}};
-  }
-
   static Hooks<swept_sphere_sphere> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = never_if_grazing<swept_sphere_sphere>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/box_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/volumes/aabb_aabb.h"
 #include "reference/volumes/aabb_aabb.h"
@@ -97,11 +98,6 @@ struct aabb_aabb {
     };
   }
 
-  static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
-    if (truth != Contact::touching) return std::nullopt;
-    return Contact::disjoint;
-  }
-
   static void repair(Question& question) {
     std::visit([](auto& boxes) { put_in_order(std::get<0>(boxes)), put_in_order(std::get<1>(boxes)); }, question);
   }
@@ -111,7 +107,7 @@ struct aabb_aabb {
   static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
 
   static Hooks<aabb_aabb> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = disjoint_if_touching<Question>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,

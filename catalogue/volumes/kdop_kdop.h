@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/kdop_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/volumes/kdop_kdop.h"
 #include "reference/volumes/kdop_kdop.h"
@@ -104,11 +105,6 @@ struct kdop_kdop {
     };
   }
 
-  static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
-    if (truth != Contact::touching) return std::nullopt;
-    return Contact::disjoint;
-  }
-
   /// The normals of a for both.
   static void repair(Question& question) {
     auto& [a, b] = question;
@@ -131,7 +127,7 @@ struct kdop_kdop {
   static std::pair<std::size_t, std::size_t> map_axes() { return {7, 16}; }
 
   static Hooks<kdop_kdop> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = disjoint_if_touching<Question>,
             .repair = repair,
             .scale = scale,
             .map_centre = map_centre,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/obb_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/volumes/obb_obb.h"
 #include "reference/volumes/obb_obb.h"
@@ -155,11 +156,6 @@ struct obb_obb {
     };
   }
 
-  static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
-    if (truth != Contact::touching) return std::nullopt;
-    return Contact::disjoint;
-  }
-
   /// A corner of a turned box on a side of a straight one.
   static Question map_centre() {
     return {{{0.5, 0.5, 0}, {{4, 0, 0}, {0, 4, 0}, {0, 0, 1}}}, {{11.5, 1.5, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}}};
@@ -189,7 +185,7 @@ struct obb_obb {
   }
 
   static Hooks<obb_obb> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = disjoint_if_touching<Question>,
             .map_centre = map_centre,
             .map_axes = map_axes,
             .world_count = world_count,

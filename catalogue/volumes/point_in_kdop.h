@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/kdop_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/volumes/point_in_kdop.h"
 #include "reference/volumes/point_in_kdop.h"
@@ -121,11 +122,6 @@ struct point_in_kdop {
     };
   }
 
-  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
-    if (truth != Location::boundary) return std::nullopt;
-    return Location::outside;
-  }
-
   static void repair(Question& question) { audit::repair(std::get<0>(question)); }
 
   /// Normals have no unit: they keep their values.
@@ -140,7 +136,7 @@ struct point_in_kdop {
   static std::pair<std::size_t, std::size_t> map_axes() { return {10, 11}; }
 
   static Hooks<point_in_kdop> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = outside_if_on_boundary<Question>,
             .repair = repair,
             .scale = scale,
             .map_centre = map_centre,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/obb_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/volumes/point_in_obb.h"
 #include "reference/volumes/point_in_obb.h"
@@ -130,17 +131,12 @@ struct point_in_obb {
     };
   }
 
-  static std::optional<Location> as_open_sets(const Location& truth, const Question&) {
-    if (truth != Location::boundary) return std::nullopt;
-    return Location::outside;
-  }
-
   /// A corner of a box turned by the triple 3, 4, 5.
   static Question map_centre() { return {{{12, 12, 0.5}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 0.5}}}, {11, 19, 0.5}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {12, 13}; }
 
   static Hooks<point_in_obb> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = outside_if_on_boundary<Question>,
             .map_centre = map_centre,
             .map_axes = map_axes,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/box_choices.h"
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "catalogue/whole_steps.h"
 #include "oracle/volumes/sphere_aabb.h"
@@ -146,11 +147,6 @@ struct sphere_aabb {
     };
   }
 
-  static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
-    if (truth != Contact::touching) return std::nullopt;
-    return Contact::disjoint;
-  }
-
   /// What would make the radius negative is taken without its sign.
   static void repair(Question& question) {
     std::visit(
@@ -166,7 +162,7 @@ struct sphere_aabb {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static Hooks<sphere_aabb> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = disjoint_if_touching<Question>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
 #include "catalogue/whole_steps.h"
@@ -149,11 +150,6 @@ struct sphere_sphere {
     };
   }
 
-  static std::optional<Contact> as_open_sets(const Contact& truth, const Question&) {
-    if (truth != Contact::touching) return std::nullopt;
-    return Contact::disjoint;
-  }
-
   /// What would make a radius negative is taken without its sign.
   static void repair(Question& question) {
     std::visit(
@@ -169,7 +165,7 @@ struct sphere_sphere {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static Hooks<sphere_sphere> hooks() {
-    return {.as_open_sets = as_open_sets,
+    return {.as_open_sets = disjoint_if_touching<Question>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,

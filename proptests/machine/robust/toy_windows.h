@@ -86,4 +86,13 @@ struct Weakened {
   ~Weakened() { Format::relative = Format::absolute = 1; }
 };
 
+/// What is wrong in all environments with the constants of the format multiplied, where some is certain.
+template <class Float, class Format, class Ask>
+std::uint64_t wrong_with(double relative, double absolute, const Ask& ask) {
+  const Weakened<Format> constants(relative, absolute);
+  const Count count = in_all_environments<Float>(ask);
+  CHECK(count.certain > 0);
+  return count.wrong;
+}
+
 }  // namespace touchstone::proptests
