@@ -20,7 +20,7 @@ std::string second_truth(const Operation& operation, const Question& question) {
 }
 
 /// What is asked of a grid: configurations of the numbers first, first + 1, ..., `size` of them; of more than `most`
-/// (times TOUCHSTONE_CASES) that many, spread evenly (`touchstone exhaust` asks the rest); each `every`-th certificate
+/// (times TOUCHSTONE_CASES) that many (`touchstone exhaust` asks the rest); each `every`-th certificate
 /// is checked too.
 struct Grid {
   int size;
@@ -29,15 +29,22 @@ struct Grid {
   std::uint64_t every;
 };
 
+/// From one configuration to the next, of so many: to the neighbour where all are asked, else by the golden section of
+/// all, so that every number of the question takes every value.
+std::uint64_t stride(std::uint64_t all, std::uint64_t asked, int size) {
+  if (asked >= all) return 1;
+  std::uint64_t step = static_cast<std::uint64_t>(0.6180339887498949 * static_cast<double>(all)) + 1;
+  while (std::gcd(step, static_cast<std::uint64_t>(size)) != 1) ++step;
+  return step;
+}
+
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
   const std::uint64_t all = operation.configurations(grid.size, list_length).value();
-  std::uint64_t step = all / (static_cast<std::uint64_t>(scaled(grid.most / static_cast<int>(operation.card().price))) +
-                              1) +
-                       1,
-                valid = 0;
-  while (std::gcd(step, static_cast<std::uint64_t>(grid.size)) != 1) ++step;  // else the last numbers would stand still
-  for (std::uint64_t index = 0; index < all; index += step) {
+  const auto most = static_cast<std::uint64_t>(scaled(grid.most / static_cast<int>(operation.card().price)));
+  const std::uint64_t asked = std::min(all, most), step = stride(all, asked, grid.size);
+  std::uint64_t index = 0, valid = 0;
+  for (std::uint64_t number = 0; number < asked; ++number, index += index < all - step ? step : step - all) {
     Question question = operation.on_grid(grid.size, index, list_length);
     for (double& number : question.numbers) number += grid.first;
     const auto shown = [&] { return audit::one_line(operation.print(question)); };
@@ -50,7 +57,7 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
         FAIL_CHECK("the oracle's two methods differ: " << shown());
       const std::string broken = examination->broken_promise();
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
-      if (index / step % grid.every != 0) continue;
+      if (number % grid.every != 0) continue;
       const std::string refused = audit::certificate_complaint(operation, question);
       if (!refused.empty()) FAIL_CHECK(refused << ": " << shown());
     } catch (const InvalidInput&) {
