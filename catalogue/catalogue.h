@@ -25,6 +25,7 @@
 #include "catalogue/polygons/polygon_polygon.h"
 #include "catalogue/polygons/triangulate_polygon.h"
 #include "catalogue/polyhedra/point_in_convex_polyhedron.h"
+#include "catalogue/response/contact_state.h"
 #include "catalogue/response/damped_reflection.h"
 #include "catalogue/response/elastic_collision.h"
 #include "catalogue/response/inelastic_collision.h"
@@ -111,7 +112,8 @@ using Rows = RowList<
     rows::elastic_collision,
     rows::inelastic_collision,
     rows::restitution_collision,
-    rows::damped_reflection>;
+    rows::damped_reflection,
+    rows::contact_state>;
 // clang-format on
 
 /// visit.template operator()<Row>() for every row.

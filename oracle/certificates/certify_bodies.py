@@ -34,6 +34,18 @@ def bodies(value, what):
     return found
 
 
+def moving_body(value, what):
+    """(position, velocity, angular velocity)"""
+    names = ["position", "velocity", "angular_velocity"]
+    only(value, what, names)
+    return tuple(point_in_space(value[name], f"{what}.{name}") for name in names)
+
+
+def velocity_at(body, point):
+    position, velocity, turn = body
+    return plus(velocity, cross(turn, minus(point, position)))
+
+
 def normal(value, what):
     n = point_in_space(value, what)
     expect(n != (0, 0, 0), what + ": nonzero normal")

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of collision response: one function an operation, as in check_response.cpp."""
 
-from certify_bodies import bodies, cross, minus, normal, plus, restitution, times, two_bodies
+from certify_bodies import (bodies, cross, minus, moving_body, normal, plus, restitution, times, two_bodies,
+                            velocity_at)
 from certify_reading import exact_value, expect, list_of_two, number
 from certify_space import dot, exact_triple, point_in_space, triple
 
@@ -79,6 +80,20 @@ def check_restitution_collision(claim):
     claim.inputs("masses", "velocities", "normal", "e")
     before, n = two_bodies(claim), normal(claim.input["normal"], "normal")
     expect_impulse(claim, before, n, restitution(claim.input["e"], "e"))
+
+
+def check_contact_state(claim):
+    claim.inputs("a", "b", "point", "normal")
+    a, b = moving_body(claim.input["a"], "a"), moving_body(claim.input["b"], "b")
+    p, n = point_in_space(claim.input["point"], "point"), normal(claim.input["normal"], "normal")
+    claim.answers("state")
+    claim.expect_kind("point_velocities"), claim.facts("of_a", "of_b")
+    of_a, of_b = triple(claim, "of_a"), triple(claim, "of_b")
+    expect(of_a == velocity_at(a, p), "certificate: of_a is wrong")
+    expect(of_b == velocity_at(b, p), "certificate: of_b is wrong")
+    apart = dot(minus(of_a, of_b), n)
+    state = "separating" if apart > 0 else "colliding" if apart < 0 else "resting"
+    expect(claim.word("state") == state, "truth: state is wrong")
 
 
 def check_momentum(claim):

@@ -23,6 +23,12 @@ std::vector<Body> bodies(const json& value, const std::string& what) {
   return result;
 }
 
+MovingBody moving_body(const json& value, const std::string& what) {
+  only(value, what, {"position", "velocity", "angular_velocity"});
+  return {point_in_space(value["position"], what + ".position"), point_in_space(value["velocity"], what + ".velocity"),
+          point_in_space(value["angular_velocity"], what + ".angular_velocity")};
+}
+
 Triple normal(const json& value, const std::string& what) {
   const Triple n = point_in_space(value, what);
   expect(!(n == Triple{0, 0, 0}), what + ": nonzero normal");

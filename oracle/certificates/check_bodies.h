@@ -20,8 +20,15 @@ struct Body {
   Triple velocity;
 };
 
+/// A body that may turn, where nothing but its motion counts.
+struct MovingBody {
+  Triple position, velocity, angular_velocity;
+  Triple velocity_at(const Triple& point) const { return velocity + cross(angular_velocity, point - position); }
+};
+
 /// Input, by the field's name; `what` is how the field is called in a refusal.
 std::vector<Body> bodies(const json& value, const std::string& what);
+MovingBody moving_body(const json& value, const std::string& what);
 Triple normal(const json& value, const std::string& what);
 Rational restitution(const json& value, const std::string& what);
 /// `masses` and `velocities` of a claim, two of each.

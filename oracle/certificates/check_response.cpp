@@ -134,6 +134,23 @@ void check_kinetic_energy(const Claim& claim) {
   expect(Rational(2 * energy) == doubled && Rational(parts.x + parts.y) == doubled, "truth: energy is wrong");
 }
 
+/// The sign of the relative velocity along the normal.
+void check_contact_state(const Claim& claim) {
+  claim.inputs({"a", "b", "point", "normal"});
+  const MovingBody a = moving_body(claim.input["a"], "a"), b = moving_body(claim.input["b"], "b");
+  const Triple p = point_in_space(claim.input["point"], "point"), n = normal(claim.input["normal"], "normal");
+  claim.answers({"state"});
+  expect_kind(claim, "point_velocities"), claim.facts({"of_a", "of_b"});
+  const Triple of_a = triple(claim, "of_a"), of_b = triple(claim, "of_b");
+  expect(of_a == a.velocity_at(p), "certificate: of_a is wrong");
+  expect(of_b == b.velocity_at(p), "certificate: of_b is wrong");
+  const int sign = sgn(dot(of_a - of_b, n));
+  expect(claim.word("state") == (sign > 0   ? "separating"
+                                 : sign < 0 ? "colliding"
+                                            : "resting"),
+         "truth: state is wrong");
+}
+
 }  // namespace
 
 Checks checks_of_response() {
@@ -143,6 +160,7 @@ Checks checks_of_response() {
           {"inelastic_collision", check_inelastic_collision},
           {"elastic_collision", check_elastic_collision},
           {"restitution_collision", check_restitution_collision},
+          {"contact_state", check_contact_state},
           {"momentum", check_momentum},
           {"kinetic_energy", check_kinetic_energy}};
 }

@@ -18,6 +18,9 @@ inline bool valid_restitution(double e) { return all_finite(e) && !validation::n
 inline bool valid(const Bodyd& body) {
   return all_finite(body.mass) && validation::positive(body.mass) && valid(body.velocity);
 }
+inline bool valid(const MovingBodyd& body) {
+  return valid(body.position) && valid(body.velocity) && valid(body.angular_velocity);
+}
 inline void validate_bodies(const std::vector<Bodyd>& bodies) {
   if (std::all_of(bodies.begin(), bodies.end(), [](const Bodyd& body) { return valid(body); })) return;
   for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate("bodies[" + std::to_string(i) + "]", bodies[i]);

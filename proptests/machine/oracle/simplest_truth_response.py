@@ -52,6 +52,21 @@ def truth_restitution_collision(q):
     return after_impact(q, number(q["e"]))
 
 
+def determinant(u, v, w):
+    return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+            u[2] * (v[0] * w[1] - v[1] * w[0]))
+
+
+def truth_contact_state(q):
+    """By determinants: n . (w x r) is that of n, w and r."""
+    n, p, apart = point(q["normal"]), point(q["point"]), Fraction(0)
+    for body, sign in ((q["a"], 1), (q["b"], -1)):
+        arm = minus(p, point(body["position"]))
+        apart += sign * (dot(n, point(body["velocity"])) + determinant(n, point(body["angular_velocity"]), arm))
+    state = "separating" if apart > 0 else "colliding" if apart < 0 else "resting"
+    return {"state": state}, apart**2 / dot(n, n)
+
+
 def truth_momentum(q):
     bodies = [(number(body["mass"]), point(body["velocity"])) for body in q["bodies"]]
     return {"momentum": [str(sum(m * v[axis] for m, v in bodies)) for axis in range(3)]}, None

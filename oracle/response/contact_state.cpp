@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/response/contact_state.h"
+
+#include "oracle/exact/impact.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// The velocity of the point that moves with a body and is at the origin now, and the turn around it.
+struct Twist {
+  Vector3<Rational> of_origin, turn;
+
+  template <class Number>
+  explicit Twist(const MovingBody<Number>& body) : turn(exact_vector(body.angular_velocity)) {
+    const auto& [x, y, z] = body.position;
+    of_origin = exact_vector(body.velocity) + cross(Vector3<Rational>{exact(x), exact(y), exact(z)}, turn);
+  }
+
+  Vector3<Rational> at(const Vector3<Rational>& point) const { return of_origin + cross(turn, point); }
+};
+
+template <class Number>
+Vector3<Rational> from_origin(const Point3<Number>& p) {
+  return {exact(p.x), exact(p.y), exact(p.z)};
+}
+
+template <class Number>
+Truth<ContactState> truth(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
+                          const Vector3<Number>& normal) {
+  validation::validate("a", a), validation::validate("b", b), validation::validate("point", point);
+  validation::validate_normal("normal", normal);
+  const Twist of_a(a), of_b(b);
+  const Vector3<Rational> n = exact_vector(normal), moment = cross(from_origin(point), n);
+  const Rational apart(dot(of_a.of_origin - of_b.of_origin, n) + dot(of_a.turn - of_b.turn, moment));
+  const int sign = sgn(apart);
+  return {sign > 0   ? ContactState::separating
+          : sign < 0 ? ContactState::colliding
+                     : ContactState::resting,
+          Rational(apart * apart / dot(n, n))};
+}
+
+}  // namespace
+
+Truth<ContactState> contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
+                                  const Vector3d& normal) {
+  return truth(a, b, point, normal);
+}
+
+template <Exact Number>
+Truth<ContactState> contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
+                                  const Vector3<Number>& normal) {
+  return truth(a, b, point, normal);
+}
+template Truth<ContactState> contact_state(const MovingBody<Rational>&, const MovingBody<Rational>&,
+                                           const Point3<Rational>&, const Vector3<Rational>&);
+
+Certificate contact_state_certificate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
+                                      const Vector3d& normal) {
+  truth(a, b, point, normal);  // validates
+  const Vector3<Rational> p = from_origin(point);
+  return {"point_velocities", {{"of_a", listed(Twist(a).at(p))}, {"of_b", listed(Twist(b).at(p))}}};
+}
+
+}  // namespace touchstone::oracle

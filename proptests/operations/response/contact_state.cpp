@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/response/contact_state.h"
+
+#include "proptests/contact_laws.h"
+#include "robust/stages/response/contact_state.h"
+
+namespace touchstone::proptests {
+namespace {
+
+using Row = rows::contact_state;
+
+constexpr auto separating = ContactState::separating, resting = ContactState::resting,
+               colliding = ContactState::colliding;
+constexpr double greatest = std::numeric_limits<double>::max();
+constexpr MovingBodyd still{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+
+ContactState opposite(ContactState s) { return s == separating ? colliding : s == colliding ? separating : resting; }
+
+/// A worked example and its margin.
+void gives(const Row::Question& question, ContactState expected, const Rational& margin,
+           const std::string& by_reference = "agree") {
+  example<Row>(question, expected, by_reference);
+  CHECK(examined<Row>(question)->margin() == margin);
+}
+
+Stage decided_by(const Row::Question& q) {
+  return std::apply([](const auto&... value) { return robust::stages::contact_state::ask(value...).stage; }, q);
+}
+
+/// The bound's sum S, by magnitudes alone.
+Rational products(const MovingBodyd& a, const MovingBodyd& b, const Point3d& p, const Vector3d& n) {
+  const auto size_of = [](const auto& v) {
+    return Motion3{Rational(abs(exact(v.x))), Rational(abs(exact(v.y))), Rational(abs(exact(v.z)))};
+  };
+  Motion3 sums = none();
+  for (const MovingBodyd* body : {&a, &b}) {
+    const Point3d& x = body->position;
+    const Motion3 w = size_of(body->angular_velocity),
+                  r{Rational(abs(exact(p.x) - exact(x.x))), Rational(abs(exact(p.y) - exact(x.y))),
+                    Rational(abs(exact(p.z) - exact(x.z)))};
+    sums = sums + size_of(body->velocity) +
+           Motion3{Rational(w.y * r.z + w.z * r.y), Rational(w.z * r.x + w.x * r.z), Rational(w.x * r.y + w.y * r.x)};
+  }
+  return dot(size_of(n), sums);
+}
+
+}  // namespace
+
+TEST_CASE("contact_state: exchanged bodies with the opposite normal; the opposite normal alone; time turned back") {
+  law<Row>("opposites", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, p, n] = asked;
+    const ContactState state = ask(asked);
+    const auto back = [](const auto& body) { return with_turn(with_velocity(body, -1.0 * body.velocity), -1.0); };
+    return ask(Row::Question{b, a, p, -1.0 * n}) == state && ask(Row::Question{a, b, p, -1.0 * n}) == opposite(state) &&
+           ask(Row::Question{b, a, p, n}) == opposite(state) &&
+           ask(Row::Question{back(a), back(b), p, n}) == opposite(state);
+  });
+}
+
+TEST_CASE("contact_state: axes exchanged and turned; where space is turned over, turns change their sense") {
+  law<Row>("axes", [](const auto& ask, const auto& asked) {
+    const ContactState state = ask(asked);
+    for (const AxisMap& map : axis_maps) {
+      auto mapped = map(asked);
+      auto& [a, b, p, n] = mapped;
+      if (turns_over(map)) a = with_turn(a, -1.0), b = with_turn(b, -1.0);
+      if (ask(mapped) != state) return false;
+    }
+    return true;
+  });
+}
+
+TEST_CASE("contact_state: the normal's length does not matter") {
+  law<Row>("length", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, p, n] = asked;
+    const ContactState state = ask(asked);
+    const auto normals = same_plane(n);
+    for (std::size_t i = 1; i < normals.size(); ++i)  // the first is the opposite one
+      if (ask(Row::Question{a, b, p, normals[i]}) != state) return false;
+    return !on_small_lattice(std::tuple(n)) || ask(Row::Question{a, b, p, 3.0 * n}) == state;
+  });
+}
+
+TEST_CASE("contact_state: an observer who moves and turns sees the same") {
+  exact_law<Row>("observers", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, p, n] = asked;
+    return ask(std::tuple(as_seen(a), as_seen(b), p, n)) == ask(asked);
+  });
+}
+
+TEST_CASE("contact_state: every point of a body may be called its position, if its velocity is that point's") {
+  exact_law<Row>("positions", [](const auto& ask, const auto& asked) {
+    const auto& [a, b, p, n] = asked;
+    const ContactState state = ask(asked);
+    return ask(std::tuple(around(a, p), b, p, n)) == state &&
+           ask(std::tuple(around(a, p), around(b, p), p, n)) == state;
+  });
+}
+
+TEST_CASE("contact_state: p. 74's states worked by hand") {
+  const MovingBodyd a{{0, 1, 0}, {0, -1, 0}, {0, 0, 0}}, b{{0, -1, 0}, {0, 2, 0}, {0, 0, 0}};
+  gives({a, b, {0, 0, 0}, {0, 1, 0}}, colliding, 9);
+  gives({a, b, {0, 0, 0}, {0, -7, 0}}, separating, 9);
+  gives({a, a, {5, 0, 0}, {0, 1, 0}}, resting, 0);
+  // w x r = (0, 0, 1) x (2, 0, 0) = (0, 2, 0): the end of a bar that turns on the spot.
+  const MovingBodyd bar{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}};
+  gives({bar, still, {2, 0, 0}, {0, 1, 0}}, separating, 4);
+  gives({bar, still, {-2, 0, 0}, {0, 1, 0}}, colliding, 4);
+  gives({bar, still, {2, 0, 0}, {3, 0, 0}}, resting, 0);  // it slides
+  gives({bar, still, {2, 0, 9}, {3, 4, 12}}, separating, Rational(64, 169));
+  gives({still, bar, {2, 0, 0}, {0, 1, 0}}, colliding, 4);                             // b turns
+  gives({bar, {{4, 0, 0}, {0, 0, 0}, {0, 0, -1}}, {2, 0, 0}, {0, 1, 0}}, resting, 0);  // wheels that mesh
+  // A ball of radius 2 rolls: (1, 0, 0) x (0, -2, 0) = (0, 0, -2).
+  const MovingBodyd ball{{0, 2, 0}, {0, 0, 2}, {1, 0, 0}};
+  gives({ball, still, {0, 0, 0}, {0, 1, 0}}, resting, 0);
+  gives({ball, still, {0, 0, 0}, {0, 0, 1}}, resting, 0);
+}
+
+TEST_CASE("contact_state: rounding, huge, subnormal and negative zero") {
+  const Rational t = exact(tiny);
+  const auto moving = [](double y) { return MovingBodyd{{0, 0, 0}, {0, y, 0}, {0, 0, 0}}; };
+  gives({moving(tiny), still, {0, 0, 0}, {0, tiny, 0}}, separating, Rational(t * t), "rounding");
+  gives({moving(-tiny), moving(-0.0), {0, 0, 0}, {-0.0, greatest, 0}}, colliding, Rational(t * t));
+  gives({moving(greatest), moving(-greatest), {0, 0, 0}, {0, 1, 0}}, separating,
+        Rational(4 * exact(greatest) * exact(greatest)));
+  gives({moving(greatest), moving(greatest), {greatest, 0, 0}, {0, 2, 0}}, resting, 0);
+  // Of opposite places the way between them is twice the greatest number, and a turn of 2^-1024 makes it 2^-52 less
+  // than 2.
+  const MovingBodyd slow{{-greatest, 0, 0}, {0, -1, 0}, {0, 0, 0x1p-1024}};
+  gives({slow, still, {greatest, 0, 0}, {0, 1, 0}}, separating,
+        Rational((2 * exact(greatest) * power_of_two(-1024) - 1) * (2 * exact(greatest) * power_of_two(-1024) - 1)),
+        "rounding");
+  // 0.1 times 0.2 is not 0.02.
+  gives({{{0, 0, 0}, {0.02, 0, 0}, {0, 0, 0.1}}, still, {0, 0.2, 0}, {1, 0, 0}}, colliding,
+        Rational((exact(0.02) - exact(0.1) * exact(0.2)) * (exact(0.02) - exact(0.1) * exact(0.2))));
+}
+
+TEST_CASE("contact_state: what is not finite is refused by its field, and a normal of length 0") {
+  const Point3d o{0, 0, 0};
+  const Vector3d n{0, 1, 0};
+  refused<Row>({{{0, infinity, 0}, {}, {}}, still, o, {0, 0, 0}}, "a.position[1]", "finite number");
+  refused<Row>({{{}, {0, 0, not_a_number}, {}}, still, o, n}, "a.velocity[2]", "finite number");
+  refused<Row>({{{}, {}, {-infinity, 0, 0}}, still, o, n}, "a.angular_velocity[0]", "finite number");
+  refused<Row>({still, {{not_a_number, 0, 0}, {}, {}}, {infinity, 0, 0}, n}, "b.position[0]", "finite number");
+  refused<Row>({still, {{}, {0, infinity, 0}, {}}, o, n}, "b.velocity[1]", "finite number");
+  refused<Row>({still, {{}, {}, {0, 0, infinity}}, o, n}, "b.angular_velocity[2]", "finite number");
+  refused<Row>({still, still, {0, infinity, 0}, {0, 0, 0}}, "point[1]", "finite number");
+  refused<Row>({still, still, o, {0, 0, not_a_number}}, "normal[2]", "finite number");
+  refused<Row>({still, still, o, {0, -0.0, 0}}, "normal", "nonzero normal");
+}
+
+TEST_CASE("contact_state: each stage decides what is meant for it") {
+  const MovingBodyd bar{{0, 0, 0}, {0, -2, 0}, {0, 0, 1}};
+  CHECK(decided_by({bar, still, {3, 0, 0}, {0, 1, 0}}) == Stage::filter);
+  CHECK(decided_by({bar, still, {2, 0, 0}, {0, 1, 0}}) == Stage::lattice);
+  CHECK(decided_by({bar, still, {2 + 0x1p-51, 0, 0}, {0, 1, 0}}) == Stage::lattice);
+  CHECK(decided_by({bar, {{0, 0, 0}, {0, 0x1p-70, 0}, {0, 0, 0}}, {2, 0, 0}, {0, 1, 0}}) == Stage::exact);
+  CHECK(decided_by({still, still, {0, 0, 0}, {0, 0x1p300, 0}}) == Stage::lattice);
+}
+
+TEST_CASE("contact_state: the formula in double keeps its contract") {
+  contract<Row>("the right state beyond the margin", [](const auto& truth, ContactState answer, const MovingBodyd& a,
+                                                        const MovingBodyd& b, const Point3d& p, const Vector3d& n) {
+    if (!moderate(a, b, p, n)) return true;
+    const Rational bound = 9 * unit() * products(a, b, p, n), square = dot(exactly(n), exactly(n));
+    return Rational(*truth.margin * square) <= Rational(bound * bound) || answer == truth.answer;
+  });
+  right_in_exact_arithmetic<Row>();
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/bodies.h"
+#include "robust/kernel/contact_filter.h"
+#include "robust/kernel/staged.h"
+
+namespace touchstone::robust {
+
+/// Whether two bodies that touch at a point part there, stay (`resting`), or collide: by the sign of their relative
+/// velocity at that point along the normal, which points from b to a.
+///
+/// `resting` means exactly 0; bodies that slide or roll on each other are resting. The normal may have any length but
+/// 0. Right for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which
+/// names the field and "finite number"; so does a normal of length 0 ("nonzero normal"). Contract:
+/// reference/response/contact_state.h.
+inline ContactState contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
+                                  const Vector3d& normal);
+
+namespace detail {
+
+struct contact_state : Filtered<contact_state, ContactState> {
+  static Perhaps<ContactState> filter(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
+                                      const Vector3d& normal) {
+    return filters::by_sign(filters::velocity_apart(a, b, point, normal), ContactState::separating,
+                            ContactState::colliding);
+  }
+  static Decided<ContactState> past_filter(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
+                                           const Vector3d& normal);
+};
+
+}  // namespace detail
+
+inline ContactState contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
+                                  const Vector3d& normal) {
+  return detail::contact_state::ask(a, b, point, normal).answer;
+}
+
+}  // namespace touchstone::robust
