@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "report/condition_plot.h"
 #include "report/html.h"
 #include "report/html_finding.h"
 #include "report/html_parts.h"
@@ -136,6 +137,8 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" +
             map_section(*known, tally.declaration.binary32, maps) + "</div>";
   }
+  if (known && speaker_of(tally.declaration) == Speaker::reference && !tally.declaration.binary32)
+    body += condition_section(*known);
   body += "<h2>By family of inputs</h2>" + by_family(here) + outcomes(here.total());
   return page("touchstone: " + here.operation, body + "</main><footer></footer>");
 }
