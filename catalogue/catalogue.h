@@ -31,6 +31,7 @@
 #include "catalogue/response/inelastic_collision.h"
 #include "catalogue/response/kinetic_energy.h"
 #include "catalogue/response/momentum.h"
+#include "catalogue/response/penalty_force.h"
 #include "catalogue/response/reflect_plane.h"
 #include "catalogue/response/reflect_wall.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
@@ -113,6 +114,7 @@ using Rows = RowList<
     rows::inelastic_collision,
     rows::restitution_collision,
     rows::damped_reflection,
+    rows::penalty_force,
     rows::contact_state>;
 // clang-format on
 

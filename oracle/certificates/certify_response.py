@@ -4,7 +4,7 @@
 from certify_bodies import (bodies, cross, minus, moving_body, normal, plus, restitution, times, two_bodies,
                             velocity_at)
 from certify_reading import exact_value, expect, list_of_two, number
-from certify_space import dot, exact_triple, point_in_space, triple
+from certify_space import dot, exact_triple, plane, point_in_space, triple
 
 
 def check_reflect_wall(claim):
@@ -80,6 +80,26 @@ def check_restitution_collision(claim):
     claim.inputs("masses", "velocities", "normal", "e")
     before, n = two_bodies(claim), normal(claim.input["normal"], "normal")
     expect_impulse(claim, before, n, restitution(claim.input["e"], "e"))
+
+
+def check_penalty_force(claim):
+    claim.inputs("point", "velocity", "plane", "stiffness", "damping")
+    p, v = point_in_space(claim.input["point"], "point"), point_in_space(claim.input["velocity"], "velocity")
+    n, offset = plane(claim.input["plane"], "plane")
+    k, c = number(claim.input["stiffness"], "stiffness"), number(claim.input["damping"], "damping")
+    claim.answers("force")
+    force = exact_triple(claim.truth["force"], "truth.force")
+    if dot(n, p) + offset >= 0:
+        claim.expect_kind("no_contact"), claim.facts()
+        expect(force == (0, 0, 0), "truth: force is wrong")
+        return
+    claim.expect_kind("foot"), claim.facts("foot", "along")
+    foot, u = triple(claim, "foot"), triple(claim, "along")
+    expect(dot(n, foot) + offset == 0, "certificate: the foot is not on the plane")
+    expect(cross(minus(foot, p), n) == (0, 0, 0), "certificate: the foot is another point's")
+    expect(cross(u, n) == (0, 0, 0), "certificate: along is not along the normal")
+    expect(dot(minus(v, u), n) == 0, "certificate: along is not all of it")
+    expect(force == minus(times(k, minus(foot, p)), times(c, u)), "truth: force is wrong")
 
 
 def check_contact_state(claim):

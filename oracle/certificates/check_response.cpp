@@ -134,6 +134,29 @@ void check_kinetic_energy(const Claim& claim) {
   expect(Rational(2 * energy) == doubled && Rational(parts.x + parts.y) == doubled, "truth: energy is wrong");
 }
 
+/// The spring pulls from the point to its foot on the plane, the damper holds what is along the normal.
+void check_penalty_force(const Claim& claim) {
+  claim.inputs({"point", "velocity", "plane", "stiffness", "damping"});
+  const Triple none{0, 0, 0}, p = point_in_space(claim.input["point"], "point"),
+                              v = point_in_space(claim.input["velocity"], "velocity");
+  const Plane behind = plane(claim.input["plane"], "plane");
+  const Rational k = number(claim.input["stiffness"], "stiffness"), c = number(claim.input["damping"], "damping");
+  claim.answers({"force"});
+  const Triple force = exact_triple(claim.truth["force"], "truth.force");
+  if (sgn(behind.at(p)) >= 0) {
+    expect_kind(claim, "no_contact"), claim.facts({});
+    expect(force == none, "truth: force is wrong");
+    return;
+  }
+  expect_kind(claim, "foot"), claim.facts({"foot", "along"});
+  const Triple foot = triple(claim, "foot"), u = triple(claim, "along");
+  expect(sgn(behind.at(foot)) == 0, "certificate: the foot is not on the plane");
+  expect(cross(foot - p, behind.normal) == none, "certificate: the foot is another point's");
+  expect(cross(u, behind.normal) == none, "certificate: along is not along the normal");
+  expect(sgn(dot(v - u, behind.normal)) == 0, "certificate: along is not all of it");
+  expect(force == k * (foot - p) - c * u, "truth: force is wrong");
+}
+
 /// The sign of the relative velocity along the normal.
 void check_contact_state(const Claim& claim) {
   claim.inputs({"a", "b", "point", "normal"});
@@ -160,6 +183,7 @@ Checks checks_of_response() {
           {"inelastic_collision", check_inelastic_collision},
           {"elastic_collision", check_elastic_collision},
           {"restitution_collision", check_restitution_collision},
+          {"penalty_force", check_penalty_force},
           {"contact_state", check_contact_state},
           {"momentum", check_momentum},
           {"kinetic_energy", check_kinetic_energy}};

@@ -52,6 +52,13 @@ def truth_restitution_collision(q):
     return after_impact(q, number(q["e"]))
 
 
+def truth_penalty_force(q):
+    p, v, n = point(q["point"]), point(q["velocity"]), point(q["plane"]["normal"])
+    height = dot(n, p) + number(q["plane"]["offset"])
+    pull = number(q["stiffness"]) * height + number(q["damping"]) * dot(n, v) if height < 0 else 0
+    return {"force": written_velocity(-pull * x / dot(n, n) for x in n)}, height**2 / dot(n, n)
+
+
 def determinant(u, v, w):
     return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
             u[2] * (v[0] * w[1] - v[1] * w[0]))

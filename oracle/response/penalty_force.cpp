@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/response/penalty_force.h"
+
+#include "oracle/exact/impact.h"
+#include "oracle/exact/normal_frame.h"
+#include "oracle/exact/space.h"
+
+namespace touchstone::oracle {
+namespace {
+
+struct Situation {
+  Rational height, squared_normal;
+  Vector3<Rational> foot, along;  ///< of the point on the plane; of the velocity
+};
+
+template <class Number>
+Situation examine(const Point3<Number>& point, const Vector3<Number>& velocity, const Plane<Number>& plane,
+                  const Number& stiffness, const Number& damping) {
+  validation::validate("point", point), validation::validate("velocity", velocity);
+  validation::validate("plane", plane);
+  validation::validate("stiffness", stiffness), validation::validate("damping", damping);
+  const Vector3<Number>& n = plane.normal;
+  const CommonScale<Number, 3> places({point.x, point.y, point.z}), normals({n.x, n.y, n.z});
+  const NormalFrame frame(whole_vector(normals, 0));
+  const Rational unit(normals.actual(Rational(1), 1) * places.actual(Rational(1), 1));
+  const Plane<Rational> exactly = exact(plane);
+  return {height_over(exactly, exact(point)), dot(exactly.normal, exactly.normal),
+          actual_vector(places, frame.with_product(Rational(-exactly.offset / unit), whole_vector(places, 0))),
+          exact_vector(velocity) - after_bounce(velocity, n, Rational(0))};
+}
+
+template <class Number>
+Truth<Vector3<Rational>> truth(const Point3<Number>& point, const Vector3<Number>& velocity, const Plane<Number>& plane,
+                               const Number& stiffness, const Number& damping) {
+  const Situation s = examine(point, velocity, plane, stiffness, damping);
+  const Rational margin(s.height * s.height / s.squared_normal);
+  if (sgn(s.height) >= 0) return {{Rational(0), Rational(0), Rational(0)}, margin};
+  const Vector3<Rational> from{exact(point.x), exact(point.y), exact(point.z)};
+  return {exact(stiffness) * (s.foot - from) - exact(damping) * s.along, margin};
+}
+
+}  // namespace
+
+Truth<Vector3<Rational>> penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
+                                       double stiffness, double damping) {
+  return truth(point, velocity, plane, stiffness, damping);
+}
+
+template <Exact Number>
+Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
+                                       const Plane<Number>& plane, const Number& stiffness, const Number& damping) {
+  return truth(point, velocity, plane, stiffness, damping);
+}
+template Truth<Vector3<Rational>> penalty_force(const Point3<Rational>&, const Vector3<Rational>&,
+                                                const Plane<Rational>&, const Rational&, const Rational&);
+
+Certificate penalty_force_certificate(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
+                                      double stiffness, double damping) {
+  const Situation s = examine(point, velocity, plane, stiffness, damping);
+  if (sgn(s.height) >= 0) return {"no_contact", {}};
+  return {"foot", {{"foot", listed(s.foot)}, {"along", listed(s.along)}}};
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/space.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// The force on a particle behind a plane, all points with normal . p + offset = 0: a spring and a damper along the
+/// normal. On the plane and in front of it the force is 0; behind, the damper acts on the way in and on the way out.
+///
+/// The normal may have any length but 0, stiffness and damping may be any finite numbers. Every component is the double
+/// nearest to the exact one, for all finite doubles in every floating-point environment; beyond the range it is
+/// infinite, and zero is +0. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does
+/// a normal of length 0 ("nonzero normal"). Contract: reference/response/penalty_force.h.
+Vector3d penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness,
+                       double damping);
+
+}  // namespace touchstone::robust
