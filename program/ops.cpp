@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "catalogue/operation.h"
@@ -27,20 +28,32 @@ std::string all_fields(const Card& card) {
   return text;
 }
 
-}  // namespace
+using Line = std::array<std::string, 6>;
 
-int ops_command(bool json, std::ostream& out) {
-  if (!json)
-    out << fmt::format("{:<34} {:<11} {:<6} {:<9} {:<25} {}\n", "operation", "chapter", "pages", "judged", "input",
-                       "question");
+/// Columns as wide as what stands in them.
+void print(const std::vector<Line>& lines, std::ostream& out) {
+  std::array<std::size_t, 6> widths{};
+  for (const Line& line : lines)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  for (const Line& line : lines) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) out << fmt::format("{:<{}}  ", line[i], widths[i]);
+    out << line.back() << '\n';
+  }
+}
+
+void print_table(std::ostream& out) {
+  std::vector<Line> lines{{"operation", "chapter", "pages", "judged", "input", "question"}};
+  for (const Operation* operation : catalogue()) {
+    const Card& card = operation->card();
+    lines.push_back({card.name, card.chapter, card.pages, kind_name(card.kind), all_fields(card), card.question});
+  }
+  print(lines, out);
+}
+
+void print_json(std::ostream& out) {
   Json list = Json::array();
   for (const Operation* operation : catalogue()) {
     const Card& card = operation->card();
-    if (!json) {
-      out << fmt::format("{:<34} {:<11} {:<6} {:<9} {:<25} {}\n", card.name, card.chapter, card.pages,
-                         kind_name(card.kind), all_fields(card), card.question);
-      continue;
-    }
     Json entry = Json::object();
     entry["name"] = card.name;
     entry["chapter"] = card.chapter;
@@ -57,7 +70,13 @@ int ops_command(bool json, std::ostream& out) {
     entry["families"] = operation->families();
     list.push_back(std::move(entry));
   }
-  if (json) out << list.dump(1) << '\n';
+  out << list.dump(1) << '\n';
+}
+
+}  // namespace
+
+int ops_command(bool json, std::ostream& out) {
+  json ? print_json(out) : print_table(out);
   return nothing_found;
 }
 
