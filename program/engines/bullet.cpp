@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bullet as peer, in single precision: narrow phase, sweeps, hulls, and one contact of two balls.
+#include <bullet/LinearMath/btConvexHullComputer.h>
+#include <bullet/btBulletDynamicsCommon.h>
+
+#include "program/engine_main.h"
+#include "program/engines/exactly.h"
+#include "program/engines/one_hit.h"
+
+using namespace touchstone;
+
+/// What it says of touching is not documented. Margins lie within balls and boxes; that of a convex hull, which lies
+/// outside, is set to 0. Boxes and motions that it cannot hold exactly are left out.
+struct Bullet {
+  static constexpr const char* name = "Bullet 3.24";
+  using number = float;
+
+  using Ball = Sphere3<float>;
+  using Slabs = Aabb3<float>;
+  using Motion = std::optional<FirstContact<float>>;
+
+  std::optional<bool> sphere_sphere(const Ball& a, const Ball& b) {
+    btSphereShape first(a.radius), second(b.radius);
+    return meet(first, a.center, second, b.center);
+  }
+  std::optional<bool> sphere_aabb(const Ball& sphere, const Slabs& aabb) {
+    const auto box = exactly::box(aabb);
+    if (!box) return std::nullopt;
+    btSphereShape first(sphere.radius);
+    btBoxShape second(vector(box->half));
+    return meet(first, sphere.center, second, box->center);
+  }
+  std::optional<bool> aabb_aabb(const Slabs& a, const Slabs& b) { return meet(exactly::box(a), exactly::box(b)); }
+  /// As boxes if both are upright, else as convex hulls of eight corners.
+  std::optional<bool> obb_obb(const Obb3<float>& a, const Obb3<float>& b) {
+    const auto first = exactly::upright(a), second = exactly::upright(b);
+    if (first && second) return meet(first, second);
+    const auto p = exactly::corners(a), q = exactly::corners(b);
+    if (!p || !q) return std::nullopt;
+    btConvexHullShape of_a, of_b;
+    fill(of_a, *p);
+    fill(of_b, *q);
+    return meet(of_a, {0, 0, 0}, of_b, {0, 0, 0});
+  }
+
+  /// One moves, the other rests: the difference of the velocities is exact.
+  Motion swept_sphere_sphere(const Ball& a, const Ball& b, const Vector3<float>& velocity_a,
+                             const Vector3<float>& velocity_b) {
+    const auto velocity = exactly::difference(velocity_a, velocity_b);
+    if (!velocity) return std::nullopt;
+    btSphereShape first(a.radius), second(b.radius);
+    return first_contact(first, a.center, *velocity, second, b.center);
+  }
+  Motion swept_aabb_aabb(const Slabs& a, const Slabs& b, const Vector3<float>& velocity) {
+    const auto first = exactly::box(a), second = exactly::box(b);
+    if (!first || !second) return std::nullopt;
+    btBoxShape moving(vector(first->half)), resting(vector(second->half));
+    return first_contact(moving, first->center, velocity, resting, second->center);
+  }
+  Motion swept_convex_polyhedra(const Mesh<float>& a, const Mesh<float>& b, const Vector3<float>& velocity) {
+    btConvexHullShape moving, resting;
+    fill(moving, a.vertices);
+    fill(resting, b.vertices);
+    return first_contact(moving, {0, 0, 0}, velocity, resting, {0, 0, 0});
+  }
+
+  /// Documented: faces are planar n-gons; no word of flat input. They are cut into triangles from their first corner.
+  ConvexHull convex_hull(const std::vector<Point3<float>>& points) {
+    btConvexHullComputer hull;
+    hull.compute(&points[0].x, sizeof(points[0]), static_cast<int>(points.size()), 0, 0);
+    const auto index = [&](int vertex) { return static_cast<Index>(hull.original_vertex_index[vertex]); };
+    if (hull.vertices.size() == 1) return {0, index(0), {}, {}, {}};
+    if (hull.vertices.size() == 2) return {1, {}, IndexPair{index(0), index(1)}, {}, {}};
+    std::vector<Face> faces;
+    std::vector<Index> ring;
+    for (int k = 0; k < hull.faces.size(); ++k) {
+      const btConvexHullComputer::Edge *first = &hull.edges[hull.faces[k]], *edge = first;
+      ring.clear();
+      do {
+        ring.push_back(index(edge->getSourceVertex()));
+        edge = edge->getNextEdgeOfFace();
+      } while (edge != first && ring.size() <= points.size());
+      for (std::size_t i = 2; i < ring.size(); ++i) faces.push_back({ring[0], ring[i - 1], ring[i]});
+    }
+    const bool flat = hull.faces.size() <= 2;
+    if (flat) return {2, {}, {}, ring, {}};
+    return {3, {}, {}, {}, faces};
+  }
+
+  /// A relative velocity below 0.2 has no restitution, by its documentation: left out.
+  std::optional<Velocities<float>> restitution_collision(const Masses<float>& masses,
+                                                         const Velocities<float>& velocities,
+                                                         const Vector3<float>& normal, float e) {
+    const auto hit = exactly::hit(velocities, normal);
+    if (!hit || hit->approach <= 0.2) return std::nullopt;
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broad_phase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world(&dispatcher, &broad_phase, &solver, &configuration);
+    world.setGravity(btVector3(0, 0, 0));
+    btSphereShape ball(hit->distance / 2);
+    btRigidBody a(body(ball, masses.first, 1)), b(body(ball, masses.second, e));
+    a.setLinearVelocity(vector(velocities.first));
+    b.setLinearVelocity(vector(velocities.second));
+    b.setWorldTransform(at(vector(hit->between)));
+    for (btRigidBody* one : {&a, &b}) {
+      one->setActivationState(DISABLE_DEACTIVATION);
+      world.addRigidBody(one);
+    }
+    world.stepSimulation(1.0F / 64, 0);
+    const Velocities<float> after{back(a.getLinearVelocity()), back(b.getLinearVelocity())};
+    world.removeRigidBody(&b);
+    world.removeRigidBody(&a);
+    return after;
+  }
+  std::optional<Velocities<float>> elastic_collision(const Masses<float>& masses, const Velocities<float>& velocities,
+                                                     const Vector3<float>& normal) {
+    return restitution_collision(masses, velocities, normal, 1);
+  }
+
+ private:
+  struct Touch : btCollisionWorld::ContactResultCallback {
+    bool found = false;
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+      found = found || point.getDistance() <= 0;
+      return 0;
+    }
+  };
+
+  static btVector3 vector(const Vector3<float>& v) { return {v.x, v.y, v.z}; }
+  static Vector3<float> back(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+  static btTransform at(const btVector3& p) { return btTransform(btQuaternion::getIdentity(), p); }
+  static btTransform at(const Point3<float>& p) { return at(btVector3(p.x, p.y, p.z)); }
+  static void fill(btConvexHullShape& shape, const std::vector<Point3<float>>& points) {
+    shape.setMargin(0);
+    for (const Point3<float>& p : points) shape.addPoint(btVector3(p.x, p.y, p.z), false);
+    shape.recalcLocalAabb();
+  }
+  static btRigidBody::btRigidBodyConstructionInfo body(btSphereShape& shape, float mass, float restitution) {
+    btVector3 inertia(0, 0, 0);
+    shape.calculateLocalInertia(mass, inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, &shape, inertia);
+    info.m_restitution = restitution;
+    info.m_friction = 0;
+    return info;
+  }
+
+  static bool meet(btConvexShape& a, const Point3<float>& at_a, btConvexShape& b, const Point3<float>& at_b) {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broad_phase;
+    btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
+    btCollisionObject first, second;
+    first.setCollisionShape(&a);
+    second.setCollisionShape(&b);
+    first.setWorldTransform(at(at_a));
+    second.setWorldTransform(at(at_b));
+    Touch touch;
+    world.contactPairTest(&first, &second, touch);
+    return touch.found;
+  }
+  using MaybeBox = std::optional<exactly::Box<float>>;
+  static std::optional<bool> meet(const MaybeBox& a, const MaybeBox& b) {
+    if (!a || !b) return std::nullopt;
+    btBoxShape first(vector(a->half)), second(vector(b->half));
+    return meet(first, a->center, second, b->center);
+  }
+
+  static Motion first_contact(btConvexShape& moving, const Point3<float>& start, const Vector3<float>& velocity,
+                              btConvexShape& resting, const Point3<float>& there) {
+    const auto end = exactly::moved(start, velocity);
+    if (!end) return std::nullopt;
+    btCollisionObject obstacle;
+    obstacle.setCollisionShape(&resting);
+    obstacle.setWorldTransform(at(there));
+    btCollisionWorld::ClosestConvexResultCallback closest(btVector3(0, 0, 0), btVector3(0, 0, 0));
+    btCollisionWorld::objectQuerySingle(&moving, at(start), at(*end), &obstacle, &resting, at(there), closest, 0);
+    if (!closest.hasHit()) return FirstContact<float>{HitRelation::never, {}};
+    return FirstContact<float>{HitRelation::hit, closest.m_closestHitFraction};
+  }
+};
+
+TOUCHSTONE_ENGINE_MAIN(Bullet)

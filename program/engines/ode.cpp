@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// ODE as peer, in double precision: geometries, and one contact.
+#include <ode/ode.h>
+
+#include "program/engine_main.h"
+#include "program/engines/exactly.h"
+#include "program/engines/one_hit.h"
+
+using namespace touchstone;
+
+/// What it says of touching is not documented. Balls of radius 0 and boxes without extent have no size for it
+/// and are left out; so are boxes that it cannot hold exactly.
+struct Ode {
+  static constexpr const char* name = "ODE 0.16.2";
+
+  Ode() { dInitODE2(0); }
+  ~Ode() { dCloseODE(); }
+  Ode(const Ode&) = delete;
+
+  using Box = std::optional<exactly::Box<double>>;
+
+  std::optional<bool> sphere_sphere(const Sphere3d& a, const Sphere3d& b) {
+    if (a.radius == 0 || b.radius == 0) return std::nullopt;
+    return meet(ball(a), a.center, ball(b), b.center);
+  }
+  std::optional<bool> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb) {
+    const Box box = exactly::box(aabb);
+    if (!has_size(box) || sphere.radius == 0) return std::nullopt;
+    return meet(ball(sphere), sphere.center, solid(*box), box->center);
+  }
+  std::optional<bool> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return meet(exactly::box(a), exactly::box(b)); }
+  std::optional<bool> obb_obb(const Obb3d& a, const Obb3d& b) { return meet(exactly::upright(a), exactly::upright(b)); }
+
+  /// dContactBounce with bounce_vel 0 and no softness: the contact is between the balls, where they touch.
+  std::optional<Velocities<double>> restitution_collision(const Massesd& masses, const Velocitiesd& velocities,
+                                                          const Vector3d& normal, double e) {
+    const auto hit = exactly::hit(velocities, normal);
+    if (!hit) return std::nullopt;
+    const dWorldID world = dWorldCreate();
+    dWorldSetCFM(world, 0);
+    const dBodyID a = body(world, masses.first, *hit, velocities.first),
+                  b = body(world, masses.second, *hit, velocities.second);
+    dBodySetPosition(b, hit->between.x, hit->between.y, hit->between.z);
+    step(world, a, b, *hit, e);
+    const Velocities<double> after{velocity(a), velocity(b)};
+    dWorldDestroy(world);
+    return after;
+  }
+  std::optional<Velocities<double>> elastic_collision(const Massesd& masses, const Velocitiesd& velocities,
+                                                      const Vector3d& normal) {
+    return restitution_collision(masses, velocities, normal, 1);
+  }
+
+  /// The same with the environment for the second body; bounce is documented from 0 to 1.
+  std::optional<Vector3d> damped_reflection(const Vector3d& v, const Vector3d& normal, double k) {
+    const auto hit = exactly::hit(Velocitiesd{v, {0, 0, 0}}, normal);
+    if (!hit || k < 0 || k > 1) return std::nullopt;
+    const dWorldID world = dWorldCreate();
+    dWorldSetCFM(world, 0);
+    const dBodyID a = body(world, 1, *hit, v);
+    step(world, a, nullptr, *hit, k);
+    const Vector3d after = velocity(a);
+    dWorldDestroy(world);
+    return after;
+  }
+  std::optional<Vector3d> reflect_plane(const Vector3d& v, const Vector3d& normal) {
+    return damped_reflection(v, normal, 1);
+  }
+
+ private:
+  static dGeomID ball(const Sphere3d& sphere) { return dCreateSphere(nullptr, sphere.radius); }
+  static dGeomID solid(const exactly::Box<double>& box) {
+    return dCreateBox(nullptr, 2 * box.half.x, 2 * box.half.y, 2 * box.half.z);
+  }
+  static bool has_size(const Box& box) { return box && box->half.x > 0 && box->half.y > 0 && box->half.z > 0; }
+
+  static bool meet(dGeomID a, const Point3d& at_a, dGeomID b, const Point3d& at_b) {
+    dGeomSetPosition(a, at_a.x, at_a.y, at_a.z);
+    dGeomSetPosition(b, at_b.x, at_b.y, at_b.z);
+    dContactGeom contacts[8];
+    const int found = dCollide(a, b, 8, contacts, sizeof(dContactGeom));
+    dGeomDestroy(a);
+    dGeomDestroy(b);
+    return found > 0;
+  }
+  static std::optional<bool> meet(const Box& a, const Box& b) {
+    if (!has_size(a) || !has_size(b)) return std::nullopt;
+    return meet(solid(*a), a->center, solid(*b), b->center);
+  }
+
+  static dBodyID body(dWorldID world, double mass, const exactly::Hit<double>& hit, const Vector3d& v) {
+    const dBodyID made = dBodyCreate(world);
+    dMass ball;
+    dMassSetSphereTotal(&ball, mass, hit.distance / 2);
+    dBodySetMass(made, &ball);
+    dBodySetLinearVel(made, v.x, v.y, v.z);
+    return made;
+  }
+  static Vector3d velocity(dBodyID body) {
+    const dReal* v = dBodyGetLinearVel(body);
+    return {v[0], v[1], v[2]};
+  }
+  static void step(dWorldID world, dBodyID a, dBodyID b, const exactly::Hit<double>& hit, double e) {
+    dContact contact{};
+    contact.surface.mode = dContactBounce;
+    contact.surface.bounce = e;
+    const double across[3] = {hit.between.x, hit.between.y, hit.between.z};
+    for (int k = 0; k < 3; ++k) {
+      contact.geom.normal[k] = -across[k] / hit.distance;  // into the first body
+      contact.geom.pos[k] = across[k] / 2;
+    }
+    const dJointID joint = dJointCreateContact(world, nullptr, &contact);
+    dJointAttach(joint, a, b);
+    dWorldStep(world, 1.0 / 64);
+  }
+};
+
+TOUCHSTONE_ENGINE_MAIN(Ode)
