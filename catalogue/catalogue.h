@@ -38,6 +38,7 @@
 #include "catalogue/sweeps/swept_convex_polyhedra.h"
 #include "catalogue/sweeps/swept_sphere_plane.h"
 #include "catalogue/response/restitution_collision.h"
+#include "catalogue/response/simultaneous_collisions.h"
 #include "catalogue/sweeps/swept_sphere_sphere.h"
 #include "catalogue/volumes/aabb_aabb.h"
 #include "catalogue/volumes/aabb_of_points.h"
@@ -116,6 +117,7 @@ using Rows = RowList<
     rows::damped_reflection,
     rows::penalty_force,
     rows::contact_state>;
+    rows::simultaneous_collisions>;
 // clang-format on
 
 /// visit.template operator()<Row>() for every row.

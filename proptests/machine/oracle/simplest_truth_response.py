@@ -2,6 +2,7 @@
 """The second truths of collision response, for simplest_truth.py: each takes an input as it stands in a claim and
 gives the answer and the margin."""
 from fractions import Fraction
+from itertools import combinations
 
 from simplest_truth_reading import dot, minus, number, point
 
@@ -82,3 +83,45 @@ def truth_momentum(q):
 def truth_kinetic_energy(q):
     bodies = [(number(body["mass"]), point(body["velocity"])) for body in q["bodies"]]
     return {"energy": str(sum((m * dot(v, v) for m, v in bodies), Fraction(0)) / 2)}, None
+
+
+def solved(matrix, right):
+    """By elimination; None where the matrix is singular."""
+    rows = [list(row) + [b] for row, b in zip(matrix, right)]
+    for k in range(len(rows)):
+        pivot = next((i for i in range(k, len(rows)) if rows[i][k] != 0), None)
+        if pivot is None:
+            return None
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        for i in range(len(rows)):
+            if i != k:
+                share = rows[i][k] / rows[k][k]
+                rows[i] = [x - share * y for x, y in zip(rows[i], rows[k])]
+    return [row[-1] / row[k] for k, row in enumerate(rows)]
+
+
+def truth_simultaneous_collisions(q):
+    """All sets of contacts that may push, the smallest first, until one neither pulls nor breaks a demand."""
+    bodies = [(number(body["inverse_mass"]), point(body["velocity"])) for body in q["bodies"]]
+    contacts = [(c["a"], c["b"], point(c["normal"])) for c in q["contacts"]]
+    weights = []  # of a contact's impulse in the velocities: {body: vector}
+    for a, b, n in contacts:
+        weights.append({a: [bodies[a][0] * x for x in n], b: [-bodies[b][0] * x for x in n]})
+    zero = (0, 0, 0)
+    matrix = [[dot(n, minus(w.get(a, zero), w.get(b, zero))) for w in weights] for a, b, n in contacts]
+    parting = [dot(n, minus(bodies[a][1], bodies[b][1])) for a, b, n in contacts]
+    wanted = [-(1 + number(q["e"])) * g if g < 0 else -g for g in parting]
+    places = range(len(contacts))
+    for size in range(len(contacts) + 1):
+        for pushing in combinations(places, size):
+            found = solved([[matrix[i][j] for j in pushing] for i in pushing], [wanted[i] for i in pushing])
+            if found is None or any(x < 0 for x in found):
+                continue
+            if any(sum(matrix[i][j] * x for j, x in zip(pushing, found)) < wanted[i] for i in places):
+                continue
+            after = [list(v) for _, v in bodies]
+            for j, x in zip(pushing, found):
+                for body, vector in weights[j].items():
+                    after[body] = [v + x * y for v, y in zip(after[body], vector)]
+            return {"relation": "possible", "velocities": [written_velocity(v) for v in after]}, None
+    return {"relation": "impossible"}, None

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/response/simultaneous_collisions.h"
+
+#include <string>
+
+#include "oracle/exact/complementary.h"
+#include "oracle/exact/rational_validation_of_bodies.h"
+#include "oracle/exact/whole_list.h"
+
+namespace touchstone::oracle {
+namespace {
+
+/// A contact with its normal counted in a unit of its own.
+struct WholeContact {
+  Index a, b;
+  Vector3<Integer> normal;
+  Rational unit;
+};
+
+struct Resolved {
+  Truth<SimultaneousVelocities<Rational>> truth;
+  std::vector<Rational> impulses;  // weights of a contradiction
+};
+
+template <class Number>
+void validate_all(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
+                  const Number& e) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate("bodies[" + std::to_string(i) + "]", bodies[i]);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const std::string field = "contacts[" + std::to_string(i) + "]";
+    validation::validate_bodies_of(field, contacts[i], bodies.size());
+    validation::validate(field, contacts[i]);
+  }
+  validation::validate_restitution("e", e);
+}
+
+template <class Number>
+class System {
+ public:
+  System(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
+         const Number& e)
+      : restitution_(exact(e)) {
+    std::vector<Number> inverse_masses, speeds;
+    for (const auto& [w, v] : bodies) {
+      inverse_masses.push_back(w);
+      speeds.insert(speeds.end(), {v.x, v.y, v.z});
+    }
+    inverse_masses_ = whole_list(inverse_masses), speeds_ = whole_list(speeds);
+    for (const auto& [a, b, n] : contacts) {
+      const WholeList list = whole_list(std::vector<Number>{n.x, n.y, n.z});
+      contacts_.push_back({a, b, {list.whole[0], list.whole[1], list.whole[2]}, list.unit});
+    }
+  }
+
+  Resolved resolved() const {
+    const Complement found = lemke(problem());
+    if (!found.solved) return {{{Resolution::impossible, {}}, std::nullopt}, weights(found)};
+    return {{{Resolution::possible, velocities(found)}, std::nullopt}, impulses(found)};
+  }
+
+ private:
+  Vector3<Integer> velocity(Index body) const {
+    return {speeds_.whole[3 * body], speeds_.whole[3 * body + 1], speeds_.whole[3 * body + 2]};
+  }
+  /// How the impulse of one contact parts another, or itself.
+  Integer effect(const WholeContact& c, const WholeContact& d) const {
+    const auto signed_mass = [this](Index body, Index pushed, Index pushed_back) {
+      if (body == pushed) return inverse_masses_.whole[body];
+      return body == pushed_back ? Integer(-inverse_masses_.whole[body]) : Integer(0);
+    };
+    return (signed_mass(c.a, d.a, d.b) + signed_mass(c.b, d.b, d.a)) * dot(c.normal, d.normal);
+  }
+  /// The constants are what each contact has beyond its demand if nothing pushes, times the denominator of e.
+  Complementary problem() const {
+    Complementary result;
+    const Integer one = restitution_.get_den(), one_and_e = one + restitution_.get_num();
+    for (const WholeContact& c : contacts_) {
+      std::vector<Integer> row;
+      for (const WholeContact& d : contacts_) row.push_back(effect(c, d));
+      result.matrix.push_back(std::move(row));
+      const Integer parting = dot(c.normal, velocity(c.a) - velocity(c.b));
+      result.constants.push_back(parting * (sgn(parting) < 0 ? one_and_e : one));
+    }
+    return result;
+  }
+  std::vector<Vector3<Rational>> velocities(const Complement& found) const {
+    const Integer below = found.denominator * restitution_.get_den();
+    std::vector<Vector3<Integer>> above;
+    for (Index i = 0; i < inverse_masses_.whole.size(); ++i) above.push_back(below * velocity(i));
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const WholeContact& c = contacts_[i];
+      const Vector3<Integer> push = found.numerators[i] * c.normal;
+      above[c.a] = above[c.a] + inverse_masses_.whole[c.a] * push;
+      above[c.b] = above[c.b] - inverse_masses_.whole[c.b] * push;
+    }
+    std::vector<Vector3<Rational>> result;
+    for (const Vector3<Integer>& v : above)
+      result.push_back({actual(v.x, below), actual(v.y, below), actual(v.z, below)});
+    return result;
+  }
+  Rational actual(const Integer& above, const Integer& below) const {
+    Rational quotient(above, below);
+    quotient.canonicalize();
+    return speeds_.actual(quotient, 1);
+  }
+  std::vector<Rational> impulses(const Complement& found) const {
+    std::vector<Rational> result;
+    const Integer below = found.denominator * restitution_.get_den();
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      result.push_back(actual(found.numerators[i], below) / (inverse_masses_.unit * contacts_[i].unit));
+    return result;
+  }
+  /// Of the sum 1.
+  std::vector<Rational> weights(const Complement& found) const {
+    std::vector<Rational> result;
+    Rational sum;
+    for (std::size_t i = 0; i < contacts_.size(); ++i)
+      sum += result.emplace_back(Rational(found.numerators[i]) / contacts_[i].unit);
+    for (Rational& weight : result) weight /= sum;
+    return result;
+  }
+
+  WholeList inverse_masses_, speeds_;
+  std::vector<WholeContact> contacts_;
+  Rational restitution_;
+};
+
+template <class Number>
+Resolved resolved(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
+                  const Number& e) {
+  validate_all(bodies, contacts, e);
+  return System<Number>(bodies, contacts, e).resolved();
+}
+
+}  // namespace
+
+Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBodyd>& bodies,
+                                                                const std::vector<BodyContactd>& contacts, double e) {
+  return resolved(bodies, contacts, e).truth;
+}
+
+template <Exact Number>
+Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
+                                                                const std::vector<BodyContact<Number>>& contacts,
+                                                                const Number& e) {
+  return resolved(bodies, contacts, e).truth;
+}
+template Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Rational>>&,
+                                                                         const std::vector<BodyContact<Rational>>&,
+                                                                         const Rational&);
+
+Certificate simultaneous_collisions_certificate(const std::vector<PointBodyd>& bodies,
+                                                const std::vector<BodyContactd>& contacts, double e) {
+  const Resolved found = resolved(bodies, contacts, e);
+  if (found.truth.answer.relation == Resolution::possible) return {"pushes", {{"impulses", found.impulses}}};
+  return {"contradiction", {{"weights", found.impulses}}};
+}
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/response/simultaneous_collisions.h"
+
+#include <algorithm>
+
+#include "robust/kernel/contact_system.h"
+#include "robust/kernel/rounding.h"
+#include "robust/kernel/valid_bodies.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const std::vector<PointBodyd>& bodies, const std::vector<BodyContactd>& contacts, double e) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!kernel::valid(bodies[i].velocity) || !kernel::all_finite(bodies[i].inverse_mass) ||
+        validation::negative(bodies[i].inverse_mass))
+      validation::validate("bodies[" + std::to_string(i) + "]", bodies[i]);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [a, b, n] = contacts[i];
+    if (a < bodies.size() && b < bodies.size() && a != b && kernel::valid_normal(n)) continue;
+    const std::string field = "contacts[" + std::to_string(i) + "]";
+    validation::validate_bodies_of(field, contacts[i], bodies.size());
+    validation::validate(field, contacts[i]);
+  }
+  if (!kernel::valid_restitution(e)) validation::validate_restitution("e", e);
+}
+
+/// -0 is +0.
+double kept(double x) { return validation::zero(x) ? 0 : x; }
+
+/// The velocities of the bodies that a part's impulses move: v + w (sum of impulses along normals).
+void move(const kernel::ContactSystem& system, const kernel::Impulses& found, std::vector<Vector3d>& velocities) {
+  std::map<Index, Vector3<mpz_class>> pushes;
+  for (std::size_t k = 0; k < found.contacts.size(); ++k) {
+    const kernel::WholeContact& c = system.contacts[found.contacts[k]];
+    const Vector3<mpz_class> push = found.numerators[k] * c.normal;
+    pushes[c.a] = pushes[c.a] + push;
+    pushes[c.b] = pushes[c.b] - push;
+  }
+  const mpz_class below = found.denominator * system.one;
+  for (const auto& [body, push] : pushes) {
+    const Vector3<mpz_class> above = below * system.velocities[body] + system.inverse_masses[body] * push;
+    const auto rounded = [&](const mpz_class& n) { return kernel::round_quotient(n, below, system.velocity_exponent); };
+    velocities[body] = {rounded(above.x), rounded(above.y), rounded(above.z)};
+  }
+}
+
+}  // namespace
+
+SimultaneousVelocitiesd simultaneous_collisions(const std::vector<PointBodyd>& bodies,
+                                                const std::vector<BodyContactd>& contacts, double e) {
+  validate(bodies, contacts, e);
+  const kernel::ContactSystem system = kernel::contact_system(bodies, contacts, e);
+  std::vector<Vector3d> velocities;
+  for (const PointBodyd& body : bodies)
+    velocities.push_back({kept(body.velocity.x), kept(body.velocity.y), kept(body.velocity.z)});
+  for (const kernel::Contacts& part : kernel::connected_parts(system)) {
+    const auto approaching = [&system](std::size_t i) { return sgn(system.contacts[i].wanted) > 0; };
+    if (std::none_of(part.begin(), part.end(), approaching)) continue;
+    const kernel::Impulses found = kernel::impulses_of(system, part, kernel::guessed(bodies, contacts, e, part));
+    if (!found.possible) return {Resolution::impossible, {}};
+    move(system, found, velocities);
+  }
+  return {Resolution::possible, std::move(velocities)};
+}
+
+}  // namespace touchstone::robust
