@@ -34,6 +34,7 @@
 #include "catalogue/response/penalty_force.h"
 #include "catalogue/response/reflect_plane.h"
 #include "catalogue/response/reflect_wall.h"
+#include "catalogue/response/rigid_body_collision.h"
 #include "catalogue/sweeps/swept_aabb_aabb.h"
 #include "catalogue/sweeps/swept_convex_polyhedra.h"
 #include "catalogue/sweeps/swept_sphere_plane.h"
@@ -118,6 +119,8 @@ using Rows = RowList<
     rows::penalty_force,
     rows::contact_state>;
     rows::simultaneous_collisions>;
+    rows::contact_state,
+    rows::rigid_body_collision>;
 // clang-format on
 
 /// visit.template operator()<Row>() for every row.

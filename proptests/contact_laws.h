@@ -45,4 +45,25 @@ Body around(Body body, const Point3<Rational>& point) {
   return body;
 }
 
+/// Magnitudes instead of numbers, exactly: of vectors, of products and of what is added up.
+template <class V>
+Motion3 size_of(const V& v) {
+  if constexpr (std::is_same_v<V, Motion3>) return {Rational(abs(v.x)), Rational(abs(v.y)), Rational(abs(v.z))};
+  else return {Rational(abs(exact(v.x))), Rational(abs(exact(v.y))), Rational(abs(exact(v.z)))};
+}
+inline Motion3 cross_of_sizes(const Motion3& v, const Motion3& w) {
+  return {Rational(v.y * w.z + v.z * w.y), Rational(v.z * w.x + v.x * w.z), Rational(v.x * w.y + v.y * w.x)};
+}
+/// The way from a body's position to a point.
+template <class Body>
+Motion3 arm_of(const Body& body, const Point3d& p) {
+  const Point3d& x = body.position;
+  return {Rational(exact(p.x) - exact(x.x)), Rational(exact(p.y) - exact(x.y)), Rational(exact(p.z) - exact(x.z))};
+}
+/// Of the velocity at a point.
+template <class Body>
+Motion3 size_at(const Body& body, const Point3d& p) {
+  return size_of(body.velocity) + cross_of_sizes(size_of(body.angular_velocity), size_of(arm_of(body, p)));
+}
+
 }  // namespace touchstone::proptests

@@ -2,7 +2,7 @@
 """How certify.py reads bodies and what they do, as check_bodies.cpp does."""
 
 from certify_reading import expect, list_of_two, number, only
-from certify_space import point_in_space
+from certify_space import dot, list_of_three, point_in_space
 
 
 def plus(p, q):
@@ -39,6 +39,21 @@ def moving_body(value, what):
     names = ["position", "velocity", "angular_velocity"]
     only(value, what, names)
     return tuple(point_in_space(value[name], f"{what}.{name}") for name in names)
+
+
+def rigid_body(value, what):
+    """(mass, rows of the inertia, (position, velocity, angular velocity))"""
+    only(value, what, ["mass", "inertia", "position", "velocity", "angular_velocity"])
+    mass, name = number(value["mass"], what + ".mass"), what + ".inertia"
+    rows = [point_in_space(row, f"{name}[{i}]") for i, row in enumerate(list_of_three(value["inertia"], name))]
+    names = ("position", "velocity", "angular_velocity")
+    motion = tuple(point_in_space(value[part], f"{what}.{part}") for part in names)
+    for i, j in ((1, 0), (2, 0), (2, 1)):
+        expect(rows[i][j] == rows[j][i], f"{name}[{i}][{j}]: symmetric")
+    expect(mass > 0, what + ".mass: mass > 0")
+    minor = cross(rows[0], rows[1])
+    expect(rows[0][0] > 0 and minor[2] > 0 and dot(minor, rows[2]) > 0, name + ": positive definite")
+    return mass, rows, motion
 
 
 def velocity_at(body, point):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of collision response: one function an operation, as in check_response.cpp."""
 
-from certify_bodies import (bodies, cross, minus, moving_body, normal, plus, restitution, times, two_bodies,
-                            velocity_at)
-from certify_reading import exact_value, expect, list_of_two, number
+from certify_bodies import (bodies, cross, minus, moving_body, normal, plus, restitution, rigid_body, times,
+                            two_bodies, velocity_at)
+from certify_reading import exact_value, expect, list_of_two, number, only
 from certify_space import dot, exact_triple, plane, point_in_space, triple
 
 
@@ -114,6 +114,32 @@ def check_contact_state(claim):
     apart = dot(minus(of_a, of_b), n)
     state = "separating" if apart > 0 else "colliding" if apart < 0 else "resting"
     expect(claim.word("state") == state, "truth: state is wrong")
+
+
+def check_rigid_body_collision(claim):
+    claim.inputs("a", "b", "point", "normal", "e")
+    a, b = rigid_body(claim.input["a"], "a"), rigid_body(claim.input["b"], "b")
+    p, n = point_in_space(claim.input["point"], "point"), normal(claim.input["normal"], "normal")
+    e = restitution(claim.input["e"], "e")
+    claim.answers("a", "b")
+    claim.expect_kind("impulse_at"), claim.facts("impulse", "doubled_energies")
+    impulse, energies = claim.single("impulse"), claim.pair("doubled_energies")
+    before = after = 0
+    apart = []
+    for name, (mass, inertia, motion), push in (("a", a, times(impulse, n)), ("b", b, times(-impulse, n))):
+        truth, (position, velocity, turn) = claim.truth[name], motion
+        only(truth, "truth." + name, ["velocity", "angular_velocity"])
+        v, w = (exact_triple(truth[part], f"truth.{name}.{part}") for part in ("velocity", "angular_velocity"))
+        turned = tuple(dot(row, minus(w, turn)) for row in inertia)
+        expect(times(mass, minus(v, velocity)) == push, f"truth: momentum of {name} is wrong")
+        expect(turned == cross(minus(p, position), push), f"truth: angular momentum of {name} is wrong")
+        before += mass * dot(velocity, velocity) + dot(turn, tuple(dot(row, turn) for row in inertia))
+        after += mass * dot(v, v) + dot(w, tuple(dot(row, w) for row in inertia))
+        apart.append((dot(velocity_at(motion, p), n), dot(velocity_at((position, v, w), p), n)))
+    (a_before, a_after), (b_before, b_after) = apart
+    expect(a_after - b_after == -e * (a_before - b_before), "truth: the relative velocity along the normal is wrong")
+    expect(energies == (before, after), "certificate: the energies are wrong")
+    expect(after == before if e == 1 else after <= before, "truth: energy is gained or lost")
 
 
 def check_momentum(claim):

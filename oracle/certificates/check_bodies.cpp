@@ -23,6 +23,25 @@ std::vector<Body> bodies(const json& value, const std::string& what) {
   return result;
 }
 
+RigidBody rigid_body(const json& value, const std::string& what) {
+  only(value, what, {"mass", "inertia", "position", "velocity", "angular_velocity"});
+  const json& rows = value["inertia"];
+  const std::string name = what + ".inertia";
+  expect(rows.is_array() && rows.size() == 3, name + ": a list of three");
+  const Rational mass = number(value["mass"], what + ".mass");
+  const Triple x = point_in_space(rows[0], name + "[0]"), y = point_in_space(rows[1], name + "[1]"),
+               z = point_in_space(rows[2], name + "[2]");
+  const MovingBody motion{point_in_space(value["position"], what + ".position"),
+                          point_in_space(value["velocity"], what + ".velocity"),
+                          point_in_space(value["angular_velocity"], what + ".angular_velocity")};
+  expect(x.y == y.x, name + "[1][0]: symmetric");
+  expect(x.z == z.x, name + "[2][0]: symmetric");
+  expect(y.z == z.y, name + "[2][1]: symmetric");
+  expect(sgn(mass) > 0, what + ".mass: mass > 0");
+  expect(sgn(x.x) > 0 && sgn(cross(x, y).z) > 0 && sgn(dot(cross(x, y), z)) > 0, name + ": positive definite");
+  return {mass, x, y, z, motion};
+}
+
 MovingBody moving_body(const json& value, const std::string& what) {
   only(value, what, {"position", "velocity", "angular_velocity"});
   return {point_in_space(value["position"], what + ".position"), point_in_space(value["velocity"], what + ".velocity"),

@@ -26,8 +26,20 @@ struct MovingBody {
   Triple velocity_at(const Triple& point) const { return velocity + cross(angular_velocity, point - position); }
 };
 
+/// With a positive mass and a positive definite inertia, the rows of a symmetric matrix.
+struct RigidBody {
+  Rational mass;
+  Triple x, y, z;
+  MovingBody motion;
+  Triple angular_momentum(const Triple& w) const { return {dot(x, w), dot(y, w), dot(z, w)}; }
+  Rational doubled_energy(const Triple& v, const Triple& w) const {
+    return Rational(mass * dot(v, v) + dot(w, angular_momentum(w)));
+  }
+};
+
 /// Input, by the field's name; `what` is how the field is called in a refusal.
 std::vector<Body> bodies(const json& value, const std::string& what);
+RigidBody rigid_body(const json& value, const std::string& what);
 MovingBody moving_body(const json& value, const std::string& what);
 Triple normal(const json& value, const std::string& what);
 Rational restitution(const json& value, const std::string& what);

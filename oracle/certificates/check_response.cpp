@@ -174,6 +174,37 @@ void check_contact_state(const Claim& claim) {
          "truth: state is wrong");
 }
 
+/// Of all impulses at the contact along the normal one alone makes the relative velocity along it -e times what it was.
+void check_rigid_body_collision(const Claim& claim) {
+  claim.inputs({"a", "b", "point", "normal", "e"});
+  const RigidBody a = rigid_body(claim.input["a"], "a"), b = rigid_body(claim.input["b"], "b");
+  const Triple p = point_in_space(claim.input["point"], "point"), n = normal(claim.input["normal"], "normal");
+  const Rational e = restitution(claim.input["e"], "e");
+  claim.answers({"a", "b"});
+  expect_kind(claim, "impulse_at"), claim.facts({"impulse", "doubled_energies"});
+  const Rational impulse = claim.single("impulse");
+  const Pair energies = claim.pair("doubled_energies");
+  Rational before, after;
+  /// The velocity at the contact afterwards.
+  const auto checked = [&](const RigidBody& body, const std::string& name, const Triple& push) {
+    const json& truth = claim.truth[name];
+    only(truth, "truth." + name, {"velocity", "angular_velocity"});
+    const Triple v = exact_triple(truth["velocity"], "truth." + name + ".velocity"),
+                 w = exact_triple(truth["angular_velocity"], "truth." + name + ".angular_velocity");
+    const MovingBody& motion = body.motion;
+    expect(body.mass * (v - motion.velocity) == push, "truth: momentum of " + name + " is wrong");
+    expect(body.angular_momentum(w - motion.angular_velocity) == cross(p - motion.position, push),
+           "truth: angular momentum of " + name + " is wrong");
+    before += body.doubled_energy(motion.velocity, motion.angular_velocity), after += body.doubled_energy(v, w);
+    return MovingBody{motion.position, v, w}.velocity_at(p);
+  };
+  const Triple of_a = checked(a, "a", impulse * n), of_b = checked(b, "b", Rational(-impulse) * n);
+  expect(dot(of_a - of_b, n) == Rational(-e * dot(a.motion.velocity_at(p) - b.motion.velocity_at(p), n)),
+         "truth: the relative velocity along the normal is wrong");
+  expect(energies == Pair{before, after}, "certificate: the energies are wrong");
+  expect(e == 1 ? after == before : after <= before, "truth: energy is gained or lost");
+}
+
 }  // namespace
 
 Checks checks_of_response() {
@@ -185,6 +216,7 @@ Checks checks_of_response() {
           {"restitution_collision", check_restitution_collision},
           {"penalty_force", check_penalty_force},
           {"contact_state", check_contact_state},
+          {"rigid_body_collision", check_rigid_body_collision},
           {"momentum", check_momentum},
           {"kinetic_energy", check_kinetic_energy}};
 }

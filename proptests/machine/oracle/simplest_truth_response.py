@@ -75,6 +75,27 @@ def truth_contact_state(q):
     return {"state": state}, apart**2 / dot(n, n)
 
 
+def crossed(v, w):
+    return tuple(v[i - 2] * w[i - 1] - v[i - 1] * w[i - 2] for i in range(3))
+
+
+def truth_rigid_body_collision(q):
+    """The law of p. 74, with Cramer's rule for what an impulse turns."""
+    n, p, apart, resistance, bodies = point(q["normal"]), point(q["point"]), 0, 0, []
+    for body, sign in ((q["a"], 1), (q["b"], -1)):
+        mass, rows = number(body["mass"]), [point(row) for row in body["inertia"]]
+        v, w, arm = point(body["velocity"]), point(body["angular_velocity"]), minus(p, point(body["position"]))
+        moment = crossed(arm, n)
+        turn = tuple(determinant(*(rows[:i] + [moment] + rows[i + 1:])) / determinant(*rows) for i in range(3))
+        apart += sign * (dot(n, v) + dot(w, moment))
+        resistance += dot(n, n) / mass + dot(moment, turn)
+        bodies.append((mass, v, w, turn, sign))
+    j = -(1 + number(q["e"])) * apart / resistance
+    return {name: {"velocity": written_velocity(x + sign * j / mass * y for x, y in zip(v, n)),
+                   "angular_velocity": written_velocity(x + sign * j * y for x, y in zip(w, turn))}
+            for name, (mass, v, w, turn, sign) in zip("ab", bodies)}, None
+
+
 def truth_momentum(q):
     bodies = [(number(body["mass"]), point(body["velocity"])) for body in q["bodies"]]
     return {"momentum": [str(sum(m * v[axis] for m, v in bodies)) for axis in range(3)]}, None

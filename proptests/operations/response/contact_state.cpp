@@ -27,23 +27,6 @@ Stage decided_by(const Row::Question& q) {
   return std::apply([](const auto&... value) { return robust::stages::contact_state::ask(value...).stage; }, q);
 }
 
-/// The bound's sum S, by magnitudes alone.
-Rational products(const MovingBodyd& a, const MovingBodyd& b, const Point3d& p, const Vector3d& n) {
-  const auto size_of = [](const auto& v) {
-    return Motion3{Rational(abs(exact(v.x))), Rational(abs(exact(v.y))), Rational(abs(exact(v.z)))};
-  };
-  Motion3 sums = none();
-  for (const MovingBodyd* body : {&a, &b}) {
-    const Point3d& x = body->position;
-    const Motion3 w = size_of(body->angular_velocity),
-                  r{Rational(abs(exact(p.x) - exact(x.x))), Rational(abs(exact(p.y) - exact(x.y))),
-                    Rational(abs(exact(p.z) - exact(x.z)))};
-    sums = sums + size_of(body->velocity) +
-           Motion3{Rational(w.y * r.z + w.z * r.y), Rational(w.z * r.x + w.x * r.z), Rational(w.x * r.y + w.y * r.x)};
-  }
-  return dot(size_of(n), sums);
-}
-
 }  // namespace
 
 TEST_CASE("contact_state: exchanged bodies with the opposite normal; the opposite normal alone; time turned back") {
@@ -162,7 +145,8 @@ TEST_CASE("contact_state: the formula in double keeps its contract") {
   contract<Row>("the right state beyond the margin", [](const auto& truth, ContactState answer, const MovingBodyd& a,
                                                         const MovingBodyd& b, const Point3d& p, const Vector3d& n) {
     if (!moderate(a, b, p, n)) return true;
-    const Rational bound = 9 * unit() * products(a, b, p, n), square = dot(exactly(n), exactly(n));
+    const Rational bound = 9 * unit() * dot(size_of(n), size_at(a, p) + size_at(b, p)),
+                   square = dot(exactly(n), exactly(n));
     return Rational(*truth.margin * square) <= Rational(bound * bound) || answer == truth.answer;
   });
   right_in_exact_arithmetic<Row>();
