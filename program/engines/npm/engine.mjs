@@ -4,6 +4,7 @@ import { createRequire } from "node:module";
 import { createInterface } from "node:readline";
 import { of_the_same_area, simple } from "./exact.mjs";
 
+console.log = console.error;  // what a package prints is no answer
 const require = createRequire(import.meta.url);
 const name = process.argv[2];
 
@@ -12,8 +13,11 @@ const side = (left) => ({ side: left > 0 ? "left" : left < 0 ? "right" : "on" })
 
 const geojson = (ring) => ({ type: "Polygon", coordinates: [[...ring, ring[0]]] });
 
+/** A package with a file of its own. */
+const from = (file) => async () => (await import(file)).default();
+
 /** What each has: its operations, which answer undefined where the documentation excludes the input; `boundary`, if it
- * is not closed. */
+ * is not closed; `number`, if it is not binary64. */
 const packages = {
   "robust-segment-intersect": () => {
     const intersect = require("robust-segment-intersect");
@@ -70,21 +74,29 @@ const packages = {
       },
     };
   },
+  three: from("./three.mjs"),
+  quickhull3d: from("./quickhull3d.mjs"),
+  planck: from("./planck.mjs"),
+  "matter-js": from("./matter.mjs"),
+  "cannon-es": from("./cannon.mjs"),
+  "@dimforge/rapier3d-compat": from("./rapier3d.mjs"),
 };
 
 if (!(name in packages)) {
   console.error(`usage: node engine.mjs ${Object.keys(packages).join(" | ")}`);
   process.exit(2);
 }
-const { boundary = "closed", ...operations } = await packages[name]();
+const { boundary = "closed", number = "binary64", ...operations } = await packages[name]();
 const version = require("./package.json").dependencies[name];
-const say = (line) => process.stdout.write(JSON.stringify(line) + "\n");
+const word = (number) => (Number.isNaN(number) ? "nan" : number > 0 ? "inf" : "-inf");
+const told = (_, value) => (typeof value === "number" && !Number.isFinite(value) ? word(value) : value);
+const say = (line) => process.stdout.write(JSON.stringify(line, told) + "\n");
 
 let greeted = false;
 for await (const line of createInterface({ input: process.stdin })) {
   if (!greeted) {
     greeted = true;
-    say({ engine: `${name} ${version}`, ops: Object.keys(operations), number: "binary64", boundary, tolerance: 0 });
+    say({ engine: `${name} ${version}`, ops: Object.keys(operations), number, boundary, tolerance: 0 });
     continue;
   }
   const { id, op, input } = JSON.parse(line);
@@ -93,5 +105,6 @@ for await (const line of createInterface({ input: process.stdin })) {
     say(answer === undefined ? { id, unsupported: true } : { id, answer });
   } catch (error) {
     say({ id, error: String(error) });
+    if (error instanceof WebAssembly.RuntimeError) process.exit(1);  // nothing can be asked after that
   }
 }

@@ -10,7 +10,8 @@ function parts(number) {
   return [bits >> 63n ? -mantissa : mantissa, Math.max(exponent, 1) - 1075];
 }
 
-function integers(ring) {
+/** The coordinates of points as whole numbers of one unit. */
+export function integers(ring) {
   const split = ring.map((point) => point.map(parts));
   const unit = Math.min(...split.flat().map(([mantissa, exponent]) => (mantissa === 0n ? 1024 : exponent)));
   const whole = ([mantissa, exponent]) => (mantissa === 0n ? 0n : mantissa << BigInt(exponent - unit));
@@ -45,4 +46,18 @@ export function of_the_same_area(ring, triangles) {
   const size = (area) => (area < 0n ? -area : area);
   const whole = p.reduce((area, q, i) => area + cross(p[0], q, p[(i + 1) % p.length]), 0n);
   return size(whole) === triangles.reduce((area, [i, j, k]) => area + cross(p[i], p[j], p[k]), 0n);
+}
+
+/** The dimension of the hull of points, by elimination without division. */
+export function rank(points) {
+  const [first, ...others] = integers(points);
+  let rows = others.map((p) => p.map((c, k) => c - first[k])), found = 0;
+  for (const column of first.keys()) {
+    const pivot = rows.find((row) => row[column] !== 0n);
+    if (!pivot) continue;
+    const cleared = (row) => row.map((c, k) => c * pivot[column] - pivot[k] * row[column]);
+    rows = rows.filter((row) => row !== pivot).map(cleared);
+    ++found;
+  }
+  return found;
 }
