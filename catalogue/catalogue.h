@@ -117,10 +117,9 @@ using Rows = RowList<
     rows::restitution_collision,
     rows::damped_reflection,
     rows::penalty_force,
-    rows::contact_state>;
-    rows::simultaneous_collisions>;
     rows::contact_state,
-    rows::rigid_body_collision>;
+    rows::rigid_body_collision,
+    rows::simultaneous_collisions>;
 // clang-format on
 
 /// visit.template operator()<Row>() for every row.
