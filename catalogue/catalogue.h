@@ -52,6 +52,7 @@
 #include "catalogue/volumes/point_in_kdop.h"
 #include "catalogue/volumes/sphere_aabb.h"
 #include "catalogue/volumes/obb_obb.h"
+#include "catalogue/volumes/obb_of_points.h"
 #include "catalogue/volumes/point_in_obb.h"
 #include "catalogue/volumes/sphere_sphere.h"
 
@@ -100,6 +101,7 @@ using Rows = RowList<
     rows::aabb_aabb,
     rows::closest_point_on_aabb,
     rows::sphere_aabb,
+    rows::obb_of_points,
     rows::point_in_obb,
     rows::obb_obb,
     rows::swept_sphere_sphere,

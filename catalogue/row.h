@@ -126,6 +126,9 @@ struct Hooks {
   std::optional<truth_t<Row>> (*as_open_sets)(const truth_t<Row>& truth, const Question&) = nullptr;
   /// Where many answers are right: what is wrong with one; "" if it is right.
   std::string (*fault)(const Question&, const answer_t<Row>&) = nullptr;
+  /// The same of an answer in exact numbers, which may be right as long as nothing rounds them; without it such an
+  /// answer is right if it is the truth.
+  std::string (*exact_fault)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
   /// Repairs random numbers into a valid question (a ring that does not cross itself).
   void (*repair)(Question&) = nullptr;
   /// Times 2^k what is a length (default: every number).

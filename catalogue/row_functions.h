@@ -89,6 +89,7 @@ struct RowFunctions {
   // Hooks of the row; nullptr where it has none.
   std::optional<TrueTape> (*as_open_sets)(const TrueTape& truth, const Question&);
   std::string (*fault)(const Question&, const Tape<double>& answer);
+  std::string (*exact_fault)(const Question&, const Tape<mpq_class>& answer);
   void (*repair)(Question&);
   void (*scale)(Question&, int exponent);
   std::vector<mpq_class> (*residuals)(const Question&, const Tape<double>& answer);

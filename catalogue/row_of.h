@@ -168,6 +168,11 @@ struct RowOf {
   static std::string fault(const Question& question, const Tape<double>& answer) {
     return hooks().fault(unpacked<Asked>(question), unpacked<Answer>(answer));
   }
+  static std::string exact_fault(const Question& question, const Tape<mpq_class>& answer) {
+    using ExactAnswer = rebound_t<Answer, mpq_class>;
+    const auto as_it_is = [](const mpq_class& number) { return number; };
+    return hooks().exact_fault(unpacked<Asked>(question), unpacked<ExactAnswer>(answer, as_it_is));
+  }
   static void repair(Question& question) {
     auto asked = unpacked<Asked>(question);
     hooks().repair(asked);
@@ -261,6 +266,7 @@ RowFunctions RowOf<Row>::functions() {
   const auto given = hooks();
   if (given.as_open_sets) f.as_open_sets = as_open_sets;
   if (given.fault) f.fault = fault;
+  if (given.exact_fault) f.exact_fault = exact_fault;
   if (given.repair) f.repair = repair;
   if (given.scale) f.scale = scale;
   if (given.residuals) f.residuals = residuals;

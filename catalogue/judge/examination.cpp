@@ -81,6 +81,11 @@ bool Examination::right_in_exact_arithmetic() const {
   const auto in_doubles = [&] {
     return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
   };
+  if (row_.exact_fault != nullptr) {
+    const auto defined = [](const Exact& number) { return number.defined(); };
+    if (!std::all_of(answer.numbers.begin(), answer.numbers.end(), defined)) return false;
+    return row_.exact_fault(question_, tape_with<mpq_class>(answer, [](const Exact& n) { return n.value(); })).empty();
+  }
   if (row_.fault != nullptr) {
     // Numbers may be right, and wrong as soon as they are rounded.
     if (checks_numbers(row_) && same_as_truth(*row_.answer, solution_->answer, answer, Reading::complete)) return true;

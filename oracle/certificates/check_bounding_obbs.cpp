@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <string>
+
+#include "oracle/certificates/check_space.h"
+
+namespace touchstone::certify {
+namespace {
+
+using Points = std::vector<Triple>;
+
+Points points_in_space(const json& value, const std::string& what) {
+  expect(value.is_array() && !value.empty(), what + ": at least 1 point");
+  Points points;
+  for (const json& point : value)
+    points.push_back(point_in_space(point, what + "[" + std::to_string(points.size()) + "]"));
+  return points;
+}
+
+/// For each half axis a point that a fact names by its place.
+Points named(const Claim& claim, const std::string& fact, const Points& points) {
+  Points found;
+  for (const Rational& place : claim.list(fact.c_str())) {
+    const bool whole = place.get_den() == 1 && sgn(place) >= 0 && place < static_cast<unsigned long>(points.size());
+    expect(whole, "certificate." + fact + ": places of points");
+    found.push_back(points[place.get_num().get_ui()]);
+  }
+  expect(found.size() == 3, "certificate." + fact + ": a place for each half axis");
+  return found;
+}
+
+/// Along half axes at right angles a point has one coefficient each, and what is left of its way from the center where
+/// some are 0 has to be nothing.
+void check_obb_of_points(const Claim& claim) {
+  claim.inputs({"points"});
+  const Points points = points_in_space(claim.input["points"], "points");
+  claim.answers({"obb"});
+  const json& obb = claim.truth["obb"];
+  only(obb, "truth.obb", {"center", "half_axes"});
+  const Triple center = exact_triple(obb["center"], "truth.obb.center");
+  const json& written = obb["half_axes"];
+  expect(written.is_array() && written.size() == 3, "truth.obb.half_axes: a list of three");
+  std::array<Triple, 3> half_axes;
+  for (std::size_t k = 0; k < 3; ++k)
+    half_axes[k] = exact_triple(written[k], "truth.obb.half_axes[" + std::to_string(k) + "]");
+  for (std::size_t k = 0; k < 3; ++k)
+    expect(sgn(dot(half_axes[k], half_axes[(k + 1) % 3])) == 0, "truth: the half axes are not at right angles");
+  expect(claim.kind() == "touched_faces", "certificate: no such kind for this truth"), claim.facts({"least", "most"});
+  const Points least = named(claim, "least", points), most = named(claim, "most", points);
+  const Triple nothing{0, 0, 0};
+  const auto coefficient = [&](const Triple& p, const Triple& a) { return Rational(dot(p - center, a) / dot(a, a)); };
+  for (const Triple& p : points) {
+    Triple left = p - center;
+    for (const Triple& a : half_axes) {
+      if (a == nothing) continue;
+      const Rational t = coefficient(p, a);
+      expect(abs(t) <= 1, "truth: a point is outside of the box");
+      left = along(left, Rational(-t), a);
+    }
+    expect(left == nothing, "truth: a point is outside of the box");
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Triple& a = half_axes[k];
+    const bool touched = a == nothing || (coefficient(least[k], a) == -1 && coefficient(most[k], a) == 1);
+    expect(touched, "certificate: a point is not on the face");
+  }
+}
+
+}  // namespace
+
+Checks checks_of_bounding_obbs() { return {{"obb_of_points", check_obb_of_points}}; }
+
+}  // namespace touchstone::certify
