@@ -114,6 +114,16 @@ struct obb_of_points {
              return Point3d{x, y, c.below(2) == 1 ? -1.0 : 1.0};
            });
          }},
+        {"across_the_range",
+         [](Choices& c) -> Question {
+           // The half axes of a box along its diagonal are beyond the range.
+           double end = -0x1.fffffffffffffp+1023;
+           return many(c, [&] {
+             end = -end;
+             const double one = c.below(2) == 1 ? -1 : 1, y = c.below(8) == 7 ? one : end;
+             return Point3d{end, y, c.below(2) == 1 ? one : end};
+           });
+         }},
         {"whole_range",
          [](Choices& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;

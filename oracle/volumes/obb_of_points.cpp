@@ -179,7 +179,7 @@ Certificate obb_of_points_certificate(const std::vector<Point3d>& points) {
   std::vector<Rational> least, most;
   for (const Way& axis : axes_of(cloud)) {
     const Ends ends(cloud, axis);
-    least.emplace_back(ends.least), most.emplace_back(ends.most);
+    if (ends.low != ends.high) least.emplace_back(ends.least), most.emplace_back(ends.most);
   }
   return {"touched_faces", {{"least", std::move(least)}, {"most", std::move(most)}}};
 }

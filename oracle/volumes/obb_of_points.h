@@ -19,7 +19,8 @@ Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points);
 template <Exact Number>
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points);
 
-/// "touched_faces": for each half axis the place of the point `least` far along it, and of the one `most` far.
+/// "touched_faces": for each half axis that is not 0 the place of the point `least` far along it, and of the one `most`
+/// far.
 Certificate obb_of_points_certificate(const std::vector<Point3d>& points);
 
 /// What is wrong with a box, in the words of the contract (reference/volumes/obb_of_points.h): first of all the point

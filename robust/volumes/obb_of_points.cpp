@@ -30,7 +30,7 @@ struct Interval {
   Interval(double low, double high) {
     const auto sum = kernel::exact_sum(std::array{kernel::term(low), kernel::term(high)});
     center = kernel::round_scaled(sum.n, sum.exponent - 1);
-    const auto way = [this](double from, double to) {
+    const auto way = [](double from, double to) {
       const auto difference = kernel::exact_sum(std::array{kernel::term(to), -kernel::term(from)});
       return kernel::round_up(difference.n, difference.exponent);
     };
