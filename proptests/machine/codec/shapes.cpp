@@ -41,8 +41,9 @@ void for_each_value(Json& value, const std::string& path, const std::function<vo
   visit(value, path);
 }
 
+/// No list is empty: an element shows what it holds.
 Json simplest(const Operation& operation) {
-  Question question = operation.zeros();
+  Question question = operation.zeros(std::max<std::size_t>(operation.card().list_length, 1));
   for (double& number : question.numbers) number = 1.5;
   return operation.print(question);
 }
@@ -152,7 +153,8 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
   const bool ambiguous =
       operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
-    if (path.ends_with("half_axes")) rule = ": array of 3";  // the only arrays of three vectors that are no lists
+    // The only arrays of three vectors that are no lists.
+    if (path.ends_with("half_axes") || path.ends_with("inertia")) rule = ": array of 3";
     if (ambiguous && rule != "read") {
       CHECK(refusal(operation, document).find(": array") != std::string::npos);
       return;
