@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Convex hulls of many points in space: robust, CGAL's convex_hull_3 with the kernel Epick, and qhull, all from the same
+// Convex hulls of many points in space: robust, CGAL's convex_hull_3 with the kernel Epick, and qhull, all from one
 // list of points, in processor time.
 //
 // bench/hulls --verify compares the numbers of faces that robust and CGAL find (of points whose faces are triangles)

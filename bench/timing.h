@@ -5,8 +5,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 
 namespace touchstone::bench {
+
+#if !defined(__OPTIMIZE__)
+/// Before anything runs.
+inline const int said = std::fputs(
+    "compiled without optimisation, so that it keeps compiling: its times mean nothing (./dev bench compiles it to "
+    "run)\n",
+    stderr);
+#endif
 
 /// Cases of one iteration of Google Benchmark, so that its own loop costs nothing.
 inline constexpr std::size_t chunk = 4096;

@@ -123,4 +123,10 @@ inline void make_positive(double& mass) {
   if (mass == 0) mass = 1;
 }
 
+/// A coefficient of restitution on a bound, or the first number beyond.
+inline double restitution_at_a_bound(Choices& c) {
+  const double bound = c.below(2) == 1 ? 1 : 0;
+  return moved_by_ulps(bound, static_cast<int>(small_integer(c, 1)));
+}
+
 }  // namespace touchstone::audit

@@ -13,7 +13,7 @@
 #include "oracle/truth.h"
 
 /// A row of the catalogue is a struct named like its operation, in the file of that name. It holds
-///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where alternatives of the question have
+///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where a question's alternatives have
 ///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op), and before it
 ///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
 ///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples

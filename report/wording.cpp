@@ -96,8 +96,8 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
 
 std::string why_rounding(Speaker speaker) {
   if (speaker == Speaker::reference) {
-    return "The slide's formula is right here: in exact arithmetic it gives the truth. Rounding its intermediate "
-           "results changed the decision.";
+    return "The slide's formula is right here: so is its answer in exact arithmetic. Rounding its intermediate results "
+           "changed the decision.";
   }
   return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this "
          "input, or the input is beside a touch by less than its last places: rounding is the presumed cause. The "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/digits.h"
 #include "catalogue/mesh_choices.h"
 #include "catalogue/open_sets.h"
 #include "catalogue/row.h"
@@ -123,16 +124,9 @@ struct point_in_convex_polyhedron {
 
   /// Tetrahedra of size 12 and a point that runs over the numbers from 0 in thirds of 12, so that many lie on faces,
   /// edges and corners: the vertex opposite the corner at the origin, and the point.
-  static std::uint64_t world_count(int size) {
-    const auto n = static_cast<std::uint64_t>(size);
-    return n * n * n * n * n * n;
-  }
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
   static Question world_at(int size, std::uint64_t index) {
-    const auto digit = [&index, n = static_cast<std::uint64_t>(size)] {
-      const auto found = static_cast<double>(index % n);
-      index /= n;
-      return found;
-    };
+    Digits digit(size, index);
     const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
     Meshd mesh{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {4 * x, 4 * y, 4 * (z + 1)}}, {}};
     make_tetrahedron(mesh);

@@ -41,7 +41,7 @@ struct restitution_collision {
             hard<impact_beside_a_tie, one>("beside_a_tie"),
             hard<without_a_mass, usual>("without_a_mass"),
             hard<impact_without_a_normal, usual>("without_a_normal"),
-            hard<lattice_impact, at_a_bound>("e_at_a_bound")};
+            hard<lattice_impact, restitution_at_a_bound>("e_at_a_bound")};
   }
 
   /// e has no unit: it keeps its value.
@@ -77,11 +77,6 @@ struct restitution_collision {
   static double at_an_end(Choices& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-60, 0x1.fffffffffffffp-1, 0x1p-900};
     return ends[c.below(7)];
-  }
-  /// On it, or the first number beyond.
-  static double at_a_bound(Choices& c) {
-    const double bound = c.below(2) == 1 ? 1 : 0;
-    return moved_by_ulps(bound, static_cast<int>(small_integer(c, 1)));
   }
 
   template <auto draw, auto draw_e>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/digits.h"
 #include "catalogue/rigid_choices.h"
 #include "catalogue/row.h"
 #include "oracle/response/rigid_body_collision.h"
@@ -42,7 +43,7 @@ struct rigid_body_collision {
             hard<without_an_inertia, usual>("without_an_inertia"),
             hard<rigid_without_a_mass, usual>("without_a_mass"),
             hard<rigid_without_a_normal, usual>("without_a_normal"),
-            hard<lattice_rigid, at_a_bound>("e_at_a_bound")};
+            hard<lattice_rigid, restitution_at_a_bound>("e_at_a_bound")};
   }
 
   /// Times in another unit: nothing else has a unit that all of the answer shares.
@@ -74,17 +75,9 @@ struct rigid_body_collision {
 
   /// Two bodies of one mass, one of them tilted, and nine numbers that change. All others are such that they are valid
   /// where the grid begins at -1, too.
-  static std::uint64_t world_count(int size) {
-    std::uint64_t count = 1;
-    for (int i = 0; i < 9; ++i) count *= static_cast<std::uint64_t>(size);
-    return count;
-  }
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 9); }
   static Question world_at(int size, std::uint64_t index) {
-    const auto digit = [&index, n = static_cast<std::uint64_t>(size)] {
-      const auto found = static_cast<double>(index % n);
-      index /= n;
-      return found;
-    };
+    Digits digit(size, index);
     const double xy = digit();
     RigidBodyd a{2, {{4, xy, 0}, {xy, 4, 0}, {0, 0, 4}}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
     const RigidBodyd b{2, {{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {1, 1, 1}, {1, 0, 1}, {1, 1, 0}};
@@ -110,11 +103,6 @@ struct rigid_body_collision {
   static double at_an_end(Choices& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-30, 0x1.fffffffffffffp-1, 0x1p-900, 0.1};
     return ends[c.below(8)];
-  }
-  /// On it, or the first number beyond.
-  static double at_a_bound(Choices& c) {
-    const double bound = c.below(2) == 1 ? 1 : 0;
-    return moved_by_ulps(bound, static_cast<int>(small_integer(c, 1)));
   }
 
   template <auto draw, auto draw_e>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/box_choices.h"
+#include "catalogue/digits.h"
 #include "catalogue/open_sets.h"
 #include "catalogue/row.h"
 #include "oracle/sweeps/swept_aabb_aabb.h"
@@ -155,16 +156,9 @@ struct swept_aabb_aabb {
 
   /// a is the square from (0, 0) to (2, 2); b's least corner, its extents, which may be 0, and the velocity run over a
   /// grid.
-  static std::uint64_t world_count(int size) {
-    const auto n = static_cast<std::uint64_t>(size);
-    return n * n * n * n * n * n;
-  }
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
   static Question world_at(int size, std::uint64_t index) {
-    const auto digit = [&index, n = static_cast<std::uint64_t>(size)] {
-      const auto found = static_cast<double>(index % n);
-      index /= n;
-      return found;
-    };
+    Digits digit(size, index);
     const double low = std::floor(size / 2.0), x = digit() - low, y = digit() - low, dx = digit(), dy = digit();
     const double u = 2 * (digit() - low), v = 2 * (digit() - low);
     return InPlane{{{0, 0}, {2, 2}}, {{2 * x, 2 * y}, {2 * x + dx, 2 * y + dy}}, {u, v}};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "catalogue/digits.h"
 #include "catalogue/mesh_choices.h"
 #include "catalogue/open_sets.h"
 #include "catalogue/row.h"
@@ -111,16 +112,9 @@ struct swept_convex_polyhedra {
   }
 
   /// A tetrahedron of size 4 beside another, its top and its velocity on a grid.
-  static std::uint64_t world_count(int size) {
-    const auto n = static_cast<std::uint64_t>(size);
-    return n * n * n * n * n * n;
-  }
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
   static Question world_at(int size, std::uint64_t index) {
-    const auto digit = [&index, n = static_cast<std::uint64_t>(size)] {
-      const auto found = static_cast<double>(index % n);
-      index /= n;
-      return found;
-    };
+    Digits digit(size, index);
     const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
     Meshd a{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2 * x, 2 * y, 2 * (z + 1)}}, {}};
     Meshd b{{{4, 4, 4}, {8, 4, 4}, {4, 8, 4}, {4, 4, 8}}, {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/digits.h"
 #include "catalogue/obb_choices.h"
 #include "catalogue/open_sets.h"
 #include "catalogue/row.h"
@@ -164,17 +165,9 @@ struct obb_obb {
 
   /// a is a cube: every two boxes are images of such under an affine map. The center of b is three times as far from
   /// that of a as the numbers say, so that the boxes part.
-  static std::uint64_t world_count(int size) {
-    std::uint64_t count = 1;
-    for (int i = 0; i < 12; ++i) count *= static_cast<std::uint64_t>(size);
-    return count;
-  }
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 12); }
   static Question world_at(int size, std::uint64_t index) {
-    const auto digit = [&index, n = static_cast<std::uint64_t>(size)] {
-      const auto found = static_cast<double>(index % n);
-      index /= n;
-      return found;
-    };
+    Digits digit(size, index);
     Obb3d b{};
     for (double* x : {&b.center.x, &b.center.y, &b.center.z}) *x = 3 * digit();
     for (Vector3d* axis : each_of(b.half_axes)) {

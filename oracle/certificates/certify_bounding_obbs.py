@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of oriented boxes around points, as in check_bounding_obbs.cpp."""
 
-from certify_bounding_spheres import named, points_in_space
 from certify_reading import expect, only
-from certify_space import dot, exact_triple, list_of_three
+from certify_space import dot, exact_triple, list_of_three, named, points_in_space
 
 
 def check_obb_of_points(claim):

@@ -4,28 +4,16 @@
 from fractions import Fraction
 
 from certify_reading import WRONG_KIND, expect, only
-from certify_space import dot, exact_triple, point_in_space
+from certify_space import dot, exact_triple, named, points_in_space
 from certify_surd import exact_surd
 
 METHODS = ("box", "centroid", "ritter", "smallest")
 NOT_REACHED = "certificate: a point is not on the boundary of the ball"
 
 
-def points_in_space(value, what):
-    expect(isinstance(value, list) and value, what + ": at least 1 point")
-    return [point_in_space(point, f"{what}[{i}]") for i, point in enumerate(value)]
-
-
 def squared_distance(p, q):
     way = tuple(x - y for x, y in zip(p, q))
     return dot(way, way)
-
-
-def named(claim, fact, points):
-    places = claim.list(fact)
-    for place in places:
-        expect(place.denominator == 1 and 0 <= place < len(points), f"certificate.{fact}: places of points")
-    return [points[int(place)] for place in places]
 
 
 def combined(weights, support):

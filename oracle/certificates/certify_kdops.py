@@ -2,7 +2,7 @@
 """What certify.py checks of volumes of intervals around points, boxes and k-DOPs, as in check_kdops.cpp."""
 
 from certify_reading import exact_pair, exact_value, expect, number, only, point
-from certify_space import dot, point_in_space
+from certify_space import dot, point_in_space, points_in_space
 
 WRONG_VALUE = "certificate: the value of N . P is wrong"
 
@@ -128,9 +128,7 @@ def check_kdop_kdop(claim):
 
 def check_kdop_of_points(claim):
     claim.inputs("points", "normals")
-    written, listed = claim.input["points"], claim.input["normals"]
-    expect(isinstance(written, list) and written, "points: at least 1 point")
-    everything = [point_in_space(one, f"points[{i}]") for i, one in enumerate(written)]
+    everything, listed = points_in_space(claim.input["points"], "points"), claim.input["normals"]
     expect(isinstance(listed, list) and listed, "normals: at least 1 normal")
     normals = [normal(one, f"normals[{i}]") for i, one in enumerate(listed)]
     claim.answers("slabs")

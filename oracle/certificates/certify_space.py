@@ -13,6 +13,11 @@ def point_in_space(value, what):
     return tuple(number(n, f"{what}[{axis}]") for axis, n in enumerate(list_of_three(value, what)))
 
 
+def points_in_space(value, what):
+    expect(isinstance(value, list) and value, what + ": at least 1 point")
+    return [point_in_space(point, f"{what}[{i}]") for i, point in enumerate(value)]
+
+
 def plane(value, what):
     only(value, what, ["normal", "offset"])
     normal, offset = point_in_space(value["normal"], what + ".normal"), number(value["offset"], what + ".offset")
@@ -73,3 +78,11 @@ def triple(claim, name):
 
 def dot(p, q):
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+
+
+def named(claim, fact, points):
+    """The points of a list that a fact names by their places."""
+    places = claim.list(fact)
+    for place in places:
+        expect(place.denominator == 1 and 0 <= place < len(points), f"certificate.{fact}: places of points")
+    return [points[int(place)] for place in places]

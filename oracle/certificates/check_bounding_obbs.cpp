@@ -9,23 +9,10 @@ namespace {
 
 using Points = std::vector<Triple>;
 
-Points points_in_space(const json& value, const std::string& what) {
-  expect(value.is_array() && !value.empty(), what + ": at least 1 point");
-  Points points;
-  for (const json& point : value)
-    points.push_back(point_in_space(point, what + "[" + std::to_string(points.size()) + "]"));
-  return points;
-}
-
-/// The points that a fact names by their places, so many.
-Points named(const Claim& claim, const std::string& fact, const Points& points, std::size_t count) {
-  Points found;
-  for (const Rational& place : claim.list(fact.c_str())) {
-    const bool whole = place.get_den() == 1 && sgn(place) >= 0 && place < static_cast<unsigned long>(points.size());
-    expect(whole, "certificate." + fact + ": places of points");
-    found.push_back(points[place.get_num().get_ui()]);
-  }
-  expect(found.size() == count, "certificate." + fact + ": a place for each half axis that is not 0");
+/// So many.
+Points named(const Claim& claim, const char* fact, const Points& points, std::size_t count) {
+  Points found = certify::named(claim, fact, points);
+  expect(found.size() == count, std::string("certificate.") + fact + ": a place for each half axis that is not 0");
   return found;
 }
 

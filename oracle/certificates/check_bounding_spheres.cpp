@@ -12,31 +12,12 @@ using Points = std::vector<Triple>;
 Triple plus(const Triple& p, const Rational& weight, const Triple& q) { return along(p, weight, q); }
 Rational squared_distance(const Triple& p, const Triple& q) { return dot(p - q, p - q); }
 
-std::vector<Triple> points_in_space(const json& value, const std::string& what) {
-  expect(value.is_array() && !value.empty(), what + ": at least 1 point");
-  Points points;
-  for (const json& point : value)
-    points.push_back(point_in_space(point, what + "[" + std::to_string(points.size()) + "]"));
-  return points;
-}
-
 std::string method_of(const Claim& claim) {
   if (!claim.input.contains("method")) return "smallest";
   const json& method = claim.input["method"];
   const bool known = method == "box" || method == "centroid" || method == "ritter" || method == "smallest";
   expect(known, "method: one of box, centroid, ritter, smallest");
   return method.get<std::string>();
-}
-
-/// The points that a fact names by their places.
-Points named(const Claim& claim, const char* fact, const Points& points) {
-  Points found;
-  for (const Rational& place : claim.list(fact)) {
-    const bool whole = place.get_den() == 1 && sgn(place) >= 0 && place < static_cast<unsigned long>(points.size());
-    expect(whole, std::string("certificate.") + fact + ": places of points");
-    found.push_back(points[place.get_num().get_ui()]);
-  }
-  return found;
 }
 
 Triple middle_of_box(const Points& points) {

@@ -72,13 +72,6 @@ struct Kdop {
   bool holds(std::size_t i, const Rational& value) const { return slabs[i].x <= value && value <= slabs[i].y; }
 };
 
-std::vector<Triple> points_in_space(const json& value, const std::string& what) {
-  expect(value.is_array() && !value.empty(), what + ": at least 1 point");
-  std::vector<Triple> found;
-  for (const json& one : value) found.push_back(point_in_space(one, what + "[" + std::to_string(found.size()) + "]"));
-  return found;
-}
-
 Triple normal(const json& value, const std::string& what) {
   const Triple n = point_in_space(value, what);
   expect(n.x != 0 || n.y != 0 || n.z != 0, what + ": nonzero normal");

@@ -52,6 +52,14 @@ Plane plane(const json& value, const std::string& what) {
   return result;
 }
 
+std::vector<Triple> points_in_space(const json& value, const std::string& what) {
+  expect(value.is_array() && !value.empty(), what + ": at least 1 point");
+  std::vector<Triple> points;
+  for (const json& point : value)
+    points.push_back(point_in_space(point, what + "[" + std::to_string(points.size()) + "]"));
+  return points;
+}
+
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what) {
   expect(value.is_array() && value.size() >= 3, what + ": at least 3 vertices");
   std::vector<Triple> vertices;
@@ -85,6 +93,16 @@ Triple exact_triple(const json& value, const std::string& what) {
 
 Triple triple(const Claim& claim, const char* name) {
   return exact_triple(claim.certificate[name], std::string("certificate.") + name);
+}
+
+std::vector<Triple> named(const Claim& claim, const char* fact, const std::vector<Triple>& points) {
+  std::vector<Triple> found;
+  for (const Rational& place : claim.list(fact)) {
+    const bool whole = place.get_den() == 1 && sgn(place) >= 0 && place < static_cast<unsigned long>(points.size());
+    expect(whole, std::string("certificate.") + fact + ": places of points");
+    found.push_back(points[place.get_num().get_ui()]);
+  }
+  return found;
 }
 
 }  // namespace touchstone::certify

@@ -54,6 +54,8 @@ struct Box {
 std::vector<Rational> two_or_three(const json& value, const std::string& what);
 Triple point_in_space(const json& value, const std::string& what);
 Plane plane(const json& value, const std::string& what);
+/// At least one.
+std::vector<Triple> points_in_space(const json& value, const std::string& what);
 std::vector<Triple> polygon_in_space(const json& value, const std::string& what);
 Ball ball(const json& value, const std::string& what);
 /// Of the plane or of space; so the next.
@@ -64,5 +66,7 @@ Box box_in_space(const json& value, const std::string& what);
 /// Exact values of the truth and of the certificate.
 Triple exact_triple(const json& value, const std::string& what);
 Triple triple(const Claim& claim, const char* name);
+/// The points of a list that a fact names by their places.
+std::vector<Triple> named(const Claim& claim, const char* fact, const std::vector<Triple>& points);
 
 }  // namespace touchstone::certify

@@ -23,6 +23,10 @@ template <class Number>
 Vector3<Rational> exact_vector(const Vector3<Number>& v) {
   return {exact(v.x), exact(v.y), exact(v.z)};
 }
+template <class Number>
+Vector3<Rational> from_origin(const Point3<Number>& p) {
+  return {exact(p.x), exact(p.y), exact(p.z)};
+}
 inline std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v.y, v.z}; }
 
 /// The velocity of a particle after a bounce off a plane: the one whose product with the normal is -k times what it

@@ -12,17 +12,11 @@ struct Twist {
 
   template <class Number>
   explicit Twist(const MovingBody<Number>& body) : turn(exact_vector(body.angular_velocity)) {
-    const auto& [x, y, z] = body.position;
-    of_origin = exact_vector(body.velocity) + cross(Vector3<Rational>{exact(x), exact(y), exact(z)}, turn);
+    of_origin = exact_vector(body.velocity) + cross(from_origin(body.position), turn);
   }
 
   Vector3<Rational> at(const Vector3<Rational>& point) const { return of_origin + cross(turn, point); }
 };
-
-template <class Number>
-Vector3<Rational> from_origin(const Point3<Number>& p) {
-  return {exact(p.x), exact(p.y), exact(p.z)};
-}
 
 template <class Number>
 Truth<ContactState> truth(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,

@@ -35,8 +35,7 @@ Truth<Vector3<Rational>> truth(const Point3<Number>& point, const Vector3<Number
   const Situation s = examine(point, velocity, plane, stiffness, damping);
   const Rational margin(s.height * s.height / s.squared_normal);
   if (sgn(s.height) >= 0) return {{Rational(0), Rational(0), Rational(0)}, margin};
-  const Vector3<Rational> from{exact(point.x), exact(point.y), exact(point.z)};
-  return {exact(stiffness) * (s.foot - from) - exact(damping) * s.along, margin};
+  return {exact(stiffness) * (s.foot - from_origin(point)) - exact(damping) * s.along, margin};
 }
 
 }  // namespace

@@ -13,11 +13,6 @@ using ExactBody = RigidBody<Rational>;
 using ExactMotion = Motion<Rational>;
 
 template <class Number>
-Vector3<Rational> from_origin(const Point3<Number>& p) {
-  return {exact(p.x), exact(p.y), exact(p.z)};
-}
-
-template <class Number>
 ExactBody exact_body(const RigidBody<Number>& body) {
   const Vector3<Rational> x = from_origin(body.position);
   return {exact(body.mass),

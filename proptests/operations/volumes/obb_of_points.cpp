@@ -124,7 +124,7 @@ TEST_CASE("obb_of_points: huge and subnormal") {
   const Points ends{{-greatest, -greatest, -greatest}, {greatest, greatest, greatest}};
   const Obb3d widest = robust::obb_of_points(ends);
   CHECK(equal(widest, Obb3d{{0, 0, 0}, {{greatest, 0, 0}, {0, greatest, 0}, {0, 0, greatest}}}));
-  CHECK(fault(ends, widest).find("half_axes[0]: a face is beyond all points") == std::string::npos);
+  CHECK(fault(ends, widest) == "");
   const Points least{{0, 0, 0}, {tiny, 3 * tiny, 0}};
   const Obb3d smallest = robust::obb_of_points(least);
   CHECK(equal(smallest, Obb3d{{0, 2 * tiny, 0}, {{tiny, 0, 0}, {0, 2 * tiny, 0}, {0, 0, tiny}}}));
