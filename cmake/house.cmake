@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # How our own sources are compiled. Nothing here reaches a user of the installed libraries.
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
@@ -37,6 +37,10 @@ endif()
 
 # A target compiled from our sources: strict floating point and all warnings, privately.
 function(touchstone_own target)
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    # First, for the project around ours may have a geometry/ too.
+    target_include_directories(${target} BEFORE PRIVATE ${PROJECT_SOURCE_DIR})
+  endif()
   target_compile_options(
     ${target} PRIVATE -ffp-contract=off -frounding-math -Wall -Wextra -Wconversion -Wno-sign-conversion
                       -Wno-missing-field-initializers ${coverage_flags}

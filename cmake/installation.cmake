@@ -1,24 +1,61 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(touchstone): touchstone::{geometry,reference,robust,oracle}, and touchstone::{certify,audit} where
-# the libraries that these need are found. <touchstone/robust/lines/orientation.h> and "geometry/points.h" both resolve.
+# The package: find_package(touchstone COMPONENTS robust ...) gives touchstone::robust ..., and pkg-config touchstone-robust ...
+# One include directory, for <touchstone/robust/lines/orientation.h>; what else users need is in share/touchstone and share/doc/touchstone.
 
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/touchstone)
+set(data_dir ${CMAKE_INSTALL_DATADIR}/touchstone)
 
-install(TARGETS touchstone_geometry touchstone_reference touchstone_robust touchstone_oracle
-        EXPORT touchstone-rooms)
-install(TARGETS touchstone_certify touchstone_audit EXPORT touchstone-audit)
-install(EXPORT touchstone-rooms NAMESPACE touchstone:: DESTINATION ${package_dir})
-install(EXPORT touchstone-audit NAMESPACE touchstone:: DESTINATION ${package_dir})
+# Headers: written when the package is installed, for they may have changed since cmake ran.
+install(CODE "include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
+touchstone_write_headers(\"${PROJECT_SOURCE_DIR}\" \"${PROJECT_BINARY_DIR}/include\" ${touchstone_built})")
+install(DIRECTORY ${PROJECT_BINARY_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
-foreach(room geometry reference robust oracle catalogue audit report program)
-  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/touchstone FILES_MATCHING PATTERN "*.h"
-          PATTERN robust/stages EXCLUDE PATTERN robust/rings EXCLUDE PATTERN robust/hulls EXCLUDE)
+# Libraries: each component has targets of its own, so that one is found without what the others need.
+foreach(component ${touchstone_built})
+  set(targets touchstone_${component})
+  if(component STREQUAL audit)
+    list(APPEND targets touchstone)
+  endif()
+  install(TARGETS ${targets} EXPORT touchstone-${component})
+  install(EXPORT touchstone-${component} NAMESPACE touchstone:: DESTINATION ${package_dir})
 endforeach()
-
 configure_package_config_file(cmake/touchstone-config.cmake.in ${PROJECT_BINARY_DIR}/touchstone-config.cmake
-                              INSTALL_DESTINATION ${package_dir})
+                              INSTALL_DESTINATION ${package_dir} PATH_VARS data_dir CMAKE_INSTALL_DOCDIR)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/touchstone-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/touchstone-config.cmake ${PROJECT_BINARY_DIR}/touchstone-config-version.cmake
-              cmake/FindGMP.cmake cmake/FindMPFR.cmake
+              cmake/components.cmake cmake/touchstone_add_audit.cmake cmake/FindGMP.cmake cmake/FindMPFR.cmake
         DESTINATION ${package_dir})
+
+# pkg-config: the libraries are static, so what they need is linked as well. From its own place, so that the package can be moved.
+set(pkgconfig_of_GMP gmpxx gmp)
+set(pkgconfig_of_MPFR mpfr)
+set(pkgconfig_of_nlohmann_json nlohmann_json)
+set(pkgconfig_of_fmt fmt)
+set(pkgconfig_of_PNG libpng)
+file(RELATIVE_PATH to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
+foreach(component ${touchstone_built})
+  set(requires "")
+  set(libs "")
+  foreach(part ${touchstone_parts_of_${component}})
+    list(APPEND requires "touchstone-${part} = ${PROJECT_VERSION}")
+  endforeach()
+  foreach(package ${touchstone_needs_of_${component}})
+    list(APPEND requires ${pkgconfig_of_${package}})
+  endforeach()
+  get_target_property(type touchstone_${component} TYPE)
+  if(type STREQUAL STATIC_LIBRARY)
+    set(libs "-L\${libdir} -ltouchstone_${component}")
+  endif()
+  list(JOIN requires ", " requires)
+  configure_file(cmake/touchstone.pc.in pkgconfig/touchstone-${component}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/pkgconfig/touchstone-${component}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endforeach()
+
+# For other languages: test vectors with their schema, and the checker of certificates in Python.
+install(DIRECTORY vectors DESTINATION ${data_dir})
+install(DIRECTORY oracle/certificates/ DESTINATION ${data_dir}/certify
+        FILES_MATCHING PATTERN "certify*.py" PATTERN claims EXCLUDE PATTERN __pycache__ EXCLUDE)
+install(FILES LICENSE README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN __pycache__ EXCLUDE PATTERN node_modules EXCLUDE)

@@ -93,40 +93,5 @@ endif()
 
 # What a user does with the installed package. Not while counting coverage: the flags for that stay in this build.
 if(NOT TOUCHSTONE_COVERAGE)
-  set(installed ${PROJECT_BINARY_DIR}/installed)
-  add_test(NAME install/prefix
-           COMMAND sh -c "rm -rf '${installed}' && '${CMAKE_COMMAND}' --install '${PROJECT_BINARY_DIR}' --prefix '${installed}'")
-  set_tests_properties(install/prefix PROPERTIES FIXTURES_SETUP installed)
-  foreach(consumer proptests/install examples/my_engine)
-    if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${consumer}/CMakeLists.txt)
-      continue()
-    endif()
-    cmake_path(GET consumer FILENAME name)
-    if(name STREQUAL install)
-      set(name consumer)
-    endif()
-    add_test(NAME install/${name}
-             COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR}/${consumer}
-                     ${PROJECT_BINARY_DIR}/consumers/${name} --build-generator ${CMAKE_GENERATOR} --build-options
-                     -DCMAKE_PREFIX_PATH=${installed} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-                     "-DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}" -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} --test-command ctest
-                     --output-on-failure)
-    set_tests_properties(install/${name} PROPERTIES FIXTURES_REQUIRED installed)
-  endforeach()
-  # It audits a naive engine, so that it ends with findings (exit code 1) is as it should be.
-  add_test(NAME install/my_engine_audits COMMAND ${PROJECT_BINARY_DIR}/consumers/my_engine/my_engine --cases 1000 --seed 1)
-  set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
-                                                           "my engine 1.0.*segment_segment")
-  # Its fuzz target: any bytes are a question, and it answers all; libFuzzer soon finds an answer that is wrong.
-  set(fuzz_my_engine ${PROJECT_BINARY_DIR}/consumers/my_engine/fuzz_my_engine)
-  add_test(NAME install/my_engine_replays COMMAND ${fuzz_my_engine} ${PROJECT_SOURCE_DIR}/examples/my_engine/fuzz.cpp)
-  set_tests_properties(install/my_engine_replays PROPERTIES DEPENDS install/my_engine ENVIRONMENT
-                                                            TOUCHSTONE_FUZZ_ONLY=invalid)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-    add_test(NAME install/my_engine_fuzzes
-             COMMAND ${fuzz_my_engine} -seed=1 -max_len=640 -runs=200000 -artifact_prefix=${PROJECT_BINARY_DIR}/consumers/)
-    set_tests_properties(
-      install/my_engine_fuzzes PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
-                                          "my engine 1.0: segment_segment \\((rounding|algorithm)\\) on .* the truth is")
-  endif()
+  include(install_tests)
 endif()

@@ -42,7 +42,7 @@ STAGES = "robust/stages"
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
 NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "stages"}, "oracle": {"exact", "certificates", "rings"}}
-# cmake/installation.cmake leaves these out.
+# cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = (f"{STAGES}/", "robust/rings/", "robust/hulls/")
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".mjs"}

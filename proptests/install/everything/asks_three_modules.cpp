@@ -14,13 +14,13 @@
 
 using namespace touchstone;
 
-/// The segments lie in one line and share [1, 2]: the slide's formula misses it, the two others do not.
+/// The segments lie in one line and share [1, 2]: the textbook formula misses it, the two others do not.
 int main() {
   const Segment2d a{{0, 0}, {2, 0}}, b{{1, 0}, {3, 0}};
   bool right = reference::segment_segment(a, b).relation == SegmentRelation::disjoint;
   right = right && robust::segment_segment(a, b).relation == SegmentRelation::overlap;
   right = right && oracle::segment_segment(a, b).answer.relation == SegmentRelation::overlap;
-  if (!right) std::puts("a room answers otherwise than in its own build");
+  if (!right) std::puts("a module answers otherwise than in its own build");
 
   bool refused = false;
   try {

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+# The components of the package, each after those that it holds; read by our own build and by find_package(touchstone).
+
+set(touchstone_components geometry reference robust oracle certify audit testing)
+
+set(touchstone_parts_of_reference geometry)
+set(touchstone_parts_of_robust geometry)
+set(touchstone_parts_of_oracle geometry)
+set(touchstone_parts_of_audit geometry reference robust oracle certify)
+set(touchstone_parts_of_testing ${touchstone_parts_of_audit} audit)
+
+# What a user of the component must have, its parts included.
+set(touchstone_needs_of_robust GMP MPFR)
+set(touchstone_needs_of_oracle GMP MPFR)
+set(touchstone_needs_of_certify GMP nlohmann_json)
+set(touchstone_needs_of_audit GMP MPFR nlohmann_json fmt PNG)
+set(touchstone_needs_of_testing ${touchstone_needs_of_audit})
+set(touchstone_version_of_nlohmann_json 3.11)
+
+set(touchstone_debian_of_GMP libgmp-dev)
+set(touchstone_debian_of_MPFR libmpfr-dev)
+set(touchstone_debian_of_nlohmann_json nlohmann-json3-dev)
+set(touchstone_debian_of_fmt libfmt-dev)
+set(touchstone_debian_of_PNG libpng-dev)

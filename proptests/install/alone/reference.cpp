@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <touchstone/reference/lines/orientation.h>
+
+using namespace touchstone;
+
+int main() { return reference::orientation(Point2d{0, 0}, Point2d{2, 0}, Point2d{1, 1}) == Side::left ? 0 : 1; }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// The user's own geometry/ stands first among the include directories, as it does in most projects.
+#include <touchstone/reference/lines/orientation.h>
+#include <touchstone/robust/lines/orientation.h>
+
+#include "geometry/answers.h"
+#include "geometry/points.h"
+
+#if __has_include("geometry/invalid_input.h") || __has_include("robust/lines/orientation.h")
+#error "touchstone's headers are reached without <touchstone/...>"
+#endif
+
+int main() {
+  const touchstone::Side side = touchstone::robust::orientation({0, 0}, {2, 0}, {1, 1});
+  return side == touchstone::Side::left && user::Point2d{}.x == 42 ? 0 : 1;
+}
