@@ -40,7 +40,11 @@ set_tests_properties(install/package_holds install/consumer install/my_engine in
 # touchstone_add_audit of an engine that is wrong: ctest fails, for the engine's findings.
 add_test(NAME install/naive_audit_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${consumers}/consumer -R "^naive/audit$" --output-on-failure)
 set_tests_properties(install/naive_audit_fails PROPERTIES DEPENDS install/consumer PASS_REGULAR_EXPRESSION
-                     "naive/audit [.]*\\*\\*\\*Failed.*textbook in Python.*segment_segment, rounding")
+                     "naive/audit [.]*\\*\\*\\*Failed.*textbook in Python.*segment_segment")
+
+# The steps of action.yml, on the installed package.
+add_test(NAME install/action COMMAND ${Python3_EXECUTABLE} ${install_tests}/action_runs.py ${PROJECT_SOURCE_DIR} ${installed} ${consumers}/action)
+set_tests_properties(install/action PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77)
 
 # It audits a naive engine, so that it ends with findings (exit code 1) is as it should be.
 add_test(NAME install/my_engine_audits COMMAND ${consumers}/my_engine/my_engine --cases 1000 --seed 1)
