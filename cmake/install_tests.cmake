@@ -42,6 +42,17 @@ add_test(NAME install/naive_audit_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-di
 set_tests_properties(install/naive_audit_fails PROPERTIES DEPENDS install/consumer PASS_REGULAR_EXPRESSION
                      "naive/audit [.]*\\*\\*\\*Failed.*textbook in Python.*segment_segment")
 
+# What it says to those who misuse it: misuse(NAME complaint argument...).
+function(misuse name complaint)
+  list(JOIN ARGN " " arguments)
+  add_test(NAME install/add_audit_${name}
+           COMMAND ${CMAKE_COMMAND} -DARGUMENTS=${arguments} -P ${install_tests}/misuses_add_audit.cmake)
+  set_tests_properties(install/add_audit_${name} PROPERTIES PASS_REGULAR_EXPRESSION "touchstone_add_audit\\(engine\\):[ \n]+${complaint}")
+endfunction()
+misuse(no_target "no target[ \n]+has this name; an engine that is none is given by COMMAND" engine)
+misuse(no_keyword "--cases 50[ \n]+belongs to none of" engine --cases 50)
+misuse(no_value "nothing stands[ \n]+after BASELINE" engine BASELINE ARGS --cases 50)
+
 # The steps of action.yml, on the installed package.
 add_test(NAME install/action COMMAND ${Python3_EXECUTABLE} ${install_tests}/action_runs.py ${PROJECT_SOURCE_DIR} ${installed} ${consumers}/action)
 set_tests_properties(install/action PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77)

@@ -6,6 +6,20 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/touchstone)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/touchstone)
 
+# What must be built before it can be installed.
+add_custom_target(touchstone_package)
+foreach(target ${touchstone_built})
+  get_target_property(type touchstone_${target} TYPE)
+  if(type STREQUAL STATIC_LIBRARY)
+    add_dependencies(touchstone_package touchstone_${target})
+  endif()
+endforeach()
+foreach(target touchstone manual)
+  if(TARGET ${target})
+    add_dependencies(touchstone_package ${target})
+  endif()
+endforeach()
+
 # Headers: written when the package is installed, for they may have changed since cmake ran.
 install(CODE "include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
 touchstone_write_headers(\"${PROJECT_SOURCE_DIR}\" \"${PROJECT_BINARY_DIR}/include\" ${touchstone_built})")

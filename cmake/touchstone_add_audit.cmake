@@ -15,6 +15,7 @@
 function(touchstone_add_audit target)
   cmake_parse_arguments(PARSE_ARGV 1 audit "" "NAME;BASELINE" "COMMAND;ARGS")
   if(audit_UNPARSED_ARGUMENTS)
+    list(JOIN audit_UNPARSED_ARGUMENTS " " audit_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "touchstone_add_audit(${target}): ${audit_UNPARSED_ARGUMENTS} belongs to none of NAME, BASELINE, COMMAND, "
                         "ARGS; options of `touchstone audit` stand after ARGS")
   endif()
