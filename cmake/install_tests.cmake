@@ -8,10 +8,6 @@ set(install_tests ${PROJECT_SOURCE_DIR}/proptests/install)
 add_test(NAME install/prefix
          COMMAND sh -c "rm -rf '${installed}' && '${CMAKE_COMMAND}' --install '${PROJECT_BINARY_DIR}' --prefix '${installed}'")
 set_tests_properties(install/prefix PROPERTIES FIXTURES_SETUP installed)
-set(package_holds ${Python3_EXECUTABLE} ${install_tests}/package_holds.py)
-add_test(NAME install/package_holds COMMAND ${package_holds} ${PROJECT_SOURCE_DIR} ${installed})
-add_test(NAME install/package_holds_self_check COMMAND ${package_holds} --self-check)
-
 # install_consumer(NAME SOURCE OPTIONS option... THEN command...): configures and builds a project, then runs the command there.
 function(install_consumer name source)
   cmake_parse_arguments(PARSE_ARGV 2 of "" "" "OPTIONS;THEN")
@@ -24,7 +20,6 @@ install_consumer(consumer ${install_tests} OPTIONS -DCMAKE_PREFIX_PATH=${install
                  THEN ${CMAKE_CTEST_COMMAND} --output-on-failure -E "^naive/audit$")
 install_consumer(my_engine ${PROJECT_SOURCE_DIR}/examples/my_engine OPTIONS -DCMAKE_PREFIX_PATH=${installed} THEN
                  ${CMAKE_COMMAND} -E true)
-install_consumer(in_source ${install_tests}/in_source OPTIONS -DTOUCHSTONE_SOURCE=${PROJECT_SOURCE_DIR} THEN ${CMAKE_COMMAND} -E true)
 
 # With pkg-config and the compiler alone.
 set(words "${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} -std=c++20")
@@ -35,7 +30,36 @@ ${words} '${install_tests}'/alone/$of.cpp -o '${consumers}'/pkg_config_$of $flag
 test \"$(pkg-config --variable=vectors touchstone-geometry)\"/orientation.jsonl -ef '${installed}/${CMAKE_INSTALL_DATADIR}/touchstone/vectors/orientation.jsonl'")
 set_tests_properties(install/pkg_config PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT
                                                    PKG_CONFIG_PATH=${installed}/${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-set_tests_properties(install/package_holds install/consumer install/my_engine install/pkg_config PROPERTIES FIXTURES_REQUIRED installed)
+set_tests_properties(install/consumer install/my_engine install/pkg_config PROPERTIES FIXTURES_REQUIRED installed)
+
+# It audits a naive engine, so that it ends with findings (exit code 1) is as it should be.
+add_test(NAME install/my_engine_audits COMMAND ${consumers}/my_engine/my_engine --cases 1000 --seed 1)
+set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
+                                                         "my engine 1.0.*segment_segment")
+# Its fuzz target: any bytes are a question, and it answers all; libFuzzer soon finds an answer that is wrong.
+set(fuzz_my_engine ${consumers}/my_engine/fuzz_my_engine)
+add_test(NAME install/my_engine_replays COMMAND ${fuzz_my_engine} ${PROJECT_SOURCE_DIR}/examples/my_engine/fuzz.cpp)
+set_tests_properties(install/my_engine_replays PROPERTIES DEPENDS install/my_engine ENVIRONMENT
+                                                          TOUCHSTONE_FUZZ_ONLY=invalid)
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  add_test(NAME install/my_engine_fuzzes
+           COMMAND ${fuzz_my_engine} -seed=1 -max_len=640 -runs=200000 -artifact_prefix=${consumers}/)
+  set_tests_properties(
+    install/my_engine_fuzzes PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
+                                        "my engine 1.0: segment_segment \\((rounding|algorithm)\\) on .* the truth is")
+endif()
+
+# What no compiler changes is asked once.
+if(TOUCHSTONE_TEST_ROBUST_ALONE)
+  return()
+endif()
+
+set(package_holds ${Python3_EXECUTABLE} ${install_tests}/package_holds.py)
+add_test(NAME install/package_holds COMMAND ${package_holds} ${PROJECT_SOURCE_DIR} ${installed})
+set_tests_properties(install/package_holds PROPERTIES FIXTURES_REQUIRED installed)
+add_test(NAME install/package_holds_self_check COMMAND ${package_holds} --self-check)
+
+install_consumer(in_source ${install_tests}/in_source OPTIONS -DTOUCHSTONE_SOURCE=${PROJECT_SOURCE_DIR} THEN ${CMAKE_COMMAND} -E true)
 
 # touchstone_add_audit of an engine that is wrong: ctest fails, for the engine's findings.
 add_test(NAME install/naive_audit_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${consumers}/consumer -R "^naive/audit$" --output-on-failure)
@@ -56,20 +80,3 @@ misuse(no_value "nothing stands[ \n]+after BASELINE" engine BASELINE ARGS --case
 # The steps of action.yml, on the installed package.
 add_test(NAME install/action COMMAND ${Python3_EXECUTABLE} ${install_tests}/action_runs.py ${PROJECT_SOURCE_DIR} ${installed} ${consumers}/action)
 set_tests_properties(install/action PROPERTIES FIXTURES_REQUIRED installed SKIP_RETURN_CODE 77)
-
-# It audits a naive engine, so that it ends with findings (exit code 1) is as it should be.
-add_test(NAME install/my_engine_audits COMMAND ${consumers}/my_engine/my_engine --cases 1000 --seed 1)
-set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
-                                                         "my engine 1.0.*segment_segment")
-# Its fuzz target: any bytes are a question, and it answers all; libFuzzer soon finds an answer that is wrong.
-set(fuzz_my_engine ${consumers}/my_engine/fuzz_my_engine)
-add_test(NAME install/my_engine_replays COMMAND ${fuzz_my_engine} ${PROJECT_SOURCE_DIR}/examples/my_engine/fuzz.cpp)
-set_tests_properties(install/my_engine_replays PROPERTIES DEPENDS install/my_engine ENVIRONMENT
-                                                          TOUCHSTONE_FUZZ_ONLY=invalid)
-if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
-  add_test(NAME install/my_engine_fuzzes
-           COMMAND ${fuzz_my_engine} -seed=1 -max_len=640 -runs=200000 -artifact_prefix=${consumers}/)
-  set_tests_properties(
-    install/my_engine_fuzzes PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
-                                        "my engine 1.0: segment_segment \\((rounding|algorithm)\\) on .* the truth is")
-endif()
