@@ -4,20 +4,15 @@
 #include <algorithm>
 #include <chrono>
 
+#include "audit/generic.h"
 #include "audit/parallel.h"
+#include "audit/shrink_examples.h"
 #include "catalogue/codec/plain.h"
-#include "catalogue/families/shrink.h"
 
 namespace touchstone::audit {
 namespace {
 
 constexpr std::uint64_t batch_size = 1024;
-/// What an engine may say while one finding is made smaller. Bytes, because the same run shall find the same whatever
-/// the machine's speed; 300 answers of usual length are a tenth of it.
-constexpr std::size_t most_read_to_shrink = 1 << 20;
-
-/// Our reference in double, as if it were somebody's engine.
-const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
 
 /// One job: a share of the batches of one operation.
 class Worker {
@@ -43,21 +38,20 @@ class Worker {
     }
     for (std::size_t i = 0; i < pending.size(); ++i) {
       const Pending& p = pending[i];
-      const std::string outcome = p.examination->outcome();
+      const Asked asked{operation_, p.question, p.examination->outcome(), p.index, options_.limits};
       if (engine_ == nullptr) {
-        count(asked_[p.family], p.question, p.examination->judge_reference(), outcome, p.index, nullptr);
+        count(asked_[p.family], asked, p.examination->judge_reference());
       } else {
         const Reply reply = replies.empty() ? Reply{Reply::Kind::unsupported, nullptr, ""} : replies[i];
         if (!reply.asked && stop_) continue;
         if (reply.asked) {
-          count(asked_[p.family], p.question, judged(reply, *p.examination, engine_->declaration()), outcome, p.index,
-                reply.answer);
+          count(asked_[p.family], asked, judged(reply, *p.examination, engine_->declaration()), reply.answer);
         } else {
           ++asked_[p.family].not_asked;
           asked_[p.family].given_up = reply.remark;
         }
       }
-      count(robust_[p.family], p.question, p.examination->judge_robust(), outcome, p.index, nullptr);
+      count(robust_[p.family], asked, p.examination->judge_robust());
     }
   }
 
@@ -85,8 +79,10 @@ class Worker {
       asked_[family].refuse(refused.rule());
       robust_[family].refuse(refused.rule());
       const std::string mismatch = operation_.refusal_mismatch(question);
-      if (!mismatch.empty())
-        count(robust_[family], question, {Verdict::invalid, 0, mismatch, 0}, "refused", index, nullptr);
+      if (!mismatch.empty()) {
+        count(robust_[family], {operation_, question, "refused", index, options_.limits},
+              {Verdict::invalid, 0, mismatch, 0});
+      }
     }
   }
 
@@ -97,57 +93,6 @@ class Worker {
   const std::atomic<bool>& stop_;
   std::vector<Cell> asked_, robust_;
 };
-
-/// Replaces each smallest finding by a still smaller one of the same verdict, on its stream of choices.
-void shrink_findings(const Operation& operation, std::size_t family, std::uint64_t seed, Cell& cell, Engine* engine,
-                     bool robust) {
-  const Declaration& declaration = engine != nullptr ? engine->declaration() : reference_declaration;
-  for (std::size_t v = 0; v < verdict_count; ++v) {
-    if (!cell.smallest[v]) continue;
-    Finding& finding = *cell.smallest[v];
-    Choices choices = case_choices(operation, family, seed, finding.index, true);
-    operation.draw(choices, family);
-    std::size_t read = 0;
-    const auto look = [&](const std::vector<std::uint8_t>& bytes) {
-      Choices replay = Choices::replayed(bytes);
-      Question question = operation.draw(replay, family);
-      if (declaration.binary32) question = operation.in_binary32(question);
-      Finding found{question, {}, nullptr, finding.index};
-      try {
-        const auto examination = operation.examine(question);
-        if (robust) {
-          found.judgement = examination->judge_robust();
-          found.answer = examination->robust();
-        } else if (engine == nullptr) {
-          found.judgement = examination->judge_reference();
-          found.answer = examination->reference();
-        } else {
-          const Reply reply = engine->ask(operation, {question})[0];
-          read += reply.bytes;
-          if (!reply.asked) return found;
-          found.judgement = judged(reply, *examination, declaration);
-          found.answer = kept(reply.answer);
-        }
-      } catch (const InvalidInput&) {
-      }
-      return found;
-    };
-    const bool slow = cell.smallest[v]->judgement.verdict == Verdict::invalid && engine != nullptr && !robust;
-    const auto bytes = shrunk(
-        choices.recorded(),
-        [&](const auto& candidate) {
-          return read < most_read_to_shrink && static_cast<std::size_t>(look(candidate).judgement.verdict) == v;
-        },
-        slow                ? 20
-        : engine != nullptr ? 300
-                            : 2000);
-    Finding least = look(bytes);
-    if (static_cast<std::size_t>(least.judgement.verdict) != v || smaller(finding.question, least.question)) {
-      least = look(choices.recorded());  // only to have the answer beside the question as it was drawn
-    }
-    if (static_cast<std::size_t>(least.judgement.verdict) == v) finding = std::move(least);
-  }
-}
 
 void require_an_operation(const Engine& engine, const AuditOptions& options) {
   const auto has = [&](const Operation* operation) { return engine.supports(operation->name()); };
@@ -169,29 +114,48 @@ std::vector<std::size_t> chosen_families(const Operation& operation, const std::
 }  // namespace
 
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
+  Judgement judgement;
+  judgement.degenerate = examination.degenerate();
   switch (reply.kind) {
-    case Reply::Kind::unsupported: return {Verdict::unsupported, 0, "", 0};
-    case Reply::Kind::failed: return {Verdict::invalid, 0, reply.remark, 0};
+    case Reply::Kind::unsupported: judgement.verdict = Verdict::unsupported; return judgement;
+    case Reply::Kind::failed:
+      judgement.verdict = Verdict::invalid;
+      judgement.remark = reply.remark;
+      return judgement;
     default: return examination.judge_engine(reply.answer, declaration);
   }
 }
 
-void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome,
-           std::uint64_t index, const Json& answer) {
-  const auto v = static_cast<std::size_t>(judgement.verdict);
-  ++cell.counts[v];
-  ++cell.outcomes[outcome];
+Way way_of(const Judgement& judgement, const std::string& truth) {
+  const Verdict verdict = judgement.verdict;
+  return {verdict, truth,
+          verdict == Verdict::invalid       ? no_valid_answer
+          : verdict == Verdict::unsupported ? no_answer
+                                            : judgement.said};
+}
+
+void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer) {
+  const Verdict verdict = judgement.verdict;
+  const Range range = range_of(asked.question, asked.limits);
+  const auto r = static_cast<std::size_t>(range);
+  WayCount& counted = cell.ways[way_of(judgement, asked.truth)];
+  ++counted.cases[r];
+  if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
   // A decision that rounding may have taken, or none at all, says nothing about the convention.
-  const bool meant = judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::invalid;
+  const bool meant = verdict != Verdict::rounding && verdict != Verdict::invalid;
   if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
   if (meant && judgement.touch_reading < 0) ++cell.touches_open;
   cell.surplus += judgement.surplus;
-  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact) {
+  if (verdict == Verdict::agree || verdict == Verdict::inexact) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }
-  if (judgement.verdict == Verdict::agree || judgement.verdict == Verdict::unsupported) return;
-  if (!cell.smallest[v] || smaller(question, cell.smallest[v]->question))
-    cell.smallest[v] = Finding{question, judgement, kept(answer), index};
+  if (verdict == Verdict::agree || verdict == Verdict::unsupported) return;
+  if (counted.example && counted.example->range < range) return;
+  const bool generic = !judgement.degenerate && in_general_position(asked.operation, asked.question);
+  Finding found{asked.question, judgement, nullptr, asked.index, range, generic};
+  if (counted.example && !shown_before(found, *counted.example)) return;
+  found.answer = kept(answer);
+  counted.example = std::move(found);
 }
 
 Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
@@ -211,6 +175,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   tally.declaration = options.engine ? engines[0]->declaration() : reference_declaration;
   tally.seed = options.seed;
   tally.cases = options.cases;
+  tally.limits = options.limits;
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
     if (families.empty() || (options.engine && operation->card().is_method())) continue;
@@ -235,11 +200,11 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
     for (std::size_t f = 0; f < families.size(); ++f) {
       Cell of_asked, of_robust;
       for (const Worker& worker : workers) of_asked.merge(worker.asked()[f]), of_robust.merge(worker.robust()[f]);
-      shrink_findings(*operation, families[f], options.seed, of_asked, engines[0].get(), false);
-      shrink_findings(*operation, families[f], options.seed, of_robust, nullptr, true);
       asked.families.emplace_back(operation->families()[families[f]], std::move(of_asked));
       robust.families.emplace_back(operation->families()[families[f]], std::move(of_robust));
     }
+    shrink_examples({*operation, options.seed, options.limits, engines[0].get(), false, options.jobs}, families, asked);
+    shrink_examples({*operation, options.seed, options.limits, nullptr, true, options.jobs}, families, robust);
     tally.operations.push_back(std::move(asked));
     tally.robust.push_back(std::move(robust));
     if (stop) break;

@@ -14,6 +14,7 @@ struct AuditOptions {
   std::vector<std::string> families;  ///< empty: all
   std::uint64_t cases = 20000;        ///< per operation, dealt out over its families in turn
   std::uint64_t seed = 1;
+  Limits limits;       ///< of ordinary numbers
   double seconds = 0;  ///< per operation; 0: no limit. With a limit the number of cases depends on the machine.
   int jobs = 1;
   /// A fresh engine; called once a job. Empty: our reference in double.
@@ -29,9 +30,23 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
 /// The verdict on what an engine replied to a question.
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
 
-/// Counts one judged case into a cell and keeps the question if it is the smallest of its verdict.
-void count(Cell& cell, const Question& question, const Judgement& judgement, const std::string& outcome,
-           std::uint64_t index, const Json& answer);
+/// A case as it is counted.
+struct Asked {
+  const Operation& operation;
+  const Question& question;
+  std::string truth;        ///< Examination::outcome(), or "refused"
+  std::uint64_t index = 0;  ///< within its operation and family
+  Limits limits = {};
+};
+
+/// Counts a judged case into a cell, and keeps it if it is the best example of its way of answering.
+void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer = nullptr);
+
+/// How a judged case was answered.
+Way way_of(const Judgement& judgement, const std::string& truth);
+
+/// Our reference in double, as if it were somebody's engine.
+inline const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
 
 /// The choices that give case `index` of a family.
 Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,

@@ -42,12 +42,6 @@ Length length(const Question& question) {
   return sum;
 }
 
-void keep_smallest(std::optional<Finding>& kept, const std::optional<Finding>& other) {
-  if (!other) return;
-  const bool same = kept && !smaller(kept->question, other->question) && !smaller(other->question, kept->question);
-  if (!kept || (same ? other->index < kept->index : smaller(other->question, kept->question))) kept = other;
-}
-
 void merge_operations(std::vector<OperationTally>& into, const std::vector<OperationTally>& from) {
   for (const OperationTally& other : from) {
     const auto same_name = [&](const OperationTally& t) { return t.operation == other.operation; };
@@ -103,6 +97,7 @@ bool share_a_family(const std::vector<OperationTally>& a, const std::vector<Oper
 void require_disjoint(const Tally& a, const Tally& b) {
   const auto engine = [](const Declaration& d) { return std::tie(d.engine, d.boundary, d.binary32, d.tolerance); };
   if (engine(a.declaration) != engine(b.declaration)) throw InvalidInput("engine", "the same in every file");
+  if (!(a.limits == b.limits)) throw InvalidInput("limits", "the same in every file");
   if (a.grid.size != b.grid.size) throw InvalidInput("grid.size", "the same in every file");
   if (a.grid.shards != b.grid.shards) throw InvalidInput("grid.shards", "the same in every file");
   if (!share_a_family(a.operations, b.operations)) return;
@@ -119,16 +114,110 @@ void require_disjoint(const Tally& a, const Tally& b) {
 
 }  // namespace
 
-std::uint64_t Cell::cases() const {
-  std::uint64_t sum = 0;
-  for (const std::uint64_t n : counts) sum += n;
+Range range_of(const Question& question, const Limits& limits) {
+  const auto within = [&](double number) {
+    const double size = std::fabs(number);
+    return size == 0 || (size >= limits.least && size <= limits.most);
+  };
+  const bool ordinary = std::all_of(question.numbers.begin(), question.numbers.end(), within);
+  return ordinary ? Range::ordinary : Range::extreme;
+}
+
+bool shown_before(const Finding& a, const Finding& b) {
+  if (a.range != b.range) return a.range < b.range;
+  if (a.generic != b.generic) return a.generic;
+  if (smaller(a.question, b.question)) return true;
+  return !smaller(b.question, a.question) && a.index < b.index;
+}
+
+void WayCount::merge(const WayCount& other) {
+  for (std::size_t range = 0; range < range_count; ++range) {
+    cases[range] += other.cases[range];
+    out_of_range[range] += other.out_of_range[range];
+  }
+  if (other.example && (!example || shown_before(*other.example, *example))) example = other.example;
+}
+
+ByRange Cell::by_range() const {
+  ByRange sum{};
+  for (const auto& [way, counted] : ways) sum[0] += counted.cases[0], sum[1] += counted.cases[1];
+  return sum;
+}
+ByRange Cell::by_range(Verdict verdict) const {
+  ByRange sum{};
+  for (const auto& [way, counted] : ways) {
+    if (way.verdict == verdict) sum[0] += counted.cases[0], sum[1] += counted.cases[1];
+  }
   return sum;
 }
 
-std::uint64_t Cell::findings() const {
+std::uint64_t Cell::cases() const { return both(by_range()); }
+std::uint64_t Cell::cases(Range range) const { return by_range()[static_cast<std::size_t>(range)]; }
+std::uint64_t Cell::count(Verdict verdict) const { return both(by_range(verdict)); }
+std::uint64_t Cell::count(Verdict verdict, Range range) const {
+  return by_range(verdict)[static_cast<std::size_t>(range)];
+}
+
+std::array<std::uint64_t, verdict_count> Cell::counts() const {
+  std::array<std::uint64_t, verdict_count> sums{};
+  for (const auto& [way, counted] : ways) sums[static_cast<std::size_t>(way.verdict)] += both(counted.cases);
+  return sums;
+}
+
+std::uint64_t Cell::answered(Range range) const { return cases(range) - count(Verdict::unsupported, range); }
+std::uint64_t Cell::answered() const { return cases() - count(Verdict::unsupported); }
+
+std::uint64_t Cell::wrong(Range range) const { return findings(range) - count(Verdict::inexact, range); }
+std::uint64_t Cell::wrong() const { return findings() - count(Verdict::inexact); }
+
+std::uint64_t Cell::findings(Range range) const {
   std::uint64_t sum = 0;
-  for (std::size_t v = 0; v < verdict_count; ++v) sum += is_finding(static_cast<Verdict>(v)) ? counts[v] : 0;
+  for (const auto& [way, counted] : ways)
+    sum += is_finding(way.verdict) ? counted.cases[static_cast<std::size_t>(range)] : 0;
   return sum;
+}
+std::uint64_t Cell::findings() const { return findings(Range::ordinary) + findings(Range::extreme); }
+
+ByRange Cell::out_of_range() const {
+  ByRange sum{};
+  for (const auto& [way, counted] : ways) sum[0] += counted.out_of_range[0], sum[1] += counted.out_of_range[1];
+  return sum;
+}
+ByRange Cell::cancellation() const {
+  const ByRange rounding = by_range(Verdict::rounding), out = out_of_range();
+  return {rounding[0] - out[0], rounding[1] - out[1]};
+}
+
+std::map<std::string, std::uint64_t> Cell::truths() const {
+  std::map<std::string, std::uint64_t> sums;
+  for (const auto& [way, counted] : ways) sums[way.truth] += both(counted.cases);
+  return sums;
+}
+
+std::map<std::pair<std::string, std::string>, ByRange> Cell::confusion() const {
+  std::map<std::pair<std::string, std::string>, ByRange> sums;
+  for (const auto& [way, counted] : ways) {
+    ByRange& sum = sums[{way.truth, way.answer}];
+    sum[0] += counted.cases[0], sum[1] += counted.cases[1];
+  }
+  return sums;
+}
+
+const Finding* Cell::example(Verdict verdict) const {
+  const Finding* best = nullptr;
+  for (const auto& [way, counted] : ways) {
+    if (way.verdict != verdict || !counted.example) continue;
+    if (best == nullptr || shown_before(*counted.example, *best)) best = &*counted.example;
+  }
+  return best;
+}
+
+Cell Cell::of(const std::array<std::uint64_t, verdict_count>& counts) {
+  Cell cell;
+  for (std::size_t v = 0; v < verdict_count; ++v) {
+    if (counts[v] > 0) cell.ways[{static_cast<Verdict>(v), "value", "value"}].cases[0] = counts[v];
+  }
+  return cell;
 }
 
 void Cell::refuse(const std::string& rule) {
@@ -137,12 +226,8 @@ void Cell::refuse(const std::string& rule) {
 }
 
 void Cell::merge(const Cell& other) {
-  for (std::size_t v = 0; v < verdict_count; ++v) {
-    counts[v] += other.counts[v];
-    keep_smallest(smallest[v], other.smallest[v]);
-  }
+  for (const auto& [way, counted] : other.ways) ways[way].merge(counted);
   worst_ulps = std::max(worst_ulps, other.worst_ulps);
-  for (const auto& [outcome, n] : other.outcomes) outcomes[outcome] += n;
   touches_closed += other.touches_closed;
   touches_open += other.touches_open;
   surplus += other.surplus;

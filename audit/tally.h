@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -14,19 +15,64 @@
 /// trace.
 namespace touchstone::audit {
 
+/// How large the numbers of a question are.
+enum class Range {
+  ordinary,  ///< each is 0 or within the limits in size
+  extreme,   ///< one is not
+};
+inline constexpr std::size_t range_count = 2;
+inline constexpr std::array<const char*, range_count> range_names{"ordinary", "extreme"};
+inline const char* name_of(Range range) { return range_names[static_cast<std::size_t>(range)]; }
+
+/// What counts as a number of ordinary size, beside 0: least <= |number| <= most.
+struct Limits {
+  double least = 0x1p-100, most = 0x1p100;
+  friend bool operator==(const Limits&, const Limits&) = default;
+};
+Range range_of(const Question& question, const Limits& limits = {});
+
 struct Finding {
   Question question;
   Judgement judgement;
   Json answer;              ///< what the engine said; null if nothing
   std::uint64_t index = 0;  ///< of the case within its operation and family
+  Range range = Range::ordinary;
+  bool generic = true;  ///< audit/generic.h
+};
+
+/// Whether `a` is the better example of one way of answering: ordinary numbers before extreme ones, generic before
+/// degenerate, then the smaller question, then the earlier case. A total order of the findings of one cell.
+bool shown_before(const Finding& a, const Finding& b);
+
+/// Answers without enumerators, as a Way names them.
+inline constexpr const char *no_valid_answer = "no valid answer", *no_answer = "no answer";
+
+/// A way of answering: the verdict, and what was true and what was said, in enumerators of the operation ("boundary",
+/// "convex/ccw"). Truths without any are "value", and of what robust and oracle refuse differently "refused". Answers
+/// may also be "value", "true" or "false", "no valid answer" where the verdict is `invalid`, "no answer" where it is
+/// `unsupported`.
+struct Way {
+  Verdict verdict = Verdict::agree;
+  std::string truth, answer;
+  auto operator<=>(const Way&) const = default;
+};
+
+/// A number of cases for each Range.
+using ByRange = std::array<std::uint64_t, range_count>;
+inline std::uint64_t both(const ByRange& counts) { return counts[0] + counts[1]; }
+
+struct WayCount {
+  ByRange cases{};
+  ByRange out_of_range{};          ///< of `rounding`: by overflow or underflow; the rest is by cancellation
+  std::optional<Finding> example;  ///< the best, by shown_before; none of `agree` and `unsupported`
+
+  void merge(const WayCount& other);
 };
 
 /// One operation and family.
 struct Cell {
-  std::array<std::uint64_t, verdict_count> counts{};
-  std::array<std::optional<Finding>, verdict_count> smallest{};  ///< the smallest input of each verdict but `agree`
-  double worst_ulps = 0;                                         ///< over the answers whose decision is right
-  std::map<std::string, std::uint64_t> outcomes;                 ///< how often the truth was what
+  std::map<Way, WayCount> ways;
+  double worst_ulps = 0;                               ///< over the answers whose decision is right
   std::uint64_t touches_closed = 0, touches_open = 0;  ///< touches answered as closed sets do, as open sets do
   std::uint64_t surplus = 0;                           ///< elements that answers which must cover hold beyond the truth
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
@@ -35,10 +81,34 @@ struct Cell {
   std::map<std::string, std::uint64_t> rules;  ///< how often which rule refused it, without particulars ("simple")
 
   std::uint64_t cases() const;
-  std::uint64_t count(Verdict verdict) const { return counts[static_cast<std::size_t>(verdict)]; }
-  std::uint64_t findings() const;  ///< cases whose verdict is a finding
+  std::uint64_t cases(Range range) const;
+  std::uint64_t count(Verdict verdict) const;
+  std::uint64_t count(Verdict verdict, Range range) const;
+  std::array<std::uint64_t, verdict_count> counts() const;
+  std::uint64_t answered() const;  ///< cases but `unsupported`
+  std::uint64_t answered(Range range) const;
+  std::uint64_t wrong() const;  ///< `rounding`, `algorithm` and `invalid`: the answer is of no use
+  std::uint64_t wrong(Range range) const;
+  std::uint64_t findings() const;  ///< cases whose verdict is a finding: wrong or `inexact`
+  std::uint64_t findings(Range range) const;
+  ByRange out_of_range() const;  ///< of `rounding`: by overflow or underflow
+  ByRange cancellation() const;  ///< of `rounding`: the rest
+  /// How often the truth was what.
+  std::map<std::string, std::uint64_t> truths() const;
+  /// How often which truth (first) was answered how (second), whatever the verdict.
+  std::map<std::pair<std::string, std::string>, ByRange> confusion() const;
+  /// The best example of a verdict, over its ways; nullptr where there is none.
+  const Finding* example(Verdict verdict) const;
+
+  /// Of cases of which only the verdict is known.
+  static Cell of(const std::array<std::uint64_t, verdict_count>& counts);
+
   void refuse(const std::string& rule);
   void merge(const Cell& other);
+
+ private:
+  ByRange by_range() const;
+  ByRange by_range(Verdict verdict) const;
 };
 
 /// "Smaller" for findings: fewer digits to write the numbers out in full, then smaller exponents, then the bits; a
@@ -64,12 +134,13 @@ struct Tally {
   Declaration declaration;
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
   Grid grid;
+  Limits limits;  ///< that tell ordinary questions from extreme ones
   std::vector<OperationTally> operations;
   std::vector<OperationTally> robust;  ///< the same questions asked to robust
   bool interrupted = false;
 
   bool has_findings() const;
-  /// Throws InvalidInput where the two are of different engines or grids, or count the same cases. Of two seeds the
+  /// Throws InvalidInput where the two are of different engines, grids or limits, or count the same cases. Of two seeds the
   /// smaller stays.
   void merge(const Tally& other);
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/tally_json.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "audit/engines/protocol.h"
@@ -16,20 +17,56 @@ Json finding_json(const Operation& operation, const Finding& finding) {
           {"answer", plain(finding.answer)},
           {"ulps", written(finding.judgement.ulps)},
           {"remark", finding.judgement.remark},
-          {"touch", finding.judgement.touch_reading}};
+          {"touch", finding.judgement.touch_reading},
+          {"range", name_of(finding.range)},
+          {"generic", finding.generic}};
+}
+
+Json by_range_json(const ByRange& counts) {
+  Json result = Json::object();
+  for (std::size_t range = 0; range < range_count; ++range) result[range_names[range]] = counts[range];
+  return result;
+}
+
+Json way_json(const Operation* operation, const Way& way, const WayCount& counted) {
+  Json result = {{"verdict", name_of(way.verdict)},
+                 {"truth", way.truth},
+                 {"answer", way.answer},
+                 {"cases", by_range_json(counted.cases)}};
+  if (way.verdict == Verdict::rounding) result["out_of_range"] = by_range_json(counted.out_of_range);
+  if (counted.example && operation) result["example"] = finding_json(*operation, *counted.example);
+  return result;
+}
+
+Json ordinary_json(const Cell& cell) {
+  Json counts = Json::object();
+  for (std::size_t v = 0; v < verdict_count; ++v)
+    counts[verdict_names[v]] = cell.count(static_cast<Verdict>(v), Range::ordinary);
+  return {{"cases", cell.cases(Range::ordinary)},
+          {"counts", counts},
+          {"cancellation", cell.cancellation()[0]},
+          {"out_of_range", cell.out_of_range()[0]}};
 }
 
 Json cell_json(const Operation* operation, const std::string& family, const Cell& cell) {
   Json counts = Json::object(), outcomes = Json::object(), smallest = Json::object(), rules = Json::object();
+  Json ways = Json::array();
+  const auto by_verdict = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
-    counts[verdict_names[v]] = cell.counts[v];
-    if (cell.smallest[v] && operation) smallest[verdict_names[v]] = finding_json(*operation, *cell.smallest[v]);
+    counts[verdict_names[v]] = by_verdict[v];
+    const Finding* example = cell.example(static_cast<Verdict>(v));
+    if (example != nullptr && operation) smallest[verdict_names[v]] = finding_json(*operation, *example);
   }
-  for (const auto& [outcome, n] : cell.outcomes) outcomes[outcome] = n;
+  for (const auto& [way, counted] : cell.ways) ways.push_back(way_json(operation, way, counted));
+  for (const auto& [truth, n] : cell.truths()) outcomes[truth] = n;
   for (const auto& [rule, n] : cell.rules) rules[rule] = n;
   Json result = {{"family", family},
                  {"cases", cell.cases()},
                  {"counts", counts},
+                 {"cancellation", both(cell.cancellation())},
+                 {"out_of_range", both(cell.out_of_range())},
+                 {"ordinary", ordinary_json(cell)},
+                 {"ways", ways},
                  {"outcomes", outcomes},
                  {"touches", {{"closed", cell.touches_closed}, {"open", cell.touches_open}}},
                  {"refused", cell.refused},
@@ -109,29 +146,68 @@ const std::vector<std::string>& verdict_words() {
   return words;
 }
 
-Finding read_finding(const Operation& operation, Verdict verdict, const Place& place) {
+const std::vector<std::string>& range_words() {
+  static const std::vector<std::string> words(range_names.begin(), range_names.end());
+  return words;
+}
+
+Finding read_finding(const Operation& operation, const Way& way, const Place& place) {
   Finding finding;
   finding.question = operation.parse(place.at("input").value);
-  finding.judgement.verdict = verdict;
+  finding.judgement.verdict = way.verdict;
+  finding.judgement.said = way.verdict == Verdict::invalid ? "" : way.answer;
   finding.judgement.ulps = place.at("ulps").number();
   finding.judgement.remark = place.at("remark").text();
   finding.judgement.touch_reading = static_cast<int>(place.at("touch").number());
   finding.answer = plain(place.at("answer").value);
   finding.index = place.at("index").count();
+  finding.range = static_cast<Range>(place.at("range").one_of(range_words()));
+  finding.generic = place.at("generic").flag();
   return finding;
+}
+
+ByRange read_by_range(const Place& place) {
+  ByRange counts{};
+  for (std::size_t range = 0; range < range_count; ++range) counts[range] = place.at(range_names[range]).count();
+  return counts;
+}
+
+/// Enumerators of the operation's answers ("convex/ccw"), or one of these words.
+std::string outcome_text(const Operation& operation, const std::vector<std::string>& others, const Place& place) {
+  const std::string text = place.text();
+  if (std::find(others.begin(), others.end(), text) != others.end()) return text;
+  const std::vector<std::string> words = operation.words();
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find('/', from), text.size());
+    if (std::find(words.begin(), words.end(), text.substr(from, to - from)) == words.end())
+      throw InvalidInput(place.path, "enumerators of " + operation.name());
+    from = to + 1;
+  }
+  return text;
+}
+
+void read_way(const Operation& operation, Cell& cell, const Place& place) {
+  Way way;
+  way.verdict = static_cast<Verdict>(place.at("verdict").one_of(verdict_words()));
+  way.truth = outcome_text(operation, {"value", "refused"}, place.at("truth"));
+  way.answer = outcome_text(operation, {"value", "true", "false", no_valid_answer, no_answer}, place.at("answer"));
+  WayCount counted;
+  counted.cases = read_by_range(place.at("cases"));
+  if (way.verdict == Verdict::rounding) counted.out_of_range = read_by_range(place.at("out_of_range"));
+  for (std::size_t range = 0; range < range_count; ++range) {
+    if (counted.out_of_range[range] > counted.cases[range])
+      throw InvalidInput(place.at("out_of_range").path, "no more than cases");
+  }
+  if (place.value.contains("example")) counted.example = read_finding(operation, way, place.at("example"));
+  if (!cell.ways.emplace(way, counted).second) throw InvalidInput(place.path, "every way once");
 }
 
 std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& place) {
   Cell cell;
+  place.at("ways").each([&](const Place& way) { read_way(operation, cell, way); });
   place.at("counts").each_member([&](const std::string& key, const Place& n) {
-    cell.counts[Place{key, n.path}.one_of(verdict_words())] = n.count();
-  });
-  place.at("outcomes").each_member([&](const std::string& key, const Place& n) {
-    cell.outcomes[excerpt(key, most_of_a_text)] = n.count();
-  });
-  place.at("smallest").each_member([&](const std::string& key, const Place& finding) {
-    const std::size_t v = Place{key, finding.path}.one_of(verdict_words());
-    cell.smallest[v] = read_finding(operation, static_cast<Verdict>(v), finding);
+    const auto verdict = static_cast<Verdict>(Place{key, n.path}.one_of(verdict_words()));
+    if (n.count() != cell.count(verdict)) throw InvalidInput(n.path, "sum of the ways");
   });
   cell.touches_closed = place.at("touches").at("closed").count();
   cell.touches_open = place.at("touches").at("open").count();
@@ -184,6 +260,7 @@ std::string tally_json(const Tally& tally) {
                      {"seed", tally.seed},
                      {"cases", tally.cases},
                      {"grid", {{"size", tally.grid.size}, {"shards", tally.grid.shards}, {"done", tally.grid.done}}},
+                     {"limits", {{"least", written(tally.limits.least)}, {"most", written(tally.limits.most)}}},
                      {"interrupted", tally.interrupted},
                      {"operations", operations_json(tally.operations)},
                      {"robust", operations_json(tally.robust)}};
@@ -207,6 +284,7 @@ Tally read_tally(const std::string& text) {
     if (!tally.grid.done.empty() && index <= tally.grid.done.back()) throw InvalidInput(shard.path, "ascending");
     tally.grid.done.push_back(index);
   });
+  tally.limits = {file.at("limits").at("least").number(), file.at("limits").at("most").number()};
   tally.interrupted = file.at("interrupted").flag();
   tally.operations = read_operations(file.at("operations"));
   tally.robust = read_operations(file.at("robust"));

@@ -10,16 +10,22 @@
 ///   {"touchstone":1, "kind":"tally",
 ///    "engine":{"name":"...", "number":"binary64|binary32", "boundary":"closed|open|unspecified", "tolerance":0},
 ///    "seed":1, "cases":200000, "grid":{"size":0,"shards":1,"done":[]}, "interrupted":false,
+///    "limits":{"least":7.888609052210118e-31, "most":1.2676506002282294e+30},
 ///    "operations":[{"operation":"orientation",
 ///                   "families":[{"family":"collinear", "cases":10, "counts":{"agree":9,"rounding":1, ...every
-///                   verdict},
+///                   verdict}, "cancellation":1, "out_of_range":0,
+///                                "ordinary":{"cases":8, "counts":{...}, "cancellation":1, "out_of_range":0},
+///                                "ways":[{"verdict":"rounding", "truth":"on", "answer":"left",
+///                                         "cases":{"ordinary":1,"extreme":0},
+///                                         "out_of_range":{"ordinary":0,"extreme":0}, "example":{...}}, ...],
 ///                                "outcomes":{"left":4, ...}, "touches":{"closed":0,"open":0}, "refused":0,
 ///                                "worst_ulps":0, "smallest":{"rounding":{"input":{...}, "index":7, "answer":{...},
-///                                "ulps":0, "remark":"", "touch":0}}}]}],
+///                                "ulps":0, "remark":"", "touch":0, "range":"ordinary", "generic":true}}}]}],
 ///    "robust":[...the same...]}
 ///
-/// `cases` of a family is the sum of its counts. `touch`: how a touch was answered, 1 as closed sets, -1 as open sets,
-/// else 0.
+/// `ways` counts everything (audit/tally.h: Way, WayCount); what else is counted by verdict or truth are its sums, and
+/// `smallest` is the best of its examples for each verdict. `touch`: how a touch was answered, 1 as closed sets, -1 as
+/// open sets, else 0.
 namespace touchstone::audit {
 
 std::string tally_json(const Tally& tally);

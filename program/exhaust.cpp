@@ -52,14 +52,14 @@ Tally examined(const Operation& operation, int grid, const Shard& shard) {
     const Question question = operation.on_grid(grid, i);
     try {
       const auto examination = operation.examine(question);
-      const std::string outcome = examination->outcome();
-      count(of_reference, question, examination->judge_reference(), outcome, i, nullptr);
-      count(of_robust, question, examination->judge_robust(), outcome, i, nullptr);
+      const Asked asked{operation, question, examination->outcome(), i};
+      count(of_reference, asked, examination->judge_reference());
+      count(of_robust, asked, examination->judge_robust());
     } catch (const InvalidInput& refused) {
       of_reference.refuse(refused.rule());
       of_robust.refuse(refused.rule());
       const std::string mismatch = operation.refusal_mismatch(question);
-      if (!mismatch.empty()) count(of_robust, question, {Verdict::invalid, 0, mismatch, 0}, "refused", i, nullptr);
+      if (!mismatch.empty()) count(of_robust, {operation, question, "refused", i}, {Verdict::invalid, 0, mismatch, 0});
     }
   }
   const std::string family = fmt::format("{0}-grid", grid);

@@ -46,10 +46,11 @@ std::string tile(const std::string& style, std::uint64_t n, const std::string& w
 std::string tiles(const Tally& tally, const Cell& sum) {
   std::string text =
       "<div class=\"tiles\">" + tile("", sum.cases() - sum.count(Verdict::unsupported), "answers judged");
+  const auto counts = sum.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
     const bool always = verdict == Verdict::agree || verdict == Verdict::rounding || verdict == Verdict::algorithm;
-    if (always || sum.counts[v] > 0) text += tile(verdict_names[v], sum.counts[v], verdict_names[v]);
+    if (always || counts[v] > 0) text += tile(verdict_names[v], counts[v], verdict_names[v]);
   }
   if (sum.not_asked > 0) text += tile("", sum.not_asked, "not asked");
   if (!tally.robust.empty()) {

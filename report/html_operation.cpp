@@ -117,12 +117,13 @@ std::string by_family(const OperationTally& tally) {
 
 std::string outcomes(const Cell& total) {
   // Where the truth has no words there is nothing to tell apart.
-  if (total.outcomes.empty() || (total.outcomes.size() == 1 && total.outcomes.begin()->first == "value")) return "";
+  const auto truths = total.truths();
+  if (truths.empty() || (truths.size() == 1 && truths.begin()->first == "value")) return "";
   std::string text =
       "<h2>What the truth was</h2><div class=\"card\"><p class=\"quiet\">How often the truth was what. A family that "
       "never reaches an answer "
       "tests nothing about it.</p><ul class=\"chips\">";
-  for (const auto& [outcome, n] : total.outcomes) text += "<li>" + escaped(outcome) + " " + grouped(n) + "</li>";
+  for (const auto& [outcome, n] : truths) text += "<li>" + escaped(outcome) + " " + grouped(n) + "</li>";
   return text + "</ul></div>";
 }
 

@@ -70,11 +70,11 @@ std::string badge(Verdict verdict, Speaker speaker) {
 
 std::string swatch(const std::string& colour) { return "<span class=\"swatch\" style=\"--c:" + colour + "\"></span>"; }
 
-std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(cell.counts, thin); }
+std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(cell.counts(), thin); }
 
 std::string cause_bar(const Cell& cell) {
-  std::array<std::uint64_t, verdict_count> counts{};
-  for (std::size_t v = 0; v < verdict_count; ++v) counts[v] = is_finding(static_cast<Verdict>(v)) ? cell.counts[v] : 0;
+  auto counts = cell.counts();
+  for (std::size_t v = 0; v < verdict_count; ++v) counts[v] = is_finding(static_cast<Verdict>(v)) ? counts[v] : 0;
   return bar_of(counts, true);
 }
 
@@ -86,11 +86,11 @@ std::string verdict_columns() {
 
 std::string verdict_numbers(const Cell& cell) {
   std::string text = "<td>" + grouped(cell.cases()) + "</td>";
+  const auto counts = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const bool found = is_finding(static_cast<Verdict>(v));
-    text += cell.counts[v] == 0
-                ? "<td class=\"none\">0</td>"
-                : fmt::format("<td{}>{}</td>", found ? " class=\"found\"" : "", grouped(cell.counts[v]));
+    text += counts[v] == 0 ? "<td class=\"none\">0</td>"
+                           : fmt::format("<td{}>{}</td>", found ? " class=\"found\"" : "", grouped(counts[v]));
   }
   return text;
 }
@@ -99,9 +99,7 @@ std::string map_section(const Operation& operation, bool binary32, const std::ve
   const MapGrid grid = map_grid(operation, binary32);
   std::string text = "<div class=\"maps\">";
   for (const FailureMap& map : maps) {
-    Cell cell;
-    cell.counts = map.counts;
-    const std::string summary = summary_of(cell);
+    const std::string summary = summary_of(Cell::of(map.counts));
     text += fmt::format("<div><h4>{0}</h4><img alt=\"{0}: {1}\" width=\"{2}\" height=\"{2}\" src=\"{3}\"><ul>",
                         escaped(map.subject), escaped(summary), 2 * MapGrid::side, data_uri(png(map.image)));
     for (const MapClass& entry : map.classes) {

@@ -265,9 +265,7 @@ Image side_by_side(const std::vector<FailureMap>& maps, std::uint32_t gap) {
 std::string in_words(const std::vector<FailureMap>& maps) {
   std::string text;
   for (const FailureMap& map : maps) {
-    Cell cell;
-    cell.counts = map.counts;
-    text += (text.empty() ? "" : "; ") + map.subject + ": " + summary_of(cell);
+    text += (text.empty() ? "" : "; ") + map.subject + ": " + summary_of(Cell::of(map.counts));
   }
   return text;
 }

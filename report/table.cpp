@@ -21,9 +21,9 @@ struct Row {
 
 Row row_of(const std::string& name, const Cell& cell) {
   Row row{name, {}};
+  const auto counts = cell.counts();
   row.cells[0] = grouped(cell.cases());
-  for (std::size_t v = 0; v < verdict_count; ++v)
-    row.cells[v + 1] = cell.counts[v] == 0 ? "-" : grouped(cell.counts[v]);
+  for (std::size_t v = 0; v < verdict_count; ++v) row.cells[v + 1] = counts[v] == 0 ? "-" : grouped(counts[v]);
   return row;
 }
 
@@ -104,8 +104,9 @@ std::string robust_line(const Tally& tally) {
   const Cell sum = sum_of(tally.robust);
   std::string text = "robust, the same questions: " + counted(sum.cases(), "case") + ", " +
                      grouped(sum.count(Verdict::agree)) + " agree";
+  const auto counts = sum.counts();
   for (std::size_t v = 1; v < verdict_count; ++v) {
-    if (sum.counts[v] > 0) text += ", " + grouped(sum.counts[v]) + " " + verdict_names[v];
+    if (counts[v] > 0) text += ", " + grouped(counts[v]) + " " + verdict_names[v];
   }
   return text + "\n";
 }

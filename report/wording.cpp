@@ -86,11 +86,8 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
     case Speaker::foreign: break;
   }
   const auto right = formula_is_right(finding, operation, binary32);
-  return std::string(
-             "The slide's formula, evaluated in the engine's own number type, is certain of its decision here") +
-         (!right   ? ""
-          : *right ? ", which is right"
-                   : ", which is wrong too") +
+  return std::string("The slide's formula, evaluated in the engine's own number type, is ") +
+         (right && *right ? "right here" : "certain of its decision here, although that is wrong too") +
          ": the method is the presumed cause. The engine's own formula was not seen.";
 }
 
@@ -99,9 +96,9 @@ std::string why_rounding(Speaker speaker) {
     return "The slide's formula is right here: so is its answer in exact arithmetic. Rounding its intermediate results "
            "changed the decision.";
   }
-  return "The slide's formula, evaluated in the engine's own number type, cannot be sure of its decision on this "
-         "input, or the input is beside a touch by less than its last places: rounding is the presumed cause. The "
-         "engine's own formula was not seen.";
+  return "The slide's formula, evaluated in the engine's own number type, rounds and is wrong on this input too, or "
+         "the input is beside a touch by less than its last places: rounding is the presumed cause. The engine's own "
+         "formula was not seen.";
 }
 
 /// What a checker says of the answer, as a sentence before others.
@@ -147,11 +144,11 @@ std::string meaning(Verdict verdict, Speaker speaker) {
     case Verdict::agree: return "right decision, every number within the stated bound";
     case Verdict::rounding:
       return foreign
-                 ? "wrong decision where the slide's formula in the engine's number type cannot be sure of its own, "
-                   "or beside a touch by less than the input's last places"
+                 ? "wrong decision where the slide's formula in the engine's number type rounds and is wrong too, or "
+                   "beside a touch by less than the input's last places"
                  : "wrong decision; the same formula in exact arithmetic is right";
     case Verdict::algorithm:
-      return foreign ? "wrong decision where the slide's formula in the engine's number type is certain of its own"
+      return foreign ? "wrong decision where the slide's formula in the engine's number type is right, or certain"
                      : "wrong decision, or undefined, even in exact arithmetic";
     case Verdict::inexact: return "right decision, a number further off than the stated bound";
     case Verdict::convention: return "right for open sets, where the truth is a touch";
@@ -237,9 +234,9 @@ std::string repeat_command(const Operation& operation, const Question& question,
 Smallest smallest_of(const OperationTally& tally, Verdict verdict) {
   Smallest best;
   for (const auto& [family, cell] : tally.families) {
-    const auto& candidate = cell.smallest[static_cast<std::size_t>(verdict)];
-    if (!candidate || (best.finding && !smaller(candidate->question, best.finding->question))) continue;
-    best = {&*candidate, family};
+    const Finding* candidate = cell.example(verdict);
+    if (candidate == nullptr || (best.finding && !shown_before(*candidate, *best.finding))) continue;
+    best = {candidate, family};
   }
   return best;
 }
@@ -251,24 +248,30 @@ Cell sum_of(const std::vector<OperationTally>& tallies) {
 }
 
 std::string summary_of(const Cell& sum) {
-  const std::uint64_t rounding = sum.count(Verdict::rounding), algorithm = sum.count(Verdict::algorithm);
-  const std::uint64_t invalid = sum.count(Verdict::invalid), unsupported = sum.count(Verdict::unsupported);
-  std::string text =
-      grouped(rounding + algorithm + invalid) + " of " + grouped(sum.cases() - unsupported) + " answers wrong";
+  const std::uint64_t out_of_range = both(sum.out_of_range());
+  std::string text = grouped(sum.wrong()) + " of " + grouped(sum.answered()) + " answers wrong";
+  if (sum.cases(Range::extreme) > 0) {
+    text += " (ordinary size: " + grouped(sum.wrong(Range::ordinary)) + " of " +
+            grouped(sum.answered(Range::ordinary)) + ")";
+  }
   std::string separator = ": ";
   const auto name = [&](std::uint64_t n, const std::string& words) {
     if (n == 0) return;
     text += separator + grouped(n) + " " + words;
     separator = ", ";
   };
-  name(rounding, "by rounding");
-  name(algorithm, "by algorithm");
-  name(invalid, "invalid");
+  name(sum.count(Verdict::rounding), "by rounding");
+  if (out_of_range > 0) {
+    text += " (" + grouped(both(sum.cancellation())) + " cancellation, " + grouped(out_of_range) +
+            " overflow or underflow)";
+  }
+  name(sum.count(Verdict::algorithm), "by algorithm");
+  name(sum.count(Verdict::invalid), "invalid");
   separator = "; ";
   name(sum.count(Verdict::inexact), "inexact");
   name(sum.count(Verdict::convention), "by another convention");
   name(sum.count(Verdict::tolerance), "within tolerance");
-  name(unsupported, "not supported");
+  name(sum.count(Verdict::unsupported), "not supported");
   name(sum.not_asked, "not asked");
   return text;
 }

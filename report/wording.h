@@ -48,7 +48,8 @@ std::string word_in(const Json& answer);
 /// read back exactly.
 std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker);
 
-/// The smallest finding of a verdict over all families, with its family; nullptr where there is none.
+/// The best example of a verdict over all families (audit/tally.h: shown_before), with its family; nullptr where there
+/// is none.
 struct Smallest {
   const Finding* finding = nullptr;
   std::string family;
@@ -57,7 +58,8 @@ Smallest smallest_of(const OperationTally& tally, Verdict verdict);
 
 /// Sums over operations.
 Cell sum_of(const std::vector<OperationTally>& tallies);
-/// "1,234 of 200,000 answers wrong: 1,000 by rounding, 234 by algorithm".
+/// "1,234 of 200,000 answers wrong (ordinary size: 234 of 99,000): 1,000 by rounding (200 cancellation, 800 overflow or
+/// underflow), 234 by algorithm; 12 inexact". Wrong is rounding, algorithm and invalid together.
 std::string summary_of(const Cell& sum);
 /// "reference (binary64): 1,234 of 200,000 answers wrong: ...; robust: 0"
 std::string closing_sentence(const Tally& tally);

@@ -97,7 +97,19 @@ bool Examination::right_in_exact_arithmetic() const {
                        row_.card->formula_answers_less ? Reading::less : Reading::complete);
 }
 
+/// What every judgement says beside its verdict: how `rounding` came about, and whether the question is degenerate.
+Judgement Examination::with_particulars(Judgement judgement, bool binary32) const {
+  if (judgement.verdict == Verdict::rounding)
+    judgement.out_of_range = out_of_range(binary32) || products_underflow(binary32);
+  judgement.degenerate = degenerate();
+  return judgement;
+}
+
 Judgement Examination::judge_reference(bool binary32) const {
+  return with_particulars(judge_formula(binary32), binary32);
+}
+
+Judgement Examination::judge_formula(bool binary32) const {
   const Tape<double> answer = formula(binary32);
   const bool less = row_.card->formula_answers_less || row_.card->kind == Kind::covering;
   Judgement judgement;
@@ -114,16 +126,19 @@ Judgement Examination::judge_reference(bool binary32) const {
   } else if (found.ulps > row_.card->ulps) {
     judgement.verdict = right_in_exact_arithmetic() ? Verdict::inexact : Verdict::algorithm;
   }
-  judgement.touch_reading = touch_reading(outcome_of(*row_.answer, answer.words));
+  judgement.said = outcome_of(*row_.answer, answer.words);
+  judgement.touch_reading = touch_reading(judgement.said);
   return judgement;
 }
 
 Judgement Examination::judge_robust(std::size_t environment) const {
   try {
     Judgement judgement;
+    judgement.degenerate = degenerate();
     const Tape<double> answer = row_.robust(question_, environment);
     const Comparison found = compared(answer, Reading::complete, false, judgement);
     judgement.ulps = found.ulps;
+    judgement.said = outcome_of(*row_.answer, answer.words);
     // Whoever promises to be right for all finite doubles has only the algorithm to blame.
     if (!found.decision) judgement.verdict = Verdict::algorithm;
     else if (!found.finite) judgement.verdict = Verdict::invalid;
@@ -131,7 +146,8 @@ Judgement Examination::judge_robust(std::size_t environment) const {
     if (row_.decision != nullptr) {
       const Word word = row_.decide(question_, environment);
       if (word_in(*row_.answer, solution_->answer.words, *row_.decision) != word) {
-        return {Verdict::algorithm, 0, std::string("the decision alone is ") + row_.decision->words[word]};
+        judgement.verdict = Verdict::algorithm;
+        judgement.remark = std::string("the decision alone is ") + row_.decision->words[word];
       }
     }
     return judgement;
@@ -158,17 +174,21 @@ std::string Examination::broken_promise() const {
              : "the reference in double is beyond its proved error bound";
 }
 
-bool Examination::doubtful(bool binary32) const {
+const Examination::Tracking& Examination::tracked(bool binary32) const {
+  std::optional<Tracking>& known = tracked_[binary32 ? 1 : 0];
+  if (known) return *known;
   if (binary32) {
-    Tracked<float>::doubtful() = false;
+    Tracked<float>::doubtful() = Tracked<float>::out_of_range() = false;
     row_.track_in_float(question_);
-    return Tracked<float>::doubtful() || checks_numbers(row_);
+    known = {Tracked<float>::doubtful() || checks_numbers(row_), Tracked<float>::out_of_range()};
+  } else {
+    Tracked<double>::doubtful() = Tracked<double>::out_of_range() = false;
+    const auto numbers = row_.reference_tracked(question_).numbers;
+    const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
+    const bool refusable = checks_numbers(row_) && std::any_of(numbers.begin(), numbers.end(), rounded);
+    known = {Tracked<double>::doubtful() || refusable, Tracked<double>::out_of_range()};
   }
-  Tracked<double>::doubtful() = false;
-  const auto tracked = row_.reference_tracked(question_);
-  const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
-  return Tracked<double>::doubtful() ||
-         (checks_numbers(row_) && std::any_of(tracked.numbers.begin(), tracked.numbers.end(), rounded));
+  return *known;
 }
 
 const std::optional<TrueTape>& Examination::open() const {
@@ -184,12 +204,17 @@ int Examination::touch_reading(const std::string& outcome) const {
   return outcome == this->outcome() ? 1 : outcome == outcome_of(*row_.answer, open()->words) ? -1 : 0;
 }
 
+/// The decision turns on products so small that formulas that compare products lose them.
+bool Examination::products_underflow(bool binary32) const {
+  return margin() && sgn(*margin()) != 0 && row_.card->margin_degree > 1 &&
+         *margin() < exact_value(binary32 ? 0x1p-126 : 0x1p-1022);
+}
+
 /// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all
 /// may take it for a touch.
 bool Examination::beside_a_touch(bool binary32) const {
   if (!margin() || sgn(*margin()) == 0) return false;
   const int degree = row_.card->margin_degree;
-  if (degree > 1 && *margin() < exact_value(binary32 ? 0x1p-126 : 0x1p-1022)) return true;  // products underflow
   const mpq_class size = exact_value(greatest(question_)), few_units = 4 * exact_value(binary32 ? 0x1p-23 : 0x1p-52);
   return within(*margin(), few_units * size, size, degree);
 }
@@ -202,9 +227,22 @@ int Examination::covered_reading(const Tape<double>& answer) const {
   return covered(*open(), answer, each).missing == 0 ? -1 : 0;
 }
 
-/// For a foreign implementation rounding is to blame if the slide's formula, in the engine's own number type, cannot be
-/// sure of its decision here either (running error analysis), or if the question is beside a touch; of numbers that a
-/// checker refuses, if the formula's are refused for rounding; else nothing but the algorithm can be.
+bool Examination::formula_decides_rightly(bool binary32) const {
+  const bool less = row_.card->formula_answers_less || row_.card->kind == Kind::covering;
+  Judgement ignored;
+  return compared(formula(binary32), less ? Reading::less : Reading::complete, binary32, ignored).decision;
+}
+
+/// For a foreign implementation rounding is to blame where the question is beside a touch, or where the slide's formula
+/// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
+/// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
+/// right, the number type was good enough, and what is to blame is the choice of another.
+bool Examination::rounding_is_to_blame(bool binary32) const {
+  if (checks_numbers(row_)) return judge_formula(binary32).verdict == Verdict::rounding;
+  return products_underflow(binary32) || beside_a_touch(binary32) ||
+         (doubtful(binary32) && !formula_decides_rightly(binary32));
+}
+
 Judgement Examination::wrong(const Declaration& declaration, bool right_for_open_sets) const {
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
@@ -212,9 +250,7 @@ Judgement Examination::wrong(const Declaration& declaration, bool right_for_open
   } else if (margin() && tolerated(*margin(), declaration.tolerance, row_.card->margin_degree, question_)) {
     judgement.verdict = Verdict::tolerance;
   } else {
-    const bool rounding = checks_numbers(row_) ? judge_reference(declaration.binary32).verdict == Verdict::rounding
-                                               : doubtful(declaration.binary32) || beside_a_touch(declaration.binary32);
-    judgement.verdict = rounding ? Verdict::rounding : Verdict::algorithm;
+    judgement.verdict = rounding_is_to_blame(declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
   }
   return judgement;
 }
@@ -225,6 +261,7 @@ Judgement Examination::judge_yes_or_no(bool answer, const Declaration& declarati
   const bool right_for_open = open() && yes_or_no(*row_.answer, open()->words) == answer;
   Judgement judgement = *right == answer ? Judgement{} : wrong(declaration, right_for_open);
   if (open()) judgement.touch_reading = *right == answer ? 1 : right_for_open ? -1 : 0;
+  judgement.said = answer ? "true" : "false";
   return judgement;
 }
 
@@ -258,15 +295,18 @@ void Examination::require_places(const Tape<double>& answer) const {
 }
 
 Judgement Examination::judge_engine(const Json& json, const Declaration& declaration) const {
+  return with_particulars(judge_answer(json, declaration), declaration.binary32);
+}
+
+Judgement Examination::judge_answer(const Json& json, const Declaration& declaration) const {
   try {
     if (json.is_boolean()) return judge_yes_or_no(json.get<bool>(), declaration);
     const Tape<double> answer = read_answer(json);
     if (row_.card->kind == Kind::covering) require_places(answer);
     Judgement judgement;
     const Comparison found = compared(answer, Reading::partial, declaration.binary32, judgement);
-    const int reading = row_.card->kind == Kind::covering
-                            ? covered_reading(answer)
-                            : touch_reading(outcome_of(*row_.answer, answer.words, row_.fault == nullptr));
+    const std::string said = outcome_of(*row_.answer, answer.words, row_.fault == nullptr);
+    const int reading = row_.card->kind == Kind::covering ? covered_reading(answer) : touch_reading(said);
     if (!found.decision) {
       std::string remark = std::move(judgement.remark);
       judgement = wrong(declaration, reading == -1);
@@ -278,6 +318,7 @@ Judgement Examination::judge_engine(const Json& json, const Declaration& declara
     }
     judgement.ulps = found.ulps;
     judgement.touch_reading = reading;
+    judgement.said = said;
     return judgement;
   } catch (const InvalidInput& refused) {
     return {Verdict::invalid, 0, "answer." + std::string(refused.what())};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,7 +47,10 @@ class Examination {
   /// numbers must lie within the proved bound.
   std::string broken_promise() const;
   /// Whether rounding may have changed the course of the formula, by running error analysis.
-  bool doubtful(bool binary32 = false) const;
+  bool doubtful(bool binary32 = false) const { return tracked(binary32).doubtful; }
+  /// Whether a number left the range of double or float in the formula (catalogue/judge/tracked.h).
+  bool out_of_range(bool binary32 = false) const { return tracked(binary32).out_of_range; }
+  bool degenerate() const { return margin() && sgn(*margin()) == 0; }
   /// What is wrong with robust's answer where a residual should be exactly zero; empty where none is.
   std::string residual_complaint() const;
 
@@ -59,7 +63,17 @@ class Examination {
   Judgement wrong(const Declaration& declaration, bool right_for_open_sets) const;
   Judgement judge_yes_or_no(bool answer, const Declaration& declaration) const;
   const std::optional<TrueTape>& open() const;
+  struct Tracking {
+    bool doubtful, out_of_range;
+  };
+  const Tracking& tracked(bool binary32) const;
+  Judgement judge_formula(bool binary32) const;
+  Judgement judge_answer(const Json& answer, const Declaration& declaration) const;
+  bool formula_decides_rightly(bool binary32) const;
+  bool products_underflow(bool binary32) const;
   bool beside_a_touch(bool binary32) const;
+  bool rounding_is_to_blame(bool binary32) const;
+  Judgement with_particulars(Judgement judgement, bool binary32) const;
   int touch_reading(const std::string& outcome) const;
   int covered_reading(const Tape<double>& answer) const;
 
@@ -68,6 +82,7 @@ class Examination {
   Question question_;
   std::shared_ptr<const Solution> solution_;
   mutable std::optional<std::optional<TrueTape>> open_;
+  mutable std::array<std::optional<Tracking>, 2> tracked_;
 };
 
 }  // namespace touchstone::audit

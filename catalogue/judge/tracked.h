@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace touchstone::audit {
@@ -12,7 +14,8 @@ namespace touchstone::audit {
 /// A reference formula run in this type computes what it computes in Float, bit for bit, and in the end each number
 /// lies within `error()` of the value of the same formula in exact arithmetic. An operation that happens to be exact
 /// adds nothing. A comparison that the bound cannot decide sets `doubtful()`: as long as it is not set, rounding cannot
-/// have changed the course of the formula. Float: float or double, rounding to nearest.
+/// have changed the course of the formula. What left the range of Float on the way, an overflow or bits lost below its
+/// least normal number, sets `out_of_range()`. Float: float or double, rounding to nearest.
 template <class Float>
 class Tracked {
  public:
@@ -25,6 +28,12 @@ class Tracked {
   static bool& doubtful() {
     thread_local bool doubt = false;
     return doubt;
+  }
+  /// A finite sum, product or quotient became infinite, or a product or quotient other than 0 lost bits because it is
+  /// less than the least normal number. Sums lose none there. What is undefined anyway does not count.
+  static bool& out_of_range() {
+    thread_local bool left = false;
+    return left;
   }
 
   friend Tracked operator+(const Tracked& a, const Tracked& b) {
@@ -40,6 +49,7 @@ class Tracked {
   friend Tracked operator*(const Tracked& a, const Tracked& b) {
     const Float product = a.value_ * b.value_;
     if (a.undefined_ || b.undefined_) return undefined(product);
+    if (overflowed(a, b, product) || product_underflowed(a.value_, b.value_, product)) out_of_range() = true;
     const double propagated = plus(times(size(a), b.error_), times(plus(size(b), b.error_), a.error_));
     return Tracked(product, plus(propagated, product_rounding(a.value_, b.value_, product)));
   }
@@ -48,6 +58,8 @@ class Tracked {
     const Float quotient = a.value_ / b.value_;
     if (a.undefined_ || b.undefined_) return undefined(quotient);
     if (a.error_ == 0 && b.value_ == 0 && b.error_ == 0) return undefined(quotient);
+    if (b.value_ != 0 && (overflowed(a, b, quotient) || quotient_underflowed(a.value_, b.value_, quotient)))
+      out_of_range() = true;
     const double least_divisor = down(size(b) - b.error_);
     if (!(least_divisor > 0) || !std::isfinite(quotient)) return Tracked(quotient, infinite);
     const double propagated = over(plus(a.error_, times(magnitude(quotient), b.error_)), least_divisor);
@@ -113,7 +125,32 @@ class Tracked {
     return result;
   }
   static Tracked kept_undefined(const Tracked& a, const Tracked& b, const Tracked& result) {
-    return a.undefined_ || b.undefined_ ? undefined(result.value_) : result;
+    if (a.undefined_ || b.undefined_) return undefined(result.value_);
+    if (overflowed(a, b, result.value_)) out_of_range() = true;
+    return result;
+  }
+
+  static bool overflowed(const Tracked& a, const Tracked& b, Float result) {
+    return !std::isfinite(result) && std::isfinite(a.value_) && std::isfinite(b.value_);
+  }
+  static bool below_normal(Float x) { return std::fabs(x) < std::numeric_limits<Float>::min(); }
+  /// The exponent of the last bit that is set in a finite number other than 0.
+  static int last_bit(Float x) {
+    int exponent = 0;
+    const double digits = std::ldexp(std::frexp(magnitude(x), &exponent), 53);
+    return exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(digits));
+  }
+  static bool product_underflowed(Float a, Float b, Float product) {
+    if (a == 0 || b == 0 || !below_normal(product)) return false;
+    return last_bit(a) + last_bit(b) < last_bit(std::numeric_limits<Float>::denorm_min());
+  }
+  static bool quotient_underflowed(Float a, Float b, Float quotient) {
+    if (a == 0 || !below_normal(quotient) || !std::isfinite(b)) return false;
+    if (quotient == 0) return true;
+    int exponent = 0;  // scaled so that the remainder of the division is a double: quotient * b - a
+    const double divisor = std::frexp(static_cast<double>(b), &exponent);
+    return std::fma(std::ldexp(static_cast<double>(quotient), 500), divisor,
+                    -std::ldexp(static_cast<double>(a), 500 - exponent)) != 0;
   }
 
   static double magnitude(Float x) { return std::fabs(static_cast<double>(x)); }

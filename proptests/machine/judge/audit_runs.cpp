@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "audit/audit_run.h"
+#include "audit/generic.h"
 #include "audit/tally_json.h"
 #include "proptests/catch.h"
 #include "report/table.h"
@@ -105,10 +106,10 @@ TEST_CASE("audit_runs: a decision answered wrongly is found and shrunk to the sm
   };
   const Tally tally = Run{.families = {"grid"}, .answer = says_right_for_left}.tally();
   const Cell& cell = tally.operations[0].families[0].second;
-  CHECK(cell.count(Verdict::algorithm) + cell.count(Verdict::rounding) == cell.outcomes.at("left"));
-  CHECK(cell.outcomes.at("left") > 0);
+  CHECK(cell.count(Verdict::algorithm) + cell.count(Verdict::rounding) == cell.truths().at("left"));
+  CHECK(cell.truths().at("left") > 0);
   CHECK(tally.has_findings());
-  const auto& found = cell.smallest[static_cast<std::size_t>(Verdict::algorithm)];
+  const Finding* found = cell.example(Verdict::algorithm);
   REQUIRE(found);
   CHECK(found->answer == Json{{"side", "right"}});
   // A triangle of positive area needs two coordinates that are not 0; the grid has 1, 2 and 3.
@@ -126,7 +127,7 @@ TEST_CASE("audit_runs: an engine that is wrong beyond a threshold is shrunk to t
                                                                : examination.rounded_truth();
   };
   const Tally tally = Run{.operation = "point_on_segment", .families = {"zero_length"}, .answer = blind_beyond}.tally();
-  const auto& found = tally.operations[0].families[0].second.smallest[static_cast<std::size_t>(Verdict::algorithm)];
+  const Finding* found = tally.operations[0].families[0].second.example(Verdict::algorithm);
   REQUIRE(found);
   const std::vector<double>& n = found->question.numbers;
   INFO(one_line(find_operation("point_on_segment")->print(found->question)));
@@ -134,7 +135,7 @@ TEST_CASE("audit_runs: an engine that is wrong beyond a threshold is shrunk to t
   CHECK(n == std::vector<double>{40, 0, 40, 0, 40, 0});
 }
 
-TEST_CASE("audit_runs: what is shown is never larger than what was found") {
+TEST_CASE("audit_runs: what is shown is never a worse example than what was found") {
   for (const char* name : {"segment_segment", "point_on_segment", "explicit_line", "implicit_circle"}) {
     const Operation& operation = *find_operation(name);
     const std::uint64_t each = 40;
@@ -144,13 +145,17 @@ TEST_CASE("audit_runs: what is shown is never larger than what was found") {
         Choices choices = case_choices(operation, family, 1, i);
         const Question question = operation.draw(choices, family);
         if (is_refused(operation, question)) continue;
-        const Verdict verdict = operation.examine(question)->judge_reference().verdict;
-        if (verdict == Verdict::agree) continue;
-        const auto& shown = tally.operations[0].families[family].second.smallest[static_cast<std::size_t>(verdict)];
+        const auto examination = operation.examine(question);
+        const Judgement judgement = examination->judge_reference();
+        if (judgement.verdict == Verdict::agree) continue;
+        const Cell& cell = tally.operations[0].families[family].second;
+        const auto& shown = cell.ways.at(way_of(judgement, examination->outcome())).example;
         INFO(name << " " << operation.families()[family] << " " << i);
         REQUIRE(shown);
-        CHECK(shown->judgement.verdict == verdict);
-        CHECK_FALSE(smaller(question, shown->question));
+        CHECK(shown->judgement.verdict == judgement.verdict);
+        CHECK(shown->judgement.said == judgement.said);
+        const bool generic = !judgement.degenerate && in_general_position(operation, question);
+        CHECK_FALSE(shown_before({question, judgement, nullptr, i, range_of(question), generic}, *shown));
       }
     }
   }
@@ -165,7 +170,7 @@ TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupp
   const Cell cell = Run{.families = {"grid", "random", "collinear"}, .answer = moody}.tally().operations[0].total();
   CHECK(cell.count(Verdict::unsupported) > 0);
   CHECK(cell.count(Verdict::agree) > 0);
-  const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
+  const Finding* failed = cell.example(Verdict::invalid);
   REQUIRE(failed);
   CHECK(failed->judgement.remark == "fell over");
   CHECK_THROWS_AS((Run{.operation = "ray_segment", .answer = right}.tally()),
@@ -192,7 +197,7 @@ TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong an
              ContainsSubstring("0 of 0 answers wrong; 3,000 not asked") &&
                  ContainsSubstring("orientation: 3,000 questions not asked: the engine was given up"));
   CHECK(tally_json(read_tally(tally_json(none))) == tally_json(none));
-  const auto& failed = cell.smallest[static_cast<std::size_t>(Verdict::invalid)];
+  const Finding* failed = cell.example(Verdict::invalid);
   REQUIRE(failed);
   CHECK(failed->judgement.remark == "fell over");
 }

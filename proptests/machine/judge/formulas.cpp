@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "catalogue/families/numbers.h"
@@ -219,6 +220,45 @@ TEST_CASE(
   CHECK_FALSE(doubtful(T(3.0)));  // undefined, certainly
   CHECK_FALSE(doubtful(T(3.0) / T(3.0)));
   T::doubtful() = false;
+}
+
+TEST_CASE("Tracked: overflow, and bits lost below the least normal number, are noticed, and nothing else") {
+  using T = Tracked<double>;
+  const auto left = [](const T&) { return std::exchange(T::out_of_range(), false); };
+  T::out_of_range() = false;
+  CHECK(left(T(1e200) * T(1e200)));
+  CHECK(left(T(1e308) + T(1e308)));
+  CHECK(left(T(-1e308) - T(1e308)));
+  CHECK(left(T(1e308) / T(0.1)));
+  CHECK(left(T(1e-200) * T(1e-200)));
+  CHECK(left(T(1e-200) / T(1e200)));
+  CHECK(left(T(0x1.0000000000001p-1000) * T(0x1p-40)));  // 53 bits, 35 of them above 2^-1075
+  CHECK(left(T(0x1p-1074) * T(0.5)));
+  CHECK(left(T(0x1p-1074) / T(3.0)));
+  CHECK(left(T(0x1p-1072) / T(3.0)));
+  CHECK_FALSE(left(T(0x1p-1000) * T(0x1p-74)));  // the least double, exactly
+  CHECK_FALSE(left(T(0x1p-1072) / T(4.0)));
+  CHECK_FALSE(left(T(0x1.8p-1000) / T(0x1p72)));
+  CHECK_FALSE(left(T(0x1p-1022) + T(0x1p-1074)));
+  CHECK_FALSE(left(T(0x1.0000000000001p-1022) - T(0x1p-1022)));  // subnormal, exactly
+  CHECK_FALSE(left(T(0.0) * T(1e-300)));
+  CHECK_FALSE(left(T(0.1) * T(0.1)));  // rounded, within the range
+  CHECK_FALSE(left(T(1e16) + T(1.0)));
+  CHECK_FALSE(left(T(1.0) / T(3.0)));
+  CHECK_FALSE(left(T(1.0) / T(0.0)));  // undefined, not too large
+  CHECK_FALSE(left((T(1.0) / T(0.0)) * T(1e300) + T(1e308)));
+  using Single = Tracked<float>;
+  Single::out_of_range() = false;
+  const Single small = Single(1e-30f) * Single(1e-30f);
+  CHECK(Single::out_of_range());
+  CHECK(small.value() == 0);
+  Single::out_of_range() = false;
+  CHECK((Single(0x1p-100f) * Single(0x1p-49f)).value() == 0x1p-149f);
+  CHECK((Single(0x1p-100f) / Single(0x1p49f)).value() == 0x1p-149f);
+  CHECK_FALSE(Single::out_of_range());
+  CHECK((Single(0x1.8p-100f) / Single(0x1p49f)).value() > 0);
+  CHECK(Single::out_of_range());
+  Single::out_of_range() = false;
 }
 
 TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no other") {

@@ -57,6 +57,62 @@ TEST_CASE(
   CHECK(apart.says(R"({"contact":"touching"})") == "algorithm");
 }
 
+TEST_CASE("verdicts: on a touch, rounding is to blame only where the plain formula in the same number type fails too") {
+  // Both products of the formula are rounded, to the same double: it comes out right.
+  const Case right{"orientation", R"({"p0":[0,0],"p1":[0.1,0.1],"p":[0.3,0.3]})"};
+  CHECK(right.says(R"({"side":"on"})") == "agree");
+  CHECK(right.says(R"({"side":"left"})") == "algorithm");
+  CHECK(right.says(R"({"side":"right"})") == "algorithm");
+  // On the line y = 5 x; the differences are rounded, and the formula says right.
+  const Case wrong{"orientation", R"({"p0":[4,20],"p1":["-0x1.7fffffffffffcp+0","-0x1.dfffffffffffbp+2"],)"
+                                  R"("p":["-0x1.0000000000008p-1","-0x1.400000000000ap+1"]})"};
+  CHECK(wrong.says(R"({"side":"on"})") == "agree");
+  CHECK(wrong.says(R"({"side":"left"})") == "rounding");
+  CHECK(wrong.says(R"({"side":"right"})") == "rounding");
+  // No touch, but nearer than the last places: other formulas round there, whatever this one does.
+  const Case beside{"orientation", R"({"p0":[0,0],"p1":[0.1,0.1],"p":[0.3,0.30000000000000004]})"};
+  CHECK(beside.says(R"({"side":"on"})") == "rounding");
+  // In float the formula is as right as in double, so a float has no better excuse.
+  const Case single{"orientation", R"({"p0":[0,0],"p1":[0.5,0.5],"p":[0.25,0.25]})", Boundary::closed, 0, true};
+  CHECK(single.says(R"({"side":"left"})") == "algorithm");
+}
+
+TEST_CASE("verdicts: rounding is by cancellation, or by overflow and underflow") {
+  const auto out = [](const char* question, const char* side, bool binary32 = false) {
+    const Case asked{"orientation", question, Boundary::closed, 0, binary32};
+    const Judgement foreign = asked.judge(std::string(R"({"side":")") + side + "\"}");
+    const Operation& operation = *find_operation("orientation");
+    const Judgement own = operation.examine(operation.parse(parse_line(question)))->judge_reference(binary32);
+    REQUIRE(foreign.verdict == Verdict::rounding);
+    CHECK(own.verdict == Verdict::rounding);
+    CHECK(own.out_of_range == foreign.out_of_range);
+    return foreign.out_of_range;
+  };
+  CHECK_FALSE(out(nearly_on, "on"));
+  // The same, 2^200 times as large: the products are of size 2^400, and nothing leaves the range.
+  CHECK_FALSE(out(R"({"p0":[0,0],"p1":["0x1p200","0x1.4p203"],"p":["0x1.999999999999ap196","0x1p200"]})", "on"));
+  CHECK(out(R"({"p0":[0,0],"p1":[1e200,1e200],"p":[1e200,2e200]})", "on"));  // inf - inf
+  CHECK(out(R"({"p0":[0,0],"p1":[1e-200,0],"p":[0,1e-200]})", "on"));        // 0 - 0
+  CHECK(out(R"({"p0":[0,0],"p1":[1e-30,0],"p":[0,1e-30]})", "on", true));
+}
+
+TEST_CASE("verdicts: a judgement says in enumerators what was answered, and whether the question is degenerate") {
+  const Case touching{"segment_segment", tee}, crossing{"segment_segment", cross};
+  CHECK(touching.judge(R"({"relation":"point"})").said == "point");
+  CHECK(touching.judge(R"({"relation":"overlap"})").said == "overlap");
+  CHECK(touching.judge("false").said == "false");
+  CHECK(touching.judge(R"({"relation":"nowhere"})").said.empty());
+  CHECK(touching.judge("true").degenerate);
+  CHECK(touching.judge(R"({"relation":"disjoint"})").degenerate);
+  CHECK_FALSE(crossing.judge(R"({"relation":"disjoint"})").degenerate);
+  const Operation& ring = *find_operation("polygon_convexity");
+  const auto examined = ring.examine(ring.parse(parse_line(R"({"polygon":[[0,0],[1,0],[0,1]]})")));
+  CHECK(examined->judge_reference().said == examined->outcome());
+  CHECK(examined->judge_robust().said == examined->outcome());
+  const Case at{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})"};
+  CHECK(at.judge(R"({"point":[7,10]})").said == "value");
+}
+
 TEST_CASE("verdicts: of a list that must cover, what only touches is a convention, and what is no pair is no answer") {
   const char* const chain =
       R"({"boxes":[{"min":[0,0,0],"max":[1,1,1]},{"min":[1,0,0],"max":[2,1,1]},{"min":[0,0,0],"max":[1,1,1]}]})";
