@@ -31,7 +31,7 @@ class Worker {
     std::vector<Pending> pending;
     for (std::uint64_t i = first; i < last; ++i) prepare(i, pending);
     std::vector<Reply> replies;
-    if (engine_ != nullptr && engine_->supports(operation_.name())) {
+    if (engine_ != nullptr) {
       std::vector<Question> questions;
       for (const Pending& p : pending) questions.push_back(p.question);
       replies = engine_->ask(operation_, questions);
@@ -42,7 +42,7 @@ class Worker {
       if (engine_ == nullptr) {
         count(asked_[p.family], asked, p.examination->judge_reference());
       } else {
-        const Reply reply = replies.empty() ? Reply{Reply::Kind::unsupported, nullptr, ""} : replies[i];
+        const Reply& reply = replies[i];
         if (!reply.asked && stop_) continue;
         if (reply.asked) {
           count(asked_[p.family], asked, judged(reply, *p.examination, engine_->declaration()), reply.answer);
@@ -72,6 +72,10 @@ class Worker {
     Choices choices = case_choices(operation_, families_[family], options_.seed, index);
     Question question = operation_.draw(choices, families_[family]);
     if (engine_ != nullptr && engine_->declaration().binary32) question = operation_.in_binary32(question);
+    if (options_.ordinary_only && range_of(question, options_.limits) == Range::extreme) {
+      ++asked_[family].left_out, ++robust_[family].left_out;
+      return;
+    }
     try {
       auto examination = operation_.examine(question);
       pending.push_back({family, index, std::move(question), std::move(examination)});
@@ -179,6 +183,10 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
     if (families.empty() || (options.engine && operation->card().is_method())) continue;
+    if (options.engine && !engines[0]->supports(operation->name())) {
+      tally.undeclared.push_back(operation->name());
+      continue;
+    }
     std::vector<Worker> workers;
     for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get(), stop);
     std::atomic<std::uint64_t> next{0};

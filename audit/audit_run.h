@@ -14,16 +14,17 @@ struct AuditOptions {
   std::vector<std::string> families;  ///< empty: all
   std::uint64_t cases = 20000;        ///< per operation, dealt out over its families in turn
   std::uint64_t seed = 1;
-  Limits limits;       ///< of ordinary numbers
-  double seconds = 0;  ///< per operation; 0: no limit. With a limit the number of cases depends on the machine.
+  Limits limits;               ///< of ordinary numbers
+  bool ordinary_only = false;  ///< extreme questions are drawn and left out
+  double seconds = 0;          ///< per operation; 0: no limit. With a limit the number of cases depends on the machine.
   int jobs = 1;
   /// A fresh engine; called once a job. Empty: our reference in double.
   std::function<std::unique_ptr<Engine>()> engine;
 };
 
-/// Asks the engine and robust the same questions, judges both by the oracle and shrinks what it found. The same options
-/// give the same tally whatever `jobs` is. `stop` ends the run early with what there is; `progress` hears (operation,
-/// cases done).
+/// Asks the engine and robust the same questions, of the operations that the engine declares; judges both by the oracle
+/// and shrinks what it found. The same options give the same tally whatever `jobs` is. `stop` ends the run early with
+/// what there is; `progress` hears (operation, cases done).
 Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&, std::uint64_t)>& progress);
 

@@ -62,13 +62,27 @@ void merge_operations(std::vector<OperationTally>& into, const std::vector<Opera
   }
 }
 
-/// The catalogue's order, whatever was merged first; operations and families that it does not know come last, by name.
-void put_in_order(std::vector<OperationTally>& tallies) {
-  const auto place = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::pair(std::find(names.begin(), names.end(), name) - names.begin(), name);
-  };
+std::pair<std::ptrdiff_t, std::string> place(const std::vector<std::string>& names, const std::string& name) {
+  return {std::find(names.begin(), names.end(), name) - names.begin(), name};
+}
+
+std::vector<std::string> names_of_operations() {
   std::vector<std::string> operations;
   for (const Operation* operation : catalogue()) operations.push_back(operation->name());
+  return operations;
+}
+
+/// Each once, in the catalogue's order.
+void put_in_order(std::vector<std::string>& names) {
+  const std::vector<std::string> operations = names_of_operations();
+  std::sort(names.begin(), names.end(),
+            [&](const std::string& a, const std::string& b) { return place(operations, a) < place(operations, b); });
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+}
+
+/// The catalogue's order, whatever was merged first; operations and families that it does not know come last, by name.
+void put_in_order(std::vector<OperationTally>& tallies) {
+  const std::vector<std::string> operations = names_of_operations();
   std::sort(tallies.begin(), tallies.end(), [&](const OperationTally& a, const OperationTally& b) {
     return place(operations, a.operation) < place(operations, b.operation);
   });
@@ -232,6 +246,7 @@ void Cell::merge(const Cell& other) {
   touches_open += other.touches_open;
   surplus += other.surplus;
   refused += other.refused;
+  left_out += other.left_out;
   not_asked += other.not_asked;
   if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;
   for (const auto& [rule, n] : other.rules) rules[rule] += n;
@@ -273,8 +288,10 @@ void Tally::merge(const Tally& other) {
   require_disjoint(*this, other);
   merge_operations(operations, other.operations);
   merge_operations(robust, other.robust);
+  undeclared.insert(undeclared.end(), other.undeclared.begin(), other.undeclared.end());
   put_in_order(operations);
   put_in_order(robust);
+  put_in_order(undeclared);
   std::vector<std::uint64_t> done;
   std::set_union(grid.done.begin(), grid.done.end(), other.grid.done.begin(), other.grid.done.end(),
                  std::back_inserter(done));

@@ -76,6 +76,7 @@ struct Cell {
   std::uint64_t touches_closed = 0, touches_open = 0;  ///< touches answered as closed sets do, as open sets do
   std::uint64_t surplus = 0;                           ///< elements that answers which must cover hold beyond the truth
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
+  std::uint64_t left_out = 0;                          ///< drawn, but extreme where only ordinary questions are asked
   std::uint64_t not_asked = 0;                         ///< the engine had been given up before their turn: no cases
   std::string given_up;                        ///< why, in the engine's or our words; empty where all were asked
   std::map<std::string, std::uint64_t> rules;  ///< how often which rule refused it, without particulars ("simple")
@@ -134,7 +135,8 @@ struct Tally {
   Declaration declaration;
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
   Grid grid;
-  Limits limits;  ///< that tell ordinary questions from extreme ones
+  Limits limits;                        ///< that tell ordinary questions from extreme ones
+  std::vector<std::string> undeclared;  ///< operations that were to be asked and that the engine does not declare
   std::vector<OperationTally> operations;
   std::vector<OperationTally> robust;  ///< the same questions asked to robust
   bool interrupted = false;

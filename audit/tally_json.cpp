@@ -74,6 +74,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
                  {"worst_ulps", written(cell.worst_ulps)},
                  {"smallest", smallest}};
   if (cell.surplus > 0) result["surplus"] = cell.surplus;
+  if (cell.left_out > 0) result["left_out"] = cell.left_out;
   if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
   return result;
 }
@@ -216,6 +217,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   place.at("rules").each_member(
       [&](const std::string& key, const Place& n) { cell.rules[excerpt(key, most_of_a_text)] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();
+  if (place.value.contains("left_out")) cell.left_out = place.at("left_out").count();
   if (place.value.contains("not_asked")) {
     cell.not_asked = place.at("not_asked").count();
     cell.given_up = place.at("given_up").text();
@@ -262,6 +264,7 @@ std::string tally_json(const Tally& tally) {
                      {"grid", {{"size", tally.grid.size}, {"shards", tally.grid.shards}, {"done", tally.grid.done}}},
                      {"limits", {{"least", written(tally.limits.least)}, {"most", written(tally.limits.most)}}},
                      {"interrupted", tally.interrupted},
+                     {"undeclared", tally.undeclared},
                      {"operations", operations_json(tally.operations)},
                      {"robust", operations_json(tally.robust)}};
   return one_line(json) + "\n";
@@ -286,6 +289,7 @@ Tally read_tally(const std::string& text) {
   });
   tally.limits = {file.at("limits").at("least").number(), file.at("limits").at("most").number()};
   tally.interrupted = file.at("interrupted").flag();
+  file.at("undeclared").each([&](const Place& name) { tally.undeclared.push_back(name.text()); });
   tally.operations = read_operations(file.at("operations"));
   tally.robust = read_operations(file.at("robust"));
   return tally;

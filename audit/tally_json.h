@@ -10,7 +10,7 @@
 ///   {"touchstone":1, "kind":"tally",
 ///    "engine":{"name":"...", "number":"binary64|binary32", "boundary":"closed|open|unspecified", "tolerance":0},
 ///    "seed":1, "cases":200000, "grid":{"size":0,"shards":1,"done":[]}, "interrupted":false,
-///    "limits":{"least":7.888609052210118e-31, "most":1.2676506002282294e+30},
+///    "limits":{"least":7.888609052210118e-31, "most":1.2676506002282294e+30}, "undeclared":["line_line", ...],
 ///    "operations":[{"operation":"orientation",
 ///                   "families":[{"family":"collinear", "cases":10, "counts":{"agree":9,"rounding":1, ...every
 ///                   verdict}, "cancellation":1, "out_of_range":0,
@@ -25,7 +25,8 @@
 ///
 /// `ways` counts everything (audit/tally.h: Way, WayCount); what else is counted by verdict or truth are its sums, and
 /// `smallest` is the best of its examples for each verdict. `touch`: how a touch was answered, 1 as closed sets, -1 as
-/// open sets, else 0.
+/// open sets, else 0. Where they are not 0 a family also has `surplus`, `left_out` and, with the reason `given_up`,
+/// `not_asked` (audit/tally.h: Cell).
 namespace touchstone::audit {
 
 std::string tally_json(const Tally& tally);

@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 
@@ -56,6 +58,21 @@ void require_known_families(const AuditOptions& options) {
   }
 }
 
+/// "LEAST,MOST", decimal or hexadecimal.
+Limits limits_named(const std::string& text) {
+  Limits limits;
+  char* rest = nullptr;
+  limits.least = std::strtod(text.c_str(), &rest);
+  const bool two = rest != text.c_str() && *rest == ',';
+  const char* const second = rest + 1;
+  if (two) limits.most = std::strtod(second, &rest);
+  if (!two || rest == second || *rest != 0 || !(limits.least > 0) || !(limits.least <= limits.most) ||
+      !std::isfinite(limits.most)) {
+    throw UsageError("--ordinary " + text + ": LEAST,MOST, two positive numbers, the first not above the second");
+  }
+  return limits;
+}
+
 /// The directory of the report is made, and can be written into, before the first question.
 void require_directory(const std::string& directory) {
   if (directory.empty()) return;
@@ -101,6 +118,8 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   options.seed = command.seed;
   options.seconds = command.seconds;
   options.jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
+  options.limits = limits_named(command.ordinary);
+  options.ordinary_only = command.range == "ordinary";
   require_known_families(options);
   require_writable("--json", command.json_file);
   require_directory(command.report_directory);
@@ -118,7 +137,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     tally.interrupted = true;
     tally.declaration.engine = command.engine;
   }
-  out << text_table(tally) << std::flush;
+  out << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
   write_file("--json", command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;

@@ -78,6 +78,11 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_option("--json", options->json_file, "Write the result to this file");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
+  command->add_option("--range", options->range, "ordinary: ask only questions of ordinary size; all: any")
+      ->check(CLI::IsMember({"ordinary", "all"}));
+  command->add_option("--ordinary", options->ordinary,
+                      "LEAST,MOST: numbers of ordinary size are 0 or between these in size");
+  command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
   command->callback([=, &action] { action = [=] { return audit_command(*options, std::cout, std::cerr); }; });
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "audit/engines/protocol.h"
 #include "report/wording.h"
@@ -13,18 +14,47 @@ namespace {
 
 constexpr std::size_t columns = verdict_count + 1;
 constexpr std::size_t line_width = 120;
+constexpr std::size_t most_ways = 6;  ///< of an operation that are shown
 
 struct Row {
   std::string name;
   std::array<std::string, columns> cells;
 };
 
-Row row_of(const std::string& name, const Cell& cell) {
+std::string count_or_dash(std::uint64_t n) { return n == 0 ? "-" : grouped(n); }
+
+Row row_of(const std::string& name, std::uint64_t cases, const std::array<std::uint64_t, verdict_count>& counts) {
   Row row{name, {}};
-  const auto counts = cell.counts();
-  row.cells[0] = grouped(cell.cases());
-  for (std::size_t v = 0; v < verdict_count; ++v) row.cells[v + 1] = counts[v] == 0 ? "-" : grouped(counts[v]);
+  row.cells[0] = grouped(cases);
+  for (std::size_t v = 0; v < verdict_count; ++v) row.cells[v + 1] = count_or_dash(counts[v]);
   return row;
+}
+Row row_of(const std::string& name, const Cell& cell) { return row_of(name, cell.cases(), cell.counts()); }
+
+Row row_of(const std::string& name, const Cell& cell, Range range) {
+  std::array<std::uint64_t, verdict_count> counts{};
+  for (std::size_t v = 0; v < verdict_count; ++v) counts[v] = cell.count(static_cast<Verdict>(v), range);
+  return row_of(name, cell.cases(range), counts);
+}
+
+/// A row of which only `rounding` is counted.
+Row row_of_rounding(const std::string& name, std::uint64_t n) {
+  Row row{name, {}};
+  row.cells[1 + static_cast<std::size_t>(Verdict::rounding)] = count_or_dash(n);
+  return row;
+}
+
+/// A total, by the size of the questions, and its rounding by kind. The parts of each add up to it.
+void add_total(const std::string& name, const Cell& cell, std::vector<Row>& rows) {
+  rows.push_back(row_of(name, cell));
+  if (cell.cases(Range::ordinary) > 0 && cell.cases(Range::extreme) > 0) {
+    rows.push_back(row_of("  ordinary size", cell, Range::ordinary));
+    rows.push_back(row_of("  extreme size", cell, Range::extreme));
+  }
+  const std::uint64_t out_of_range = both(cell.out_of_range());
+  if (out_of_range == 0) return;
+  rows.push_back(row_of_rounding("  by cancellation", both(cell.cancellation())));
+  rows.push_back(row_of_rounding("  by over- or underflow", out_of_range));
 }
 
 Row header_row() {
@@ -55,41 +85,67 @@ std::string laid_out(const std::vector<Row>& rows) {
     text += row.name.size() > name_width ? row.name + "\n" + std::string(name_width, ' ')
                                          : fmt::format("{:<{}}", row.name, name_width);
     for (std::size_t c = 0; c < columns; ++c) text += fmt::format("{:>{}}", row.cells[c], widths[c]);
+    text.erase(text.find_last_not_of(' ') + 1);
     text += "\n";
   }
   return text;
 }
 
+/// Prose broken between words so that it fits beside a key of `indent` columns.
+std::string wrapped(const std::string& prose, std::size_t indent) {
+  std::string text, rest = prose;
+  while (rest.size() > line_width - indent) {
+    const std::size_t space = rest.rfind(' ', line_width - indent);
+    if (space == std::string::npos) break;
+    text += rest.substr(0, space) + "\n" + std::string(indent, ' ');
+    rest.erase(0, space + 1);
+  }
+  return text + rest;
+}
+
 std::string heading(const Tally& tally) {
-  const Declaration& declared = tally.declaration;
-  std::string text = "touchstone audit of " + subject(declared) + ", boundary " + boundary_word(declared.boundary);
-  if (declared.tolerance > 0) text += fmt::format(", tolerance {}", declared.tolerance);
+  const Declaration& engine = tally.declaration;
+  std::string text = "touchstone audit of " + subject(engine) + ", boundary " + boundary_word(engine.boundary);
+  if (engine.tolerance > 0) text += fmt::format(", tolerance {}", engine.tolerance);
   if (tally.grid.size > 0) {
     text += fmt::format("; every configuration on the {0} x {0} grid, {1} of {2}", tally.grid.size,
                         tally.grid.done.size(), counted(tally.grid.shards, "shard"));
   } else {
     text += "; " + counted(tally.cases, "case") + " per operation, seed " + std::to_string(tally.seed);
   }
+  if (sum_of(tally.operations).left_out > 0) text += ", ordinary size only";
+  if (!tally.undeclared.empty()) {
+    std::string declared, undeclared;
+    for (const OperationTally& operation : tally.operations)
+      declared += (declared.empty() ? "" : ", ") + operation.operation;
+    for (const std::string& name : tally.undeclared) undeclared += (undeclared.empty() ? "" : ", ") + name;
+    text += "\n" + wrapped("declared: " + declared, 2) + "\n" + wrapped("not declared, so not asked: " + undeclared, 2);
+  }
   return text + (tally.interrupted ? "\ninterrupted: what follows was counted until then" : "") + "\n\n";
 }
 
-std::string counts(const Tally& tally) {
+std::string counts(const Tally& tally, Detail detail) {
   std::vector<Row> rows{header_row()};
   for (const OperationTally& operation : tally.operations) {
-    rows.push_back({});
     const Cell total = operation.total();
-    rows.push_back(row_of(operation.operation, total));
-    if (total.count(Verdict::unsupported) == total.cases()) continue;  // the engine does not know it
+    if (detail == Detail::operations) {
+      rows.push_back(row_of(operation.operation, total));
+      continue;
+    }
+    rows.push_back({});
+    add_total(operation.operation, total, rows);
+    if (total.count(Verdict::unsupported) == total.cases()) continue;  // the engine never answers it
     for (const auto& [family, cell] : operation.families) rows.push_back(row_of("  " + family, cell));
   }
-  rows.push_back({});
-  rows.push_back(row_of("all", sum_of(tally.operations)));
+  if (detail == Detail::all) rows.push_back({});
   const Cell sum = sum_of(tally.operations);
+  add_total("all", sum, rows);
   std::string rules;
   for (const auto& [rule, n] : sum.rules) rules += (rules.empty() ? " (" : ", ") + rule + ": " + grouped(n);
   if (!rules.empty()) rules += ")";
   std::string notes =
       sum.refused == 0 ? "" : "drawn but outside the contract, so no cases: " + grouped(sum.refused) + rules + "\n";
+  if (sum.left_out > 0) notes += "drawn but of extreme size, so not asked: " + grouped(sum.left_out) + "\n";
   for (const OperationTally& operation : tally.operations) {
     const Cell total = operation.total();
     if (total.surplus > 0)
@@ -111,25 +167,51 @@ std::string robust_line(const Tally& tally) {
   return text + "\n";
 }
 
-/// Prose broken between words so that it fits beside a key of `indent` columns.
-std::string wrapped(const std::string& prose, std::size_t indent) {
-  std::string text, rest = prose;
-  while (rest.size() > line_width - indent) {
-    const std::size_t space = rest.rfind(' ', line_width - indent);
-    if (space == std::string::npos) break;
-    text += rest.substr(0, space) + "\n" + std::string(indent, ' ');
-    rest.erase(0, space + 1);
+/// A way of answering an operation, over all its families.
+struct WayOfOperation {
+  Way way;
+  WayCount counted;
+  std::string family;  ///< of the example
+};
+
+/// Wrong answers come first, then inexact ones.
+int rank(Verdict verdict) { return !is_finding(verdict) ? 2 : verdict == Verdict::inexact ? 1 : 0; }
+
+/// Those that have an example; of one rank what is most frequent at ordinary size first.
+std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
+  std::map<Way, WayOfOperation> by_way;
+  for (const auto& [family, cell] : tally.families) {
+    for (const auto& [way, counted] : cell.ways) {
+      if (!counted.example) continue;
+      WayOfOperation& sum = by_way[way];
+      if (!sum.counted.example || shown_before(*counted.example, *sum.counted.example)) sum.family = family;
+      sum.way = way;
+      sum.counted.merge(counted);
+    }
   }
-  return text + rest;
+  std::vector<WayOfOperation> ways;
+  for (auto& [way, sum] : by_way) ways.push_back(std::move(sum));
+  std::stable_sort(ways.begin(), ways.end(), [](const WayOfOperation& a, const WayOfOperation& b) {
+    const int rank_a = rank(a.way.verdict), rank_b = rank(b.way.verdict);
+    return rank_a != rank_b ? rank_a < rank_b : a.counted.cases > b.counted.cases;
+  });
+  return ways;
 }
 
-std::string one_finding(const OperationTally& tally, Verdict verdict, const Smallest& smallest, Speaker speaker,
-                        bool binary32, const std::string& name) {
-  const Finding& finding = *smallest.finding;
+/// "inside where the truth is boundary"; empty where the words are the same, or none.
+std::string answer_in_words(const Way& way) {
+  return way.truth == way.answer ? "" : way.answer + " where the truth is " + way.truth + ", ";
+}
+
+std::string one_finding(const OperationTally& tally, const WayOfOperation& shown, Speaker speaker, bool binary32,
+                        const std::string& name) {
+  const Finding& finding = *shown.counted.example;
   const Operation* operation = find_operation(tally.operation);
+  const std::uint64_t cases = both(shown.counted.cases), ordinary = shown.counted.cases[0];
   std::string text =
-      fmt::format("\n{}, {}: {}, the smallest in family {} (case {})\n", tally.operation, name_of(verdict),
-                  counted(tally.total().count(verdict), "case"), smallest.family, finding.index);
+      fmt::format("\n{}, {}: {}{}{}; example: family {}, case {}\n", tally.operation, name_of(shown.way.verdict),
+                  answer_in_words(shown.way), counted(cases, "case"),
+                  ordinary < cases ? ", " + grouped(ordinary) + " of ordinary size" : "", shown.family, finding.index);
   if (!operation) return text;
   const auto line = [&](const std::string& key, const std::string& value) {
     text += fmt::format("  {:<9} {}\n", key, value);
@@ -143,7 +225,7 @@ std::string one_finding(const OperationTally& tally, Verdict verdict, const Smal
   } catch (const InvalidInput& refused) {
     line("truth", std::string("refused: ") + refused.what());
   }
-  line(name, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)));
+  line(name, finding.answer.is_null() ? no_answer : one_line(readable(finding.answer)));
   line("why", wrapped(why(finding, operation, speaker, binary32), 12));
   line("repeat", repeat_command(*operation, finding.question, speaker));
   return text;
@@ -153,12 +235,12 @@ std::string findings(const std::vector<OperationTally>& tallies, Speaker speaker
                      const std::string& name) {
   std::string text;
   for (const OperationTally& tally : tallies) {
-    for (std::size_t v = 1; v < verdict_count; ++v) {
-      const auto verdict = static_cast<Verdict>(v);
-      const Smallest smallest = smallest_of(tally, verdict);
-      if (smallest.finding && verdict != Verdict::unsupported)
-        text += one_finding(tally, verdict, smallest, speaker, binary32, name);
-    }
+    const std::vector<WayOfOperation> ways = ways_of(tally);
+    for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i)
+      text += one_finding(tally, ways[i], speaker, binary32, name);
+    if (ways.size() > most_ways)
+      text += fmt::format("\n{}: {} in the file of --json\n", tally.operation,
+                          counted(ways.size() - most_ways, "less frequent way"));
   }
   return text;
 }
@@ -176,12 +258,14 @@ std::string conventions(const std::vector<OperationTally>& tallies, const std::s
 
 }  // namespace
 
-std::string text_table(const Tally& tally) {
-  const std::string engine = speaker_of(tally.declaration) == Speaker::reference ? "reference" : "engine";
-  return heading(tally) + counts(tally) + robust_line(tally) +
-         findings(tally.operations, speaker_of(tally.declaration), tally.declaration.binary32, engine) +
-         findings(tally.robust, Speaker::robust, false, "robust") + conventions(tally.operations, engine) +
-         conventions(tally.robust, "robust") + "\n" + closing_sentence(tally);
+std::string text_table(const Tally& tally, Detail detail) {
+  const Speaker speaker = speaker_of(tally.declaration);
+  const std::string engine = speaker == Speaker::reference ? "formula" : "engine";
+  std::string text = heading(tally) + counts(tally, detail) + robust_line(tally);
+  if (detail == Detail::all) text += findings(tally.operations, speaker, tally.declaration.binary32, engine);
+  text += findings(tally.robust, Speaker::robust, false, "robust");
+  return text + conventions(tally.operations, engine) + conventions(tally.robust, "robust") + "\n" +
+         closing_sentence(tally);
 }
 
 }  // namespace touchstone::audit

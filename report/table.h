@@ -7,9 +7,16 @@
 
 namespace touchstone::audit {
 
-/// The text that `touchstone audit` prints: counts by operation and family, robust's line, the smallest failing input
-/// of each cause with the command that repeats it, inconsistent conventions, one closing sentence. The same tally gives
-/// the same bytes.
-std::string text_table(const Tally& tally);
+/// How much of it.
+enum class Detail {
+  all,
+  operations,  ///< a row for each operation, no families and no examples
+};
+
+/// The text that `touchstone audit` prints: counts by operation and family, ordinary and extreme questions apart where
+/// there are both; robust's line; of each operation's ways of answering wrongly the most frequent, at ordinary size
+/// first, with an example and the command that repeats it; inconsistent conventions; one closing sentence. The same
+/// tally gives the same bytes.
+std::string text_table(const Tally& tally, Detail detail = Detail::all);
 
 }  // namespace touchstone::audit

@@ -134,7 +134,7 @@ std::string ulps_in_words(double ulps) {
 }
 
 std::string subject(const Declaration& declaration) {
-  return (declaration.engine.empty() ? "reference" : declaration.engine) +
+  return (speaker_of(declaration) == Speaker::reference ? "textbook formulas" : declaration.engine) +
          (declaration.binary32 ? " (binary32)" : " (binary64)");
 }
 

@@ -22,7 +22,7 @@ std::string share(std::uint64_t part, std::uint64_t whole);
 /// A distance in units in the last place: "0.5 ulps", "4.5e+15 ulps", "more than 1e298 ulps".
 std::string ulps_in_words(double ulps);
 
-/// "reference (binary64)"
+/// "textbook formulas (binary64)"
 std::string subject(const Declaration& declaration);
 
 /// Whose answer it is: "by rounding" is decided, and so explained, differently for each.
@@ -61,7 +61,7 @@ Cell sum_of(const std::vector<OperationTally>& tallies);
 /// "1,234 of 200,000 answers wrong (ordinary size: 234 of 99,000): 1,000 by rounding (200 cancellation, 800 overflow or
 /// underflow), 234 by algorithm; 12 inexact". Wrong is rounding, algorithm and invalid together.
 std::string summary_of(const Cell& sum);
-/// "reference (binary64): 1,234 of 200,000 answers wrong: ...; robust: 0"
+/// "textbook formulas (binary64): 1,234 of 200,000 answers wrong: ...; robust: 0"
 std::string closing_sentence(const Tally& tally);
 
 }  // namespace touchstone::audit

@@ -233,6 +233,47 @@ TEST_CASE("audit_runs: a binary32 engine is asked numbers that are floats") {
   CHECK(all_floats);
 }
 
+TEST_CASE("audit_runs: what the engine does not declare is not asked, and is named") {
+  AuditOptions options;
+  options.operations = {find_operation("orientation"), find_operation("ray_segment")};
+  options.cases = 100;
+  options.engine = [] {
+    return std::make_unique<Scripted>(right, Declaration{"scripted", Declaration::Boundary::closed, false, 0});
+  };
+  const Tally tally = run_audit(options, false, [](const std::string&, std::uint64_t) {});
+  REQUIRE(tally.operations.size() == 1);
+  CHECK(tally.operations[0].operation == "orientation");
+  CHECK(tally.robust.size() == 1);
+  CHECK(tally.undeclared == std::vector<std::string>{"ray_segment"});
+  CHECK_FALSE(tally.has_findings());
+  CHECK_THAT(text_table(tally),
+             ContainsSubstring("\ndeclared: orientation\nnot declared, so not asked: ray_segment\n"));
+  CHECK(read_tally(tally_json(tally)).undeclared == tally.undeclared);
+}
+
+TEST_CASE("audit_runs: of an ordinary range no extreme question reaches the engine") {
+  bool all_ordinary = true;
+  AuditOptions options;
+  options.operations = {find_operation("orientation")};
+  options.cases = 2000;
+  options.ordinary_only = true;
+  options.engine = [&] {
+    return std::make_unique<Scripted>(
+        [&](const Question& q, const Examination& examination) -> Json {
+          all_ordinary = all_ordinary && range_of(q) == Range::ordinary;
+          return examination.rounded_truth();
+        },
+        Declaration{"scripted", Declaration::Boundary::closed, false, 0});
+  };
+  const Tally tally = run_audit(options, false, [](const std::string&, std::uint64_t) {});
+  const Cell cell = tally.operations[0].total();
+  CHECK(all_ordinary);
+  CHECK(cell.left_out > 0);
+  CHECK(cell.cases() + cell.refused + cell.left_out == 2000);
+  CHECK_FALSE(tally.has_findings());
+  CHECK(tally_json(read_tally(tally_json(tally))) == tally_json(tally));
+}
+
 TEST_CASE("audit_runs: a stopped run says so and keeps what there is") {
   const Tally tally = Run{.answer = right}.tally(true);
   CHECK(tally.interrupted);
