@@ -49,7 +49,7 @@ int run_map(const std::vector<std::string>& names, const std::string& out_direct
     const std::string stem = directory + "/" + operation->name();
     try {
       write_whole_file(stem + ".png", png(side_by_side(maps, gap), scale));
-      write_whole_file(stem + ".html", map_page(*operation, binary32, maps));
+      write_whole_file(stem + ".html", map_page(*operation, maps));
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--out ") + failed.what());
     }

@@ -3,8 +3,8 @@
 
 #include "audit/engines/protocol.h"
 #include "report/html.h"
+#include "report/html_map.h"
 #include "report/html_parts.h"
-#include "report/palette.h"
 
 namespace touchstone::audit {
 namespace {
@@ -115,9 +115,10 @@ std::string gallery(const OperationMaps& maps) {
       "above.</p>"
       "<div class=\"gallery\">";
   for (const auto& [operation, shown] : maps) {
-    std::vector<FailureMap> pair{shown.size() > 2 ? shown[2] : shown[0], shown[1]};
-    text += fmt::format("<a href=\"{0}.html#map\"><img alt=\"{1}\" src=\"{2}\"><strong>{0}</strong></a>",
-                        escaped(operation), escaped(in_words(pair)), data_uri(png(side_by_side(pair, 12))));
+    const FailureMap& map = subject_of(shown);
+    if (map.findings() == 0) continue;
+    text += fmt::format("<a href=\"{0}.html#map\">{1}<strong>{0}</strong></a>", escaped(operation),
+                        map_picture(map, map.subject));
   }
   return text + "</div>";
 }

@@ -5,7 +5,6 @@
 
 #include "audit/tally.h"
 #include "report/labels.h"
-#include "report/map_image.h"
 #include "report/wording.h"
 
 /// Pieces that several pages of the report are made of. Arguments are plain text, results are HTML.
@@ -27,8 +26,5 @@ std::string cause_bar(const Cell& cell);
 /// Numbers of a cell as table cells, in the order of verdict_columns.
 std::string verdict_columns();
 std::string verdict_numbers(const Cell& cell);
-
-/// Maps side by side with legends and what they show; the engine and robust see the same grid.
-std::string map_section(const Operation& operation, bool binary32, const std::vector<FailureMap>& maps);
 
 }  // namespace touchstone::audit

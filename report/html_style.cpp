@@ -14,8 +14,7 @@ constexpr const char* light_variables =
 
 constexpr const char* dark_variables =
     "--paper:#1d2329;--ground:#14181c;--ink:#e6eaee;--quiet:#a3aeb9;--faint:#4c5761;--line:#323a42;--link:#8ec1f5;"
-    "--code:#252c33;--q0:#7db4f0;--q1:#f0a45c;--q2:#7fcf9c;--q3:#cf9cec;--truth:#ff7ab6;--said:#4fd1c7;"
-    "--agree:#5d7384;--algorithm:#b07ad8;--inexact:#35b3b5;--invalid:#f2f2f2;--unsupported:#59626b;";
+    "--code:#252c33;--q0:#7db4f0;--q1:#f0a45c;--q2:#7fcf9c;--q3:#cf9cec;--truth:#ff7ab6;--said:#4fd1c7;";
 
 constexpr const char* rules = R"css(
 *{box-sizing:border-box}
@@ -52,7 +51,7 @@ th{color:var(--quiet);font-weight:600;font-size:13px;vertical-align:bottom}
 th:first-child,td:first-child{text-align:left;padding-left:2px}
 tbody th{color:var(--ink);font-size:14px}
 tbody tr.total>*{font-weight:650;border-top:2px solid var(--faint);padding-top:8px}
-td.none{color:var(--faint)}td.wide{width:34%;min-width:160px}td.text,th.text{text-align:left;white-space:normal}
+td.none{color:var(--quiet)}td.wide{width:34%;min-width:160px}td.text,th.text{text-align:left;white-space:normal}
 td.found{font-weight:600}
 code,pre{font:13px/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
 code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:anywhere}
@@ -66,7 +65,15 @@ figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:
 .said td:nth-child(2) code{overflow-wrap:break-word}.said tr.truth th{color:var(--truth)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .maps{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:24px}
-.maps img{image-rendering:pixelated}.maps img,.gallery img{width:100%;height:auto;display:block;border:1px solid var(--line);background:#fff}
+.map{position:relative}.map img,.gallery img{image-rendering:pixelated;width:100%;height:auto;display:block}
+.map.walked{cursor:crosshair;touch-action:none;overflow:hidden}
+.cross{position:absolute;width:15px;height:15px;margin:-7.5px;border:2px solid #000;outline:1.5px solid #fff;border-radius:50%;pointer-events:none}
+.sample{vertical-align:-1px;margin-right:7px;border-radius:3px;image-rendering:pixelated}
+.mapped .below{margin-top:14px}
+.walk{border-top:1px solid var(--line);padding-top:12px;display:flex;flex-wrap:wrap;gap:0 28px}.walk>p{flex-basis:100%}.lenses{flex:1 1 260px}.answers{flex:2 1 420px;min-width:0}.walk code{overflow-wrap:normal}
+.lenses{display:grid;grid-template-columns:repeat(auto-fit,minmax(130px,200px));gap:16px}.lenses figure{margin:0 0 8px}
+.lens-view{display:block;width:100%;aspect-ratio:1;background:var(--ground);cursor:grab;touch-action:none;border:1px solid var(--line)}
+.lens-view .point{fill:none;stroke:#000;stroke-width:.12;paint-order:stroke;filter:drop-shadow(0 0 .08px #fff) drop-shadow(0 0 .08px #fff)}
 .maps ul{list-style:none;margin:10px 0 0;padding:0;font-size:14px}
 .maps li{display:flex;gap:4px;align-items:baseline}.maps li b{margin-left:auto;font-weight:500;font-variant-numeric:tabular-nums}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}
@@ -91,10 +98,10 @@ details::details-content{content-visibility:visible;block-size:auto}
 }
 )css";
 
-std::string verdict_variables() {
-  std::string text;
+std::string verdict_variables(Scheme scheme) {
+  std::string text = "--range:" + hex_of(range_colour(scheme)) + ";";
   for (std::size_t v = 0; v < verdict_count; ++v) {
-    text += std::string("--") + verdict_names[v] + ":" + hex_of(colour_of(static_cast<Verdict>(v))) + ";";
+    text += std::string("--") + verdict_names[v] + ":" + hex_of(colour_of(static_cast<Verdict>(v), scheme)) + ";";
   }
   return text;
 }
@@ -108,9 +115,10 @@ std::string verdict_classes() {
 }  // namespace
 
 const std::string& page_style() {
-  static const std::string style = std::string(":root{color-scheme:light dark;") + light_variables +
-                                   verdict_variables() + "}" + "@media screen and (prefers-color-scheme:dark){:root{" +
-                                   dark_variables + "}}" + rules + verdict_classes() + figure_style() + space_style();
+  static const std::string style =
+      std::string(":root{color-scheme:light dark;") + light_variables + verdict_variables(Scheme::light) + "}" +
+      "@media screen and (prefers-color-scheme:dark){:root{" + dark_variables + verdict_variables(Scheme::dark) + "}}" +
+      rules + verdict_classes() + figure_style() + space_style();
   return style;
 }
 

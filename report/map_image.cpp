@@ -2,72 +2,41 @@
 #include "report/map_image.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <tuple>
 
 #include "audit/parallel.h"
 #include "catalogue/codec/plain.h"
 #include "geometry/invalid_input.h"
-#include "report/palette.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {
 namespace {
-
-double step_above(double number, bool binary32) {
-  const double size = std::fabs(number);
-  if (!binary32) return std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
-  const auto narrow = static_cast<float>(size);
-  return static_cast<double>(std::nextafter(narrow, std::numeric_limits<float>::infinity()) - narrow);
-}
-
-/// Where two inputs of one shape differ: the path of the first number that is not the same, as "polygon[3][0]".
-std::string path_of_difference(const Json& a, const Json& b, const std::string& path = "") {
-  if (!a.is_structured()) return a == b ? "" : path;
-  std::string found;
-  for (std::size_t i = 0; a.is_array() && i < a.size() && found.empty(); ++i) {
-    found = path_of_difference(a[i], b[i], path + "[" + std::to_string(i) + "]");
-  }
-  if (a.is_array()) return found;
-  for (const auto& [key, value] : a.items()) {
-    found = path_of_difference(value, b[key], path.empty() ? key : path + "." + key);
-    if (!found.empty()) break;
-  }
-  return found;
-}
-
-/// The name of a number of the map's centre, found by moving it: beside coordinates a question may hold lengths of
-/// lists.
-std::string field_of(const Operation& operation, const Question& centre, std::size_t number, double step) {
-  Question moved = centre;
-  moved.numbers[number] += step;
-  return path_of_difference(operation.print(centre), operation.print(moved));
-}
 
 /// What one implementation did at one pixel. Answers that are numbers alone are shown by how far they are off.
 struct Shade {
   Verdict verdict = Verdict::unsupported;
   std::string said;
   bool refused = false;
-  std::size_t decade = words_only;  ///< of the distance in ulps: 0, then up to 1, 10, 100 ...
-  static constexpr std::size_t words_only = 99, last_decade = 7;
+  std::size_t level = words_only;  ///< of the distance in ulps: the further off, the greater
+  static constexpr std::size_t words_only = 99;
 
   bool operator<(const Shade& other) const {
-    return std::tie(verdict, said, refused, decade) < std::tie(other.verdict, other.said, other.refused, other.decade);
+    return std::tie(verdict, said, refused, level) < std::tie(other.verdict, other.said, other.refused, other.level);
   }
 };
 
 Shade shade_of_distance(const Judgement& judgement) {
-  std::uint64_t limit = 1;
-  std::size_t decade = judgement.ulps > 0 ? 1 : 0;
-  while (decade > 0 && decade < Shade::last_decade + 1 && static_cast<double>(limit) < judgement.ulps)
-    limit *= 10, ++decade;
-  if (!(judgement.ulps <= 1e6))
-    return {judgement.verdict, "more than 1,000,000 ulps off", false, Shade::last_decade + 1};
-  return {judgement.verdict, decade == 0 ? "correctly rounded" : "up to " + counted(limit, "ulp") + " off", false,
-          decade};
+  if (judgement.verdict == Verdict::agree) {
+    return judgement.ulps > 0 ? Shade{judgement.verdict, "within the stated bound", false, 1}
+                              : Shade{judgement.verdict, "correctly rounded", false, 0};
+  }
+  constexpr std::uint64_t limits[] = {10, 1000, 1000000};
+  for (std::size_t level = 0; level < std::size(limits); ++level) {
+    if (judgement.ulps <= static_cast<double>(limits[level]))
+      return {judgement.verdict, "up to " + counted(limits[level], "ulp") + " off", false, level};
+  }
+  return {judgement.verdict, "more than 1,000,000 ulps off", false, std::size(limits)};
 }
 
 /// Of an answer that is one of many right ones, and of one whose numbers are not those that were asked for, the verdict
@@ -79,6 +48,7 @@ Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome
     return measured && kind != Kind::checked && kind != Kind::covering ? shade_of_distance(judgement)
                                                                        : Shade{judgement.verdict, ""};
   }
+  if (judgement.verdict == Verdict::invalid) return {judgement.verdict, ""};  // it may have said anything
   const bool decided = judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact;
   return {judgement.verdict, decided ? outcome : word_in(answer())};
 }
@@ -141,79 +111,74 @@ void ask_engine(const Operation& operation, const MapGrid& grid,
   }
 }
 
-/// Words by how common they are among the truths, so that all maps of an operation give a word the same tint; a word so
-/// rare that it may be a line one pixel wide gets the dark one.
-std::map<std::string, std::size_t> ranks_of(const std::map<std::string, std::uint64_t>& outcomes) {
+/// Words by how common they are among the truths, so that all maps of an operation give a word the same look.
+std::map<std::string, Rank> ranks_of(const std::map<std::string, std::uint64_t>& outcomes) {
   std::vector<std::pair<std::string, std::uint64_t>> sorted(outcomes.begin(), outcomes.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   constexpr std::uint64_t rare = MapGrid::side * MapGrid::side / 25;
-  constexpr std::size_t light[] = {0, 1, 3}, dark = 2;
-  std::map<std::string, std::size_t> ranks;
-  std::size_t common = 0;
-  for (const auto& [word, n] : sorted) ranks[word] = n < rare ? dark : light[common++ % std::size(light)];
+  std::map<std::string, Rank> ranks;
+  std::size_t common = 0, uncommon = 0;
+  for (const auto& [word, n] : sorted) ranks[word] = n < rare ? Rank{uncommon++, true} : Rank{common++, false};
   return ranks;
 }
 
-Colour colour_in_map(const Shade& shade, std::map<std::string, std::size_t>& ranks) {
-  if (shade.refused) return {255, 255, 255};
-  if (shade.decade != Shade::words_only) return distance_colour(shade.verdict, shade.decade);
-  if (shade.said.empty())
-    return shade.verdict == Verdict::agree ? map_colour(shade.verdict, 0) : colour_of(shade.verdict);
-  return map_colour(shade.verdict, ranks.emplace(shade.said, ranks.size()).first->second);
+Look look_in_map(const Shade& shade, std::map<std::string, Rank>& ranks, Scheme scheme) {
+  if (shade.level != Shade::words_only)
+    return shade.verdict == Verdict::agree ? look_of(shade.verdict, {shade.level, false}, scheme)
+                                           : look_of_distance(shade.level, scheme);
+  if (shade.said.empty()) return look_of(shade.verdict, {}, scheme);
+  return look_of(shade.verdict, ranks.emplace(shade.said, Rank{ranks.size(), false}).first->second, scheme);
 }
 
-FailureMap developed(const Plate& plate, std::map<std::string, std::size_t> ranks) {
+FailureMap developed(const MapGrid& grid, const Plate& plate, std::map<std::string, Rank> ranks) {
   FailureMap map;
+  map.grid = grid;
   map.subject = plate.subject;
-  map.image.width = map.image.height = MapGrid::side;
   std::map<Shade, std::uint64_t> counts;
   for (const Shade& shade : plate.shades) ++counts[shade];
-  std::map<Shade, std::uint8_t> index;
+  std::vector<std::pair<Shade, std::uint64_t>> sorted;
   for (const auto& [shade, n] : counts) {
-    const Colour colour = colour_in_map(shade, ranks);
-    index[shade] = static_cast<std::uint8_t>(map.image.palette.size());
-    map.image.palette.push_back(colour);
     if (shade.refused) {
       map.refused += n;
-      continue;
+    } else {
+      sorted.emplace_back(shade, n);
     }
-    map.counts[static_cast<std::size_t>(shade.verdict)] += n;
-    map.classes.push_back({shade.verdict, shade.said, n, colour});
   }
-  for (const Shade& shade : plate.shades) map.image.pixels.push_back(index[shade]);
-  std::stable_sort(map.classes.begin(), map.classes.end(), [](const MapClass& a, const MapClass& b) {
-    return a.verdict != b.verdict ? a.verdict < b.verdict : a.count > b.count;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return a.first.verdict != b.first.verdict ? a.first.verdict < b.first.verdict : a.second > b.second;
   });
+  std::map<Shade, std::uint8_t> index;
+  for (const auto& [shade, n] : sorted) {
+    index[shade] = static_cast<std::uint8_t>(map.classes.size());
+    map.counts[static_cast<std::size_t>(shade.verdict)] += n;
+    map.classes.push_back({shade.verdict,
+                           shade.said,
+                           n,
+                           {look_in_map(shade, ranks, Scheme::light), look_in_map(shade, ranks, Scheme::dark)}});
+  }
+  const auto refused = static_cast<std::uint8_t>(map.classes.size());
+  for (const Shade& shade : plate.shades) map.pixels.push_back(shade.refused ? refused : index[shade]);
   return map;
 }
 
 }  // namespace
 
-Question MapGrid::at(int column, int row) const {
-  Question question = centre;
-  question.numbers[axes.first] += (column - side / 2) * step.first;
-  question.numbers[axes.second] += (side / 2 - 1 - row) * step.second;
-  return question;
+std::uint64_t FailureMap::findings() const {
+  std::uint64_t sum = 0;
+  for (std::size_t v = 0; v < verdict_count; ++v) sum += is_finding(static_cast<Verdict>(v)) ? counts[v] : 0;
+  return sum;
 }
 
-MapGrid map_grid(const Operation& operation, bool binary32) {
-  MapGrid grid;
-  grid.centre = binary32 ? operation.in_binary32(operation.map_centre()) : operation.map_centre();
-  grid.axes = operation.map_axes();
-  grid.step = {step_above(grid.centre.numbers[grid.axes.first], binary32),
-               step_above(grid.centre.numbers[grid.axes.second], binary32)};
-  grid.fields = {field_of(operation, grid.centre, grid.axes.first, grid.step.first),
-                 field_of(operation, grid.centre, grid.axes.second, grid.step.second)};
-  return grid;
-}
+const FailureMap& subject_of(const std::vector<FailureMap>& maps) { return maps.size() > 2 ? maps[2] : maps[0]; }
 
-std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32, Engine* engine) {
-  const MapGrid grid = map_grid(operation, binary32);
+std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32, Engine* engine,
+                                     const std::vector<Question>& candidates) {
+  const bool with_engine = engine && engine->supports(operation.name());
+  const MapGrid grid = failing_grid(operation, binary32, with_engine ? engine : nullptr, candidates);
   Declaration ours;
   ours.engine = "reference";
   ours.binary32 = binary32;
   std::vector<Plate> plates{{subject(ours), {}}, {"robust", {}}};
-  const bool with_engine = engine && engine->supports(operation.name());
   if (with_engine) plates.push_back({subject(engine->declaration()), {}});
   std::map<std::string, std::uint64_t> outcomes;
   constexpr int together = 32;  // rows; the engine is asked of these, in order, before the next are looked at
@@ -233,30 +198,48 @@ std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool 
     }
   }
   std::vector<FailureMap> maps;
-  for (const Plate& plate : plates) maps.push_back(developed(plate, ranks_of(outcomes)));
+  for (const Plate& plate : plates) maps.push_back(developed(grid, plate, ranks_of(outcomes)));
   return maps;
+}
+
+Image image_of(const FailureMap& map, Scheme scheme) {
+  Image image;
+  image.width = image.height = MapGrid::side;
+  for (const MapClass& entry : map.classes) {
+    image.palette.push_back(entry.look(scheme).ground);
+    image.palette.push_back(entry.look(scheme).mark);
+  }
+  image.palette.push_back(blank_colour(scheme));
+  for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+    const std::size_t of = map.pixels[i];
+    const bool marked =
+        of < map.classes.size() && map.classes[of].look(scheme).marked(i % MapGrid::side, i / MapGrid::side);
+    image.pixels.push_back(static_cast<std::uint8_t>(2 * of + (marked ? 1 : 0)));
+  }
+  return image;
+}
+
+Image sample_of(const MapClass& entry, Scheme scheme) {
+  constexpr std::uint32_t side = 12;
+  const Look& look = entry.look(scheme);
+  Image image{side, side, {look.ground, look.mark}, {}};
+  for (std::uint32_t i = 0; i < side * side; ++i) image.pixels.push_back(look.marked(i % side, i / side) ? 1 : 0);
+  return image;
 }
 
 Image side_by_side(const std::vector<FailureMap>& maps, std::uint32_t gap) {
   Image all;
   all.height = MapGrid::side;
-  all.palette.push_back({255, 255, 255});
-  std::vector<std::vector<std::uint8_t>> translations;
-  for (const FailureMap& map : maps) {
-    std::vector<std::uint8_t>& translation = translations.emplace_back();
-    for (const Colour& colour : map.image.palette) {
-      const auto found = std::find(all.palette.begin(), all.palette.end(), colour);
-      translation.push_back(static_cast<std::uint8_t>(found - all.palette.begin()));
-      if (found == all.palette.end()) all.palette.push_back(colour);
-    }
-    all.width += (all.width > 0 ? gap : 0) + map.image.width;
-  }
-  for (std::size_t row = 0; row < MapGrid::side; ++row) {
-    for (std::size_t m = 0; m < maps.size(); ++m) {
-      if (m > 0) all.pixels.insert(all.pixels.end(), gap, 0);
-      const auto from = maps[m].image.pixels.begin() + static_cast<std::ptrdiff_t>(row * MapGrid::side);
-      std::transform(from, from + MapGrid::side, std::back_inserter(all.pixels),
-                     [&](std::uint8_t i) { return translations[m][i]; });
+  all.width = static_cast<std::uint32_t>(maps.size()) * (MapGrid::side + gap) - gap;
+  all.palette.push_back(blank_colour());
+  all.pixels.resize(std::size_t{all.width} * all.height, 0);
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const Image one = image_of(maps[m]);
+    const std::size_t first = all.palette.size();
+    all.palette.insert(all.palette.end(), one.palette.begin(), one.palette.end());
+    for (std::size_t i = 0; i < one.pixels.size(); ++i) {
+      const std::size_t column = m * (MapGrid::side + gap) + i % MapGrid::side;
+      all.pixels[i / MapGrid::side * all.width + column] = static_cast<std::uint8_t>(first + one.pixels[i]);
     }
   }
   return all;

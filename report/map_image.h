@@ -3,51 +3,52 @@
 
 #include <array>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "audit/engines/engine.h"
+#include "report/map_grid.h"
+#include "report/palette.h"
 #include "report/png.h"
 
 namespace touchstone::audit {
 
-/// The questions of a failure map: a degenerate question, two of its numbers moved by -128 ... 127 steps. A step is the
-/// distance from the number's size to the next greater one, the same over the whole map.
-struct MapGrid {
-  static constexpr int side = 256;
-  Question centre;
-  std::pair<std::size_t, std::size_t> axes;  ///< which numbers move: to the right, upwards
-  std::pair<double, double> step;
-  std::pair<std::string, std::string> fields;  ///< "p[0]", "p[1]"
-  Question at(int column, int row) const;      ///< row 0 is the top
-};
-MapGrid map_grid(const Operation& operation, bool binary32 = false);
-
-/// Answers that a map shows in one colour.
+/// Answers that a map shows alike.
 struct MapClass {
   Verdict verdict = Verdict::agree;
   std::string said;  ///< the word of the answer, or how far a number is off; empty where the verdict says all
   std::uint64_t count = 0;
-  Colour colour{};
+  std::array<Look, 2> looks{};  ///< by Scheme
+  const Look& look(Scheme scheme) const { return looks[static_cast<std::size_t>(scheme)]; }
 };
 
 struct FailureMap {
+  MapGrid grid;
   std::string subject;
-  Image image;
   std::vector<MapClass> classes;  ///< by verdict, then the commonest first
+  std::vector<std::uint8_t>
+      pixels;  ///< the class of each, row by row from the top; classes.size(): outside the contract
   std::array<std::uint64_t, verdict_count> counts{};
   std::uint64_t refused = 0;  ///< pixels outside the contract
+
+  std::uint64_t findings() const;
 };
 
-/// Maps over the same grid: reference in double (or float), then robust, then the engine if there is one. The same
-/// whatever the jobs.
+/// Maps over the same grid (failing_grid): the formula in double (or float), then robust, then the engine if there is
+/// one. The same whatever the jobs.
 std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32 = false,
-                                     Engine* engine = nullptr);
+                                     Engine* engine = nullptr, const std::vector<Question>& candidates = {});
+
+/// Whose failures the maps are about: the engine if there is one, else the formula.
+const FailureMap& subject_of(const std::vector<FailureMap>& maps);
+
+/// One pixel a question. Of a palette index, half (rounded down) is the class; the same in both schemes.
+Image image_of(const FailureMap& map, Scheme scheme = Scheme::light);
+/// A small piece of an area of that class, for a legend.
+Image sample_of(const MapClass& entry, Scheme scheme);
 
 /// The images side by side, `gap` pixels of white between them.
 Image side_by_side(const std::vector<FailureMap>& maps, std::uint32_t gap);
 
-/// "reference (binary64): 12,345 of 65,536 wrong: 12,345 by rounding; robust: 0 of 65,536 wrong"
+/// "formulas in double: 12,345 of 65,536 wrong: 12,345 by rounding; robust: 0 of 65,536 wrong"
 std::string in_words(const std::vector<FailureMap>& maps);
 
 }  // namespace touchstone::audit

@@ -8,16 +8,42 @@
 namespace touchstone::audit {
 namespace {
 
-constexpr std::array<Colour, verdict_count> verdict_colours{{{0xa9, 0xba, 0xc6},    // agree
-                                                             {0xe0, 0x7b, 0x12},    // rounding
-                                                             {0x6a, 0x2c, 0x91},    // algorithm
-                                                             {0x0f, 0x8b, 0x8d},    // inexact
-                                                             {0x5a, 0xa9, 0xe6},    // convention
-                                                             {0xd8, 0xc3, 0x5a},    // tolerance
-                                                             {0x2b, 0x2b, 0x2b},    // invalid
-                                                             {0xd5, 0xd5, 0xd5}}};  // unsupported
+struct Colours {
+  std::array<Colour, verdict_count> verdicts;
+  Colour range;
+  Colour hatch, line;  ///< upon what is right
+  Colour blank;
+  int towards;  ///< what strong colours are mixed with to be stronger: black on paper, white in the dark
+};
 
-constexpr std::array<Colour, 4> tints{{{0xd9, 0xe6, 0xf2}, {0xf4, 0xec, 0xd8}, {0x55, 0x68, 0x7a}, {0xd6, 0xe8, 0xd8}}};
+constexpr Colours light{{{{0xdf, 0xe8, 0xf0},    // agree
+                          {0xcf, 0x5f, 0x00},    // rounding
+                          {0x5b, 0x2a, 0x99},    // algorithm
+                          {0x0a, 0x7c, 0x80},    // inexact
+                          {0x7f, 0xb2, 0xe5},    // convention
+                          {0xd9, 0xc5, 0x5c},    // tolerance
+                          {0x1f, 0x1f, 0x1f},    // invalid
+                          {0xc4, 0xc4, 0xc4}}},  // unsupported
+                        {0xb3, 0x12, 0x2f},
+                        {0x9f, 0xb4, 0xc6},
+                        {0x6f, 0x85, 0x98},
+                        {0xff, 0xff, 0xff},
+                        0};
+constexpr Colours dark{{{{0x25, 0x30, 0x3a},
+                         {0xff, 0x9b, 0x3f},
+                         {0xb9, 0x8a, 0xf2},
+                         {0x2f, 0xc4, 0xc0},
+                         {0x3f, 0x74, 0xa8},
+                         {0x85, 0x78, 0x39},
+                         {0xf5, 0xf5, 0xf5},
+                         {0x55, 0x55, 0x55}}},
+                       {0xff, 0x5d, 0x6c},
+                       {0x52, 0x67, 0x7a},
+                       {0x84, 0x98, 0xaa},
+                       {0x14, 0x18, 0x1c},
+                       255};
+
+const Colours& colours_of(Scheme scheme) { return scheme == Scheme::light ? light : dark; }
 
 std::uint8_t mixed(std::uint8_t from, int to, int percent) {
   return static_cast<std::uint8_t>((from * (100 - percent) + to * percent) / 100);
@@ -29,25 +55,38 @@ Colour mixed(const Colour& from, int to, int percent) {
 
 }  // namespace
 
-Colour colour_of(Verdict verdict) { return verdict_colours[static_cast<std::size_t>(verdict)]; }
+Colour colour_of(Verdict verdict, Scheme scheme) {
+  return colours_of(scheme).verdicts[static_cast<std::size_t>(verdict)];
+}
+Colour range_colour(Scheme scheme) { return colours_of(scheme).range; }
+Colour blank_colour(Scheme scheme) { return colours_of(scheme).blank; }
 
-Colour map_colour(Verdict verdict, std::size_t rank) {
-  if (verdict == Verdict::agree) return tints[rank % tints.size()];
-  // A number a little off is no wrong decision, and covers whole maps: it is to be seen, not to shout.
-  if (verdict == Verdict::inexact) return mixed(colour_of(verdict), 255, rank % 4 == 0 ? 70 : rank % 4 == 1 ? 55 : 40);
-  switch (rank % 4) {
-    case 0: return mixed(colour_of(verdict), 255, 35);
-    case 1: return mixed(colour_of(verdict), 0, 30);
-    case 3: return mixed(colour_of(verdict), 255, 65);
-    default: return colour_of(verdict);
+bool Look::marked(std::size_t column, std::size_t row) const {
+  switch (pattern) {
+    case Pattern::plain: return false;
+    case Pattern::hatch: return (column + row) % 6 < 2;
+    case Pattern::counter_hatch: return (column + 6 * 256 - row) % 6 < 2;
+    case Pattern::dots: return column % 4 < 2 && row % 4 < 2;
+    case Pattern::bars: return row % 5 < 2;
   }
+  return false;
 }
 
-Colour distance_colour(Verdict verdict, std::size_t decade) {
-  const int percent = static_cast<int>(decade) * 10;
-  if (verdict == Verdict::agree) return mixed(tints[0], 90, std::min(2 * percent, 80));
-  return decade < 4 ? mixed(colour_of(verdict), 255, 70 - 2 * percent)
-                    : mixed(colour_of(verdict), 0, 11 * (static_cast<int>(decade) - 3));
+Look look_of(Verdict verdict, const Rank& rank, Scheme scheme) {
+  const Colours& colours = colours_of(scheme);
+  const Colour own = colour_of(verdict, scheme);
+  constexpr std::size_t patterns = 5;
+  const auto pattern = [](std::size_t place) { return static_cast<Look::Pattern>(place % patterns); };
+  if (verdict == Verdict::agree)
+    return rank.rare ? Look{colours.line, mixed(colours.line, 255 - colours.towards, 35), pattern(rank.place)}
+                     : Look{own, colours.hatch, pattern(rank.place)};
+  // Neither the ground nor the mark of a finding is ever pale. What is rarely true is most often said wrongly: plain.
+  return {own, mixed(own, colours.towards, 45), pattern(rank.rare ? 0 : rank.place + 1)};
+}
+
+Look look_of_distance(std::size_t level, Scheme scheme) {
+  const Colour own = colour_of(Verdict::inexact, scheme);
+  return {mixed(own, colours_of(scheme).towards, 22 * static_cast<int>(std::min<std::size_t>(level, 3))), own};
 }
 
 std::string hex_of(const Colour& colour) {

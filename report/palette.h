@@ -8,20 +8,37 @@
 #include "catalogue/judge/verdict.h"
 #include "report/png.h"
 
-/// The colours of verdicts and answers, the same in bars, tables and maps. Verdicts differ in lightness as well as in
-/// hue, so that they are told apart without colour vision and in print.
+/// The colours of verdicts and answers, the same in bars, tables and maps. Findings are strong colours and differ in
+/// lightness as well as in hue, so that they are told apart without colour vision and in print; what is right is pale.
 namespace touchstone::audit {
 
-Colour colour_of(Verdict verdict);
+enum class Scheme { light, dark };
 
-/// For maps. A right answer has a light tint by the rank of its word (the commonest truth first; the third, often a
-/// line one pixel wide, is dark). A wrong one has its verdict's colour, lighter or darker by the rank of the word that
-/// it says.
-Colour map_colour(Verdict verdict, std::size_t rank);
+Colour colour_of(Verdict verdict, Scheme scheme = Scheme::light);
+/// Of findings by rounding, those that underflow or overflow is to blame for.
+Colour range_colour(Scheme scheme = Scheme::light);
+/// Where there is no question: outside the contract, and between maps.
+Colour blank_colour(Scheme scheme = Scheme::light);
 
-/// For maps of answers that are numbers alone: the further off, the darker. decade: of the distance in ulps, 0 for the
-/// correctly rounded number, 8 for more than a million.
-Colour distance_colour(Verdict verdict, std::size_t decade);
+/// Which of the answers that an operation has: the commonest truth is 0. A rare one may be a line one pixel wide, where
+/// no pattern would be seen.
+struct Rank {
+  std::size_t place = 0;
+  bool rare = false;
+};
+
+/// How an area of a map looks: the colour says the verdict, the pattern which answer it is.
+struct Look {
+  enum class Pattern { plain, hatch, counter_hatch, dots, bars };
+  Colour ground, mark;
+  Pattern pattern = Pattern::plain;
+  bool marked(std::size_t column, std::size_t row) const;  ///< whether that pixel has the mark's colour
+};
+
+Look look_of(Verdict verdict, const Rank& rank, Scheme scheme);
+
+/// Of a right decision whose number is too far off: the further, the stronger. level: 0 up to 3.
+Look look_of_distance(std::size_t level, Scheme scheme);
 
 /// "#rrggbb"
 std::string hex_of(const Colour& colour);

@@ -202,7 +202,8 @@ TEST_CASE("reports: a map of answers of which many are right speaks of no ulps")
   for (const FailureMap& map : maps) {
     for (const MapClass& entry : map.classes) {
       CHECK(entry.said.empty());
-      if (entry.verdict == Verdict::rounding) CHECK(entry.colour == colour_of(Verdict::rounding));
+      if (entry.verdict == Verdict::rounding)
+        CHECK(entry.look(Scheme::light).ground == colour_of(Verdict::rounding));
     }
   }
   const auto measured = failure_maps(*find_operation("line_point_at"), 2);

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "report/map_image.h"
+
+/// Failure maps as HTML.
+namespace touchstone::audit {
+
+/// Maps side by side with legends and what they show; the engine and robust see the same grid. With all that the page's
+/// script (map_script.h) needs.
+std::string map_section(const Operation& operation, const std::vector<FailureMap>& maps);
+
+/// A map alone, for light and dark screens, `alt` for those who cannot see it.
+std::string map_picture(const FailureMap& map, const std::string& alt);
+
+/// What a class of answers is, in words: "right: left of the line", "wrong by rounding: on it".
+std::string class_in_words(const Operation& operation, const MapClass& entry);
+
+/// Whether a page has maps that its script can walk over.
+bool has_map_section(const std::string& html);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "audit/engines/engine.h"
+
+namespace touchstone::audit {
+
+/// The questions of a failure map: a question, two of its numbers moved by -128 ... 127 steps. A step is the distance
+/// from the number's size to the next greater one, the same over the whole map; 0 has the step of the greatest number.
+struct MapGrid {
+  static constexpr int side = 256;
+  Question centre;
+  std::pair<std::size_t, std::size_t> axes;  ///< which numbers move: to the right, upwards
+  std::pair<double, double> step;
+  std::pair<std::string, std::string> fields;  ///< "p[0]", "p[1]"
+  Question at(int column, int row) const;      ///< row 0 is the top
+};
+
+/// Around the operation's own degenerate question.
+MapGrid map_grid(const Operation& operation, bool binary32 = false);
+/// Around any question.
+MapGrid map_grid(const Operation& operation, Question centre, std::pair<std::size_t, std::size_t> axes, bool binary32);
+
+/// The operation's own grid where the engine (nullptr: the textbook formula) fails on it and is also right somewhere;
+/// else one around the first question that shows enough of both, of `candidates` and then of questions drawn with a
+/// fixed seed on which the formula fails. A wrong decision counts more than an inexact number. The operation's own
+/// again where nothing better is found.
+MapGrid failing_grid(const Operation& operation, bool binary32 = false, Engine* engine = nullptr,
+                     const std::vector<Question>& candidates = {});
+
+}  // namespace touchstone::audit

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/phrases.h"
+
+#include <algorithm>
+
+#include "report/wording.h"
+
+namespace touchstone::audit {
+namespace {
+
+struct Phrase {
+  const char *operation, *word, *words;  ///< operation "": of every operation
+};
+
+constexpr Phrase phrases[] = {
+    {"explicit_line", "on", "on the line"},
+    {"explicit_line", "above", "above the line"},
+    {"explicit_line", "below", "below the line"},
+    {"orientation", "on", "on it"},
+    {"point_on_segment", "on", "on the segment"},
+    {"point_on_segment", "off", "not on the segment"},
+    {"point_ground_plane", "on", "on the ground"},
+    {"point_ground_plane", "above", "above the ground"},
+    {"point_ground_plane", "below", "below the ground"},
+    {"polygon_normal", "proper", "it has a normal"},
+    {"polygon_normal", "degenerate", "degenerate: no normal"},
+    {"line_line", "same", "the same line"},
+    {"line_line", "parallel", "parallel lines"},
+    {"line_line", "crossing", "lines that cross"},
+    {"segment_segment", "disjoint", "no common point"},
+    {"", "left", "left of the line"},
+    {"", "right", "right of the line"},
+    {"", "on", "on it"},
+    {"", "front", "in front of the plane"},
+    {"", "back", "behind the plane"},
+    {"", "boundary", "on the boundary"},
+    {"", "disjoint", "apart"},
+    {"", "touching", "just touching"},
+    {"", "point", "a common point"},
+    {"", "overlap", "an overlap"},
+    {"", "none", "no hit"},
+    {"", "hit", "a hit"},
+    {"", "never", "no hit"},
+    {"", "not_simple", "crossing itself"},
+    {"", "ccw", "counter-clockwise"},
+    {"", "cw", "clockwise"},
+    {"", "true", "yes"},
+    {"", "false", "no"},
+};
+
+std::string in_parentheses(const Json& numbers) {
+  std::string text;
+  for (const Json& number : numbers) {
+    text += text.empty() ? "(" : ", ";
+    text += number.is_string() ? number.get<std::string>() : one_line(number);
+  }
+  return text + ")";
+}
+
+bool is_tuple(const Json& value) {
+  return value.is_array() && !value.empty() && value.size() <= 3 &&
+         std::none_of(value.begin(), value.end(), [](const Json& part) { return part.is_structured(); });
+}
+
+/// Adds what a field holds; false where that is too much to be said in a sentence.
+bool say(const Operation& operation, const std::string& key, const Json& value, std::string& text) {
+  const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
+  std::string name = key;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const auto words = operation.words();
+  if (value.is_string() && std::find(words.begin(), words.end(), value.get<std::string>()) != words.end()) {
+    const std::string said = phrase(operation, value.get<std::string>());
+    add(key == "orientation" && said == "no hit" ? "no orientation" : said);
+  } else if (value.is_boolean()) {
+    add(value.get<bool>() ? name : "not " + name);
+  } else if (value.is_primitive()) {
+    add(name + " = " + (value.is_string() ? value.get<std::string>() : one_line(value)));
+  } else if (is_tuple(value)) {
+    add(name + " " + in_parentheses(value));
+  } else if (value.is_array() && value.size() == 2 && is_tuple(value[0]) && is_tuple(value[1])) {
+    add(name + " " + in_parentheses(value[0]) + (key == "overlap" ? " to " : ", ") + in_parentheses(value[1]));
+  } else if (value.is_object()) {
+    std::string inside;
+    for (const auto& [part, inner] : value.items()) {
+      if (!say(operation, part, inner, inside)) return false;
+    }
+    add(name + ": " + inside);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string phrase(const Operation& operation, const std::string& word) {
+  for (const Phrase& entry : phrases) {
+    if (word == entry.word && (entry.operation[0] == '\0' || operation.name() == entry.operation)) return entry.words;
+  }
+  std::string words = word;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::string phrase(const Operation& operation, const Json& answer) {
+  constexpr std::size_t longest = 200;
+  if (answer.is_null()) return "no answer";
+  if (answer.is_boolean()) return answer.get<bool>() ? "yes" : "no";
+  std::string text;
+  if (answer.is_object()) {
+    for (const auto& [key, value] : answer.items()) {
+      const std::string until_now = text;
+      if (!say(operation, key, value, text) || text.size() > longest) {
+        text = until_now;
+        break;
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace touchstone::audit

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "catalogue/operation.h"
+
+/// Answers as one says them.
+namespace touchstone::audit {
+
+/// An answer's word in plain words: "left" of orientation is "left of the line". A word without a phrase stands as it
+/// is, "_" a space.
+std::string phrase(const Operation& operation, const std::string& word);
+
+/// A whole answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)". `answer`
+/// is shown as it is given: exact values are not shortened here.
+std::string phrase(const Operation& operation, const Json& answer);
+
+}  // namespace touchstone::audit
