@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "audit/engines/engine.h"
+#include "audit/version.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/commands.h"
 #include "program/map.h"
@@ -171,7 +172,7 @@ int complained(const std::exception& wrong, int code) {
 int run_program(int argc, const char* const* argv) {
   CLI::App program{"touchstone: collision tests held against the exact truth"};
   program.require_subcommand(1);
-  program.set_version_flag("--version", "touchstone 0.1.0");
+  program.set_version_flag("--version", std::string("touchstone ") + version);
   Action action;
   for (auto* add : {add_ops, add_ask, add_audit, add_exhaust, add_vectors, add_certify, add_map}) add(program, action);
   try {

@@ -2,12 +2,14 @@
 #include "audit/vectors/vectors.h"
 
 #include <array>
+#include <cstdlib>
 #include <limits>
 #include <map>
 
 #include "audit/audit_run.h"
 #include "audit/vectors/flags.h"
 #include "audit/vectors/named_files.h"
+#include "audit/vectors/schemas.h"
 #include "catalogue/explained.h"
 #include "catalogue/families/not_finite.h"
 #include "catalogue/judge/environment.h"
@@ -16,16 +18,14 @@
 namespace touchstone::audit {
 namespace {
 
-constexpr int version = 1;
 constexpr std::size_t most_of_a_family = 24, most_alike = 6;
-constexpr const char* not_finite = "not_finite";  // beside the families, which hold no such numbers
 constexpr std::uint64_t drawn_of_a_family = 600;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 
 Json vector_line(const Operation& operation, const std::string& family, const Question& question) {
   Json line = Json::object();
-  line["touchstone"] = version;
+  line["touchstone"] = vector_version;
   line["op"] = operation.name();
   line["family"] = family;
   const Json input = operation.print(question);
@@ -48,7 +48,26 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   return line;
 }
 
-/// What makes two vectors alike: the outcome and what the slide's formula makes of it.
+/// "orientation/0137"
+std::string id_of(const std::string& operation, std::size_t number) {
+  const std::string digits = std::to_string(number);
+  return operation + "/" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
+}
+
+/// Whether it has that form, of any number.
+bool is_id_of(const std::string& operation, const Json& id) {
+  if (!id.is_string() || !id.get<std::string>().starts_with(operation + "/")) return false;
+  const std::string digits = id.get<std::string>().substr(operation.size() + 1);
+  return digits.find_first_not_of("0123456789") == std::string::npos && digits.size() <= 9 &&
+         id == id_of(operation, static_cast<std::size_t>(std::atol(digits.c_str())));
+}
+
+/// The line with its id before the operation. The number is known when all lines are there.
+std::string with_id(std::string line, const std::string& operation, std::size_t number) {
+  return line.insert(line.find("\"op\":"), "\"id\":\"" + id_of(operation, number) + "\",");
+}
+
+/// What makes two vectors alike: the outcome and what the textbook formula makes of it.
 std::string likeness(const Operation& operation, const Question& question) {
   try {
     const auto examination = operation.examine(question);
@@ -98,7 +117,7 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
 std::string other_complaint(const Operation& operation, const Json& line, const Question& question) {
   const std::string family = line.value("family", "");
   const auto& families = operation.families();
-  if (family != not_finite && std::find(families.begin(), families.end(), family) == families.end())
+  if (family != not_finite_family && std::find(families.begin(), families.end(), family) == families.end())
     return "family: one of the operation's families";
   const Json written = vector_line(operation, family, question);
   for (const auto& [field, value] : line["input"].items()) {
@@ -138,38 +157,12 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
       static constexpr double infinity = std::numeric_limits<double>::infinity();
       static constexpr std::array<double, 3> bad{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
       const Question question = with_not_finite(operation, zeros, i, bad[i % bad.size()]);
-      vectors.lines.push_back(one_line(vector_line(operation, not_finite, question)));
+      vectors.lines.push_back(one_line(vector_line(operation, not_finite_family, question)));
     }
   }
+  for (std::size_t i = 0; i < vectors.lines.size(); ++i)
+    vectors.lines[i] = with_id(vectors.lines[i], operation.name(), i + 1);
   return vectors;
-}
-
-Json vector_schema() {
-  Json flags = Json::object();
-  for (const Flag& flag : vector_flags) flags[flag.name] = {{"meaning", flag.meaning}, {"effect", flag.effect}};
-  Json schema = Json::object();
-  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
-  schema["title"] = "touchstone test vector";
-  schema["description"] =
-      "One JSON object a line. Exact numbers are \"p/q\" or \"p\", or roots \"p+q*sqrt(r)\"; where nothing is decided "
-      "there is no margin; input numbers are the doubles that the decimals "
-      "round to. "
-      "`rounded` is the truth with every number the nearest double, ties to even; where those are no right answer, "
-      "because slabs are rounded outwards, what robust answers. In the family \"not_finite\" an "
-      "input number is "
-      "\"inf\", \"-inf\" or \"nan\". An input field \"meshes/NAME.json\" stands for the mesh in that file, "
-      "relative to the file of vectors: {\"vertices\":[[x,y,z],..],\"faces\":[[i,j,k],..]}.";
-  schema["type"] = "object";
-  schema["required"] = {"touchstone", "op", "family", "input", "flags"};
-  schema["oneOf"] =
-      Json::array({Json{{"required", {"truth", "rounded", "certificate"}}}, Json{{"required", {"refused"}}}});
-  schema["properties"]["touchstone"]["const"] = version;
-  for (const char* name : {"op", "family", "margin"}) schema["properties"][name]["type"] = "string";
-  for (const char* name : {"input", "truth", "rounded", "certificate", "refused", "as_typed"})
-    schema["properties"][name]["type"] = "object";
-  schema["properties"]["flags"]["type"] = "array";
-  schema["flags"] = flags;
-  return schema;
 }
 
 std::string vector_complaint(const std::string& text, const std::string& folder) {
@@ -180,9 +173,10 @@ std::string vector_complaint(const std::string& text, const std::string& folder)
     return refused.what();
   }
   if (!line.is_object()) return "line: one JSON object";
-  if (line.value("touchstone", 0) != version) return "touchstone: version " + std::to_string(version);
+  if (line.value("touchstone", 0) != vector_version) return "touchstone: version " + std::to_string(vector_version);
   const Operation* operation = line.contains("op") && line["op"].is_string() ? find_operation(line["op"]) : nullptr;
   if (operation == nullptr) return "op: an operation of the catalogue";
+  if (!is_id_of(operation->name(), line.value("id", Json()))) return "id: like " + id_of(operation->name(), 1);
   if (!line.contains("refused")) {
     if (const auto reason = certify::refuse_text(text, folder)) return *reason;
   }

@@ -10,15 +10,13 @@
 namespace touchstone::audit {
 
 /// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in
-/// which the slide's formula fails. The same seed gives the same bytes on every machine.
+/// which the textbook formula fails. The same seed gives the same bytes on every machine. The id of a line is its
+/// operation and its number, from 1.
 struct Vectors {
   std::vector<std::string> lines;
   std::size_t left_out = 0;  ///< longer than the operation's longest vector (Card::longest_vector)
 };
 Vectors vectors_of(const Operation& operation, std::uint64_t seed);
-
-/// The JSON Schema of a line, with every flag explained.
-Json vector_schema();
 
 /// Why a line of vectors is refused: its certificate does not prove its truth, the oracle's truth is another, robust
 /// disagrees, or a mesh that it names is not the catalogue's of that name. Empty if all is well. `folder` is that of

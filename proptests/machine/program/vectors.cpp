@@ -11,7 +11,10 @@
 #include <map>
 #include <set>
 
+#include "audit/vectors/manifest.h"
 #include "audit/vectors/named_files.h"
+#include "audit/vectors/sha256.h"
+#include "audit/version.h"
 #include "catalogue/codec/described_shapes.h"
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/families/not_finite.h"
@@ -197,15 +200,78 @@ TEST_CASE("vectors: those of one operation are written alone, as they stand amon
   CHECK(called({"vectors", "write", folder.c_str(), "--ops", "orientation"}).code == 0);
   std::set<std::string> written;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) written.insert(entry.path().filename());
-  CHECK(written == std::set<std::string>{"meshes", "orientation.jsonl", "schema.json"});
+  CHECK(written == std::set<std::string>{"manifest.json", "meshes", "orientation.jsonl", "schema.json", "schemas"});
   const auto text_of = [](const std::filesystem::path& path) {
     std::ifstream in(path);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
-  CHECK(text_of(folder / "orientation.jsonl") == text_of("vectors/orientation.jsonl"));
+  for (const char* name : {"orientation.jsonl", "schema.json", "schemas/orientation.json"})
+    CHECK(text_of(folder / name) == text_of(std::filesystem::path("vectors") / name));
+  const Line part = Line::parse(text_of(folder / "manifest.json")),
+             whole = Line::parse(text_of("vectors/manifest.json"));
+  CHECK(part["files"]["orientation.jsonl"] == whole["files"]["orientation.jsonl"]);
+  CHECK(part["vectors"] == part["files"]["orientation.jsonl"]["vectors"]);
   std::filesystem::remove_all(folder);
   require_refused(called({"vectors", "write", folder.c_str(), "--ops", "orientaton"}), 2, "orientaton");
   CHECK(!std::filesystem::exists(folder));
+}
+
+TEST_CASE("vectors: an id is the operation's name and the line's number") {
+  std::uint64_t number = 0;
+  for (const Line& line : stored("orientation")) {
+    const std::string digits = std::to_string(++number);
+    CHECK(line["id"] == "orientation/" + std::string(4 - digits.size(), '0') + digits);
+  }
+  const Line line = stored("orientation")[0];
+  for (const char* id : {"", "orientation", "orientation/", "orientation/1", "orientation/00001", "orientation/000x",
+                         "line_line/0001", "orientation/-001"}) {
+    Line other = line;
+    other["id"] = id;
+    CHECK(complaint(other) == "id: like orientation/0001");
+  }
+  Line without = line;
+  without.erase("id");
+  CHECK(complaint(without) == "id: like orientation/0001");
+}
+
+TEST_CASE("vectors: SHA-256 is that of the standard") {
+  // FIPS 180-4, examples; the lengths are those around which the padding takes another block.
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  CHECK(sha256(std::string(1000000, 'a')) == "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST_CASE("vectors: the manifest counts the lines and tells a file that is missing, strange or changed") {
+  const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_manifest");
+  REQUIRE(called({"vectors", "write", folder.c_str(), "--ops", "reflect_wall"}).code == 0);
+  CHECK(called({"vectors", "check", folder.c_str()}).code == 0);
+  CHECK(manifest_complaints(folder.string()).empty());
+  std::ifstream manifest_file(folder / "manifest.json");
+  const Line manifest = Line::parse(manifest_file);
+  CHECK(manifest["generator"] == std::string("touchstone ") + version);
+  CHECK(manifest["seed"] == 1);
+  std::uint64_t lines = 0, refused = 0;
+  for (const Line& line : stored("reflect_wall")) ++lines, refused += line.contains("refused");
+  const Line& entry = manifest["files"]["reflect_wall.jsonl"];
+  CHECK(entry["vectors"] == lines);
+  CHECK(entry["refused"] == refused);
+  CHECK(entry["bytes"] == std::filesystem::file_size(folder / "reflect_wall.jsonl"));
+
+  std::ofstream(folder / "reflect_wall.jsonl", std::ios::app) << stored("reflect_wall")[0] << '\n';
+  std::ofstream(folder / "mine.jsonl") << "";
+  std::filesystem::remove(folder / "schema.json");
+  const auto complaints = manifest_complaints(folder.string());
+  REQUIRE(complaints.size() == 3);
+  CHECK(complaints[0] == "reflect_wall.jsonl: vectors is " + std::to_string(lines + 1) + ", manifest.json says " +
+                             std::to_string(lines));
+  CHECK(complaints[1] == "schema.json: missing, manifest.json lists it");
+  CHECK(complaints[2] == "mine.jsonl: not in manifest.json");
+  const Called check = called({"vectors", "check", folder.c_str()});
+  CHECK(check.code == 1);
+  CHECK_THAT(check.err, ContainsSubstring("schema.json: missing") && ContainsSubstring("id: no other line's"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("vectors: what is no vector is complained about") {

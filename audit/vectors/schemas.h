@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/operation.h"
+
+/// JSON Schemas (draft 2020-12) of the lines of vectors.
+namespace touchstone::audit {
+
+inline constexpr int vector_version = 1;
+/// The family of vectors whose numbers are not all finite; it stands beside the families, which hold no such numbers.
+inline constexpr const char* not_finite_family = "not_finite";
+
+/// What every line has, with every flag explained.
+Json vector_schema();
+
+/// A line of one operation, strictly: no other fields, its own words and families, numbers only in the forms that are
+/// written. Of a certificate it says how facts are written; which there are is the checkers' to know.
+Json vector_schema(const Operation& operation);
+
+}  // namespace touchstone::audit
