@@ -87,8 +87,13 @@ set(rooms_line_up ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/rooms_li
 add_test(NAME rooms_line_up/self_check COMMAND ${rooms_line_up} --self-check)
 add_test(NAME costs/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/costs.py --self-check)
 add_test(NAME coverage_gates/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/coverage/gates.py --self-check)
+set(documentation ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/documentation.py)
+add_test(NAME documentation/self_check COMMAND ${documentation} --self-check)
 if(TARGET touchstone)
   add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)
+  add_test(NAME documentation COMMAND ${documentation} --program $<TARGET_FILE:touchstone>)
+  add_test(NAME documentation/status
+           COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/status.py --program $<TARGET_FILE:touchstone> --check)
 endif()
 
 # What a user does with the installed package. Not while counting coverage: the flags for that stay in this build.

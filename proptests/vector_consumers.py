@@ -25,8 +25,8 @@ def main(vectors, source, command):
         found = {name for name in wrong if name.startswith(operation + "/")}
         if f"{operation}: {len(answered)} asked, {len(found)} wrong\n" not in said:
             sys.exit(f"{operation}: no line '{len(answered)} asked, {len(found)} wrong' in:\n{said}")
-        # Its formulas are the textbook's. Of numbers it compares the distance from the nearest double, not from the truth,
-        # so that it may let pass what is a little more than two units off.
+        # Its formulas are the textbook's. Of numbers it compares the distance from the nearest double, not from the
+        # truth, so that it may let pass what is a little more than two units off.
         if not found or found - flagged or (operation == "orientation" and flagged - found):
             sys.exit(f"{operation}: wrong are {sorted(found)}, flagged {sorted(flagged)}")
 

@@ -78,8 +78,10 @@ def faults(line):
 
 
 def outcome(line):
-    return json.dumps([sorted(line), {name: value if isinstance(value, str) and value[-1:].isalpha() else type(value).__name__
-                                      for name, value in line.get("truth", {}).items()}])
+    """Its fields, and of its truth the words and which numbers there are."""
+    truth = {name: value if isinstance(value, str) and value[-1:].isalpha() else type(value).__name__
+             for name, value in line.get("truth", {}).items()}
+    return json.dumps([sorted(line), truth])
 
 
 def complaints(folder):

@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the pages hold what they say: documentation.py --program PATH, or --self-check (small trees with one fault
+each: every fault must be found).
+
+Links lead to files that are there, and to headings. A block marked `console` shows commands (`$ ...`) with what they
+print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
+lines. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
+audit/version.h and CITATION.cff."""
+import argparse
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+LINK = re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)|!\[[^\]]*\]\(([^)\s]+)\)")
+PROGRAM = "build/release/touchstone"
+
+
+def pages(root):
+    return sorted(path for pattern in ("*.md", "*/*.md", "*/*/*.md") for path in root.glob(pattern)
+                  if path.relative_to(root).parts[0] != "build")
+
+
+def text_outside_code(text):
+    return re.sub(r"```.*?```|`[^`\n]*`", "", text, flags=re.DOTALL)
+
+
+def anchor(heading):
+    """As GitHub makes it."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def anchors(path):
+    headings = re.findall(r"^#+ (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)
+    return {anchor(heading) for heading in headings}
+
+
+def links(root, page):
+    for groups in LINK.findall(text_outside_code(page.read_text(encoding="utf-8"))):
+        target = groups[0] or groups[1]
+        if re.match(r"[a-z]+:", target):
+            continue
+        file, _, place = target.partition("#")
+        path = (page.parent / file).resolve() if file else page
+        if not path.exists():
+            yield f"{page.relative_to(root)}: {target}: there is no such file"
+        elif place and place not in anchors(path):
+            yield f"{page.relative_to(root)}: {target}: there is no such heading"
+
+
+def commands(root, page, usage, subcommands):
+    text = page.read_text(encoding="utf-8")
+    for name in re.findall(r"\./dev ([a-z]+)", text):
+        if f"./dev {name}" not in usage:
+            yield f"{page.relative_to(root)}: ./dev {name}: ./dev knows no such command"
+    for name in re.findall(rf"{PROGRAM} ([a-z][a-z-]*)", text):
+        if name not in subcommands:
+            yield f"{page.relative_to(root)}: touchstone {name}: the program knows no such command"
+
+
+def matches(shown, printed):
+    if not shown:
+        return not printed
+    if shown[0] == "...":
+        return any(matches(shown[1:], printed[i:]) for i in range(len(printed) + 1))
+    return bool(printed) and shown[0] == printed[0] and matches(shown[1:], printed[1:])
+
+
+def shown_output(root, page, program):
+    text = page.read_text(encoding="utf-8")
+    for block in re.findall(r"^```console\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+        for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
+            command, *shown = part.rstrip("\n").split("\n")
+            done = subprocess.run(command.replace(PROGRAM, str(program)), shell=True, cwd=root, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            printed = done.stdout.splitlines()
+            if not matches(shown, printed):
+                yield f"{page.relative_to(root)}: $ {command}: it prints\n" + "\n".join(printed[:40])
+
+
+def versions(root):
+    found = {}
+    for file, pattern in {"CMakeLists.txt": r"project\(touchstone VERSION ([\d.]+)",
+                          "audit/version.h": r'version = "([\d.]+)"',
+                          "CITATION.cff": r"^version: ([\d.]+)$"}.items():
+        match = re.search(pattern, (root / file).read_text(encoding="utf-8"), re.MULTILINE)
+        found[file] = match.group(1) if match else "none"
+    if len(set(found.values())) > 1:
+        yield "versions differ: " + ", ".join(f"{file} {version}" for file, version in found.items())
+
+
+def faults(root, program, usage, subcommands):
+    for page in pages(root):
+        yield from links(root, page)
+        yield from commands(root, page, usage, subcommands)
+        yield from shown_output(root, page, program)
+    yield from versions(root)
+
+
+RIGHT = {
+    "README.md": "# A\n[there](docs/page.md#two-words) ![](picture.png) `[no](link.md)`\n```console\n"
+                 f"$ echo 1; echo 2; echo 3\n1\n...\n3\n$ {PROGRAM} ask\nasked\n```\n./dev test\n",
+    "docs/page.md": "# Two `words`\n[up](../README.md) [out](https://example.org)\n",
+    "picture.png": "",
+    "CMakeLists.txt": "project(touchstone VERSION 1.2.3 LANGUAGES CXX)\n",
+    "audit/version.h": 'version = "1.2.3";\n',
+    "CITATION.cff": "version: 1.2.3\n",
+    "program": "#!/bin/sh\necho asked\n",
+}
+WRONG = [
+    ("README.md", "docs/page.md#", "docs/pages.md#", "docs/pages.md#two-words: there is no such file"),
+    ("README.md", "#two-words", "#two", "docs/page.md#two: there is no such heading"),
+    ("README.md", "picture.png", "pictures.png", "pictures.png: there is no such file"),
+    ("README.md", "\n3\n", "\n4\n", "$ echo 1; echo 2; echo 3: it prints"),
+    ("README.md", "asked", "refused", f"$ {PROGRAM} ask: it prints"),
+    ("README.md", "./dev test", "./dev tset", "./dev tset: ./dev knows no such command"),
+    ("README.md", f"{PROGRAM} ask\nasked", f"{PROGRAM} aks\nasked", "touchstone aks: the program knows no"),
+    ("docs/page.md", "../README.md", "README.md", "README.md: there is no such file"),
+    ("CITATION.cff", "1.2.3", "1.2.4", "versions differ"),
+    ("audit/version.h", "1.2.3", "1.2", "versions differ"),
+]
+
+
+def self_check():
+    for file, before, after, wanted in [("README.md", "", "", None), *WRONG]:
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            for name, text in RIGHT.items():
+                (root / name).parent.mkdir(exist_ok=True)
+                changed = text.replace(before, after, 1) if name == file and before else text
+                (root / name).write_text(changed, encoding="utf-8")
+            (root / "program").chmod(0o755)
+            found = list(faults(root, root / "program", "./dev test   build", {"ask"}))
+        if wanted is None and found:
+            yield f"the right tree: {found}"
+        if wanted is not None and not (len(found) == 1 and wanted in found[0]):
+            yield f"{file}: {after}: found {found}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", type=pathlib.Path)
+    parser.add_argument("--self-check", action="store_true")
+    options = parser.parse_args()
+    if options.self_check:
+        found = list(self_check())
+    else:
+        root = pathlib.Path(__file__).resolve().parent.parent
+        usage = subprocess.run([root / "dev", "help"], check=True, text=True, stdout=subprocess.PIPE).stdout
+        told = subprocess.run([options.program, "--help"], check=True, text=True, stdout=subprocess.PIPE).stdout
+        subcommands = set(re.findall(r"^  ([a-z][a-z-]*)  ", told, re.MULTILINE))
+        found = list(faults(root, options.program.resolve(), usage, subcommands))
+    print("\n".join(found) or "the pages hold")
+    sys.exit(1 if found else 0)
+
+
+if __name__ == "__main__":
+    main()

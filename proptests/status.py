@@ -1,0 +1,223 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The state of every operation, docs/status.md, and the numbers of docs/how_it_is_tested.md: made from the tree and the
+program, not written.
+
+  status.py --program PATH           writes both
+  status.py --program PATH --check   exit code 1 if they are not what it would write
+"""
+import argparse
+import importlib
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "proptests/machine/oracle"))
+sys.path.insert(0, str(ROOT / "coverage"))
+STAGES = ("filter", "enclosed", "lattice", "exact")
+KINDS = {"decision": "words are equal", "measure": "numbers in ulps", "set": "equal as sets",
+         "checked": "a checker accepts it", "covering": "nothing is missing"}
+BEGIN, END = "<!-- made by proptests/status.py -->\n", "<!-- end -->\n"
+
+
+def text_of(path):
+    return (ROOT / path).read_text(encoding="utf-8")
+
+
+def lines_of(path):
+    return sum(1 for line in text_of(path).splitlines() if line.strip())
+
+
+def method_of_oracle(chapter, name):
+    """What its header says after "Truth:", up to the margin."""
+    comment = " ".join(re.findall(r"^/// ?(.*)$", text_of(f"oracle/{chapter}/{name}.h"), re.MULTILINE))
+    found = re.search(r"Truth[:,] (.*?) *(?=Margin|No margin|$)", comment)
+    if not found:
+        sys.exit(f"oracle/{chapter}/{name}.h: no sentence 'Truth: ...'")
+    return found.group(1)
+
+
+def stages_of(chapter, name):
+    """Those that can be asked one by one; a filter that is inlined stands in the header of the operation itself."""
+    path = f"robust/stages/{chapter}/{name}.h"
+    if not (ROOT / path).is_file():
+        return []
+    text = text_of(path) + text_of(f"robust/{chapter}/{name}.h")
+    return [stage for stage in STAGES if re.search(rf"static \S.* {stage}\(", text)]
+
+
+def certificate_kinds(name):
+    return sorted(set(re.findall(r'"certificate":\{"kind":"(\w+)"', text_of(f"vectors/{name}.jsonl"))))
+
+
+def second_opinions():
+    """({operation: [what]}, {operation: why there is no second truth})"""
+    truths, without = importlib.import_module("simplest_truth").found()
+    opinions = {name: ["a second truth in fractions"] for name in truths}
+    for path in sorted((ROOT / "proptests").rglob("*.cpp")):
+        text = path.read_text(encoding="utf-8")
+        for what in re.findall(r"// (\w+) as second opinion:", text):
+            for name in sorted(set(re.findall(r"[a-z0-9_]+", text))):
+                opinions.setdefault(name, []).append(what)
+    return opinions, without
+
+
+def grids():
+    """[(size, most configurations of a price of 1)] of what the test run asks."""
+    found = re.findall(r"\.size = (\d+), \.first = -?\d+, \.most = 1 << (\d+).*?\}, operation\.card\(\)\.list_length\)",
+                       text_of("proptests/agreement/grids.cpp"))
+    if len(found) < 2:
+        sys.exit("proptests/agreement/grids.cpp: the sizes of the grids are no longer where this script looks")
+    return [(int(size), 1 << int(bits)) for size, bits in found]
+
+
+def configurations(program, name, size):
+    """How many there are: a shard with none of them says so."""
+    with tempfile.NamedTemporaryFile(suffix=".json") as file:
+        subprocess.run([program, "exhaust", name, "--grid", str(size), "--shard", f"1/{1 << 63}", "--json", file.name],
+                       check=True, stdout=subprocess.DEVNULL)
+        return json.load(file)["cases"]
+
+
+def worlds(program, operation):
+    """(a cell, configurations asked, whether one of them is asked as a whole)"""
+    cells, total, whole = [], 0, False
+    for size, most in grids():
+        count = configurations(program, operation["name"], size)
+        asked = min(count, most // operation["price"])
+        total += asked
+        whole = whole or asked == count
+        cells.append(f"{size}: all {count:,}" if asked == count else f"{size}: {asked:,} of {count:,}")
+    return "; ".join(cells), total, whole
+
+
+def table(program, operations):
+    opinions, without = second_opinions()
+    asked = 0
+    columns = ["operation", "judged", "second opinion", "certificates", "worlds", "stages of robust", "mutants", "vectors",
+               "open"]
+    lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
+    for operation in operations:
+        name, chapter = operation["name"], operation["chapter"]
+        row = text_of(f"catalogue/{chapter}/{name}.h")
+        opinion = list(opinions.get(name, []))
+        decision = re.search(r"^  struct decision \{\n(.*?)^  \};", row, re.MULTILINE | re.DOTALL)
+        if decision and " oracle(" in decision.group(1):
+            opinion.append("the oracle's quick decision")
+        world, count, whole = worlds(program, operation)
+        asked += count
+        doubts = [] if name not in without else [without[name]]
+        if not whole:
+            doubts.append("no world is asked as a whole")
+        stages = stages_of(chapter, name)
+        mutants = len(json.loads(text_of(f"proptests/selftests/mutants/{name}.json")))
+        lines.append("| " + " | ".join([
+            f"`{name}`", KINDS[operation["kind"]], "; ".join(opinion) or "-",
+            ", ".join(f"`{kind}`" for kind in certificate_kinds(name)), world, ", ".join(stages) or "-", str(mutants),
+            f"{lines_of(f'vectors/{name}.jsonl'):,}", "; ".join(doubts) or "-"]) + " |")
+    return lines, asked
+
+
+HEAD = """# Status of every operation
+
+Made by `./dev status` from the tree (a test compares); nothing here is written by hand. The operations in the order of
+the chapters:
+
+- *second opinion*: what else decides the same questions in the test run, beside robust and the oracle. How the oracle
+  does it stands [below](#how-the-oracle-decides).
+- *certificates*: the kinds that the vectors have, each checked by two programs
+  ([what they prove](../oracle/certificates/README.md)).
+- *worlds*: small worlds of the test run, by the number of values of each coordinate: all configurations, or that many
+  of them, evenly spread. `touchstone exhaust` asks the rest.
+- *stages of robust*: in the order in which they are asked, where they can be asked one by one. `filter`: double and a
+  proved bound. `enclosed`: half as many digits more, and a rounding test. `lattice`: integers below 2^61, products in
+  128 bits. `exact`: integers of any size; how many bits they reach is not recorded.
+- *mutants*: planted bugs; property suite, vectors and fuzzing alone have to kill each.
+- *open*: what is missing, as far as the tree knows it.
+"""
+
+
+def status(program, operations):
+    lines, asked = table(program, operations)
+    methods = [f"- `{o['name']}`: {method_of_oracle(o['chapter'], o['name'])}" for o in operations]
+    below = ["", "## How the oracle decides", "", "As the headers of `oracle/` say it.", "", *methods, ""]
+    return "\n".join([HEAD, *lines, *below]), asked
+
+
+def count_in(folder, pattern):
+    return sum(len(re.findall(pattern, path.read_text(encoding="utf-8"), re.MULTILINE))
+               for path in (ROOT / folder).rglob("*.cpp"))
+
+
+def hundreds(count):
+    """So that not every new test changes the page."""
+    return f"more than {(count - 1) // 100 * 100:,}"
+
+
+def files_in(folder):
+    return sum(1 for path in (ROOT / folder).rglob("*") if path.is_file() and path.name != "README.md")
+
+
+def claims():
+    true = false = 0
+    for path in (ROOT / "oracle/certificates/claims").glob("*.jsonl"):
+        text = path.read_text(encoding="utf-8")
+        refused = ["refused" in json.loads(line) for line in text.splitlines() if line.strip()]
+        true, false = true + refused.count(False), false + refused.count(True)
+    return true, false
+
+
+def numbers(operations, asked):
+    manifest = json.loads(text_of("vectors/manifest.json"))
+    gates = importlib.import_module("gates").GATES
+    environments = re.search(r"environment_count = (\d+);", text_of("catalogue/judge/environment.h")).group(1)
+    mutants = sum(len(json.loads(path.read_text(encoding="utf-8")))
+                  for path in (ROOT / "proptests/selftests/mutants").glob("*.json"))
+    true, false = claims()
+    truths, without = importlib.import_module("simplest_truth").found()
+    rows = [
+        ("operations", len(operations)),
+        ("families of inputs, of all operations", sum(len(o["families"]) for o in operations)),
+        ("properties that every operation is asked for", count_in("proptests/agreement", r"^EACH_OPERATION\(")),
+        ("other tests", hundreds(count_in("proptests", r"^ *TEST_CASE\("))),
+        ("configurations of small worlds in a test run", asked),
+        ("operations with a second truth", sum(o["name"] in truths for o in operations)),
+        ("floating-point environments", int(environments)),
+        ("mutants, each killed in three ways", mutants),
+        ("test vectors", manifest["vectors"]),
+        ("claims that the checkers have to believe, and to refuse", f"{true:,}, {false:,}"),
+        ("inputs that fuzzing starts from", hundreds(files_in("fuzz/corpus"))),
+        ("inputs that fuzzing found, replayed", files_in("fuzz/findings")),
+        ("lines of reference, robust and oracle that tests must reach", f"{gates['lines']:g} %"),
+        ("branches of these", f"{gates['branches']:g} %"),
+    ]
+    return "| | |\n|---|---|\n" + "".join(f"| {what} | {n if isinstance(n, str) else f'{n:,}'} |\n" for what, n in rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    told = subprocess.run([options.program, "ops", "--json"], check=True, text=True, stdout=subprocess.PIPE).stdout
+    operations = [operation for operation in json.loads(told) if "method_of" not in operation]
+    page, asked = status(options.program, operations)
+    tested = text_of("docs/how_it_is_tested.md")
+    begin, end = tested.index(BEGIN) + len(BEGIN), tested.index(END)
+    tested = tested[:begin] + numbers(operations, asked) + tested[end:]
+    made = {"docs/status.md": page, "docs/how_it_is_tested.md": tested}
+    stale = [name for name, text in made.items() if not (ROOT / name).is_file() or text_of(name) != text]
+    if options.check and stale:
+        sys.exit("not as they would be made (./dev status): " + ", ".join(stale))
+    if not options.check:
+        for name in stale:
+            (ROOT / name).write_text(made[name], encoding="utf-8")
+        print("written: " + (", ".join(stale) or "nothing, both are as they would be"))
+
+
+if __name__ == "__main__":
+    main()
