@@ -2,11 +2,13 @@
 #include "audit/meshes.h"
 
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "audit/meshes/reading.h"
+#include "catalogue/codec/expected.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::audit {
@@ -42,12 +44,15 @@ Reader reader_of(const std::string& name) {
 }
 
 std::string content(const std::string& path) {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
+  const int error = errno;
   try {
     if (file) return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   } catch (const std::ios_base::failure&) {  // a folder, for one
+    throw InvalidInput(printable(path), "cannot be read: it is no file");
   }
-  throw InvalidInput(printable(path), "a file that can be read");
+  throw InvalidInput(printable(path), "cannot be read: " + why_of(error));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "catalogue/codec/expected.h"
 #include "catalogue/judge/ulps.h"
 
 namespace touchstone::audit {
@@ -182,7 +183,8 @@ Question Operation::in_binary32(const Question& question) const {
 
 template <class Real>
 Tape<Real> Operation::read(const Json& input, ReadNumber<Real> read_number) const {
-  if (!input.is_object()) throw InvalidInput("input", "object");
+  if (!input.is_object())
+    throw InvalidInput("input", expected("an object like " + one_line(example_of(question_)), input));
   Tape<Real> tape;
   read_json(question_, input, "", tape, read_number);
   return tape;

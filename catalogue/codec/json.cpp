@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/expected.h"
 
 namespace touchstone::audit {
 namespace {
@@ -73,23 +74,23 @@ struct Token {
 };
 
 Token number_token(const Json& value, const std::string& field) {
-  if (!value.is_string()) throw InvalidInput(field, "number");
+  const auto no_number = [&] { return InvalidInput(field, expected("a number", value)); };
+  if (!value.is_string()) throw no_number();
   std::string text = value.get<std::string>();
   if (!text.empty() && text[0] == typed_number_mark) {
     text.erase(0, 1);
     if (text == "NaN" || text == "Infinity" || text == "-Infinity") throw InvalidInput(field, "finite number");
-    if (!is_decimal(text)) throw InvalidInput(field, "number");
+    if (!is_decimal(text)) throw no_number();
     return {text, false};
   }
   const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
-  if (text.compare(sign, 2, "0x") != 0 && text.compare(sign, 2, "0X") != 0) throw InvalidInput(field, "number");
+  if (text.compare(sign, 2, "0x") != 0 && text.compare(sign, 2, "0X") != 0) throw no_number();
   std::string bare = (text[0] == '-' ? "-" : "") + text.substr(sign + 2);
-  if (bare.size() == (text[0] == '-' ? 1u : 0u) || bare.back() == 'p' || bare.back() == 'P')
-    throw InvalidInput(field, "number");
+  if (bare.size() == (text[0] == '-' ? 1u : 0u) || bare.back() == 'p' || bare.back() == 'P') throw no_number();
   return {bare, true};
 }
 
-double nearest(const Token& token, const std::string& field) {
+double nearest(const Token& token, const std::string& field, const Json& typed) {
   double value = 0;
   const auto format = token.hexadecimal ? std::chars_format::hex : std::chars_format::general;
   const char* end = token.text.data() + token.text.size();
@@ -104,7 +105,7 @@ double nearest(const Token& token, const std::string& field) {
     if (std::isinf(value_or_infinity)) throw InvalidInput(field, "finite number");
     return value_or_infinity;
   }
-  if (error != std::errc() || stop != end) throw InvalidInput(field, "number");
+  if (error != std::errc() || stop != end) throw InvalidInput(field, expected("a number", typed));
   return value;
 }
 
@@ -154,12 +155,13 @@ double read_double(const Json& value, const std::string& field) {
     const std::string& text = value.get_ref<const std::string&>();
     if (text == "nan" || text == "inf" || text == "-inf") throw InvalidInput(field, "finite number");
   }
-  return nearest(number_token(value, field), field);
+  return nearest(number_token(value, field), field, value);
 }
 
 double read_answer_number(const Json& value, const std::string& field) {
   if (value.is_null())
-    throw InvalidInput(field, R"(number, not null (JSON has no NaN or infinity; send "nan", "inf", "-inf"))");
+    throw InvalidInput(field,
+                       R"(expected a number, got null (JSON has no NaN or infinity; send "nan", "inf", "-inf"))");
   if (value.is_string()) {
     const std::string text = is_typed_number(value) ? typed_text(value) : value.get<std::string>();
     const bool bare = is_typed_number(value);
@@ -168,7 +170,7 @@ double read_answer_number(const Json& value, const std::string& field) {
     if (text == (bare ? "-Infinity" : "-inf")) return -HUGE_VAL;
   }
   try {
-    return nearest(number_token(value, field), field);
+    return nearest(number_token(value, field), field, value);
   } catch (const InvalidInput& refused) {
     if (refused.rule() != "finite number") throw;
     return number_token(value, field).text[0] == '-' ? -HUGE_VAL : HUGE_VAL;
@@ -176,14 +178,14 @@ double read_answer_number(const Json& value, const std::string& field) {
 }
 
 bool read_flag(const Json& value, const std::string& field) {
-  if (!value.is_boolean()) throw InvalidInput(field, "true or false");
+  if (!value.is_boolean()) throw InvalidInput(field, expected("true or false", value));
   return value.get<bool>();
 }
 
 std::uint32_t read_index(const Json& value, const std::string& field) {
   const double number = read_double(value, field);
   if (!(number >= 0 && number < 0x1p32 && number == std::trunc(number)))
-    throw InvalidInput(field, "whole number below 2^32");
+    throw InvalidInput(field, expected("a whole number below 2^32", value));
   return static_cast<std::uint32_t>(number);
 }
 
@@ -202,7 +204,7 @@ mpq_class read_exact(const Json& value, const std::string& field) {
     digits.erase(point, 1);
   }
   mpz_class whole;
-  if (whole.set_str(digits, token.hexadecimal ? 16 : 10) != 0) throw InvalidInput(field, "number");
+  if (whole.set_str(digits, token.hexadecimal ? 16 : 10) != 0) throw InvalidInput(field, expected("a number", value));
   return mpq_class(whole) * power(token.hexadecimal ? 2 : 10, exponent);
 }
 
@@ -232,17 +234,17 @@ std::string decimal(double value) {
 std::string one_line(const Json& value) { return value.dump(-1, ' ', true, Json::error_handler_t::replace); }
 
 void require_fields(const Json& object, const std::string& path, std::initializer_list<const char*> names) {
-  if (!object.is_object()) throw InvalidInput(path, "object");
+  if (!object.is_object()) throw InvalidInput(path, expected("an object", object));
   for (const auto& [key, value] : object.items()) {
     bool known = false;
     for (const char* name : names) known = known || key == name;
-    if (!known) throw InvalidInput(unknown_path(path, key), "known field");
+    if (!known) throw InvalidInput(unknown_path(path, key), no_such_field(key, names));
   }
 }
 
 void require_array(const Json& value, const std::string& path, std::size_t size) {
   if (!value.is_array() || value.size() != size) {
-    throw InvalidInput(path, "array of " + std::to_string(size));
+    throw InvalidInput(path, expected("an array of " + std::to_string(size), value));
   }
 }
 

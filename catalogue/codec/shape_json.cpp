@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "catalogue/codec/did_you_mean.h"
+#include "catalogue/codec/expected.h"
 #include "catalogue/judge/true_number.h"
 
 namespace touchstone::audit {
@@ -39,15 +41,20 @@ void read_word(const Shape& shape, const Json& json, const std::string& path, st
     }
     rule += (i == 0 ? "one of " : ", ") + std::string(shape.words[i]);
   }
-  throw InvalidInput(path, rule);
+  const std::string nearest =
+      json.is_string() && !is_typed_number(json) ? did_you_mean(json.get_ref<const std::string&>(), shape.words) : "";
+  throw InvalidInput(path, expected(rule, json) + nearest);
 }
 
 void require_known(const Shape& shape, const Json& json, const std::string& path) {
-  if (!json.is_object()) throw InvalidInput(path, "object");
+  if (!json.is_object()) throw InvalidInput(path, expected("an object like " + one_line(example_of(shape)), json));
   for (const auto& [key, value] : json.items()) {
     bool known = false;
     for (const Shape::Part& part : shape.parts) known = known || key == part.name;
-    if (!known) throw InvalidInput(unknown_path(path, key), "known field");
+    if (known) continue;
+    std::vector<const char*> names;
+    for (const Shape::Part& part : shape.parts) names.push_back(part.name);
+    throw InvalidInput(unknown_path(path, key), no_such_field(key, names));
   }
 }
 
@@ -156,7 +163,7 @@ void read_json(const Shape& shape, const Json& json, const std::string& path, Ta
       tape.words.push_back(1);
       return read_json(*shape.parts[0].shape, json, path, tape, read, partial);
     case Shape::Kind::list:
-      if (!json.is_array()) throw InvalidInput(path, "array");
+      if (!json.is_array()) throw InvalidInput(path, expected("an array", json));
       tape.words.push_back(static_cast<Word>(json.size()));
       for (std::size_t i = 0; i < json.size(); ++i)
         read_json(*shape.parts[0].shape, json[i], element(path, i), tape, read, partial);

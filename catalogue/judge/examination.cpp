@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "catalogue/codec/expected.h"
 #include "catalogue/judge/tolerated.h"
 #include "catalogue/judge/ulps.h"
 #include "catalogue/operation.h"
@@ -270,13 +271,21 @@ Tape<double> Examination::read_answer(const Json& json) const {
   Tape<double> answer;
   const bool partial = row_.fault == nullptr;
   const char* const name = row_.card->answer;
+  if (!json.is_object()) {
+    Json example = example_of(*row_.answer);
+    if (name[0] != 0) example = Json::object({{name, std::move(example)}});
+    const bool plain = yes_or_no(*row_.answer, solution_->answer.words).has_value();
+    throw InvalidInput("answer",
+                       expected("an object like " + one_line(example) + (plain ? ", or true or false" : ""), json));
+  }
   if (name[0] == 0) {
-    read_json(*row_.answer, json, "", answer, read_answer_number, partial);
+    read_json(*row_.answer, json, "answer", answer, read_answer_number, partial);
     return answer;
   }
-  require_fields(json, "", {name});
-  if (!json.contains(name)) throw InvalidInput(name, "missing");
-  read_json(*row_.answer, json[name], name, answer, read_answer_number, partial);
+  require_fields(json, "answer", {name});
+  const std::string field = member_path("answer", name);
+  if (!json.contains(name)) throw InvalidInput(field, "missing");
+  read_json(*row_.answer, json[name], field, answer, read_answer_number, partial);
   return answer;
 }
 
@@ -288,7 +297,7 @@ void Examination::require_places(const Tape<double>& answer) const {
     const auto element = std::span(answer.words).subspan(first, each);
     const std::set<Word> different(element.begin(), element.end());
     if (different.size() < each || *different.rbegin() >= places) {
-      throw InvalidInput(row_.card->answer + ("[" + std::to_string((first - 1) / each) + "]"),
+      throw InvalidInput("answer." + std::string(row_.card->answer) + ("[" + std::to_string((first - 1) / each) + "]"),
                          "different places in the list");
     }
   }
@@ -321,7 +330,7 @@ Judgement Examination::judge_answer(const Json& json, const Declaration& declara
     judgement.said = said;
     return judgement;
   } catch (const InvalidInput& refused) {
-    return {Verdict::invalid, 0, "answer." + std::string(refused.what())};
+    return {Verdict::invalid, 0, refused.what()};
   }
 }
 

@@ -131,7 +131,8 @@ EACH_OPERATION("a field that is not known is named") {
   with_each_changed(
       operation, [](Json& value) { return value.is_object() ? (value["stranger"] = 1, true) : false; },
       [&](const Json& document, const std::string& path) {
-        CHECK(refusal(operation, document) == audit::member_path(path, "stranger") + ": known field");
+        CHECK_THAT(refusal(operation, document),
+                   StartsWith(audit::member_path(path, "stranger") + ": no such field; expected "));
       });
 }
 
@@ -145,7 +146,8 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
   const auto change_by = [&rule](const std::function<void(Json&)>& change, bool to_an_array) {
     return [&rule, change, to_an_array](Json& value) {
       if (!value.is_array()) return false;
-      rule = is_list(value) ? to_an_array ? "read" : ": array" : ": array of " + std::to_string(value.size());
+      rule = is_list(value) ? to_an_array ? "read" : ": expected an array"
+                            : ": expected an array of " + std::to_string(value.size());
       return change(value), true;
     };
   };
@@ -154,12 +156,13 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
       operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
     // The only arrays of three vectors that are no lists.
-    if (path.ends_with("half_axes") || path.ends_with("inertia")) rule = ": array of 3";
+    if (path.ends_with("half_axes") || path.ends_with("inertia")) rule = ": expected an array of 3";
     if (ambiguous && rule != "read") {
-      CHECK(refusal(operation, document).find(": array") != std::string::npos);
+      CHECK(refusal(operation, document).find(": expected an array") != std::string::npos);
       return;
     }
-    CHECK(refusal(operation, document) == (rule == "read" ? rule : path + rule));
+    if (rule == "read") CHECK(refusal(operation, document) == rule);
+    else CHECK_THAT(refusal(operation, document), StartsWith(path + rule + ", got "));
   };
   with_each_changed(operation, change_by([](Json& value) { value.push_back(Json(value[0])); }, true), refused);
   with_each_changed(operation, change_by([](Json& value) { value.erase(value.size() - 1); }, true), refused);
@@ -172,7 +175,7 @@ EACH_OPERATION("what should be a number is refused by its path, wherever it stan
     with_each_changed(
         operation, [&](Json& value) { return value.is_number() ? (value = wrong, true) : false; },
         [&](const Json& document, const std::string& path) {
-          CHECK(refusal(operation, document) == path + ": number");
+          CHECK_THAT(refusal(operation, document), StartsWith(path + ": expected a number, got "));
         });
   }
   for (const Json& wrong : {Json("nan"), Json("-inf"), Json("0x1p+1024")}) {
@@ -186,7 +189,8 @@ EACH_OPERATION("what should be a number is refused by its path, wherever it stan
 
 EACH_OPERATION("what is no object is refused as the input") {
   for (const Json& wrong : {Json::array(), Json(1), Json("orientation"), Json(nullptr)}) {
-    CHECK(refusal(operation, wrong) == "input: object");
+    CHECK_THAT(refusal(operation, wrong),
+               StartsWith("input: expected an object like {\"") && ContainsSubstring(", got " + wrong.dump()));
   }
 }
 
@@ -204,7 +208,7 @@ TEST_CASE("words: an answer's word is one of its enumeration's, letter by letter
   CHECK(side("\"on\"") == "on");
   CHECK(side("\"right\"") == "right");
   for (const char* wrong : {"\"Left\"", "\"\"", "1", "null", "\"lef\"", "\"left \""})
-    CHECK(side(wrong) == "side: one of left, on, right");
+    CHECK_THAT(side(wrong), StartsWith("side: expected one of left, on, right, got "));
 }
 
 }  // namespace touchstone::proptests

@@ -258,8 +258,8 @@ TEST_CASE("verdicts: NaN, an infinity where the truth is finite, and what is no 
   CHECK(beyond.says(R"({"point":["-inf",1]})") == "invalid");
 
   const Case side{"orientation", left};
-  CHECK(side.judge(R"({"side":"up"})").remark == "answer.side: one of left, on, right");
-  CHECK(side.judge(R"({"side":"left","sure":true})").remark == "answer.sure: known field");
+  CHECK(side.judge(R"({"side":"up"})").remark == R"(answer.side: expected one of left, on, right, got "up")");
+  CHECK(side.judge(R"({"side":"left","sure":true})").remark == "answer.sure: no such field; expected side");
   CHECK(side.judge("{}").remark == "answer.side: missing");
   for (const char* answer :
        {R"({"side":"up"})", R"({"side":"left","sure":true})", "{}", "[]", "null", "1", "\"left\""}) {
