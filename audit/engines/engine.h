@@ -42,9 +42,11 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+class EngineNotes;
+
 /// Starts `command` (by the shell) and shakes hands as in docs/engines.md. timeout: seconds without an answer. Once
-/// *stop is true, what has not been asked yet is not asked any more.
-std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout,
-                                    const std::atomic<bool>* stop = nullptr);
+/// *stop is true, what has not been asked yet is not asked any more. What else is worth telling goes into `notes`.
+std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout, const std::atomic<bool>* stop = nullptr,
+                                    EngineNotes* notes = nullptr);
 
 }  // namespace touchstone::audit

@@ -21,8 +21,8 @@ Clock::time_point from_now(double seconds) {
 
 }  // namespace
 
-PipeEngine::PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop)
-    : command_(std::move(command)), limits_(limits), stop_(stop) {
+PipeEngine::PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop, EngineNotes* notes)
+    : command_(std::move(command)), limits_(limits), stop_(stop), notes_(notes) {
   start();
 }
 
@@ -94,7 +94,8 @@ std::optional<std::string> PipeEngine::exchange(Round& round, Indices& to_ask, s
       deadline = from_now(limits_.timeout);
     } else if (Clock::now() >= deadline) {
       ++timeouts_;
-      return "no answer in " + decimal(limits_.timeout) + " s";
+      return "no answer in " + decimal(limits_.timeout) + " s" +
+             (last_stray_.empty() ? "" : "; the last line that is no answer: " + last_stray_);
     }
     if (interrupted()) return why_stop();
   }
@@ -129,7 +130,11 @@ std::optional<std::string> PipeEngine::take_line(const std::string& line, Round&
     answer = read_answer_line(line);
     answer.reply.bytes = line.size();
   } catch (const InvalidInput& wrong) {
-    return "a line that is no answer (" + std::string(wrong.what()) + "): " + excerpt(line, 60);
+    if (meant_as_answer(line))
+      return "a line that is no answer (" + std::string(wrong.what()) + "): " + excerpt(line, 60);
+    last_stray_ = excerpt(line, 60);
+    if (notes_ != nullptr) notes_->add_stray_line(line);
+    return std::nullopt;
   }
   if (answer.id < first_id_of_process_ || answer.id >= next_id_) {
     return "an answer to a question that was not asked: id " + std::to_string(answer.id);
@@ -169,13 +174,22 @@ void PipeEngine::settle(Round& round, std::size_t index, Reply reply) {
 void PipeEngine::start() {
   inbox_.clear();
   outbox_ = greeting();
+  last_stray_.clear();
   first_id_of_process_ = next_id_;
+  std::string first;
   try {
     process_ = std::make_unique<Process>(command_);
-    hello_ = read_hello(first_line());
+    first = first_line();
+    hello_ = read_hello(first);
+    for (const std::string& remark : hello_.remarks) {
+      if (notes_ != nullptr) notes_->add_of_first_line(remark);
+    }
   } catch (const InvalidInput& wrong) {
     process_.reset();
-    throw EngineError("engine " + command_ + ": first line: " + wrong.what());
+    const std::string what = wrong.field() == "line"
+                                 ? R"(expected {"engine":"NAME","ops":["OPERATION",...]}, got )" + excerpt(first, 60)
+                                 : wrong.what();
+    throw EngineError("engine " + command_ + ": first line: " + what);
   } catch (const std::exception& failed) {
     process_.reset();
     throw EngineError("engine " + command_ + ": " + failed.what());
@@ -219,6 +233,7 @@ bool PipeEngine::start_again() {
 void PipeEngine::lose_engine(const std::string& fault) {
   process_.reset();
   last_fault_ = fault;
+  if (notes_ != nullptr && !interrupted()) notes_->add_restart(fault);
   ++restarts_;
   ++restarts_in_a_row_;
 }
@@ -234,11 +249,12 @@ std::string PipeEngine::why_stop() const {
   return "";
 }
 
-std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout, const std::atomic<bool>* stop) {
+std::unique_ptr<Engine> pipe_engine(const std::string& command, double timeout, const std::atomic<bool>* stop,
+                                    EngineNotes* notes) {
   PipeLimits limits;
   limits.timeout = timeout;
   limits.start_timeout = 2 * timeout;
-  return std::make_unique<PipeEngine>(command, limits, stop);
+  return std::make_unique<PipeEngine>(command, limits, stop, notes);
 }
 
 }  // namespace touchstone::audit

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "audit/engines/engine.h"
+#include "audit/engines/notes.h"
 #include "audit/engines/process.h"
 #include "audit/engines/protocol.h"
 
@@ -25,14 +26,15 @@ struct PipeLimits {
   int timeouts = 12;
 };
 
-/// An engine behind pipes (docs/engines.md). When it dies, hangs or talks nonsense, it is started anew and the
+/// An engine behind pipes (docs/engines.md). When it dies, hangs or answers nonsense, it is started anew and the
 /// questions that were in flight are asked again one at a time, so that exactly those are lost that it cannot answer
-/// alone.
+/// alone. Lines that are not meant as answers are passed over.
 class PipeEngine final : public Engine {
  public:
   /// Throws EngineError where it does not start or its first line is not as it should be. Once *stop is true nothing
   /// more is asked.
-  PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop = nullptr);
+  PipeEngine(std::string command, const PipeLimits& limits, const std::atomic<bool>* stop = nullptr,
+             EngineNotes* notes = nullptr);
 
   const Declaration& declaration() const override { return hello_.declaration; }
   bool supports(const std::string& operation) const override { return hello_.operations.count(operation) > 0; }
@@ -74,12 +76,13 @@ class PipeEngine final : public Engine {
   std::string command_;
   PipeLimits limits_;
   const std::atomic<bool>* stop_;
+  EngineNotes* notes_;
   Hello hello_;
   std::unique_ptr<Process> process_;
   std::string inbox_, outbox_;
   std::uint64_t next_id_ = 1, first_id_of_process_ = 1;
   bool repeats_itself_ = false;
-  std::string operation_, last_fault_;
+  std::string operation_, last_fault_, last_stray_;  ///< last_stray_: of the process that runs
   int restarts_ = 0, restarts_in_a_row_ = 0, timeouts_ = 0;
 };
 

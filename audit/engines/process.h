@@ -9,6 +9,9 @@
 
 namespace touchstone::audit {
 
+/// Set in the environment of what a Process runs, so that an engine program knows that nobody reads its table.
+inline constexpr const char* started_as_engine = "TOUCHSTONE_STARTED_AS_ENGINE";
+
 /// A command run by the shell in a process group of its own. Its three streams are ours and nothing here blocks but
 /// `wait_for`; the whole group dies with this object.
 class Process {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/engines/protocol.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/expected.h"
 
 namespace touchstone::audit {
 namespace {
@@ -19,7 +22,28 @@ std::size_t word_index(const Json& value, const char* field, const std::array<co
     if (value == words[i]) return i;
     rule += (i == 0 ? "one of " : ", ") + std::string(words[i]);
   }
-  throw InvalidInput(field, rule);
+  const bool text = value.is_string() && !is_typed_number(value);
+  const std::vector<const char*> known(words.begin(), words.end());
+  throw InvalidInput(field,
+                     expected(rule, value) + (text ? did_you_mean(value.get_ref<const std::string&>(), known) : ""));
+}
+
+/// Names that nobody knows: they may be of a newer version, or misspelt.
+std::vector<std::string> remarks_on(const Json& hello) {
+  static const std::vector<const char*> fields{"engine", "ops", "number", "boundary", "tolerance"};
+  std::vector<std::string> remarks, known;
+  for (const auto& [key, value] : hello.items()) {
+    if (std::find(fields.begin(), fields.end(), key) == fields.end())
+      remarks.push_back(excerpt(key, most_of_a_key) + ": no such field" + did_you_mean(key, fields) + ", ignored");
+  }
+  for (const Operation* operation : catalogue()) known.push_back(operation->name());
+  for (const Json& entry : hello["ops"]) {
+    const std::string& name = entry.get_ref<const std::string&>();
+    if (find_operation(name) == nullptr)
+      remarks.push_back("ops: " + excerpt(name, most_of_a_key) + ": no operation of the catalogue" +
+                        did_you_mean(name, known) + ", never asked");
+  }
+  return remarks;
 }
 
 std::uint64_t read_id(const Json& id) {
@@ -28,7 +52,7 @@ std::uint64_t read_id(const Json& id) {
     const double value = read_double(id, "id");
     if (value >= 0 && value <= 0x1p53 && value == std::trunc(value)) return static_cast<std::uint64_t>(value);
   }
-  throw InvalidInput("id", "the number of a question");
+  throw InvalidInput("id", expected("the number of a question", id));
 }
 
 }  // namespace
@@ -44,16 +68,16 @@ std::string greeting() {
 
 Hello read_hello(const std::string& line) {
   const Json json = parse_line(line);
-  if (!json.is_object()) throw InvalidInput("line", "one JSON object");
+  if (!json.is_object()) throw InvalidInput("line", expected("one JSON object", json));
   const auto text_of = [](const Json& value, const char* field) {
-    if (!value.is_string() || is_typed_number(value)) throw InvalidInput(field, "text");
+    if (!value.is_string() || is_typed_number(value)) throw InvalidInput(field, expected("text", value));
     return value.get<std::string>();
   };
   Hello hello;
   if (!json.contains("engine")) throw InvalidInput("engine", "missing");
   hello.declaration.engine = excerpt(text_of(json["engine"], "engine"), 200);
   if (!json.contains("ops")) throw InvalidInput("ops", "missing");
-  if (!json["ops"].is_array()) throw InvalidInput("ops", "array");
+  if (!json["ops"].is_array()) throw InvalidInput("ops", expected("an array of names", json["ops"]));
   for (const Json& name : json["ops"]) hello.operations.insert(text_of(name, "ops"));
   if (json.contains("boundary")) {
     hello.declaration.boundary =
@@ -62,8 +86,9 @@ Hello read_hello(const std::string& line) {
   if (json.contains("number")) hello.declaration.binary32 = word_index(json["number"], "number", number_words) == 1;
   if (json.contains("tolerance")) {
     hello.declaration.tolerance = read_double(json["tolerance"], "tolerance");
-    if (hello.declaration.tolerance < 0) throw InvalidInput("tolerance", "number >= 0");
+    if (hello.declaration.tolerance < 0) throw InvalidInput("tolerance", expected("a number >= 0", json["tolerance"]));
   }
+  hello.remarks = remarks_on(json);
   return hello;
 }
 
@@ -112,9 +137,22 @@ std::optional<QuestionLine> split_question_line(std::string_view line) {
   return parts;
 }
 
+bool meant_as_answer(std::string_view line) {
+  const auto skip_blanks = [&] { line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size())); };
+  skip_blanks();
+  if (line.empty() || line[0] != '{') return false;
+  line.remove_prefix(1);
+  skip_blanks();
+  // In single quotes as well: what Python prints of a dictionary.
+  constexpr std::array<std::string_view, 6> fields{R"("id")", R"("answer")", R"("error")",
+                                                   "'id'",    "'answer'",    "'error'"};
+  return line.empty() || std::any_of(fields.begin(), fields.end(),
+                                     [&](std::string_view field) { return line.find(field) != line.npos; });
+}
+
 AnswerLine read_answer_line(const std::string& line) {
   Json json = parse_line(line);
-  if (!json.is_object()) throw InvalidInput("line", "one JSON object");
+  if (!json.is_object()) throw InvalidInput("line", expected("one JSON object", json));
   if (!json.contains("id")) throw InvalidInput("id", "missing");
   AnswerLine answer{read_id(json["id"]), {}};
   Reply& reply = answer.reply;

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "audit/engines/engine.h"
 #include "audit/engines/question_text.h"
@@ -20,6 +21,7 @@ struct Hello {
   Declaration declaration;
   std::set<std::string>
       operations;  ///< as the engine names them; those that the catalogue does not know are never asked
+  std::vector<std::string> remarks;  ///< on fields and operations that are not known, with what may have been meant
 };
 
 /// What the program says: {"touchstone":1,"ops":[...]}, with the line's end.
@@ -38,6 +40,10 @@ struct QuestionLine {
   std::string_view id, operation, input;
 };
 std::optional<QuestionLine> split_question_line(std::string_view line);
+
+/// Whether a line that is no answer was meant as one: it begins an object, and holds one of the fields of an answer or
+/// nothing else. Any other such line is not about a question.
+bool meant_as_answer(std::string_view line);
 
 /// One answer. Throws InvalidInput where the line is none: not JSON, or without an id. Where only the rest of it is
 /// wrong, the reply is `failed`.

@@ -2,6 +2,7 @@
 #include "audit/engines/pipe.h"
 
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include "catalogue/operation.h"
@@ -34,8 +35,8 @@ constexpr double patient = 60;
 struct Engineered {
   PipeEngine engine;
   explicit Engineered(const std::string& arguments, const PipeLimits& limits = with_timeout(patient),
-                      const std::atomic<bool>* stop = nullptr)
-      : engine("python3 proptests/machine/engines/misbehaving.py " + arguments, limits, stop) {}
+                      const std::atomic<bool>* stop = nullptr, EngineNotes* notes = nullptr)
+      : engine("python3 proptests/machine/engines/misbehaving.py " + arguments, limits, stop, notes) {}
 };
 
 bool echoed(const Reply& reply, double number) {
@@ -136,8 +137,58 @@ TEST_CASE("pipe: a question that is passed over in silence is lost and no other"
   require_lost_by("is_silent 0 599", {0, 599}, "no answer in 0.4 s", 3, 0.4);
 }
 
-TEST_CASE("pipe: a line that is no JSON loses its question") {
-  require_lost_by("babbles 5", {5}, "have a nice day", 2);
+TEST_CASE("pipe: a line that is not about a question costs neither the question nor a restart") {
+  // 600 lines before 600 answers: a word, a list, and an object that a debugger would print.
+  for (const char* behaviour : {"babbles", "lists", "prints_objects"}) {
+    EngineNotes notes;
+    Engineered with(behaviour, with_timeout(patient), nullptr, &notes);
+    INFO(behaviour);
+    require_lost(with.engine.ask(orientation(), numbered(600)), {}, "");
+    CHECK(with.engine.restarts() == 0);
+    CHECK(notes.restarts() == 0);
+    CHECK(notes.stray_lines() == 600);
+    std::ostringstream told;
+    notes.tell(told);
+    CHECK_THAT(told.str(),
+               StartsWith("touchstone: engine: 600 lines of its standard output that are no answer, the last: "));
+  }
+}
+
+TEST_CASE("pipe: what is said in place of an answer is quoted where the answer is missed") {
+  require_lost_by("babbles_only 5", {5}, "no answer in 0.4 s; the last line that is no answer: have a nice day", 2,
+                  0.4);
+}
+
+TEST_CASE("pipe: a line that was meant as an answer loses its question") {
+  // JSON's quotes are double ones: this is what Python prints of a dictionary. The other spreads over several lines.
+  require_lost_by("prints_python 5", {5}, "a line that is no answer", 2);
+  require_lost_by("indents 5", {5}, "a line that is no answer", 2);
+}
+
+TEST_CASE("pipe: it is told how often an engine was started anew, and why the last time") {
+  EngineNotes notes;
+  Engineered with("exits 7", with_timeout(patient), nullptr, &notes);
+  require_lost(with.engine.ask(orientation(), numbered(600)), {7}, "no licence");
+  std::ostringstream told;
+  notes.tell(told);
+  CHECK(told.str() == "touchstone: engine: restarted 2 times, the last time for: exit code 1: no licence\n");
+}
+
+TEST_CASE("pipe: names of the first line that nobody knows are told, with what may have been meant") {
+  EngineNotes notes;
+  const PipeEngine engine(
+      R"(echo '{"engine":"e","ops":["orientaton","orientation","juggle"],"boundry":"closed","new":1}'; cat)",
+      PipeLimits{}, nullptr, &notes);
+  CHECK(engine.supports("orientation"));
+  std::ostringstream told;
+  notes.tell(told);
+  for (const char* line :
+       {"first line: boundry: no such field (did you mean \"boundary\"?), ignored\n",
+        "first line: new: no such field, ignored\n",
+        "first line: ops: orientaton: no operation of the catalogue (did you mean \"orientation\"?), "
+        "never asked\n",
+        "first line: ops: juggle: no operation of the catalogue, never asked\n"})
+    CHECK_THAT(told.str(), ContainsSubstring(line));
 }
 
 TEST_CASE("pipe: an answer nested 40,000 deep loses its question") {
@@ -269,18 +320,19 @@ TEST_CASE("pipe: an engine that does not start is one line of explanation") {
 }
 
 TEST_CASE("pipe: a first line that is not as it should be is refused by its field") {
-  REQUIRE_THAT(refusal_of_first_line("hello"), ContainsSubstring("first line: line"));
-  REQUIRE_THAT(refusal_of_first_line("[]"), ContainsSubstring("one JSON object"));
+  REQUIRE_THAT(refusal_of_first_line("hello"),
+               ContainsSubstring(R"(first line: expected {"engine":"NAME","ops":["OPERATION",...]}, got hello)"));
+  REQUIRE_THAT(refusal_of_first_line("[]"), ContainsSubstring(R"("ops":["OPERATION",...]}, got [])"));
   REQUIRE_THAT(refusal_of_first_line(R"({"ops":[]})"), ContainsSubstring("engine: missing"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e"})"), ContainsSubstring("ops: missing"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":1,"ops":[]})"), ContainsSubstring("engine: text"));
-  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[1]})"), ContainsSubstring("ops: text"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":1,"ops":[]})"), ContainsSubstring("engine: expected text, got 1"));
+  REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[1]})"), ContainsSubstring("ops: expected text, got 1"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"boundary":"half"})"),
-               ContainsSubstring("boundary: one of closed"));
+               ContainsSubstring(R"(boundary: expected one of closed, open, unspecified, got "half")"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"number":"f32"})"),
-               ContainsSubstring("number: one of binary64"));
+               ContainsSubstring(R"(number: expected one of binary64, binary32, got "f32")"));
   REQUIRE_THAT(refusal_of_first_line(R"({"engine":"e","ops":[],"tolerance":-1})"),
-               ContainsSubstring("tolerance: number >= 0"));
+               ContainsSubstring("tolerance: expected a number >= 0, got -1"));
 }
 
 TEST_CASE("pipe: what an engine declares is known") {
