@@ -131,8 +131,15 @@ struct Grid {
   std::vector<std::uint64_t> done;  ///< ascending
 };
 
+/// How a finding of a foreign engine is asked again, as a shell reads it.
+struct Repeat {
+  std::string program = "touchstone";
+  std::string options;  ///< "--engine 'python3 engine.py'"; empty where the program is the engine's own
+};
+
 struct Tally {
   Declaration declaration;
+  Repeat repeat;  ///< of tallies that are merged the first's
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
   Grid grid;
   Limits limits;                        ///< that tell ordinary questions from extreme ones

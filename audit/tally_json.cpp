@@ -252,13 +252,17 @@ Declaration read_declaration(const Place& place) {
 
 std::string tally_json(const Tally& tally) {
   const Declaration& declared = tally.declaration;
+  Json engine = {{"name", declared.engine},
+                 {"number", declared.binary32 ? "binary32" : "binary64"},
+                 {"boundary", boundary_word(declared.boundary)},
+                 {"tolerance", written(declared.tolerance)}};
+  if (!tally.repeat.options.empty() || tally.repeat.program != Repeat{}.program) {
+    engine["program"] = tally.repeat.program;
+    engine["options"] = tally.repeat.options;
+  }
   const Json json = {{"touchstone", 1},
                      {"kind", "tally"},
-                     {"engine",
-                      {{"name", declared.engine},
-                       {"number", declared.binary32 ? "binary32" : "binary64"},
-                       {"boundary", boundary_word(declared.boundary)},
-                       {"tolerance", written(declared.tolerance)}}},
+                     {"engine", engine},
                      {"seed", tally.seed},
                      {"cases", tally.cases},
                      {"grid", {{"size", tally.grid.size}, {"shards", tally.grid.shards}, {"done", tally.grid.done}}},
@@ -277,6 +281,10 @@ Tally read_tally(const std::string& text) {
   if (file.at("kind").text() != "tally") throw InvalidInput("kind", "tally");
   Tally tally;
   tally.declaration = read_declaration(file.at("engine"));
+  if (file.at("engine").value.contains("program")) {
+    tally.repeat.program = file.at("engine").at("program").text();
+    tally.repeat.options = file.at("engine").at("options").text();
+  }
   tally.seed = file.at("seed").count();
   tally.cases = file.at("cases").count();
   tally.grid.size = file.at("grid").at("size").count();

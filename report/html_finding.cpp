@@ -90,7 +90,7 @@ std::string certificate(const Examination& question) {
 }  // namespace
 
 std::string finding_card(const Operation& operation, const Smallest& smallest, std::uint64_t count,
-                         const Declaration& declaration, Speaker speaker) {
+                         const Declaration& declaration, Speaker speaker, const Repeat& repeat) {
   const Finding& finding = *smallest.finding;
   const std::string verdict = name_of(finding.judgement.verdict);
   std::string text =
@@ -116,11 +116,11 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   fact("input", code(one_line(operation.print(finding.question))));
   fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
   fact("found in", escaped(fmt::format("family {}, case {}", smallest.family, finding.index)));
-  const std::string whose = speaker == Speaker::foreign ? ", CMD the command of the engine" : "";
   text +=
       "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone "
-      "where it is not installed" +
-      whose + "):</p><pre class=\"repeat\">" + escaped(repeat_command(operation, finding.question, speaker)) + "</pre>";
+      "where it is not installed"
+      "):</p><pre class=\"repeat\">" +
+      escaped(repeat_command(operation, finding.question, speaker, repeat)) + "</pre>";
   return text + proof + "</section>";
 }
 

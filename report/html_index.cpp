@@ -165,10 +165,11 @@ std::string command(const Tally& tally) {
   std::string names;
   for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
   if (tally.operations.size() == catalogue().size()) names = "all";
-  const std::string engine = speaker_of(tally.declaration) == Speaker::foreign ? " --engine CMD" : "";
+  const bool foreign = speaker_of(tally.declaration) == Speaker::foreign && !tally.repeat.options.empty();
+  const std::string engine = foreign ? " " + tally.repeat.options : "";
   return "<h2>Repeat</h2><pre class=\"repeat\">" +
-         escaped(fmt::format("touchstone audit{} --ops {} --cases {} --seed {} --report DIR", engine, names,
-                             tally.cases, tally.seed)) +
+         escaped(fmt::format("{} audit{} --ops {} --cases {} --seed {} --report DIR", tally.repeat.program, engine,
+                             names, tally.cases, tally.seed)) +
          "</pre>";
 }
 

@@ -71,24 +71,23 @@ std::string summary(const Tally& tally, std::size_t operation) {
   return text + "</div>";
 }
 
-std::string cards(const OperationTally& tally, const Operation& known, const Declaration& declaration,
-                  Speaker speaker) {
+std::string cards(const OperationTally& tally, const Operation& known, const Tally& whole, Speaker speaker) {
   std::string text;
   const Cell total = tally.total();
   for (std::size_t v = 1; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
     const Smallest smallest = smallest_of(tally, verdict);
     if (smallest.finding && verdict != Verdict::unsupported)
-      text += finding_card(known, smallest, total.count(verdict), declaration, speaker);
+      text += finding_card(known, smallest, total.count(verdict), whole.declaration, speaker, whole.repeat);
   }
   return text;
 }
 
 std::string findings(const Tally& tally, const OperationTally& here, const Operation& known) {
-  std::string text = cards(here, known, tally.declaration, speaker_of(tally.declaration));
+  std::string text = cards(here, known, tally, speaker_of(tally.declaration));
   for (const OperationTally& robust : tally.robust) {
     if (robust.operation != here.operation) continue;
-    const std::string of_robust = cards(robust, known, tally.declaration, Speaker::robust);
+    const std::string of_robust = cards(robust, known, tally, Speaker::robust);
     if (!of_robust.empty()) text += "<h2>robust is wrong</h2>" + of_robust;
   }
   if (!text.empty()) return text;

@@ -204,7 +204,7 @@ std::string answer_in_words(const Way& way) {
 }
 
 std::string one_finding(const OperationTally& tally, const WayOfOperation& shown, Speaker speaker, bool binary32,
-                        const std::string& name) {
+                        const std::string& name, const Repeat& repeat) {
   const Finding& finding = *shown.counted.example;
   const Operation* operation = find_operation(tally.operation);
   const std::uint64_t cases = both(shown.counted.cases), ordinary = shown.counted.cases[0];
@@ -227,17 +227,17 @@ std::string one_finding(const OperationTally& tally, const WayOfOperation& shown
   }
   line(name, finding.answer.is_null() ? no_answer : one_line(readable(finding.answer)));
   line("why", wrapped(why(finding, operation, speaker, binary32), 12));
-  line("repeat", repeat_command(*operation, finding.question, speaker));
+  line("repeat", repeat_command(*operation, finding.question, speaker, repeat));
   return text;
 }
 
 std::string findings(const std::vector<OperationTally>& tallies, Speaker speaker, bool binary32,
-                     const std::string& name) {
+                     const std::string& name, const Repeat& repeat) {
   std::string text;
   for (const OperationTally& tally : tallies) {
     const std::vector<WayOfOperation> ways = ways_of(tally);
     for (std::size_t i = 0; i < std::min(ways.size(), most_ways); ++i)
-      text += one_finding(tally, ways[i], speaker, binary32, name);
+      text += one_finding(tally, ways[i], speaker, binary32, name, repeat);
     if (ways.size() > most_ways)
       text += fmt::format("\n{}: {} in the file of --json\n", tally.operation,
                           counted(ways.size() - most_ways, "less frequent way"));
@@ -262,8 +262,9 @@ std::string text_table(const Tally& tally, Detail detail) {
   const Speaker speaker = speaker_of(tally.declaration);
   const std::string engine = speaker == Speaker::reference ? "formula" : "engine";
   std::string text = heading(tally) + counts(tally, detail) + robust_line(tally);
-  if (detail == Detail::all) text += findings(tally.operations, speaker, tally.declaration.binary32, engine);
-  text += findings(tally.robust, Speaker::robust, false, "robust");
+  if (detail == Detail::all)
+    text += findings(tally.operations, speaker, tally.declaration.binary32, engine, tally.repeat);
+  text += findings(tally.robust, Speaker::robust, false, "robust", tally.repeat);
   return text + conventions(tally.operations, engine) + conventions(tally.robust, "robust") + "\n" +
          closing_sentence(tally);
 }

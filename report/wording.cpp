@@ -226,9 +226,11 @@ std::string word_in(const Json& answer) {
   return "value";
 }
 
-std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker) {
-  return "echo '" + one_line(operation.print(question)) + "' | touchstone ask " + operation.name() +
-         (speaker == Speaker::foreign ? " --engine CMD" : " -");
+std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker,
+                           const Repeat& repeat) {
+  const bool foreign = speaker == Speaker::foreign;
+  return "echo '" + one_line(operation.print(question)) + "' | " + (foreign ? repeat.program : Repeat{}.program) +
+         " ask " + operation.name() + (foreign && !repeat.options.empty() ? " " + repeat.options : " -");
 }
 
 Smallest smallest_of(const OperationTally& tally, Verdict verdict) {

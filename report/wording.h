@@ -44,9 +44,8 @@ Json readable(const Json& answer);
 /// The first word in an answer ("left", "overlap"), or "value".
 std::string word_in(const Json& answer);
 
-/// The shell line that asks a question again, a foreign engine (CMD is its command) as well; the input as decimals that
-/// read back exactly.
-std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker);
+/// The shell line that asks a question again, a foreign engine as well; the input as decimals that read back exactly.
+std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker, const Repeat& repeat);
 
 /// The best example of a verdict over all families (audit/tally.h: shown_before), with its family; nullptr where there
 /// is none.
