@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/audit_run.h"
-#include "audit/engines/engine.h"
+#include "audit/engines/notes.h"
 #include "audit/meshes.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/explained.h"
@@ -10,13 +10,6 @@
 
 namespace touchstone::audit {
 namespace {
-
-std::unique_ptr<Engine> engine_of(const AskCommand& command, const Operation& operation) {
-  if (command.engine.empty()) return nullptr;
-  std::unique_ptr<Engine> engine = pipe_engine(command.engine, command.timeout);
-  if (engine->supports(operation.name())) return engine;
-  throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name());
-}
 
 Json said_by(Engine& engine, const Operation& operation, const Question& question, const Examination& examination,
              bool& found_any) {
@@ -34,7 +27,7 @@ Json meshes_of(const AskCommand& command) {
   Json meshes = Json::object();
   for (const std::string& named : command.meshes) {
     const std::size_t equals = named.find('=');
-    if (equals == std::string::npos || equals == 0) throw UsageError("--mesh " + named + ": field=FILE");
+    if (equals == std::string::npos || equals == 0) throw UsageError("--mesh: expected field=FILE, got " + named);
     meshes[named.substr(0, equals)] = parse_line(one_line(to_json(read_mesh(named.substr(equals + 1)))));
   }
   return meshes;
@@ -44,7 +37,8 @@ Json meshes_of(const AskCommand& command) {
 
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err) {
   const Operation& operation = operation_named(command.operation);
-  const std::unique_ptr<Engine> engine = engine_of(command, operation);
+  EngineNotes notes;
+  const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);
   const std::string& file = command.file;
   const Json meshes = meshes_of(command);
   bool refused_any = false, found_any = false;
@@ -74,6 +68,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       refuse(number, refused);
     }
   });
+  notes.tell(err);
   if (lines == 0) {
     err << place(file, 1) << "line: one JSON object, found an empty file\n";
     return bad_usage;

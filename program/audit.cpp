@@ -2,18 +2,19 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <mutex>
 
 #include "audit/audit_run.h"
+#include "audit/engines/notes.h"
 #include "audit/parallel.h"
 #include "audit/tally_json.h"
+#include "catalogue/codec/did_you_mean.h"
 #include "program/commands.h"
 #include "program/program.h"
+#include "program/progress.h"
 #include "report/html.h"
 #include "report/table.h"
 #include "report/wording.h"
@@ -24,37 +25,16 @@ namespace {
 std::atomic<bool> stopped{false};
 extern "C" void on_interrupt(int) { stopped = true; }
 
-/// One line on a terminal, rewritten at most ten times a second; nothing elsewhere.
-class Progress {
- public:
-  explicit Progress(std::ostream& err) : err_(err), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (shown_) err_ << "\r\x1b[K" << std::flush;
-  }
-  void operator()(const std::string& operation, std::uint64_t done, std::uint64_t of) {
-    if (!shown_) return;
-    const std::lock_guard lock(mutex_);
-    const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    err_ << "\r\x1b[K" << operation << ": " << 100 * done / of << " %" << std::flush;
-  }
-
- private:
-  std::ostream& err_;
-  bool shown_;
-  std::mutex mutex_;
-  std::chrono::steady_clock::time_point last_{};
-};
-
 void require_known_families(const AuditOptions& options) {
   for (const std::string& family : options.families) {
     bool known = false;
+    std::vector<std::string> names;
     for (const Operation* operation : options.operations) {
-      for (const std::string& name : operation->families()) known = known || name == family;
+      for (const std::string& name : operation->families()) known = known || name == family, names.push_back(name);
     }
     if (!known)
-      throw UsageError("--families " + family + ": a family of one of the operations (see touchstone ops --json)");
+      throw UsageError("--families " + family + ": no family of these operations" + did_you_mean(family, names) +
+                       "; touchstone ops --json lists them");
   }
 }
 
@@ -123,21 +103,30 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   require_known_families(options);
   require_writable("--json", command.json_file);
   require_directory(command.report_directory);
+  EngineNotes notes;
+  Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
   if (!command.engine.empty()) {
-    options.engine = [&command] { return pipe_engine(command.engine, command.timeout, &stopped); };
+    options.engine = [&] {
+      auto engine = pipe_engine(command.engine, command.timeout, &stopped, &notes);
+      progress.leave_out([&](const Operation& o) { return o.card().is_method() || !engine->supports(o.name()); });
+      return engine;
+    };
   }
   Tally tally;
   try {
     const Interruptible until_counted;
-    Progress progress(err);
-    tally = run_audit(options, stopped,
-                      [&](const std::string& name, std::uint64_t done) { progress(name, done, command.cases); });
-  } catch (const EngineError&) {
-    if (!stopped) throw;  // interrupted before the engine had said its first line
+    tally = run_audit(options, stopped, [&](const std::string& name, std::uint64_t done) { progress(name, done); });
+  } catch (const EngineError& failed) {
+    if (!stopped) throw EngineError(failed.what() + notes.of_first_line());
+    // Interrupted before the engine had said its first line.
     tally.interrupted = true;
     tally.declaration.engine = command.engine;
   }
-  out << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
+  progress.end();
+  notes.tell(err);
+  tally.repeat = repeat_of(command.program, command.engine, command.timeout);
+  std::ostream& readable = is_standard_output(command.json_file) ? err : out;
+  readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
   write_file("--json", command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
@@ -146,7 +135,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--report ") + failed.what());
     }
-    out << "report: " << command.report_directory << "/index.html\n";
+    readable << "report: " << command.report_directory << "/index.html\n";
   }
   return exit_code(tally, err);
 }

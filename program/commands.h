@@ -8,6 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "audit/engines/engine.h"
+#include "audit/engines/notes.h"
+#include "audit/tally.h"
 #include "catalogue/operation.h"
 
 /// The commands, each a function of its parsed options: what goes to standard output is written to `out`, complaints to
@@ -20,9 +23,10 @@ struct UsageError : std::runtime_error {
 };
 
 struct AuditCommand {
-  std::string engine;              ///< command; empty: our reference in double
-  std::string operations = "all";  ///< "all" or names with commas
-  std::string families;            ///< names with commas; empty: all
+  std::string program = "touchstone";  ///< as it was called
+  std::string engine;                  ///< command; empty: our reference in double
+  std::string operations = "all";      ///< "all" or names with commas
+  std::string families;                ///< names with commas; empty: all
   std::uint64_t cases = 20000, seed = 1;
   double seconds = 0, timeout = 5;
   int jobs = 0;  ///< 0: as many as the machine has
@@ -40,17 +44,49 @@ struct AskCommand {
   std::vector<std::string> meshes;  ///< "field=FILE": a mesh field of every line, from a file
 };
 
+struct ExhaustCommand {
+  std::string program = "touchstone";
+  std::string operation;
+  int grid = 3;
+  std::string shard = "1/1", json_file;
+  bool decisions = false;
+  std::string engine;  ///< command of an engine, which is asked instead of our reference; empty: none
+  double timeout = 5;
+};
+
+struct VectorsCheckCommand {
+  std::string directory;
+  std::string engine;  ///< command of an engine that is asked as well; empty: none
+  double timeout = 5;
+};
+
+struct CheckEngineCommand {
+  std::string engine;
+  double timeout = 5;
+};
+
+/// The command that starts this very program as an engine: its path and --serve.
+std::string own_engine_command();
+/// How findings of an engine are asked again. The program is named by its path if it was called by one, so that the
+/// line works where this one was typed.
+Repeat repeat_of(const std::string& program, const std::string& engine, double timeout);
+
 int ops_command(bool json, std::ostream& out);
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);
 int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
-int exhaust_command(const std::string& operation, int grid, const std::string& shard, const std::string& json_file,
-                    bool decisions, std::ostream& out, std::ostream& err);
+int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err);
 int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);
 /// Of the operations named, with commas, or all.
 int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
                           std::ostream& out, std::ostream& err);
-int vectors_check_command(const std::string& directory, std::ostream& out, std::ostream& err);
+/// A few easy questions to every operation of an engine: is it wired up rightly?
+int check_engine_command(const CheckEngineCommand& command, std::ostream& out, std::ostream& err);
+int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
+
+/// An engine that has the operation; nullptr where the command is empty. Throws EngineError.
+std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
+                                   EngineNotes& notes);
 
 /// Throws UsageError naming what is not known and what is. A name given twice counts once.
 const Operation& operation_named(const std::string& name);
@@ -62,8 +98,10 @@ std::vector<std::string> split(const std::string& names);
 template <class Visit>
 std::uint64_t each_line(const std::string& file, const Visit& visit);
 
+/// "-", where a file's name is asked for. What people read is then written to standard error.
+bool is_standard_output(const std::string& file);
 /// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to
-/// do. Throws UsageError naming the option.
+/// do. "-" is standard output. Throws UsageError naming the option.
 void require_writable(const std::string& option, const std::string& file);
 void write_file(const std::string& option, const std::string& file, const std::string& text);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cerrno>
 #include <fstream>
 #include <iostream>
 
+#include "catalogue/codec/expected.h"
 #include "program/commands.h"
 
 namespace touchstone::audit {
@@ -13,8 +15,9 @@ std::uint64_t each_line(const std::string& file, const Visit& visit) {
   std::ifstream opened;
   const bool standard_input = file.empty() || file == "-";
   if (!standard_input) {
+    errno = 0;
     opened.open(file);
-    if (!opened) throw UsageError(file + ": a file that can be read");
+    if (!opened) throw UsageError(file + ": cannot be read: " + why_of(errno));
   }
   std::istream& in = standard_input ? std::cin : opened;
   std::uint64_t number = 0, filled = 0;

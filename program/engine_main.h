@@ -5,8 +5,9 @@
 
 namespace touchstone::audit {
 
-/// The main program of an engine: with the argument --serve it serves; else it is `touchstone audit` of itself, in a
-/// process of its own, with the same options and exit codes.
+/// The main program of an engine. With the argument --serve it answers over pipes; with the name of a command first
+/// (ask, exhaust, map, vectors check, check-engine) it is that command of `touchstone` with itself as the engine, in a
+/// process of its own; else it is `touchstone audit` of itself.
 int engine_program(const Served& engine, int argc, const char* const* argv);
 
 }  // namespace touchstone::audit

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "audit/audit_run.h"
+#include "audit/engines/notes.h"
 #include "audit/tally_json.h"
 #include "catalogue/codec/excerpt.h"
 #include "program/commands.h"
@@ -25,14 +26,14 @@ Shard parsed(const std::string& text) {
   const bool cut = no_index == std::errc() && slash != end && *slash == '/';
   const auto [rest, no_count] = std::from_chars(cut ? slash + 1 : end, end, shard.of);
   if (!cut || no_count != std::errc() || rest != end || shard.index < 1 || shard.index > shard.of) {
-    throw UsageError("--shard " + text + ": I/N with 1 <= I <= N");
+    throw UsageError("--shard: expected I/N with 1 <= I <= N, got " + text);
   }
   return shard;
 }
 
 std::uint64_t configurations(const Operation& operation, int grid) {
   const auto total = operation.configurations(grid);
-  if (!total) throw UsageError("--grid: fewer than 2^64 configurations");
+  if (!total) throw UsageError("--grid: expected fewer than 2^64 configurations, got more");
   return *total;
 }
 
@@ -41,29 +42,81 @@ std::uint64_t bound(std::uint64_t total, std::uint64_t i, std::uint64_t n) {
   return static_cast<std::uint64_t>(static_cast<unsigned __int128>(total) * i / n);
 }
 
-Tally examined(const Operation& operation, int grid, const Shard& shard) {
+/// Our reference, or an engine that is asked many questions at a time, about the configurations of a grid.
+class Answers {
+ public:
+  Answers(const Operation& operation, Engine* engine) : operation_(operation), engine_(engine) {}
+
+  void add(std::uint64_t index, const Question& question, std::unique_ptr<Examination> examination) {
+    if (engine_ == nullptr) {
+      count(cell_, {operation_, question, examination->outcome(), index}, examination->judge_reference());
+      return;
+    }
+    pending_.push_back({index, std::move(examination)});
+    questions_.push_back(question);
+    if (pending_.size() == at_once) ask();
+  }
+  void refuse(const std::string& rule) { cell_.refuse(rule); }
+  const Cell& finish() {
+    ask();
+    return cell_;
+  }
+
+ private:
+  static constexpr std::size_t at_once = 1024;
+  struct Pending {
+    std::uint64_t index;
+    std::unique_ptr<Examination> examination;
+  };
+
+  void ask() {
+    if (pending_.empty()) return;
+    const std::vector<Reply> replies = engine_->ask(operation_, questions_);
+    for (std::size_t i = 0; i < pending_.size(); ++i) {
+      const Examination& examination = *pending_[i].examination;
+      if (replies[i].asked) {
+        count(cell_, {operation_, questions_[i], examination.outcome(), pending_[i].index},
+              judged(replies[i], examination, engine_->declaration()), replies[i].answer);
+      } else {
+        ++cell_.not_asked;
+        cell_.given_up = replies[i].remark;
+      }
+    }
+    pending_.clear();
+    questions_.clear();
+  }
+
+  const Operation& operation_;
+  Engine* engine_;
+  Cell cell_;
+  std::vector<Pending> pending_;
+  std::vector<Question> questions_;
+};
+
+Tally examined(const Operation& operation, int grid, const Shard& shard, Engine* engine) {
   const std::uint64_t total = configurations(operation, grid);
   Tally tally;
-  tally.declaration = {"reference", Declaration::Boundary::closed, false, 0};
+  tally.declaration =
+      engine != nullptr ? engine->declaration() : Declaration{"reference", Declaration::Boundary::closed, false, 0};
   tally.cases = total;
   tally.grid = {static_cast<std::uint64_t>(grid), shard.of, {shard.index}};
-  Cell of_reference, of_robust;
+  Answers answers(operation, engine);
+  Cell of_robust;
   for (std::uint64_t i = bound(total, shard.index - 1, shard.of); i < bound(total, shard.index, shard.of); ++i) {
     const Question question = operation.on_grid(grid, i);
     try {
-      const auto examination = operation.examine(question);
-      const Asked asked{operation, question, examination->outcome(), i};
-      count(of_reference, asked, examination->judge_reference());
-      count(of_robust, asked, examination->judge_robust());
+      auto examination = operation.examine(question);
+      count(of_robust, {operation, question, examination->outcome(), i}, examination->judge_robust());
+      answers.add(i, question, std::move(examination));
     } catch (const InvalidInput& refused) {
-      of_reference.refuse(refused.rule());
+      answers.refuse(refused.rule());
       of_robust.refuse(refused.rule());
       const std::string mismatch = operation.refusal_mismatch(question);
       if (!mismatch.empty()) count(of_robust, {operation, question, "refused", i}, {Verdict::invalid, 0, mismatch, 0});
     }
   }
   const std::string family = fmt::format("{0}-grid", grid);
-  tally.operations.push_back({operation.name(), {{family, of_reference}}});
+  tally.operations.push_back({operation.name(), {{family, answers.finish()}}});
   tally.robust.push_back({operation.name(), {{family, of_robust}}});
   return tally;
 }
@@ -74,7 +127,7 @@ int decisions_only(const Operation& operation, int grid, const Shard& shard, con
   const std::uint64_t first = bound(total, shard.index - 1, shard.of), last = bound(total, shard.index, shard.of);
   const auto count = operation.count_decisions(grid, first, last);
   if (!count)
-    throw UsageError("--decisions: an operation with a fast pair of decisions (segment_segment, orientation)");
+    throw UsageError("--decisions: expected an operation with a fast pair of decisions (segment_segment, orientation)");
   Json line = Json::object();
   line["touchstone"] = 1;
   line["op"] = operation.name();
@@ -87,7 +140,7 @@ int decisions_only(const Operation& operation, int grid, const Shard& shard, con
   line["wrong"] = count->wrong;
   line["hash"] = fmt::format("{:016x}", count->hash);
   if (count->wrong > 0) line["first_wrong"] = operation.print(operation.on_grid(grid, count->first_wrong));
-  out << one_line(line) << '\n';
+  if (!is_standard_output(json_file)) out << one_line(line) << '\n';
   write_file("--json", json_file, one_line(line) + "\n");
   return count->wrong > 0 ? findings : nothing_found;
 }
@@ -123,15 +176,20 @@ Json merged_decisions(std::vector<Json> parts) {
 
 }  // namespace
 
-int exhaust_command(const std::string& name, int grid, const std::string& shard_text, const std::string& json_file,
-                    bool decisions, std::ostream& out, std::ostream& err) {
-  const Operation& operation = operation_named(name);
-  const Shard shard = parsed(shard_text);
-  require_writable("--json", json_file);
-  if (decisions) return decisions_only(operation, grid, shard, json_file, out);
-  const Tally tally = examined(operation, grid, shard);
-  out << text_table(tally);
-  write_file("--json", json_file, tally_json(tally));
+int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err) {
+  const Operation& operation = operation_named(command.operation);
+  const Shard shard = parsed(command.shard);
+  require_writable("--json", command.json_file);
+  if (command.decisions && !command.engine.empty())
+    throw UsageError("--decisions: expected without --engine, whose answers are no decisions alone");
+  if (command.decisions) return decisions_only(operation, command.grid, shard, command.json_file, out);
+  EngineNotes notes;
+  const std::unique_ptr<Engine> engine = engine_for(operation, command.engine, command.timeout, notes);
+  Tally tally = examined(operation, command.grid, shard, engine.get());
+  notes.tell(err);
+  tally.repeat = repeat_of(command.program, command.engine, command.timeout);
+  (is_standard_output(command.json_file) ? err : out) << text_table(tally);
+  write_file("--json", command.json_file, tally_json(tally));
   if (tally.has_findings()) return findings;
   if (shard.of > 1 || sum_of(tally.operations).cases() > 0) return nothing_found;  // a shard of many may be empty
   err << "touchstone: nothing was judged: no configuration on this grid is within the contract\n";

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "audit/engines/notes.h"
 #include "audit/parallel.h"
 #include "program/commands.h"
 #include "program/program.h"
@@ -14,9 +15,10 @@ namespace {
 
 constexpr std::uint32_t gap = 16, scale = 2;
 
-bool shows_findings(const std::vector<FailureMap>& maps) {
-  for (const FailureMap& map : maps) {
-    for (const MapClass& entry : map.classes) {
+/// The first map, of our reference, only stands beside an engine's.
+bool shows_findings(const std::vector<FailureMap>& maps, bool of_engine) {
+  for (std::size_t i = of_engine ? 1 : 0; i < maps.size(); ++i) {
+    for (const MapClass& entry : maps[i].classes) {
       if (is_finding(entry.verdict)) return true;
     }
   }
@@ -33,29 +35,35 @@ std::vector<const Operation*> all_named(const std::vector<std::string>& names) {
 
 }  // namespace
 
-int run_map(const std::vector<std::string>& names, const std::string& out_directory, bool binary32, int jobs) {
-  const std::vector<const Operation*> operations = all_named(names);
-  const std::string directory = out_directory.empty() ? "." : out_directory;
+int run_map(const MapCommand& command) {
+  const std::vector<const Operation*> operations = all_named(command.operations);
+  const std::string directory = command.directory.empty() ? "." : command.directory;
+  const int jobs = command.jobs > 0 ? command.jobs : jobs_of_machine();
   const std::filesystem::path asked(directory);
   if (asked.extension() == ".png" || asked.extension() == ".html") {
-    throw UsageError("--out " + directory + ": a directory; the files in it are named like the operations");
+    throw UsageError("--out " + directory + ": expected a directory; the files in it are named like the operations");
   }
   std::error_code error;
   std::filesystem::create_directories(directory, error);
-  if (error) throw UsageError("--out " + directory + ": a directory that can be written");
+  if (error) throw UsageError("--out " + directory + ": cannot be made: " + error.message());
   bool found = false;
+  EngineNotes notes;
   for (const Operation* operation : operations) {
-    const std::vector<FailureMap> maps = failure_maps(*operation, jobs > 0 ? jobs : jobs_of_machine(), binary32);
+    const std::unique_ptr<Engine> engine = engine_for(*operation, command.engine, command.timeout, notes);
+    const bool binary32 = engine ? engine->declaration().binary32 : command.binary32;
+    const std::vector<FailureMap> maps = failure_maps(*operation, jobs, binary32, engine.get());
     const std::string stem = directory + "/" + operation->name();
     try {
       write_whole_file(stem + ".png", png(side_by_side(maps, gap), scale));
-      write_whole_file(stem + ".html", map_page(*operation, maps));
+      write_whole_file(stem + ".html",
+                       map_page(*operation, maps, repeat_of(command.program, command.engine, command.timeout)));
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--out ") + failed.what());
     }
     std::cout << operation->name() << ": " << in_words(maps) << "\n  " << stem << ".png\n  " << stem << ".html\n";
-    found = found || shows_findings(maps);
+    found = found || shows_findings(maps, engine != nullptr);
   }
+  notes.tell(std::cerr);
   return found ? findings : nothing_found;
 }
 

@@ -8,8 +8,18 @@ namespace touchstone::audit {
 
 /// `touchstone map OP... [--out DIR] [--jobs N]`: a failure map of each operation as OP.png (reference beside robust)
 /// and OP.html (the same with legend); prints what it wrote and one line of counts each. Throws UsageError for an
-/// unknown operation or a directory that cannot be written. Jobs 0: as many as the machine has. Returns 1 if a pixel is
-/// a finding, else 0.
-int run_map(const std::vector<std::string>& operations, const std::string& out_directory, bool binary32, int jobs);
+/// unknown operation or a directory that cannot be written. Jobs 0: as many as the machine has. With an engine's
+/// command a third map shows what it answers, on a grid of its own number type. Returns 1 if a pixel is a finding,
+/// else 0.
+struct MapCommand {
+  std::string program = "touchstone";
+  std::vector<std::string> operations;
+  std::string directory = "maps";
+  bool binary32 = false;
+  int jobs = 0;
+  std::string engine;
+  double timeout = 5;
+};
+int run_map(const MapCommand& command);
 
 }  // namespace touchstone::audit

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
+#include <iostream>
 
+#include "audit/engines/notes.h"
+#include "audit/shell_quoted.h"
+#include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/expected.h"
 #include "program/commands.h"
 
 namespace touchstone::audit {
@@ -19,9 +25,12 @@ std::vector<std::string> split(const std::string& names) {
 
 const Operation& operation_named(const std::string& name) {
   if (const Operation* operation = find_operation(name)) return *operation;
-  std::string known;
-  for (const Operation* operation : catalogue()) known += (known.empty() ? "" : ", ") + operation->name();
-  throw UsageError("operation " + name + ": one of " + known);
+  std::vector<std::string> known;
+  for (const Operation* operation : catalogue()) known.push_back(operation->name());
+  const std::string nearest = did_you_mean(name, known);
+  std::string all;
+  for (const std::string& other : known) all += (all.empty() ? "; one of " : ", ") + other;
+  throw UsageError("operation " + name + ": no operation of the catalogue" + (nearest.empty() ? all : nearest));
 }
 
 std::vector<const Operation*> operations_named(const std::string& names) {
@@ -35,15 +44,42 @@ std::vector<const Operation*> operations_named(const std::string& names) {
   return operations;
 }
 
+bool is_standard_output(const std::string& file) { return file == "-"; }
+
+std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
+                                   EngineNotes& notes) {
+  if (command.empty()) return nullptr;
+  std::unique_ptr<Engine> engine = pipe_engine(command, timeout, nullptr, &notes);
+  if (engine->supports(operation.name())) return engine;
+  throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name() + notes.of_first_line());
+}
+
+Repeat repeat_of(const std::string& program, const std::string& engine, double timeout) {
+  Repeat repeat;
+  if (engine.empty()) return repeat;
+  if (program.find('/') != std::string::npos) repeat.program = shell_quoted(program);
+  if (engine != own_engine_command()) repeat.options = "--engine " + shell_quoted(engine);
+  if (timeout != AuditCommand{}.timeout)
+    repeat.options += (repeat.options.empty() ? "" : " ") + ("--timeout " + decimal(timeout));
+  return repeat;
+}
+
 void require_writable(const std::string& option, const std::string& file) {
-  if (!file.empty() && !std::ofstream(file, std::ios::app))
-    throw UsageError(option + " " + file + ": a file that can be written");
+  if (file.empty() || is_standard_output(file)) return;
+  errno = 0;
+  if (!std::ofstream(file, std::ios::app))
+    throw UsageError(option + " " + file + ": cannot be written: " + why_of(errno));
 }
 
 void write_file(const std::string& option, const std::string& file, const std::string& text) {
   if (file.empty()) return;
+  if (is_standard_output(file)) {
+    std::cout << text << std::flush;
+    return;
+  }
+  errno = 0;
   std::ofstream opened(file);
-  if (!(opened << text << std::flush)) throw UsageError(option + " " + file + ": a file that can be written");
+  if (!(opened << text << std::flush)) throw UsageError(option + " " + file + ": cannot be written: " + why_of(errno));
 }
 
 std::string place(const std::string& file, std::uint64_t line) {

@@ -8,9 +8,10 @@
 #include <iostream>
 
 #include "audit/engines/engine.h"
-#include "audit/version.h"
 #include "catalogue/codec/excerpt.h"
+#include "program/command_tree.h"
 #include "program/commands.h"
+#include "program/documentation.h"
 #include "program/map.h"
 
 namespace touchstone::audit {
@@ -20,7 +21,8 @@ namespace {
 const CLI::Validator positive(
     [](std::string& text) {
       double value = 0;
-      return CLI::detail::lexical_cast(text, value) && value > 0 ? std::string() : text + ": a number greater than 0";
+      return CLI::detail::lexical_cast(text, value) && value > 0 ? std::string()
+                                                                 : "expected a number greater than 0, got " + text;
     },
     "POSITIVE");
 
@@ -33,15 +35,28 @@ CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
         const char* const end = text.data() + text.size();
         const auto [stop, error] = std::from_chars(text.data(), end, value);
         const bool right = error == std::errc() && stop == end && value >= least && value <= most;
-        return right ? std::string() : text + ": " + rule;
+        return right ? std::string() : "expected " + rule + ", got " + text;
       },
       "WHOLE");
 }
 const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, 1'000'000'000'000),
                      any_jobs = whole(1, 1024);
 
+/// A variable that is not set leaves an empty command, which must not audit something else.
+const CLI::Validator a_command(
+    [](std::string& text) {
+      const bool empty = text.find_first_not_of(" \t\r\n") == std::string::npos;
+      return empty ? std::string("expected the command of an engine, got an empty one (is a variable not set?)") : "";
+    },
+    "");
+
 /// A command and what runs it once the line is parsed.
 using Action = std::function<int()>;
+
+void add_engine(CLI::App& command, std::string& engine, double& timeout, const std::string& what) {
+  command.add_option("--engine", engine, "Command of an engine (docs/engines.md). " + what)->check(a_command);
+  command.add_option("--timeout", timeout, "Seconds for one answer of the engine")->check(positive);
+}
 
 void add_ops(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("ops", "The catalogue of operations");
@@ -56,51 +71,68 @@ void add_ask(CLI::App& program, Action& action) {
   command->add_option("operation", options->operation, "Name of the operation")->required();
   command->add_option("file", options->file, "JSON lines; - is standard input");
   command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
-  command->add_option("--engine", options->engine, "Also the answer of this command, and the verdict on it");
-  command->add_option("--timeout", options->timeout, "Seconds for one answer of the engine")->check(positive);
+  add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
   command
       ->add_option("--mesh", options->meshes,
                    "field=FILE: that field of every line is the mesh in an OBJ, PLY, OFF or STL file; lines may be {}")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->default_str("");
   command->callback([=, &action] { action = [=] { return ask_command(*options, std::cout, std::cerr); }; });
 }
 
 void add_audit(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("audit", "How often an implementation is wrong, and why");
   auto options = std::make_shared<AuditCommand>();
-  command->add_option("--engine", options->engine,
-                      "Command that answers questions over pipes (default: the slides' formulas in double)");
+  command
+      ->add_option("--engine", options->engine,
+                   "Command that answers questions over pipes; without it, the textbook formulas in double")
+      ->check(a_command);
   command->add_option("--ops", options->operations, "Operations with commas, or all");
   command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
-  command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive);
+  command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive)->default_str("none");
   command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
   command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
-  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")->check(any_jobs);
+  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")
+      ->check(any_jobs)
+      ->default_str("one a processor");
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
-  command->add_option("--json", options->json_file, "Write the result to this file");
+  command->add_option("--json", options->json_file, "Write the result to this file; - is standard output");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
   command->add_option("--range", options->range, "ordinary: ask only questions of ordinary size; all: any")
       ->check(CLI::IsMember({"ordinary", "all"}));
   command->add_option("--ordinary", options->ordinary,
                       "LEAST,MOST: numbers of ordinary size are 0 or between these in size");
   command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
-  command->callback([=, &action] { action = [=] { return audit_command(*options, std::cout, std::cerr); }; });
+  command->callback([=, &action] {
+    options->program = command->get_parent()->get_name();
+    action = [=] { return audit_command(*options, std::cout, std::cerr); };
+  });
+}
+
+void add_check_engine(CLI::App& program, Action& action) {
+  auto* command =
+      program.add_subcommand("check-engine", "Five easy questions an operation: is an engine wired up rightly?");
+  auto options = std::make_shared<CheckEngineCommand>();
+  command->add_option("engine", options->engine, "Command of the engine (docs/engines.md)")
+      ->required()
+      ->check(a_command);
+  command->add_option("--timeout", options->timeout, "Seconds for one answer")->check(positive);
+  command->callback([=, &action] { action = [=] { return check_engine_command(*options, std::cout, std::cerr); }; });
 }
 
 void add_exhaust(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("exhaust", "Every configuration on a small grid");
-  auto operation = std::make_shared<std::string>(), shard = std::make_shared<std::string>("1/1"),
-       json = std::make_shared<std::string>();
-  auto grid = std::make_shared<int>(3);
-  auto decisions = std::make_shared<bool>(false);
-  command->add_option("operation", *operation, "Name of the operation")->required();
-  command->add_option("--grid", *grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
-  command->add_option("--shard", *shard, "I/N: the I-th of N parts");
-  command->add_option("--json", *json, "Write the result to this file");
-  command->add_flag("--decisions", *decisions,
+  auto options = std::make_shared<ExhaustCommand>();
+  command->add_option("operation", options->operation, "Name of the operation")->required();
+  command->add_option("--grid", options->grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
+  command->add_option("--shard", options->shard, "I/N: the I-th of N parts");
+  command->add_option("--json", options->json_file, "Write the result to this file; - is standard output");
+  command->add_flag("--decisions", options->decisions,
                     "Only the decision of robust against the oracle's integers, at full speed");
+  add_engine(*command, options->engine, options->timeout, "Asked instead of the textbook formulas in double");
   command->callback([=, &action] {
-    action = [=] { return exhaust_command(*operation, *grid, *shard, *json, *decisions, std::cout, std::cerr); };
+    options->program = command->get_parent()->get_name();
+    action = [=] { return exhaust_command(*options, std::cout, std::cerr); };
   });
   auto* merge = program.add_subcommand("merge", "Merges the results of shards");
   auto files = std::make_shared<std::vector<std::string>>();
@@ -115,15 +147,17 @@ void add_vectors(CLI::App& program, Action& action) {
   auto operations = std::make_shared<std::string>("all");
   auto seed = std::make_shared<std::uint64_t>(1);
   auto* write = command->add_subcommand("write", "Writes them into a directory");
-  write->add_option("directory", *directory)->required();
+  write->add_option("directory", *directory, "Where to")->required();
   write->add_option("--ops", *operations, "Operations with commas, or all");
-  write->add_option("--seed", *seed)->check(any_seed);
+  write->add_option("--seed", *seed, "Same seed, same vectors")->check(any_seed);
   write->callback([=, &action] {
     action = [=] { return vectors_write_command(*directory, *operations, *seed, std::cout, std::cerr); };
   });
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
-  check->add_option("directory", *directory)->required();
-  check->callback([=, &action] { action = [=] { return vectors_check_command(*directory, std::cout, std::cerr); }; });
+  auto checked = std::make_shared<VectorsCheckCommand>();
+  check->add_option("directory", checked->directory, "Where they are")->required();
+  add_engine(*check, checked->engine, checked->timeout, "Asked them as well, and judged");
+  check->callback([=, &action] { action = [=] { return vectors_check_command(*checked, std::cout, std::cerr); }; });
 }
 
 void add_certify(CLI::App& program, Action& action) {
@@ -136,29 +170,19 @@ void add_certify(CLI::App& program, Action& action) {
 void add_map(CLI::App& program, Action& action) {
   auto* command =
       program.add_subcommand("map", "Pictures of where an implementation goes wrong around a degenerate input");
-  auto operations = std::make_shared<std::vector<std::string>>();
-  auto directory = std::make_shared<std::string>("maps");
-  auto binary32 = std::make_shared<bool>(false);
-  auto jobs = std::make_shared<int>(0);
-  command->add_option("operation", *operations, "Names of operations")->required();
-  command->add_option("--jobs", *jobs, "Threads")->check(any_jobs);
-  command->add_option("--out", *directory, "Directory for the pictures");
-  command->add_flag("--binary32", *binary32, "The reference in float instead of double");
+  auto options = std::make_shared<MapCommand>();
+  command->add_option("operation", options->operations, "Names of operations")->required();
+  command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
+  command->add_option("--out", options->directory, "Directory for the pictures");
+  command->add_flag("--binary32", options->binary32, "The textbook formula in float instead of double");
+  add_engine(*command, options->engine, options->timeout, "A third map shows its answers");
   command->callback([=, &action] {
     action = [=] {
-      for (const std::string& name : *operations) operation_named(name);
-      return run_map(*operations, *directory, *binary32, *jobs);
+      options->program = command->get_parent()->get_name();
+      for (const std::string& name : options->operations) operation_named(name);
+      return run_map(*options);
     };
   });
-}
-
-void require_command(const CLI::App& program, const std::string& name) {
-  std::string known;
-  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
-    if (command->get_name() == name) return;
-    known += (known.empty() ? "" : ", ") + command->get_name();
-  }
-  throw UsageError(name + ": no command; one of " + known);
 }
 
 /// In one line, whatever names of files and fields it quotes.
@@ -171,15 +195,27 @@ int complained(const std::exception& wrong, int code) {
 
 int run_program(int argc, const char* const* argv) {
   CLI::App program{"touchstone: collision tests held against the exact truth"};
-  program.require_subcommand(1);
-  program.set_version_flag("--version", std::string("touchstone ") + version);
+  program.require_subcommand(0, 1);
+  program.option_defaults()->always_capture_default();
+  program.set_version_flag("--version", version, "Version, compiler and libraries");
+  program.footer(std::string("Limits: ") + limits_in_words() + "\n\nExit codes: " + exit_codes_in_words());
+  bool man = false;
+  program.add_flag("--man", man, "Prints the manual page: touchstone --man | man -l -");
+  std::string shell;
+  program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
-  for (auto* add : {add_ops, add_ask, add_audit, add_exhaust, add_vectors, add_certify, add_map}) add(program, action);
+  for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_exhaust, add_vectors, add_certify, add_map})
+    add(program, action);
   try {
-    if (argc > 1 && argv[1][0] != '-') require_command(program, argv[1]);
+    require_known_names(program, argc, argv);
     program.parse(argc, argv);
+    if (man || !shell.empty()) {
+      std::cout << (man ? man_page(program) : completion(program, shell));
+      return nothing_found;
+    }
+    if (!action) throw UsageError("expected a command (see --help)");
     const int code = action();
-    if (!std::cout.flush()) throw UsageError("standard output: a stream that can be written");
+    if (!std::cout.flush()) throw UsageError("standard output: cannot be written");
     return code;
   } catch (const CLI::Success& shown) {
     return program.exit(shown);

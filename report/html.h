@@ -20,7 +20,7 @@ using OperationMaps =
 std::string index_page(const Tally& tally, const OperationMaps& maps);
 std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps);
 /// A page with the maps of one operation alone.
-std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps);
+std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat = {});
 
 /// Throws std::runtime_error naming the file.
 void write_whole_file(const std::string& file, const std::string& bytes);

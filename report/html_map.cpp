@@ -88,7 +88,7 @@ std::pair<int, int> start_of(const FailureMap& map) {
   return start;
 }
 
-std::string data_of(const Operation& operation, const std::vector<FailureMap>& maps) {
+std::string data_of(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
   const MapGrid& grid = maps[0].grid;
   std::string xs, ys;
   for (int i = 0; i < MapGrid::side; ++i) {
@@ -107,14 +107,15 @@ std::string data_of(const Operation& operation, const std::vector<FailureMap>& m
   const Speaker speaker = maps.size() > 2 ? Speaker::foreign : Speaker::reference;
   const auto start = start_of(subject_of(maps));
   const std::string input = one_line(operation.print(grid.centre));
-  return one_line(Json{{"x", grid.fields.first},
-                       {"y", grid.fields.second},
-                       {"xs", xs},
-                       {"ys", ys},
-                       {"start", {start.first, start.second}},
-                       {"input", with_places(operation, grid, input)},
-                       {"repeat", with_places(operation, grid, repeat_command(operation, grid.centre, speaker))},
-                       {"maps", shown}});
+  return one_line(
+      Json{{"x", grid.fields.first},
+           {"y", grid.fields.second},
+           {"xs", xs},
+           {"ys", ys},
+           {"start", {start.first, start.second}},
+           {"input", with_places(operation, grid, input)},
+           {"repeat", with_places(operation, grid, repeat_command(operation, grid.centre, speaker, repeat))},
+           {"maps", shown}});
 }
 
 }  // namespace
@@ -131,9 +132,9 @@ std::string map_picture(const FailureMap& map, const std::string& alt) {
                  fmt::format("alt=\"{0}\" width=\"{1}\" height=\"{1}\"", escaped(alt), 2 * MapGrid::side));
 }
 
-std::string map_section(const Operation& operation, const std::vector<FailureMap>& maps) {
+std::string map_section(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
   const MapGrid& grid = maps[0].grid;
-  std::string text = section_opening + escaped(data_of(operation, maps)) + "\"><div class=\"maps\">";
+  std::string text = section_opening + escaped(data_of(operation, maps, repeat)) + "\"><div class=\"maps\">";
   for (const FailureMap& map : maps) {
     text += "<div><h4>" + escaped(map.subject) + "</h4><div class=\"map\">" +
             map_picture(map, map.subject + ": " + summary_of(Cell::of(map.counts))) + "</div><ul>";

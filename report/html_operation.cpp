@@ -135,7 +135,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   std::string body = navigation(tally, operation) + opening(tally, here, known) + "<main>" + summary(tally, operation);
   if (known) body += "<h2>The smallest input of each cause</h2>" + findings(tally, here, *known);
   if (known && !maps.empty()) {
-    body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps) + "</div>";
+    body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
   }
   if (known && speaker_of(tally.declaration) == Speaker::reference && !tally.declaration.binary32)
     body += condition_section(*known);
@@ -143,13 +143,13 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   return page("touchstone: " + here.operation, body + "</main><footer></footer>");
 }
 
-std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps) {
+std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
   const Card& card = operation.card();
   return page("touchstone map: " + operation.name(),
               "<header><p class=\"kicker\">touchstone map</p><h1>" + escaped(operation.name()) +
                   "</h1><p class=\"lead\">" + escaped(card.question) + " Deck p. " + escaped(card.pages) + ".</p><p>" +
-                  escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" + map_section(operation, maps) +
-                  "</div></main><footer></footer>");
+                  escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" +
+                  map_section(operation, maps, repeat) + "</div></main><footer></footer>");
 }
 
 }  // namespace touchstone::audit

@@ -27,7 +27,7 @@ class Shards {
   std::string run(const std::string& operation, int grid, const std::string& shard, bool decisions) {
     const std::string file = (folder_ / std::to_string(++runs_)).string();
     std::ostringstream out, err;
-    exhaust_command(operation, grid, shard, file, decisions, out, err);
+    exhaust_command({"touchstone", operation, grid, shard, file, decisions}, out, err);
     return file;
   }
   std::vector<std::string> run_all(const std::string& operation, int grid, int shards, bool decisions) {
@@ -149,7 +149,7 @@ TEST_CASE("exhaust: what is no shard is refused") {
                             "1/18446744073709551616"}) {
     std::ostringstream out, err;
     INFO(shard);
-    CHECK_THROWS_AS(exhaust_command("orientation", 2, shard, "", true, out, err), UsageError);
+    CHECK_THROWS_AS(exhaust_command({"touchstone", "orientation", 2, shard, "", true}, out, err), UsageError);
   }
 }
 

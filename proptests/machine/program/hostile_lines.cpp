@@ -44,11 +44,12 @@ TEST_CASE("program: a vector nested 100,000 deep is complained about, and the ot
 TEST_CASE("program: a key of a line is shown without control characters, and of a long one the beginning") {
   const TextFile escape("escape.jsonl", "{\"\\u001b[2J\\u0000\\u009b\":1}\n{\"a\":{\"\\u0007\":1,\"\\u0007\":2}}\n");
   const Called escaped = called({"ask", "segment_segment", escape.path()});
-  CHECK_THAT(escaped.err, ContainsSubstring("line 1: \\x1b[2J\\x00\\xc2\\x9b: known field") &&
+  CHECK_THAT(escaped.err, ContainsSubstring("line 1: \\x1b[2J\\x00\\xc2\\x9b: no such field; expected a, b") &&
                               ContainsSubstring("line 2: \\x07: given once"));
   const TextFile long_key("key.jsonl", "{\"" + std::string(20'000'000, 'k') + "\":1}\n");
   const Called cut = called({"ask", "segment_segment", long_key.path()});
-  require_refused(cut, bad_usage, "line 1: " + std::string(60, 'k') + "... (20000000 bytes): known field");
+  require_refused(cut, bad_usage,
+                  "line 1: " + std::string(60, 'k') + "... (20000000 bytes): no such field; expected a, b");
   CHECK(cut.out.size() < 200);
   require_refused(called({"merge", long_key.path()}), bad_usage, "touchstone: missing");
 }
@@ -66,7 +67,7 @@ TEST_CASE("program: names in a result that is merged, and in arguments, are show
   CHECK(merged.code <= findings);
   CHECK_THAT(merged.out, ContainsSubstring("\\x1b[2Jee") && !ContainsSubstring("\x1b"));
   CHECK(merged.out.size() < 20'000);
-  require_refused(called({"ask", "orientation", "\x1b[2J"}), bad_usage, "\\x1b[2J: a file that can be read");
+  require_refused(called({"ask", "orientation", "\x1b[2J"}), bad_usage, "\\x1b[2J: cannot be read: no such file");
 }
 
 TEST_CASE("program: what cannot be written to standard output is a failure, not a success") {
@@ -78,7 +79,7 @@ TEST_CASE("program: what cannot be written to standard output is a failure, not 
   const int code = run_program(4, arguments);
   std::cout.rdbuf(previous_out);
   std::cerr.rdbuf(previous_err);
-  require_refused({code, "", err.str()}, bad_usage, "standard output: a stream that can be written");
+  require_refused({code, "", err.str()}, bad_usage, "standard output: cannot be written");
 }
 
 TEST_CASE(

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "audit/engines/engine.h"
+
+/// Test vectors as questions to an engine.
+namespace touchstone::audit {
+
+/// The vectors of one file that an engine may be asked: those of operations that it has, but refused inputs.
+class VectorQuestions {
+ public:
+  /// `folder` is that of the file: vectors name meshes in it.
+  VectorQuestions(const Engine& engine, std::string folder) : engine_(engine), folder_(std::move(folder)) {}
+
+  /// A line of the file; what is no vector is passed over (vector_complaint says why).
+  void add(std::uint64_t number, const std::string& line);
+
+  /// What an engine said to one vector, as the oracle judges it.
+  struct Answered {
+    std::uint64_t number;
+    Judgement judgement;
+    Json answer, truth;
+    bool asked;  ///< false: the engine had been given up; the judgement's remark says why
+  };
+  /// In the order of the lines.
+  std::vector<Answered> ask(Engine& engine) const;
+
+ private:
+  struct Pending {
+    std::uint64_t number;
+    const Operation* operation;
+    Question question;
+  };
+  const Engine& engine_;
+  std::string folder_;
+  std::vector<Pending> pending_;
+};
+
+}  // namespace touchstone::audit

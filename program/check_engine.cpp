@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <map>
+
+#include "audit/audit_run.h"
+#include "audit/engines/easy_questions.h"
+#include "audit/engines/pipe.h"
+#include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/plain.h"
+#include "program/commands.h"
+#include "program/program.h"
+#include "report/wording.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr std::size_t most_shown = 400;
+
+std::string shown(const Json& value) { return excerpt(one_line(value), most_shown); }
+
+bool is_wrong(Verdict verdict) { return is_finding(verdict) || verdict == Verdict::tolerance; }
+
+/// What the engine says to the easy questions of one operation.
+struct Wiring {
+  struct Wrong {
+    Json input, expected, got;
+    Judgement judgement;
+  };
+  std::size_t asked = 0, right = 0, declined = 0;
+  std::vector<Wrong> wrong;
+  std::map<std::string, std::string> said;  ///< truth's enumerator -> the answer's; empty where that differs
+};
+
+Wiring wiring_of(Engine& engine, const Operation& operation) {
+  Wiring wiring;
+  const std::vector<EasyQuestion> easy = easy_questions(operation, engine.declaration().binary32);
+  std::vector<Question> questions;
+  for (const EasyQuestion& one : easy) questions.push_back(one.question);
+  const std::vector<Reply> replies = engine.ask(operation, questions);
+  for (std::size_t i = 0; i < easy.size(); ++i) {
+    const Examination& examination = *easy[i].examination;
+    const Judgement judgement = judged(replies[i], examination, engine.declaration());
+    ++wiring.asked;
+    if (judgement.verdict == Verdict::unsupported) {
+      ++wiring.declined;
+      continue;
+    }
+    if (is_wrong(judgement.verdict)) {
+      wiring.wrong.push_back(
+          {operation.print(easy[i].question), examination.rounded_truth(), kept(replies[i].answer), judgement});
+    } else {
+      ++wiring.right;
+    }
+    const auto [entry, is_new] = wiring.said.emplace(examination.outcome(), word_in(replies[i].answer));
+    if (!is_new && entry->second != word_in(replies[i].answer)) entry->second.clear();
+  }
+  return wiring;
+}
+
+/// "left is said for right, right is said for left", where every answer is right but for names that are exchanged.
+std::string exchanged_names(const Wiring& wiring) {
+  std::string text;
+  for (const auto& [truth, said] : wiring.said) {
+    if (said.empty() || said == "value") return "";
+    if (said == truth) continue;
+    const auto back = wiring.said.find(said);
+    if (back == wiring.said.end() || back->second != truth) return "";
+    text += (text.empty() ? "" : ", ") + said + " is said for " + truth;
+  }
+  return text;
+}
+
+std::string why(const Wiring& wiring) {
+  const Wiring::Wrong& first = wiring.wrong[0];
+  if (!first.judgement.remark.empty()) return first.judgement.remark;
+  const std::string exchanged = exchanged_names(wiring);
+  if (!exchanged.empty()) return exchanged + ": is the order of the arguments, or a sign, another one?";
+  if (first.judgement.verdict == Verdict::inexact) return "a number is " + ulps_in_words(first.judgement.ulps) + " off";
+  if (first.judgement.verdict == Verdict::tolerance)
+    return "wrong, and excused by a tolerance that is greater than whole shapes";
+  return "another answer than the definition gives, at small numbers and far from any touch";
+}
+
+void tell(const Operation& operation, const Wiring& wiring, std::ostream& out) {
+  out << fmt::format("{:<32} {} of {} right", operation.name(), wiring.right, wiring.asked);
+  if (wiring.declined > 0) out << fmt::format(", {} not supported", wiring.declined);
+  out << '\n';
+  if (wiring.wrong.empty()) return;
+  const Wiring::Wrong& first = wiring.wrong[0];
+  out << "  input     " << shown(first.input) << "\n  expected  " << shown(first.expected) << "\n  got       "
+      << (first.got.is_null() ? "no answer" : shown(readable(first.got))) << "\n  why       "
+      << excerpt(why(wiring), most_shown) << '\n';
+}
+
+}  // namespace
+
+int check_engine_command(const CheckEngineCommand& command, std::ostream& out, std::ostream& err) {
+  EngineNotes notes;
+  PipeLimits limits;
+  limits.timeout = command.timeout;
+  limits.start_timeout = 2 * command.timeout;
+  limits.timeouts = 1;  // what is silent once is not wired up
+  limits.restarts_in_a_row = 2;
+  PipeEngine engine(command.engine, limits, nullptr, &notes);
+  const Declaration& declared = engine.declaration();
+  std::size_t operations = 0, wrong = 0;
+  out << subject(declared) << ", boundary " << boundary_word(declared.boundary) << ", tolerance "
+      << decimal(declared.tolerance) << '\n';
+  for (const Operation* operation : catalogue()) {
+    if (!engine.supports(operation->name())) continue;
+    const Wiring wiring = wiring_of(engine, *operation);
+    tell(*operation, wiring, out);
+    ++operations;
+    wrong += wiring.wrong.empty() ? 0 : 1;
+  }
+  if (operations == 0)
+    throw EngineError("engine " + declared.engine + ": it declares none of the operations" + notes.of_first_line());
+  notes.tell(err);
+  out << (wrong == 0 ? fmt::format("wired up: {}\n", counted(operations, "operation"))
+                     : fmt::format("not wired up: {} of {}\n", wrong, counted(operations, "operation")));
+  return wrong == 0 ? nothing_found : findings;
+}
+
+}  // namespace touchstone::audit

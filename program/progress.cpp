@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/progress.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace touchstone::audit {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+constexpr Seconds rewritten_after{0.1}, line_after{10};
+/// Before that an estimate of the time left is a guess.
+constexpr Seconds least_known{2};
+constexpr double least_done = 0.01;
+
+}  // namespace
+
+std::string in_words(Seconds time) {
+  const double seconds = std::max(1.0, time.count());
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.0f} h", seconds / 3600);
+}
+
+Progress::Progress(std::ostream& err, bool terminal, const std::vector<const Operation*>& operations,
+                   std::uint64_t cases, std::function<Clock::time_point()> now)
+    : err_(err), terminal_(terminal), cases_(cases), now_(std::move(now)), started_(now_()), last_(started_) {
+  for (const Operation* operation : operations) shares_.push_back({operation, 0, 0});
+  share_out();
+}
+
+void Progress::share_out() {
+  double whole = 0;
+  for (Share& share : shares_) {
+    share.weight = static_cast<double>(share.operation->card().price);
+    share.before = whole;
+    whole += share.weight;
+  }
+  for (Share& share : shares_) share.before /= whole, share.weight /= whole;
+}
+
+Progress::~Progress() { end(); }
+
+void Progress::leave_out(const std::function<bool(const Operation&)>& not_asked) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(shares_, [&](const Share& share) { return not_asked(*share.operation); });
+  share_out();
+}
+
+void Progress::end() {
+  const std::lock_guard lock(mutex_);
+  if (terminal_ && !ended_) err_ << "\r\x1b[K" << std::flush;
+  ended_ = true;
+}
+
+void Progress::operator()(const std::string& operation, std::uint64_t done) {
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = now_();
+  if (ended_ || now - last_ < (terminal_ ? rewritten_after : line_after)) return;
+  const auto found = std::find_if(shares_.begin(), shares_.end(),
+                                  [&](const Share& share) { return share.operation->name() == operation; });
+  if (found == shares_.end()) return;
+  last_ = now;
+  const std::string text = line(static_cast<std::size_t>(found - shares_.begin()), done, now);
+  if (terminal_) err_ << "\r\x1b[K" << text << std::flush;
+  else err_ << "touchstone: " << text << std::endl;
+}
+
+std::string Progress::line(std::size_t operation, std::uint64_t done, Clock::time_point now) const {
+  const Share& share = shares_[operation];
+  const double part = cases_ > 0 ? std::min(1.0, static_cast<double>(done) / static_cast<double>(cases_)) : 0;
+  const double whole = share.before + share.weight * part;
+  std::string text =
+      fmt::format("{:.0f} %, {} ({} of {})", 100 * whole, share.operation->name(), operation + 1, shares_.size());
+  const Seconds spent = now - started_;
+  if (spent >= least_known && whole >= least_done)
+    text += ", about " + in_words(spent * ((1 - whole) / whole)) + " left";
+  return text;
+}
+
+}  // namespace touchstone::audit

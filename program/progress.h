@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "catalogue/operation.h"
+
+namespace touchstone::audit {
+
+/// How far a run is and about how long it still takes, from what the operations cost in relation to each other. On a
+/// terminal one line, rewritten at most ten times a second and gone at the end; elsewhere a line every ten seconds, so
+/// that a log shows that the run lives. Never a colour.
+class Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// `cases` of each operation will be asked, in this order. `now` is asked for the time.
+  Progress(std::ostream& err, bool terminal, const std::vector<const Operation*>& operations, std::uint64_t cases,
+           std::function<Clock::time_point()> now = Clock::now);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// These operations are not asked after all.
+  void leave_out(const std::function<bool(const Operation&)>& not_asked);
+  /// Clears the line of a terminal; nothing is shown after that.
+  void end();
+
+  /// So many cases of an operation are done. May be called from any thread.
+  void operator()(const std::string& operation, std::uint64_t done);
+
+ private:
+  std::string line(std::size_t operation, std::uint64_t done, Clock::time_point now) const;
+
+  void share_out();
+
+  struct Share {
+    const Operation* operation;
+    double before, weight;  ///< of the whole
+  };
+  std::ostream& err_;
+  bool terminal_;
+  std::vector<Share> shares_;
+  std::uint64_t cases_;
+  std::function<Clock::time_point()> now_;
+  Clock::time_point started_, last_;
+  std::mutex mutex_;
+  bool ended_ = false;
+};
+
+/// "40 s", "12 min", "3 h"
+std::string in_words(std::chrono::duration<double> time);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+#include <gmp.h>
+#include <mpfr.h>
+#include <png.h>
+
+#include <nlohmann/json.hpp>
+
+#include "audit/version.h"
+#include "program/documentation.h"
+
+namespace touchstone::audit {
+
+std::string version() {
+#if defined(__clang__)
+  const std::string compiler = "clang " __clang_version__;
+#else
+  const std::string compiler = "g++ " __VERSION__;
+#endif
+  return std::string("touchstone ") + release_number + "\ncompiler: " + compiler +
+         fmt::format("\nlibraries: GMP {}, MPFR {}, nlohmann-json {}.{}.{}, {{fmt}} {}.{}.{}, CLI11 {}, libpng {}",
+                     gmp_version, mpfr_get_version(), NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                     NLOHMANN_JSON_VERSION_PATCH, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,
+                     CLI11_VERSION, PNG_LIBPNG_VER_STRING);
+}
+
+}  // namespace touchstone::audit
