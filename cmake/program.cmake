@@ -10,3 +10,20 @@ set_target_properties(touchstone PROPERTIES EXPORT_NAME program RUNTIME_OUTPUT_D
 if(NOT PROJECT_IS_TOP_LEVEL AND NOT TOUCHSTONE_INSTALL)
   set_target_properties(touchstone PROPERTIES EXCLUDE_FROM_ALL TRUE)
 endif()
+
+# What documents the program is printed by it. Left out where the program was not built.
+if(PROJECT_IS_TOP_LEVEL)
+  set(documentation ${PROJECT_BINARY_DIR}/documentation)
+  file(MAKE_DIRECTORY ${documentation})
+  add_custom_command(
+    OUTPUT ${documentation}/touchstone.1 ${documentation}/touchstone.bash ${documentation}/_touchstone
+    COMMAND touchstone --man > ${documentation}/touchstone.1
+    COMMAND touchstone --completion bash > ${documentation}/touchstone.bash
+    COMMAND touchstone --completion zsh > ${documentation}/_touchstone
+    DEPENDS touchstone)
+  add_custom_target(manual ALL DEPENDS ${documentation}/touchstone.1)
+  install(FILES ${documentation}/touchstone.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+  install(FILES ${documentation}/touchstone.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+          RENAME touchstone OPTIONAL)
+  install(FILES ${documentation}/_touchstone DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
+endif()
