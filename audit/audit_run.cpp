@@ -2,7 +2,6 @@
 #include "audit/audit_run.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "audit/generic.h"
 #include "audit/parallel.h"
@@ -13,23 +12,26 @@ namespace touchstone::audit {
 namespace {
 
 constexpr std::uint64_t batch_size = 1024;
+/// Where time is limited: what is left to do when it is over is to judge one such batch.
+constexpr std::uint64_t limited_batch_size = 64;
 
 /// One job: a share of the batches of one operation.
 class Worker {
  public:
   Worker(const AuditOptions& options, const Operation& operation, const std::vector<std::size_t>& families,
-         Engine* engine, const std::atomic<bool>& stop)
+         Engine* engine, const TimeLimit& limit, const std::atomic<bool>& stop)
       : options_(options),
         operation_(operation),
         families_(families),
         engine_(engine),
+        limit_(limit),
         stop_(stop),
         asked_(families.size()),
         robust_(families.size()) {}
 
   void run_batch(std::uint64_t first, std::uint64_t last) {
     std::vector<Pending> pending;
-    for (std::uint64_t i = first; i < last; ++i) prepare(i, pending);
+    for (std::uint64_t i = first; i < last && !limit_.over(); ++i) prepare(i, pending);
     std::vector<Reply> replies;
     if (engine_ != nullptr) {
       std::vector<Question> questions;
@@ -37,13 +39,14 @@ class Worker {
       replies = engine_->ask(operation_, questions);
     }
     for (std::size_t i = 0; i < pending.size(); ++i) {
+      if (engine_ == nullptr && limit_.over()) break;  // what an engine has answered is judged
       const Pending& p = pending[i];
       const Asked asked{operation_, p.question, p.examination->outcome(), p.index, options_.limits};
       if (engine_ == nullptr) {
         count(asked_[p.family], asked, p.examination->judge_reference());
       } else {
         const Reply& reply = replies[i];
-        if (!reply.asked && stop_) continue;
+        if (!reply.asked && (stop_ || limit_.over())) continue;
         if (reply.asked) {
           count(asked_[p.family], asked, judged(reply, *p.examination, engine_->declaration()), reply.answer);
         } else {
@@ -94,6 +97,7 @@ class Worker {
   const Operation& operation_;
   const std::vector<std::size_t>& families_;
   Engine* engine_;
+  const TimeLimit& limit_;
   const std::atomic<bool>& stop_;
   std::vector<Cell> asked_, robust_;
 };
@@ -187,16 +191,19 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
       tally.undeclared.push_back(operation->name());
       continue;
     }
+    const TimeLimit limit(options.seconds, options.clock);
     std::vector<Worker> workers;
-    for (auto& engine : engines) workers.emplace_back(options, *operation, families, engine.get(), stop);
+    for (auto& engine : engines) {
+      if (engine) engine->ask_until([&limit] { return limit.over(); });
+      workers.emplace_back(options, *operation, families, engine.get(), limit, stop);
+    }
     std::atomic<std::uint64_t> next{0};
-    const auto started = std::chrono::steady_clock::now();
+    const std::uint64_t batch = options.seconds > 0 ? limited_batch_size : batch_size;
     in_parallel(options.jobs, workers.size(), [&](std::size_t w) {
-      for (std::uint64_t first; !stop && (first = next.fetch_add(batch_size)) < options.cases;) {
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - started;
-        if (options.seconds > 0 && spent.count() > options.seconds) break;
+      for (std::uint64_t first; !stop && (first = next.fetch_add(batch)) < options.cases;) {
+        if (limit.over()) break;
         try {
-          workers[w].run_batch(first, std::min(first + batch_size, options.cases));
+          workers[w].run_batch(first, std::min(first + batch, options.cases));
         } catch (...) {
           next = options.cases;  // nobody needs the answers that the others would get
           throw;
@@ -211,8 +218,12 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
       asked.families.emplace_back(operation->families()[families[f]], std::move(of_asked));
       robust.families.emplace_back(operation->families()[families[f]], std::move(of_robust));
     }
-    shrink_examples({*operation, options.seed, options.limits, engines[0].get(), false, options.jobs}, families, asked);
-    shrink_examples({*operation, options.seed, options.limits, nullptr, true, options.jobs}, families, robust);
+    shrink_examples({*operation, options.seed, options.limits, limit, engines[0].get(), false, options.jobs}, families,
+                    asked);
+    shrink_examples({*operation, options.seed, options.limits, limit, nullptr, true, options.jobs}, families, robust);
+    for (auto& engine : engines) {
+      if (engine) engine->ask_until(nullptr);
+    }
     tally.operations.push_back(std::move(asked));
     tally.robust.push_back(std::move(robust));
     if (stop) break;

@@ -6,6 +6,7 @@
 
 #include "audit/engines/engine.h"
 #include "audit/tally.h"
+#include "audit/time_limit.h"
 
 namespace touchstone::audit {
 
@@ -16,7 +17,10 @@ struct AuditOptions {
   std::uint64_t seed = 1;
   Limits limits;               ///< of ordinary numbers
   bool ordinary_only = false;  ///< extreme questions are drawn and left out
-  double seconds = 0;          ///< per operation; 0: no limit. With a limit the number of cases depends on the machine.
+  /// Per operation, looked at before each answer, also while findings are made smaller; 0: no limit. With a limit the
+  /// number of cases depends on the machine.
+  double seconds = 0;
+  std::function<double()> clock = TimeLimit::seconds_of_machine;
   int jobs = 1;
   /// A fresh engine; called once a job. Empty: our reference in double.
   std::function<std::unique_ptr<Engine>()> engine;

@@ -25,10 +25,11 @@ class Shrinker {
       : shrinking_(shrinking), family_(family), way_(way) {}
 
   void shrink(Finding& example) {
+    if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
     Choices choices = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
     shrinking_.operation.draw(choices, family_);
     const auto still_shown = [&](const std::vector<std::uint8_t>& candidate) {
-      if (read_ >= most_read_to_shrink) return false;
+      if (read_ >= most_read_to_shrink || shrinking_.limit.over()) return false;
       const std::optional<Finding> found = look(candidate, example.index);
       return found && found->range <= example.range && found->generic >= example.generic;
     };

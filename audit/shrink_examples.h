@@ -7,6 +7,7 @@
 
 #include "audit/engines/engine.h"
 #include "audit/tally.h"
+#include "audit/time_limit.h"
 
 namespace touchstone::audit {
 
@@ -15,6 +16,7 @@ struct Shrinking {
   const Operation& operation;
   std::uint64_t seed = 1;
   Limits limits = {};
+  const TimeLimit& limit;    ///< when it is over, examples stay as they are
   Engine* engine = nullptr;  ///< nullptr: our own formula, or robust
   bool robust = false;
   int jobs = 1;

@@ -89,7 +89,9 @@ void add_audit(CLI::App& program, Action& action) {
       ->check(a_command);
   command->add_option("--ops", options->operations, "Operations with commas, or all");
   command->add_option("--cases", options->cases, "Questions per operation")->check(any_cases);
-  command->add_option("--seconds", options->seconds, "Limit per operation")->check(positive)->default_str("none");
+  command->add_option("--seconds", options->seconds, "Limit per operation, its findings made smaller included")
+      ->check(positive)
+      ->default_str("none");
   command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
   command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
   command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,8 @@ class Engine {
   virtual bool supports(const std::string& operation) const = 0;
   /// One reply per question, in order.
   virtual std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) = 0;
+  /// From now on, what has not been answered yet when `over` says true is not waited for, and is not asked.
+  virtual void ask_until(const std::function<bool()>& over) { static_cast<void>(over); }
 };
 
 /// Thrown where the engine cannot be run at all (exit code 3).

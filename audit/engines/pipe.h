@@ -39,6 +39,7 @@ class PipeEngine final : public Engine {
   const Declaration& declaration() const override { return hello_.declaration; }
   bool supports(const std::string& operation) const override { return hello_.operations.count(operation) > 0; }
   std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override;
+  void ask_until(const std::function<bool()>& over) override { over_ = over; }
 
   int restarts() const { return restarts_; }  ///< in the operation asked last
 
@@ -71,12 +72,13 @@ class PipeEngine final : public Engine {
   void settle(Round& round, std::size_t index, Reply reply);
   void lose_engine(const std::string& fault);
   std::string why_stop() const;
-  bool interrupted() const { return stop_ != nullptr && *stop_; }
+  bool interrupted() const { return (stop_ != nullptr && *stop_) || (over_ && over_()); }
 
   std::string command_;
   PipeLimits limits_;
   const std::atomic<bool>* stop_;
   EngineNotes* notes_;
+  std::function<bool()> over_;
   Hello hello_;
   std::unique_ptr<Process> process_;
   std::string inbox_, outbox_;

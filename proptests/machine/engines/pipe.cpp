@@ -299,6 +299,18 @@ TEST_CASE("pipe: an interrupt ends the asking at once, and what was not asked sa
   REQUIRE(replies[599].remark == "interrupted");
 }
 
+TEST_CASE("pipe: an engine that hangs is not waited for when the time is over, and answers again afterwards") {
+  Engineered with("hangs 100");
+  int looked = 0;
+  with.engine.ask_until([&] { return ++looked > 3; });
+  const auto late = with.engine.ask(orientation(), numbered(600));
+  REQUIRE_FALSE(late[599].asked);
+  with.engine.ask_until([] { return true; });
+  for (const Reply& reply : with.engine.ask(orientation(), numbered(3))) REQUIRE_FALSE(reply.asked);
+  with.engine.ask_until(nullptr);
+  require_lost(with.engine.ask(orientation(), numbered(3)), {}, "");
+}
+
 TEST_CASE("pipe: what the engine started dies with it") {
   std::string child;
   {

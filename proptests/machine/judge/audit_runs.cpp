@@ -23,6 +23,10 @@ class Scripted final : public Engine {
   std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override {
     std::vector<Reply> replies;
     for (const Question& question : questions) {
+      if (over_ && over_()) {
+        replies.push_back({Reply::Kind::failed, nullptr, "the time is over", false});
+        continue;
+      }
       const Json answer = answer_(question, *operation.examine(question));
       if (answer.is_null()) {
         replies.push_back({Reply::Kind::unsupported, nullptr, ""});
@@ -36,10 +40,12 @@ class Scripted final : public Engine {
     }
     return replies;
   }
+  void ask_until(const std::function<bool()>& over) override { over_ = over; }
 
  private:
   Answer answer_;
   Declaration declaration_;
+  std::function<bool()> over_;
 };
 
 Json right(const Question&, const Examination& examination) { return examination.rounded_truth(); }
@@ -231,6 +237,43 @@ TEST_CASE("audit_runs: a binary32 engine is asked numbers that are floats") {
   run.declaration.binary32 = true;
   CHECK_FALSE(run.tally().has_findings());
   CHECK(all_floats);
+}
+
+TEST_CASE("audit_runs: a limit of time is looked at before each answer, also while findings are made smaller") {
+  // A clock that goes by a second at each answer of the engine, which is wrong each time.
+  double now = 0;
+  std::uint64_t asked = 0;
+  const auto wrong = [&](const Question&, const Examination& examination) -> Json {
+    ++now, ++asked;
+    return {{"side", examination.outcome() == "left" ? "right" : "left"}};
+  };
+  AuditOptions options;
+  options.operations = {find_operation("orientation")};
+  options.cases = 100'000;
+  options.clock = [&] { return now; };
+  options.engine = [&] {
+    return std::make_unique<Scripted>(wrong, Declaration{"scripted", Declaration::Boundary::closed, false, 0});
+  };
+  const auto run = [&](double seconds) {
+    now = 0, asked = 0, options.seconds = seconds;
+    return run_audit(options, false, [](const std::string&, std::uint64_t) {}).operations[0].total();
+  };
+  const Cell cell = run(40);
+  CHECK(asked == 40);
+  CHECK(cell.cases() == 40);  // each answer counts
+  CHECK(cell.not_asked == 0);
+  CHECK(cell.example(Verdict::algorithm)->answer.contains("side"));
+  // 500 cases, and each finding may cost 300 answers to make smaller: that ends with the limit as well.
+  options.cases = 500;
+  run(700);
+  CHECK(asked == 700);
+  run(0);
+  CHECK(asked > 1000);
+  // Ours as well: the clock goes by itself.
+  options.engine = nullptr;
+  options.clock = [&] { return ++now; };
+  options.cases = 100'000;
+  CHECK(run(300).cases() < 300);
 }
 
 TEST_CASE("audit_runs: what the engine does not declare is not asked, and is named") {
