@@ -23,6 +23,7 @@
 ///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
 #define TOUCHSTONE_MODULES(op)                                                                       \
+  TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                   \
   static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); }              \
   static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }                    \
   static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {                   \
@@ -34,6 +35,7 @@
     return engine.op(q...);                                                                          \
   }
 #define TOUCHSTONE_MODULES_EITHER(op)                                                                    \
+  TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                       \
   static auto reference(const auto&... q) { return either<Answers>(::touchstone::reference::op(q...)); } \
   static auto robust(const auto&... q) { return either<Answers>(::touchstone::robust::op(q...)); }       \
   static auto oracle(const auto&... q)->decltype(either<Answers>(::touchstone::oracle::op(q...))) {      \
@@ -44,12 +46,31 @@
   static auto ask(E& engine, const auto&... q)->decltype(either<Answers>(engine.op(q...))) {             \
     return either<Answers>(engine.op(q...));                                                             \
   }
+/// What tells that an engine has a member of the operation's name, whatever its arguments are: in a class derived from
+/// the engine and from Namesake the name is ambiguous.
+#define TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                  \
+  struct Namesake {                                                                                       \
+    int op;                                                                                               \
+  };                                                                                                      \
+  template <class Both>                                                                                   \
+  static constexpr bool is_ambiguous = !requires {                                                        \
+    &Both::op;                                                                                            \
+  };                                                                                                      \
+  template <bool has_signature, class... Expected>                                                        \
+  static constexpr void require_signature() {                                                             \
+    static_assert(has_signature,                                                                          \
+                  "the engine's member " #op " cannot be called with the arguments of the operation " #op \
+                  ": the signature expected stands beside require_signature in this message, and in "     \
+                  "docs/operations.md");                                                                  \
+  }
 
 namespace touchstone::audit {
 
 /// An answer to one alternative of a question, or the truth of it, as one of the answers to all of them.
 template <template <class> class Answers, class Answer>
 Answers<number_of_t<Answer>> either(const Answer& answer) {
+  static_assert(std::is_convertible_v<Answer, Answers<number_of_t<Answer>>>,
+                "this type is no answer to the operation (see docs/operations.md)");
   return answer;
 }
 template <template <class> class Answers, class Answer>

@@ -89,6 +89,9 @@ add_test(NAME costs/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DI
 add_test(NAME coverage_gates/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/coverage/gates.py --self-check)
 set(documentation ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/documentation.py)
 add_test(NAME documentation/self_check COMMAND ${documentation} --self-check)
+add_test(NAME engines/wrong_signatures
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/machine/engines/wrong_signatures.py ${CMAKE_CXX_COMPILER}
+                 ${PROJECT_SOURCE_DIR})
 if(TARGET touchstone)
   add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)
   add_test(NAME documentation COMMAND ${documentation} --program $<TARGET_FILE:touchstone>)

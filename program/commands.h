@@ -72,6 +72,8 @@ std::string own_engine_command();
 Repeat repeat_of(const std::string& program, const std::string& engine, double timeout);
 
 int ops_command(bool json, std::ostream& out);
+/// docs/operations.md: each operation's C++ signature, JSON fields and words.
+int operations_page_command(std::ostream& out);
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);
 int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
 int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err);

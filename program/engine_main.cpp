@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iostream>
+#include <vector>
 
 #include "audit/engines/process.h"
 #include "audit/shell_quoted.h"
@@ -35,7 +36,45 @@ void introduce(const Served& engine, const std::string& program) {
             << std::string(program.size(), ' ') << "                vectors check DIR, check-engine\n\n";
 }
 
+/// Names with commas, in lines of at most 100 characters; those after the first are indented.
+std::string listed(const std::string& heading, const std::vector<std::string>& names) {
+  constexpr std::size_t widest = 100;
+  std::string text, line = heading;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = " " + names[i] + (i + 1 < names.size() ? "," : "");
+    if (line.size() + name.size() > widest) {
+      text += line + '\n';
+      line = "   ";
+    }
+    line += name;
+  }
+  return text + line + '\n';
+}
+
+/// Options with which standard output is not a table that people read.
+bool prints_no_table(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i], next = i + 1 < argc ? argv[i + 1] : "";
+    if (word == "--help" || word == "-h" || word == "--json=-" || (word == "--json" && next == "-")) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+std::string operations_found(const Served& engine) {
+  std::vector<std::string> found, not_found;
+  for (const Operation* operation : catalogue()) {
+    if (operation->card().is_method()) continue;
+    (engine.operations.count(operation->name()) != 0 ? found : not_found).push_back(operation->name());
+  }
+  const std::string all = std::to_string(found.size() + not_found.size());
+  std::string text = listed(
+      engine.hello.declaration.engine + " has " + std::to_string(found.size()) + " of " + all + " operations:", found);
+  if (!engine.left_out.empty()) text += listed("No overload found:", engine.left_out);
+  if (!not_found.empty()) text += listed("No member function of these names:", not_found);
+  return text;
+}
 
 std::string own_engine_command() {
   std::error_code error;
@@ -59,6 +98,8 @@ int engine_program(const Served& engine, int argc, const char* const* argv) {
   arguments.insert(arguments.end(), argv + 1, argv + argc);
   const bool command_named = argc > 1 && argv[1][0] != '-';
   if (!command_named) arguments.insert(arguments.begin() + 1, "audit");
+  const bool audits = std::strcmp(arguments[1], "audit") == 0;
+  if (audits && !prints_no_table(argc, argv)) std::cout << operations_found(engine) << '\n' << std::flush;
   const std::array<const char*, 2> help{"-h", "--help"};
   const bool helps = argc == 2 && is_one_of(argv[1], help);
   if (helps) introduce(engine, argv[0]);

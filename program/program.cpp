@@ -60,9 +60,13 @@ void add_engine(CLI::App& command, std::string& engine, double& timeout, const s
 
 void add_ops(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("ops", "The catalogue of operations");
-  auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "Machine-readable");
-  command->callback([=, &action] { action = [=] { return ops_command(*json, std::cout); }; });
+  auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
+  auto* as_json = command->add_flag("--json", *json, "Machine-readable");
+  command->add_flag("--markdown", *markdown, "The page docs/operations.md: C++ signatures, JSON fields, words")
+      ->excludes(as_json);
+  command->callback([=, &action] {
+    action = [=] { return *markdown ? operations_page_command(std::cout) : ops_command(*json, std::cout); };
+  });
 }
 
 void add_ask(CLI::App& program, Action& action) {

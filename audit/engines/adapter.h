@@ -3,6 +3,7 @@
 
 #include "audit/engines/engine_answer.h"
 #include "audit/engines/serve.h"
+#include "audit/engines/signature.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/operation.h"
 
@@ -18,7 +19,8 @@
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
 ///
 /// with one member function per operation that it has, of the operation's name and arguments (geometry/*.h).
-/// docs/engines.md says what may be returned.
+/// docs/operations.md lists all signatures, docs/engines.md says what may be returned. A member that has an operation's
+/// name and does not take its arguments does not compile.
 namespace touchstone {
 
 using Boundary = audit::Declaration::Boundary;
@@ -39,6 +41,48 @@ template <class Engine, class Row, class... Ts>
 inline constexpr bool answers_row<Engine, Row, std::variant<Ts...>> = (answers_row<Engine, Row, Ts> || ...);
 template <class Engine, class Row, class Real>
 inline constexpr bool has_operation = answers_row<Engine, Row, rebound_t<typename Row::Question, Real>>;
+
+/// A struct, so that the compiler complains once.
+template <class Engine>
+struct NotFinal {
+  static constexpr bool value = !std::is_final_v<Engine>;
+  static_assert(value, "an engine's struct is not final: else its members cannot be told by name");
+};
+template <class Engine, class Row>
+struct EngineAndNamesake : Engine, Row::Namesake {};
+/// Whether the engine has a member of the operation's name, of whatever kind.
+template <class Engine, class Row>
+constexpr bool names_operation() {
+  if constexpr (NotFinal<Engine>::value) return Row::template is_ambiguous<EngineAndNamesake<Engine, Row>>;
+  return false;
+}
+
+/// Does not compile where the engine has a member of the operation's name that does not take its arguments.
+template <class Row, class Engine>
+constexpr void require_signature() {
+  constexpr bool has = has_operation<Engine, Row, double> || has_operation<Engine, Row, float>;
+  constexpr bool has_signature = has || !names_operation<Engine, Row>();
+  [&]<class... Expected>(const Signatures<Expected...>*) {
+    Row::template require_signature<has_signature, Expected...>();
+  }(static_cast<const signatures_of<Row>*>(nullptr));
+}
+
+/// The arguments of those alternatives of a question for which the engine has no overload: "(Sphere3<double> a, ...)".
+template <class Row, class Engine>
+std::vector<std::string> alternatives_left_out() {
+  std::vector<std::string> left_out;
+  [&]<class... Ts>(const std::variant<Ts...>*) {
+    std::size_t at = 0;
+    const auto look = [&]<class Alternative>(const Alternative*) {
+      constexpr bool answers =
+          answers_row<Engine, Row, Alternative> || answers_row<Engine, Row, rebound_t<Alternative, float>>;
+      if (!answers) left_out.push_back(arguments_text<Alternative>(*find_operation(Row::card().name), at));
+      ++at;
+    };
+    (look(static_cast<const Ts*>(nullptr)), ...);
+  }(static_cast<const alternatives_t<typename Row::Question>*>(nullptr));
+  return left_out;
+}
 
 template <class Engine>
 struct NumberOf {
@@ -85,6 +129,7 @@ std::optional<Json> said_to(Engine& engine, const std::variant<Ts...>& asked) {
 /// What the engine says to one question of a row; empty: unsupported.
 template <class Row, class Engine>
 std::optional<Json> ask_engine(Engine& engine, const Question& question) {
+  require_signature<Row, Engine>();
   using Real = handed_number<Engine, Row>;
   const auto asked = unpacked<rebound_t<typename Row::Question, Real>>(
       question, [](double number) { return static_cast<Real>(number); });
@@ -104,9 +149,12 @@ Served served(Engine& engine) {
   Served all;
   all.hello.declaration = declaration_of<Engine>();
   for_each_row([&]<class Row>() {
+    require_signature<Row, Engine>();
     if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
       const Operation& operation = *find_operation(Row::card().name);
       all.hello.operations.insert(operation.name());
+      for (const std::string& arguments : alternatives_left_out<Row, Engine>())
+        all.left_out.push_back(operation.name() + arguments);
       all.operations.emplace(operation.name(),
                              ServedOperation{operation, QuestionText(operation), [&engine](const Question& question) {
                                                return ask_engine<Row>(engine, question);

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "audit/engines/protocol.h"
 
@@ -23,6 +24,8 @@ struct ServedOperation {
 struct Served {
   Hello hello;
   std::map<std::string, ServedOperation, std::less<>> operations;
+  /// Of operations that it has, the alternatives of a question that it has not: "sphere_sphere(Sphere3<double> a, ...)".
+  std::vector<std::string> left_out{};
 };
 
 /// Speaks the protocol of docs/engines.md on standard input and output until the input ends. Whatever else writes to

@@ -34,6 +34,7 @@ struct bounding_sphere {
   static auto certificate(const std::vector<Point3d>& points, const Method& method) {
     return ::touchstone::oracle::bounding_sphere_certificate(points, method_of(method));
   }
+  TOUCHSTONE_MEMBER_OF_ENGINES(bounding_sphere)
   template <class E>
   static auto ask(E& engine, const auto&... q) -> decltype(engine.bounding_sphere(q...)) {
     return engine.bounding_sphere(q...);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "audit/engines/fuzz.h"
+#include "program/engine_main.h"
 #include "proptests/catch.h"
 #include "proptests/mandatory_number.h"
 
@@ -61,6 +62,14 @@ struct Leftist {
   static constexpr const char* name = "leftist";
   static constexpr auto boundary = Boundary::closed;
   Side orientation(Point2d, Point2d, Point2d) { return Side::left; }
+};
+
+/// Of two operations only what is in the plane.
+struct Planar {
+  static constexpr const char* name = "planar 2";
+  bool sphere_sphere(Circle2d, Circle2d) { return true; }
+  bool aabb_aabb(const Aabb2d&, const Aabb2d&) { return true; }
+  bool segments_meet(Segment2d, Segment2d) { return true; }
 };
 
 struct Thrower {
@@ -123,6 +132,28 @@ TEST_CASE("adapter: an engine has the operations that it has functions for") {
   const std::set<std::string> expected{"segment_segment", "orientation",   "point_on_segment",
                                        "ray_segment",     "line_point_at", "explicit_line"};
   REQUIRE(served(engine).hello.operations == expected);
+}
+
+TEST_CASE("adapter: above the table stand the operations found, the overloads and the names not found") {
+  Planar engine;
+  const Served all = served(engine);
+  REQUIRE(all.left_out == std::vector<std::string>{"sphere_sphere(Sphere3<double> a, Sphere3<double> b)",
+                                                   "aabb_aabb(Aabb3<double> a, Aabb3<double> b)"});
+  std::size_t operations = 0;
+  for (const Operation* operation : catalogue()) operations += operation->card().is_method() ? 0 : 1;
+  const std::string text = operations_found(all);
+  REQUIRE_THAT(text, StartsWith("planar 2 has 2 of " + std::to_string(operations) +
+                                " operations: sphere_sphere, aabb_aabb\nNo overload found: "
+                                "sphere_sphere(Sphere3<double> a, Sphere3<double> b),\n    aabb_aabb("));
+  const std::size_t not_found = text.find("\nNo member function of these names: explicit_line, ");
+  REQUIRE(not_found != std::string::npos);
+  for (const Operation* operation : catalogue()) {
+    if (operation->card().is_method() || all.operations.count(operation->name()) != 0) continue;
+    INFO(operation->name());
+    REQUIRE(text.find(" " + operation->name(), not_found) != std::string::npos);
+  }
+  for (std::size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
+    REQUIRE(end - at <= 100);
 }
 
 TEST_CASE("adapter: a truth value, a word, a whole answer and nothing are answers") {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "audit/engines/signature.h"
+#include "catalogue/catalogue.h"
+#include "program/commands.h"
+#include "program/program.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr const char* introduction = R"(# Operations: C++ signatures, JSON fields, words
+
+This page is printed by `touchstone ops --markdown`, from the catalogue; do not edit it. What an operation means - closed sets,
+degenerate inputs, errors - is its contract in [reference/](../reference/lines).
+
+- **C++**: the member function of an engine ([engines.md](engines.md)) and the arguments that `robust`, `reference` and the generators of
+  [testing.md](testing.md) have. Shapes are in [geometry/](../geometry); `Segment2d` is short for `Segment2<double>`. Arguments may be taken by
+  value or by const reference, and with `using number = float` over `float`. A member of an operation's name with other arguments
+  does not compile. An engine may return the whole answer, one of the types after "or", or a `std::optional` of these.
+- **JSON**: the question as an engine over pipes is given it, and the answer. A name that ends in `?` may be left out; `A | B` stands for one of these words,
+  "index" for a place in a list, counted from 0.
+- **Words**: the enumerators of the answer. Where "plain" names a word, `true` and `false` are answers as well, and `false` means that word.
+)";
+
+/// Words of an answer that mean "no common point".
+void plain_words(const Shape& shape, std::vector<std::string>& found) {
+  if (shape.kind == Shape::Kind::word && shape.no >= 0)
+    found.push_back(shape.words[static_cast<std::size_t>(shape.no)]);
+  for (const Shape::Part& part : shape.parts) plain_words(*part.shape, found);
+}
+
+std::string in_code(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "`" : ", `") + word + "`";
+  return text;
+}
+
+/// JSON as people space it: `{"a": [1, 2]}`.
+std::string spaced(const Json& json) {
+  std::string text;
+  bool quoted = false;
+  for (const char c : json.dump()) {
+    quoted = quoted != (c == '"');
+    text += c;
+    if (!quoted && (c == ':' || c == ',')) text += ' ';
+  }
+  return text;
+}
+
+template <class Row>
+void print_operation(const Operation& operation, std::ostream& out) {
+  out << "\n### `" << operation.name() << "`\n\n" << operation.card().question << "\n\n```cpp\n";
+  for (const Signature& signature : signature_texts<Row>()) {
+    out << signature.text << ";";
+    for (const std::string& shorter : signature.instead)
+      out << (&shorter == &signature.instead[0] ? "  // or " : ", ") << shorter;
+    out << '\n';
+  }
+  out << "```\n```\n";
+  const Json described = operation.question_description();
+  for (const Json& input : described.is_array() ? described : Json::array({described})) out << spaced(input) << '\n';
+  out << "-> " << spaced(operation.answer_description()) << "\n```\n";
+  std::vector<std::string> plain;
+  plain_words(operation.answer_shape(), plain);
+  if (operation.words().empty()) return;
+  out << "\nWords: " << in_code(operation.words());
+  if (!plain.empty()) out << "; plain: " << in_code(plain);
+  out << ".\n";
+}
+
+}  // namespace
+
+int operations_page_command(std::ostream& out) {
+  out << introduction;
+  std::vector<std::string> chapters;
+  for (const Operation* operation : catalogue()) {
+    const std::string chapter = operation->card().chapter;
+    if (std::find(chapters.begin(), chapters.end(), chapter) == chapters.end()) chapters.push_back(chapter);
+  }
+  for (const std::string& chapter : chapters) {
+    out << "\n## " << chapter << '\n';
+    for_each_row([&]<class Row>() {
+      const Operation& operation = *find_operation(Row::card().name);
+      if (operation.card().chapter == chapter && !operation.card().is_method()) print_operation<Row>(operation, out);
+    });
+  }
+  return nothing_found;
+}
+
+}  // namespace touchstone::audit
