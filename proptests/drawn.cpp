@@ -1,74 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/drawn.h"
 
-#include <rapidcheck.h>
-
 #include <algorithm>
-#include <ostream>
-#include <vector>
+
+#include "testing/rapidcheck.h"
 
 namespace touchstone::proptests {
-
-Drawn replayed(const Operation& operation, std::size_t family, std::vector<std::uint8_t> bytes) {
-  Choices choices = Choices::replayed(bytes);
-  Question question = operation.draw(choices, family);
-  return {&operation, family, std::move(bytes), std::move(question)};
-}
-
-Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed) {
-  Choices choices = Choices::seeded(seed, true);
-  Question question = operation.draw(choices, family);
-  return {&operation, family, choices.recorded(), std::move(question)};
-}
-
-/// Found by RapidCheck: the question in decimal and in hexadecimal, and the command that asks it again.
-static void showValue(const Drawn& drawn, std::ostream& os) {
-  const std::string name = drawn.operation->name();
-  const std::string exact = audit::one_line(drawn.operation->print_hexadecimal(drawn.question));
-  os << name << ", family " << drawn.operation->families()[drawn.family] << '\n'
-     << audit::one_line(drawn.operation->print(drawn.question)) << '\n'
-     << exact << '\n'
-     << "echo '" << exact << "' | touchstone ask " << name << " -";
-}
 
 namespace {
 
 constexpr std::uint64_t least_cases = 8;
-
-/// Shorter streams first, then those of smaller bytes.
-std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& bytes) {
-  std::vector<std::vector<std::uint8_t>> found;
-  for (std::size_t length = bytes.size(); length > 0; length /= 2) {
-    for (std::size_t at = 0; at + length <= bytes.size(); at += length) {
-      const auto first = bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                 last = first + static_cast<std::ptrdiff_t>(length);
-      std::vector<std::uint8_t> cut(bytes.begin(), first);
-      cut.insert(cut.end(), last, bytes.end());
-      found.push_back(std::move(cut));
-      if (std::all_of(first, last, [](std::uint8_t byte) { return byte == 0; })) continue;
-      std::vector<std::uint8_t> zeroed = bytes;
-      std::fill_n(zeroed.begin() + static_cast<std::ptrdiff_t>(at), length, std::uint8_t{0});
-      found.push_back(std::move(zeroed));
-    }
-  }
-  for (std::size_t at = 0; at < bytes.size(); ++at) {
-    for (const int lessened : {bytes[at] / 2, bytes[at] - 2, bytes[at] - 1}) {
-      if (lessened <= 0 || lessened >= bytes[at]) continue;
-      found.push_back(bytes);
-      found.back()[at] = static_cast<std::uint8_t>(lessened);
-    }
-  }
-  return found;
-}
-
-rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
-  return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& parent) {
-    std::vector<Drawn> smaller;
-    for (auto& bytes : simpler(parent.choices))
-      smaller.push_back(replayed(*parent.operation, parent.family, std::move(bytes)));
-    return rc::seq::fromContainer(std::move(smaller));
-  });
-}
 
 /// A generator that asks for a complaint about a whole batch from one seed, and gives RapidCheck the first question
 /// about which there is one (or the last question): RapidCheck then judges that one question, and shrinks it.
@@ -82,7 +23,7 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
       Choices choices = Choices::seeded(audit::seed_of(seed, "", at));
       if (!complaint(operation.draw(choices, family)).empty()) break;
     }
-    return shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
+    return testing::shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
   };
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/operation.h"
 #include "proptests/property.h"
+#include "testing/drawn.h"
 
 /// Questions of the catalogue as RapidCheck draws and shrinks them.
 namespace touchstone::proptests {
@@ -16,17 +16,9 @@ using audit::Choices;
 using audit::Operation;
 using audit::Question;
 
-/// A question and the choices that give it. Shrinking works on the choices, so that what shrinks stays in its family.
-struct Drawn {
-  const Operation* operation = nullptr;
-  std::size_t family = 0;
-  std::vector<std::uint8_t> choices;
-  Question question;
-};
-
-Drawn replayed(const Operation& operation, std::size_t family, std::vector<std::uint8_t> bytes);
-/// The choices of a seed written down.
-Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed);
+using testing::Drawn;
+using testing::recorded;
+using testing::replayed;
 
 /// What is wrong with a question's answers; empty where nothing is.
 using Complaint = std::function<std::string(const Question&)>;

@@ -20,6 +20,7 @@ ROOMS = {
     "oracle": {"geometry", "oracle"},
     "catalogue": {"geometry", "reference", "robust", "oracle", "catalogue"},
     "audit": {"geometry", "reference", "robust", "oracle", "catalogue", "audit"},
+    "testing": {"geometry", "oracle", "robust", "catalogue", "audit", "testing"},
     "report": {"geometry", "oracle", "catalogue", "audit", "report"},
     "program": {"geometry", "oracle", "catalogue", "audit", "report", "program"},
     "proptests": None,

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <variant>
+
+#include "catalogue/catalogue.h"
+#include "catalogue/families/shrink.h"
+#include "testing/drawn.h"
+
+/// Questions of an operation as the shapes of geometry/, for users' own tests; no test framework is needed.
+///
+///   using namespace touchstone;
+///   using namespace touchstone::testing;
+///   auto found = counterexample<operations::segment_segment>([](const Segment2d& a, const Segment2d& b) {
+///     return my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint);
+///   });
+///   if (found) std::cerr << shown(*found) << '\n';   // already shrunk
+namespace touchstone::testing {
+
+/// The operations, each a type named like it: operations::orientation. docs/operations.md lists their arguments.
+namespace operations = ::touchstone::audit::rows;
+
+/// The arguments of an operation: a tuple; where its question has alternatives (in the plane, in space), a variant of
+/// tuples, or, with `Ts` given, the tuple of the one alternative that has these arguments.
+template <class Row, class... Ts>
+struct ArgumentsOf {
+  using type = std::tuple<Ts...>;
+};
+template <class Row>
+struct ArgumentsOf<Row> {
+  using type = typename Row::Question;
+};
+
+/// A question of an operation: its arguments, to be taken apart by a structured binding, by std::apply or, where they are
+/// a variant, by std::visit; and where they come from.
+template <class Row, class... Ts>
+struct Asked : ArgumentsOf<Row, Ts...>::type {
+  using Arguments = typename ArgumentsOf<Row, Ts...>::type;
+  Drawn drawn;
+
+  const Arguments& arguments() const { return *this; }
+  std::string family() const { return drawn.operation->families()[drawn.family]; }
+};
+
+/// Operation and family, the question in decimal and in hexadecimal, and the command that asks it.
+template <class Row, class... Ts>
+std::string shown(const Asked<Row, Ts...>& asked) {
+  return shown(asked.drawn);
+}
+
+template <class Row>
+const Operation& operation_of() {
+  return *audit::find_operation(Row::card().name);
+}
+
+/// Empty where the question is of another alternative.
+template <class Row, class... Ts>
+std::optional<Asked<Row, Ts...>> typed(Drawn drawn) {
+  auto question = audit::unpacked<typename Row::Question>(drawn.question);
+  using Arguments = typename ArgumentsOf<Row, Ts...>::type;
+  if constexpr (std::is_same_v<Arguments, typename Row::Question>) {
+    return Asked<Row, Ts...>{std::move(question), std::move(drawn)};
+  } else {
+    static_assert(audit::is_variant<typename Row::Question>, "these are not the arguments of the operation");
+    if (!std::holds_alternative<Arguments>(question)) return std::nullopt;
+    return Asked<Row, Ts...>{std::get<Arguments>(std::move(question)), std::move(drawn)};
+  }
+}
+
+/// The families of those names; of none: all. Throws InvalidInput where the operation has no such family.
+inline std::vector<std::size_t> families_named(const Operation& operation, const std::vector<std::string>& names) {
+  const std::vector<std::string>& all = operation.families();
+  std::vector<std::size_t> found;
+  for (std::size_t family = 0; family < all.size(); ++family) {
+    if (names.empty() || std::find(names.begin(), names.end(), all[family]) != names.end()) found.push_back(family);
+  }
+  for (const std::string& name : names) {
+    if (std::find(all.begin(), all.end(), name) == all.end())
+      throw InvalidInput("families", "family of " + operation.name() + " (touchstone ops --json), not " + name);
+  }
+  return found;
+}
+
+/// A question of these families that is within the contract, the same for the same seed. Throws std::runtime_error where
+/// a thousand in a row are not.
+template <class Row, class... Ts>
+Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed) {
+  constexpr std::uint64_t most_refused = 1000;
+  const Operation& operation = operation_of<Row>();
+  for (std::uint64_t at = 0; at < most_refused; ++at) {
+    const std::size_t family = families[audit::seed_of(seed, "family", at) % families.size()];
+    Drawn drawn = recorded(operation, family, audit::seed_of(seed, "choices", at));
+    if (!is_valid(drawn)) continue;
+    if (auto found = typed<Row, Ts...>(std::move(drawn))) return *std::move(found);
+  }
+  throw std::runtime_error(operation.name() + ": none of 1000 questions of these families is within the contract");
+}
+
+struct Options {
+  std::vector<std::string> families{};  ///< none: all
+  std::uint64_t cases = 1000, seed = 1;
+};
+
+/// Calls a function with the arguments of a question.
+template <class Call, class Arguments>
+decltype(auto) called_with(const Call& call, const Arguments& arguments) {
+  if constexpr (audit::is_variant<Arguments>) {
+    return std::visit([&](const auto& alternative) { return std::apply(call, alternative); }, arguments);
+  } else {
+    return std::apply(call, arguments);
+  }
+}
+
+/// Whether a function takes the arguments of every alternative.
+template <class Law, class Arguments>
+inline constexpr bool takes = false;
+template <class Law, class... Ts>
+inline constexpr bool takes<Law, std::tuple<Ts...>> = std::is_invocable_v<const Law&, const Ts&...>;
+template <class Law, class... Ts>
+inline constexpr bool takes<Law, std::variant<Ts...>> = (takes<Law, Ts> && ...);
+
+/// The simplest question found for which a law - a function of the arguments, or else of Asked - does not return true, or throws. Draws
+/// `cases` questions, stops at the first that fails, and shrinks it within its family. The same options find the same.
+template <class Row, class... Ts, class Law>
+std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& options = {}) {
+  const auto fails = [&](const Asked<Row, Ts...>& question) {
+    try {
+      if constexpr (takes<Law, typename Asked<Row, Ts...>::Arguments>) return !called_with(law, question.arguments());
+      else return !law(question);
+    } catch (const std::exception&) {
+      return true;
+    }
+  };
+  const std::vector<std::size_t> families = families_named(operation_of<Row>(), options.families);
+  for (std::uint64_t at = 0; at < options.cases; ++at) {
+    const Asked<Row, Ts...> first = asked<Row, Ts...>(families, audit::seed_of(options.seed, "question", at));
+    if (!fails(first)) continue;
+    const auto of_choices = [&](const std::vector<std::uint8_t>& bytes) {
+      return typed<Row, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
+    };
+    return of_choices(audit::shrunk(first.drawn.choices, [&](const std::vector<std::uint8_t>& bytes) {
+      const auto candidate = of_choices(bytes);
+      return candidate && is_valid(candidate->drawn) && fails(*candidate);
+    }));
+  }
+  return std::nullopt;
+}
+
+}  // namespace touchstone::testing
+
+/// So that `const auto [a, b] = question` works.
+template <class Row, class... Ts>
+struct std::tuple_size<touchstone::testing::Asked<Row, Ts...>>
+    : std::tuple_size<typename touchstone::testing::ArgumentsOf<Row, Ts...>::type> {};
+template <std::size_t at, class Row, class... Ts>
+struct std::tuple_element<at, touchstone::testing::Asked<Row, Ts...>>
+    : std::tuple_element<at, typename touchstone::testing::ArgumentsOf<Row, Ts...>::type> {};

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#if __has_include(<catch2/catch_all.hpp>)
+#include <catch2/catch_all.hpp>
+#else
+#include <catch2/catch.hpp>
+#endif
+
+#include <cstdio>
+#include <memory>
+
+#include "testing/asked.h"
+#include "testing/words.h"
+
+/// Catch2, version 2 or 3: laws of an operation that are shrunk where they fail, generators, and shapes and answers that
+/// print themselves in CHECK. RapidCheck is not needed.
+///
+///   TEST_CASE("segments that touch meet") {
+///     always<operations::segment_segment>([](const Segment2d& a, const Segment2d& b) {
+///       return my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint);
+///     });
+///   }
+///   TEST_CASE("my answer") {
+///     const auto [a, b] = GENERATE(take(200, drawn<operations::segment_segment>()));
+///     CHECK(my::segments_meet(a, b) == ...);
+///   }
+namespace touchstone::testing {
+
+/// Fails the test with the simplest question found for which the law does not return true, or throws. The whole of it,
+/// with the line that asks for the truth, goes to standard error: Catch2 would break it at 80 columns.
+template <class Row, class... Ts, class Law>
+void always(const Law& law, const Options& options = {}) {
+  const auto found = counterexample<Row, Ts...>(law, options);
+  if (!found) {
+    SUCCEED();
+    return;
+  }
+  std::fprintf(stderr, "%s\n", shown(*found).c_str());
+  FAIL(shown(*found));
+}
+
+/// Endless; `cases` of the options is not looked at.
+template <class Row, class... Ts>
+class Generator final : public Catch::Generators::IGenerator<Asked<Row, Ts...>> {
+ public:
+  explicit Generator(const Options& options)
+      : families_(families_named(operation_of<Row>(), options.families)), seed_(options.seed), now_(at(0)) {}
+  const Asked<Row, Ts...>& get() const override { return now_; }
+  bool next() override {
+    now_ = at(++place_);
+    return true;
+  }
+
+ private:
+  Asked<Row, Ts...> at(std::uint64_t place) const {
+    return asked<Row, Ts...>(families_, audit::seed_of(seed_, "question", place));
+  }
+
+  std::vector<std::size_t> families_;
+  std::uint64_t seed_, place_ = 0;
+  Asked<Row, Ts...> now_;
+};
+
+/// For GENERATE: the same questions as `always` asks with the same options. They are not shrunk.
+template <class Row, class... Ts>
+Catch::Generators::GeneratorWrapper<Asked<Row, Ts...>> drawn(const Options& options = {}) {
+#ifdef CATCH_ALL_HPP_INCLUDED
+  return {new Generator<Row, Ts...>(options)};
+#else
+  return {std::make_unique<Generator<Row, Ts...>>(options)};
+#endif
+}
+
+}  // namespace touchstone::testing
+
+namespace Catch {
+
+template <touchstone::audit::Printed T>
+struct StringMaker<T> {
+  static std::string convert(const T& value) { return touchstone::audit::printed(value); }
+};
+template <class Row, class... Ts>
+struct StringMaker<touchstone::testing::Asked<Row, Ts...>> {
+  static std::string convert(const touchstone::testing::Asked<Row, Ts...>& asked) {
+    return touchstone::testing::shown(asked);
+  }
+};
+
+}  // namespace Catch

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <ostream>
+
+#include "testing/asked.h"
+#include "testing/words.h"
+
+/// RapidCheck: generators of every operation's questions - degenerate on purpose, always within the contract - that shrink
+/// within their family and print as JSON, in hexadecimal, and with the command that asks for the truth.
+///
+///   rc::check("segments that touch meet", [] {
+///     const auto [a, b] = *touchstone::testing::questions<operations::segment_segment>();
+///     RC_ASSERT(my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint));
+///   });
+namespace touchstone::testing {
+
+inline void showValue(const Drawn& drawn, std::ostream& os) { os << shown(drawn); }
+template <class Row, class... Ts>
+void showValue(const Asked<Row, Ts...>& asked, std::ostream& os) {
+  os << shown(asked);
+}
+
+/// A question and, as its shrinks, those of simpler choices, valid or not.
+inline rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
+  return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& parent) {
+    std::vector<Drawn> smaller;
+    for (auto& bytes : simpler(parent.choices))
+      smaller.push_back(replayed(*parent.operation, parent.family, std::move(bytes)));
+    return rc::seq::fromContainer(std::move(smaller));
+  });
+}
+
+/// The same of one operation's valid questions.
+template <class Row, class... Ts>
+rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked) {
+  return rc::shrinkable::shrinkRecur(std::move(asked), [](const Asked<Row, Ts...>& parent) {
+    std::vector<Asked<Row, Ts...>> smaller;
+    for (auto& bytes : simpler(parent.drawn.choices)) {
+      Drawn drawn = replayed(*parent.drawn.operation, parent.drawn.family, std::move(bytes));
+      if (!is_valid(drawn)) continue;
+      if (auto found = typed<Row, Ts...>(std::move(drawn))) smaller.push_back(*std::move(found));
+    }
+    return rc::seq::fromContainer(std::move(smaller));
+  });
+}
+
+/// Questions of an operation: questions<operations::orientation>(), questions<operations::orientation>({"collinear"}),
+/// and of one alternative alone questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws InvalidInput where the
+/// operation has no such family.
+template <class Row, class... Ts>
+rc::Gen<Asked<Row, Ts...>> questions(const std::vector<std::string>& families = {}) {
+  return [chosen = families_named(operation_of<Row>(), families)](const rc::Random& random, int) {
+    return shrinkable(asked<Row, Ts...>(chosen, rc::Random(random).next()));
+  };
+}
+
+}  // namespace touchstone::testing
+
+namespace touchstone {
+
+/// Shapes and answers as JSON, enumerators as their words.
+template <audit::Printed T>
+void showValue(const T& value, std::ostream& os) {
+  os << audit::printed(value);
+}
+
+}  // namespace touchstone

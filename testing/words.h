@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "catalogue/codec/described_bodies.h"
+#include "catalogue/codec/described_simultaneous.h"
+#include "catalogue/codec/shape_json.h"
+
+namespace touchstone::audit {
+
+/// What test frameworks print by our codec: shapes, answers, enumerators.
+template <class T>
+concept Printed = Composite<T> ||(Enumeration<T>&& requires { Words<T>::words; });
+
+/// JSON, with decimals that read back to the same double; an enumerator as its word.
+template <Printed T>
+std::string printed(const T& value) {
+  if constexpr (Enumeration<T>) return Words<T>::words[static_cast<std::size_t>(value)];
+  else return one_line(to_json(value));
+}
+
+}  // namespace touchstone::audit
