@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/audit_run.h"
+#include "audit/engines/adapter.h"
+#include "testing/asked.h"
+
+/// An audit of an engine inside a test, without a second process: a crash of the engine is a crash of the test.
+///
+///   MyEngine engine;                                       // as for TOUCHSTONE_ENGINE_MAIN, see docs/engines.md
+///   CHECK(findings(audit(engine, {.operations = {"segment_segment"}, .cases = 5000})) == "");
+namespace touchstone::testing {
+
+struct AuditOptions {
+  std::vector<std::string> operations{};  ///< by name; none: all that the engine has
+  std::vector<std::string> families{};    ///< none: all
+  std::uint64_t cases = 2000;             ///< per operation, dealt out over its families in turn
+  std::uint64_t seed = 1;
+};
+
+/// A C++ engine asked in this process.
+template <class E>
+class InProcess final : public audit::Engine {
+ public:
+  explicit InProcess(E& engine) : served_(audit::served(engine)) {}
+  const audit::Declaration& declaration() const override { return served_.hello.declaration; }
+  bool supports(const std::string& operation) const override { return served_.operations.count(operation) != 0; }
+
+  std::vector<audit::Reply> ask(const Operation& operation, const std::vector<audit::Question>& questions) override {
+    const audit::Answerer& answerer = served_.operations.at(operation.name()).answer;
+    std::vector<audit::Reply> replies;
+    for (const audit::Question& question : questions) replies.push_back(reply(answerer, question));
+    return replies;
+  }
+
+ private:
+  static audit::Reply reply(const audit::Answerer& answerer, const audit::Question& question) {
+    try {
+      const auto said = answerer(question);
+      if (!said) return {audit::Reply::Kind::unsupported, nullptr, ""};
+      // Read back as if it had come through a pipe: the judge takes numbers as they were written.
+      return {audit::Reply::Kind::answered, audit::parse_line(audit::one_line(*said)), ""};
+    } catch (const std::exception& thrown) {
+      return {audit::Reply::Kind::failed, nullptr, thrown.what()};
+    } catch (...) {
+      return {audit::Reply::Kind::failed, nullptr, "an exception that is no std::exception"};
+    }
+  }
+
+  audit::Served served_;
+};
+
+/// What the oracle says of the engine's answers, counted by operation, family and verdict, with the smallest failing
+/// input of each. The same options give the same tally. Throws InvalidInput where there is no operation or family of a
+/// name, or the engine does not have the operation.
+template <class E>
+audit::Tally audit(E& engine, const AuditOptions& options = {}) {
+  const InProcess<E> asked(engine);
+  audit::AuditOptions all;
+  for (const std::string& name : options.operations) {
+    if (!asked.supports(name)) throw InvalidInput("operations", "operation that the engine has, not " + name);
+    all.operations.push_back(audit::find_operation(name));
+  }
+  for (const Operation* operation : audit::catalogue()) {
+    if (options.operations.empty() && !operation->card().is_method() && asked.supports(operation->name()))
+      all.operations.push_back(operation);
+  }
+  for (const std::string& family : options.families) {
+    const auto has = [&family](const Operation* operation) {
+      const auto& names = operation->families();
+      return std::find(names.begin(), names.end(), family) != names.end();
+    };
+    if (std::none_of(all.operations.begin(), all.operations.end(), has))
+      throw InvalidInput("families", "family of one of the operations (touchstone ops --json), not " + family);
+  }
+  all.families = options.families;
+  all.cases = options.cases;
+  all.seed = options.seed;
+  all.engine = [&engine] { return std::make_unique<InProcess<E>>(engine); };
+  const std::atomic<bool> stop{false};
+  return audit::run_audit(all, stop, [](const std::string&, std::uint64_t) {});
+}
+
+/// Empty where an audit found nothing; else a paragraph for each operation, family and kind of finding: how often, the
+/// smallest input, what the engine said, and the command that asks for the truth.
+inline std::string findings(const audit::Tally& tally) {
+  std::string text;
+  for (const audit::OperationTally& operation : tally.operations) {
+    const Operation& asked = *audit::find_operation(operation.operation);
+    for (const auto& [family, cell] : operation.families) {
+      for (std::size_t v = 0; v < audit::verdict_count; ++v) {
+        const auto verdict = static_cast<audit::Verdict>(v);
+        if (!audit::is_finding(verdict) || cell.count(verdict) == 0) continue;
+        text += operation.operation + ", " + family + ": " + audit::name_of(verdict) + " in " +
+                std::to_string(cell.count(verdict)) + " of " + std::to_string(cell.cases()) + " cases\n";
+        if (!cell.smallest[v]) continue;
+        const audit::Finding& finding = *cell.smallest[v];
+        if (!finding.judgement.remark.empty()) text += "  " + finding.judgement.remark + '\n';
+        if (!finding.answer.is_null()) text += "  it says " + audit::one_line(finding.answer) + '\n';
+        text += "  echo '" + audit::one_line(asked.print_hexadecimal(finding.question)) + "' | touchstone ask " +
+                operation.operation + " -\n";
+      }
+    }
+    if (operation.inconsistent_convention())
+      text += operation.operation + ": touch is contact in some answers and not in others\n";
+  }
+  return text;
+}
+
+}  // namespace touchstone::testing
