@@ -71,11 +71,22 @@ std::string own_engine_command();
 /// line works where this one was typed.
 Repeat repeat_of(const std::string& program, const std::string& engine, double timeout);
 
+struct DrawCommand {
+  std::string operation;
+  std::string families;  ///< names with commas; empty: all
+  std::uint64_t cases = 100, seed = 1;
+  bool binary32 = false;  ///< numbers rounded to float before the truth is found
+};
+
 int ops_command(bool json, std::ostream& out);
 /// docs/operations.md: each operation's C++ signature, JSON fields and words.
 int operations_page_command(std::ostream& out);
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);
 int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
+/// Questions within the contract, dealt out over the families in turn, each with its truth, as JSON lines for test suites
+/// in any language: op, family, index, input, truth (exact), rounded (nearest doubles), margin, touch (open and closed
+/// sets answer differently).
+int draw_command(const DrawCommand& command, std::ostream& out);
 int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err);
 int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);
 /// Of the operations named, with commas, or all.

@@ -126,6 +126,17 @@ void add_check_engine(CLI::App& program, Action& action) {
   command->callback([=, &action] { action = [=] { return check_engine_command(*options, std::cout, std::cerr); }; });
 }
 
+void add_draw(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("draw", "Questions with their truth as JSON lines, for tests in any language");
+  auto options = std::make_shared<DrawCommand>();
+  command->add_option("operation", options->operation, "Name of the operation")->required();
+  command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
+  command->add_option("--cases", options->cases, "Questions, dealt out over the families in turn")->check(any_cases);
+  command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
+  command->add_flag("--binary32", options->binary32, "Every number is exact in float");
+  command->callback([=, &action] { action = [=] { return draw_command(*options, std::cout); }; });
+}
+
 void add_exhaust(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("exhaust", "Every configuration on a small grid");
   auto options = std::make_shared<ExhaustCommand>();
@@ -210,7 +221,8 @@ int run_program(int argc, const char* const* argv) {
   std::string shell;
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
-  for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_exhaust, add_vectors, add_certify, add_map})
+  for (auto* add :
+       {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_vectors, add_certify, add_map})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

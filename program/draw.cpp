@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "audit/audit_run.h"
+#include "program/commands.h"
+#include "program/program.h"
+
+namespace touchstone::audit {
+namespace {
+
+/// So many questions of a family in a row outside the contract mean that it has none within.
+constexpr std::uint64_t most_refused = 1000;
+
+/// One family's questions within the contract, in the order in which an audit of the same seed asks them.
+class Questions {
+ public:
+  Questions(const Operation& operation, std::size_t family, const DrawCommand& command)
+      : operation_(operation), family_(family), command_(command) {}
+
+  Json next() {
+    for (std::uint64_t refused = 0; refused < most_refused; ++refused) {
+      const std::uint64_t index = index_++;
+      Choices choices = case_choices(operation_, family_, command_.seed, index);
+      Question question = operation_.draw(choices, family_);
+      if (command_.binary32) question = operation_.in_binary32(question);
+      try {
+        return line(question, index);
+      } catch (const InvalidInput&) {
+      }
+    }
+    throw UsageError("--families " + operation_.families()[family_] + ": none of " + std::to_string(most_refused) +
+                     " questions is within the contract of " + operation_.name());
+  }
+
+ private:
+  Json line(const Question& question, std::uint64_t index) const {
+    const auto examination = operation_.examine(question);
+    Json line = Json::object();
+    line["op"] = operation_.name();
+    line["family"] = operation_.families()[family_];
+    line["index"] = index;
+    line["input"] = operation_.print(question);
+    line["truth"] = examination->truth();
+    line["rounded"] = examination->rounded_truth();
+    if (examination->margin()) line["margin"] = written(*examination->margin());
+    line["touch"] = examination->touch();
+    return line;
+  }
+
+  const Operation& operation_;
+  std::size_t family_;
+  const DrawCommand& command_;
+  std::uint64_t index_ = 0;
+};
+
+}  // namespace
+
+int draw_command(const DrawCommand& command, std::ostream& out) {
+  const Operation& operation = operation_named(command.operation);
+  const std::vector<std::string>&all = operation.families(), chosen = split(command.families);
+  std::vector<Questions> families;
+  for (std::size_t family = 0; family < all.size(); ++family) {
+    if (chosen.empty() || std::find(chosen.begin(), chosen.end(), all[family]) != chosen.end())
+      families.emplace_back(operation, family, command);
+  }
+  for (const std::string& name : chosen) {
+    if (std::find(all.begin(), all.end(), name) == all.end())
+      throw UsageError("--families " + name + ": a family of " + operation.name() + " (see touchstone ops --json)");
+  }
+  for (std::uint64_t at = 0; at < command.cases; ++at) out << one_line(families[at % families.size()].next()) << '\n';
+  return nothing_found;
+}
+
+}  // namespace touchstone::audit
