@@ -42,7 +42,7 @@ STAGES = "robust/stages"
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "stages"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "stages", "proofs"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = (f"{STAGES}/", "robust/rings/", "robust/hulls/")
 FEWEST_MUTANTS = 6

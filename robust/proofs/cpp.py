@@ -1,0 +1,347 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs a function of the headers on names instead of numbers; see extract.py."""
+import re
+
+from source import split
+
+TYPES = {
+    "Vector2": "x y", "Point2": "x y", "Vector3": "x y z", "Point3": "x y z", "Segment2": "a:Point2 b:Point2",
+    "Sphere3": "center:Point3 radius", "Plane": "normal:Vector3 offset", "Slab": "min max", "Axis": "beyond extent",
+    "MovingBody": "position:Point3 velocity:Vector3 angular_velocity:Vector3",
+}
+ANSWERS = {"Sign::unknown": "unknown", "Sign::positive": "positive", "Sign::negative": "negative"}
+TOKEN = re.compile(
+    r"\s*(?:(\d+)|((?:[A-Za-z_]\w*|::)(?:::\w+)*)|(\+=|<=|>=|\+\+|&&|\|\||[-+*/(){}\[\],;<>=!&|?:.]))")
+
+
+class Number:
+    """A computed number: its name, and the factors if it is their product (a compiler may contract it)."""
+
+    def __init__(self, name, factors=None):
+        self.name, self.factors = name, factors
+
+    def __str__(self):
+        return self.name
+
+
+class Real(str):
+    """A constant, as a real number."""
+
+
+class Truth(str):
+    """A Coq boolean."""
+
+
+class Answer(str):
+    """A Coq answer."""
+
+
+class Run:
+    """One function on names."""
+
+    def __init__(self, source, pack):
+        self.source, self.pack = source, pack
+        self.steps, self.used, self.taken, self.owner = [], {}, set(), None
+
+    # names and operations
+    def fresh(self, wish):
+        name, i = wish, 1
+        while name in self.taken or name in ("end", "at", "in", "u", "n"):
+            name, i = f"{wish}{i}", i + 1
+        self.taken.add(name)
+        return name
+
+    def step(self, operation, *operands, wish="t", factors=None):
+        result = Number(self.fresh(wish), factors)
+        self.steps.append((result, operation, operands))
+        return result
+
+    def number(self, value):
+        if isinstance(value, Real):
+            result = self.step("constant", value, wish="c")
+            return result
+        if not isinstance(value, Number):
+            raise SystemExit(f"not a number: {value!r}")
+        return value
+
+    def operand(self, value):
+        value = self.number(value)
+        if value.factors:
+            return ("Product", *value.factors, value)
+        return ("Plain", value)
+
+    def arithmetic(self, operator, left, right):
+        if isinstance(left, dict) and isinstance(right, dict):
+            return self.fieldwise(operator, left, right)
+        if isinstance(left, tuple) or isinstance(right, tuple):  # exponents
+            return exponents(operator, left, right)
+        if operator == "*":
+            left, right = self.number(left), self.number(right)
+            return self.step("mul", left, right, factors=(left, right))
+        return self.step({"+": "add", "-": "sub"}[operator], self.operand(left), self.operand(right))
+
+    def fieldwise(self, operator, left, right):
+        for kinds, body, whole in self.source.functions[f"operator{operator}", 2]:
+            if [k for k in TYPES[kinds[0][0]].split()] == list(left):
+                return self.call_text(kinds, body, [left, right], whole, f"operator{operator}")
+        raise SystemExit(f"no operator{operator} for {list(left)}")
+
+    def compare(self, operator, left, right):
+        left, right = self.number(left), self.number(right)
+        if operator in ("<", ">="):
+            left, right = right, left
+        operation = {">": "greater", "<": "greater", "<=": "at_most", ">=": "at_most"}[operator]
+        return Truth(self.step(operation, left, right, wish="b").name)
+
+    # calls
+    def call(self, name, arguments):
+        name = name.split("::")[-1] if not name.startswith("B::") else name
+        if name == "Float":
+            return arguments[0] if arguments else Real("0")
+        if name == "magnitude":
+            return Number(f"(magnitude M {self.number(arguments[0])})")
+        if name == "relative":
+            c, d = arguments
+            return Real(f"(relative {c[0]} {d[0]} (u F))")
+        if name == "above":
+            return arguments[0]
+        if name == "power_of_two":
+            (e,) = arguments
+            return Real(power(e))
+        owner = self.owner
+        if name.startswith("B::"):
+            name = name[3:]
+            owner = self.bounds if name in self.source.classes[self.bounds] else "Bounds"
+        if owner and name in self.source.classes.get(owner, {}):
+            parameters, body, whole = self.source.classes[owner][name]
+            kinds = tuple(re.sub(r"const |&", "", p).split() for p in split(parameters))
+            return self.call_text(kinds, body, arguments, whole, f"{owner}.{name}", owner)
+        for kinds, body, whole in self.source.functions.get((name, len(arguments)), []):
+            if all(fits(k[0], a) for k, a in zip(kinds, arguments)):
+                return self.call_text(kinds, body, arguments, whole, name)
+        raise SystemExit(f"no function {name} of {len(arguments)} such arguments")
+
+    def call_text(self, kinds, body, arguments, whole, name, owner=None):
+        self.used[f"{name}/{len(arguments)}/{kinds[0][0] if kinds else ''}"] = whole
+        scope = dict(self.members) if owner == self.owner and owner else {}
+        scope.update({k[-1]: a for k, a in zip(kinds, arguments)})
+        bounds, mine = self.bounds, self.owner
+        self.owner = owner or self.owner
+        self.bounds = chosen_bounds(body, bounds if owner in (None, mine) else owner)
+        result = Body(self, body, scope).run()
+        self.owner, self.bounds = mine, bounds
+        return result
+
+    members, bounds = {}, "Bounds"
+
+
+def chosen_bounds(body, otherwise):
+    found = re.search(r"using B = (\w+);", body)
+    return found[1] if found else otherwise
+
+
+def fits(kind, argument):
+    return isinstance(argument, dict) == (kind in TYPES) and (
+        kind not in TYPES or [f.split(":")[0] for f in TYPES[kind].split()] == list(argument))
+
+
+def exponents(operator, left, right):
+    """(number, symbols): an integer plus exponents of the format."""
+    if operator == "*":
+        k = left[0] if not left[1] else right[0]
+        other = right if not left[1] else left
+        return (k * other[0], other[1] * k)
+    if operator == "/":
+        return (0, (f"{left[1][0]}/{right[0]}",))
+    return (left[0] + right[0], left[1] + right[1])
+
+
+POWERS = {
+    "min_exponent": "n F", "max_exponent/3": "third F", "max_exponent/4": "quarter F", "max_exponent/6": "sixth F"}
+
+
+def power(exponent):
+    symbols = [POWERS[s] for s in exponent[1]]
+    text = " * ".join(symbols)
+    if len(symbols) > 1 and symbols[0] == "n F":
+        text = f"n F * ({' * '.join(symbols[1:])})"
+    return f"({2 ** exponent[0]} * ({text}))" if exponent[0] else f"({text})"
+
+
+class Body:
+    """Statements and expressions."""
+
+    def __init__(self, run, text, scope):
+        self.r, self.scope = run, scope
+        self.tokens, at = [], 0
+        text = self.unfolded(text).rstrip()
+        while at < len(text):
+            found = TOKEN.match(text, at)
+            if not found:
+                raise SystemExit(f"not understood: {text[at:at + 40]!r}")
+            self.tokens.append(found[1] or found[2] or found[3])
+            at = found.end()
+        self.at = 0
+
+    def unfolded(self, text):
+        """(E + ...) over a pack `axis`."""
+        def fold(found):
+            parts = [found[1].replace("axis.", f"axis{i}.") for i in range(self.r.pack)]
+            return "(" + f" {found[2]} (".join(parts) + ")" * self.r.pack
+        return re.sub(r"\(((?:\([^()]*(?:\([^()]*\))?[^()]*\)|axis\.\w+)) ([+&]) \.\.\.\)", fold, text)
+
+    def peek(self):
+        return self.tokens[self.at] if self.at < len(self.tokens) else None
+
+    def take(self, token=None):
+        found = self.peek()
+        if token is not None and found != token:
+            raise SystemExit(f"{token!r} expected at {' '.join(self.tokens[self.at - 5:self.at + 5])}")
+        self.at += 1
+        return found
+
+    def run(self):
+        """The value returned; for a constructor, None."""
+        token = self.peek()
+        if token is None:
+            return None
+        if token in ("using", "static_assert"):
+            while self.take() != ";":
+                pass
+            return self.run()
+        if token == "if":
+            self.take()
+            self.take("(")
+            condition = self.expression()
+            self.take(")")
+            self.take("return")
+            then = self.expression()
+            self.take(";")
+            return Answer(f"if {condition} then {then} else {self.run()}")
+        if token == "return":
+            self.take()
+            value = self.initialiser() if self.peek() == "{" else self.expression()
+            self.take(";")
+            return value
+        self.declaration()
+        return self.run()
+
+    def declaration(self):
+        kind = None
+        if self.peek() in ("const", "constexpr"):
+            self.take()
+            kind = self.take()
+            while self.peek() == "&":
+                self.take()
+        elif self.tokens[self.at + 1] not in ("=",):
+            raise SystemExit(f"statement not understood: {' '.join(self.tokens[self.at:self.at + 8])}")
+        while True:
+            name = self.take()
+            if self.peek() == "=":
+                self.take()
+            value = self.initialiser(kind) if self.peek() == "{" else self.expression()
+            steps = self.r.steps
+            if isinstance(value, Number) and steps and steps[-1][0] is value and re.fullmatch(r"t\d*", value.name):
+                value.name = self.r.fresh(name.rstrip("_"))
+            self.scope[name] = value
+            if self.take() == ";":
+                return
+
+    def initialiser(self, kind=None):
+        self.take("{")
+        values = []
+        while self.peek() != "}":
+            values.append(self.expression())
+            if self.peek() == ",":
+                self.take()
+        self.take("}")
+        if all(isinstance(v, Number) for v in values):
+            return dict(zip("xyz", values))
+        raise SystemExit("braces around what is no vector")
+
+    def expression(self, level=0):
+        levels = [("?",), ("|", "||"), ("&", "&&"), (">", "<", ">=", "<="), ("+", "-"), ("*", "/")]
+        if level == len(levels):
+            return self.unary()
+        left = self.expression(level + 1)
+        while self.peek() in levels[level]:
+            operator = self.take()
+            if operator == "?":
+                yes = self.expression()
+                self.take(":")
+                return Answer(f"if {left} then {yes} else {self.expression()}")
+            right = self.expression(level + 1)
+            if operator in ("|", "||", "&", "&&"):
+                left = Truth(f"({left} {operator[0] * 2} {right})")
+            elif level == 3:
+                if isinstance(left, Truth) and isinstance(right, tuple):
+                    continue
+                left = self.r.compare(operator, left, right)
+            else:
+                left = self.r.arithmetic(operator, left, right)
+        if level == 3 and self.peek() == "=" and self.tokens[self.at + 1] == "=":  # (known & guarded) == 0
+            self.take(), self.take(), self.take("0")
+            left = Truth(f"(negb {left})")
+        return left
+
+    def unary(self):
+        if self.peek() == "!":
+            self.take()
+            return Truth(f"(negb {self.unary()})")
+        token = self.take()
+        if token == "(":
+            value = self.expression()
+            self.take(")")
+        elif token == "[":  # a lambda of one parameter that returns an expression
+            value = self.lambda_()
+        elif token.isdigit():
+            value = (int(token), ())
+        elif token in ANSWERS:
+            value = Answer(ANSWERS[token])
+        elif token in ("Format::min_exponent", "Format::max_exponent"):
+            value = (0, (token[8:],))
+        elif self.peek() == "(" and token not in self.scope:
+            value = self.r.call(token, self.arguments())
+        elif token in self.scope:
+            value = self.scope[token]
+        elif self.r.bounds and token == "high_exponent":
+            value = self.r.call("B::high_exponent", [])
+        else:
+            raise SystemExit(f"unknown name {token!r}")
+        while self.peek() in (".", "[", "("):
+            if self.peek() == ".":
+                self.take()
+                value = value[self.take()]
+            elif self.peek() == "[":
+                self.take()
+                index = self.expression()
+                value = value[index[0]]
+                self.take("]")
+            else:
+                value = value(*self.arguments())
+        return value
+
+    def lambda_(self):
+        while self.take() != "(":
+            pass
+        while self.tokens[self.at + 1] != ")":
+            self.take()
+        name = self.take()
+        self.take(")")
+        self.take("{")
+        start = self.at
+        while self.peek() != "}":
+            self.at += 1
+        body = " ".join(self.tokens[start:self.at])
+        self.take("}")
+        return lambda argument: Body(self.r, body, {**self.scope, name: argument}).run()
+
+    def arguments(self):
+        self.take("(")
+        values = []
+        while self.peek() != ")":
+            values.append(self.expression())
+            if self.peek() == ",":
+                self.take()
+        self.take(")")
+        return values
