@@ -67,6 +67,41 @@ void draw_in_the_plane(Scene& scene, const Json& answer) {
   }
 }
 
+/// The corners that a list of indices names; empty where one is no point of the question.
+std::vector<double> corners_of(const Json& indices, const Json& points) {
+  std::vector<double> numbers;
+  for (const Json& index : indices) {
+    if (!index.is_number()) return {};
+    const double at = index.get<double>();
+    if (!(at >= 0 && at < static_cast<double>(points.size()))) return {};
+    const std::vector<double> point = numbers_in(points[static_cast<std::size_t>(at)]);
+    if (point.size() != 2) return {};
+    numbers.insert(numbers.end(), point.begin(), point.end());
+  }
+  return numbers;
+}
+
+/// Pieces of a polygon, and a hull, are answered as lists of the question's points.
+void draw_indices(Scene& scene, const Json& answer, const Json& input) {
+  const char* const of = input.contains("polygon") ? "polygon" : "points";
+  if (!input.contains(of) || !input[of].is_array()) return;
+  std::vector<std::vector<double>> rings;
+  for (const char* field : {"triangles", "pieces"}) {
+    if (!answer.contains(field) || !answer[field].is_array()) continue;
+    for (const Json& piece : answer[field])
+      rings.push_back(piece.is_array() ? corners_of(piece, input[of]) : std::vector<double>());
+  }
+  if (answer.contains("polygon") && answer["polygon"].is_array())
+    rings.push_back(corners_of(answer["polygon"], input[of]));
+  for (std::vector<double>& ring : rings) {
+    if (ring.size() >= 4) scene.figures.push_back({Figure::Kind::polygon, "answered", std::move(ring), false, true});
+  }
+  if (answer.contains("segment") && answer["segment"].is_array()) {
+    std::vector<double> ends = corners_of(answer["segment"], input[of]);
+    if (ends.size() == 4) scene.figures.push_back({Figure::Kind::segment, "answered", std::move(ends), false, true});
+  }
+}
+
 void draw_in_space(Scene& scene, const Json& answer) {
   using Kind = SpaceFigure::Kind;
   struct Drawn {
@@ -105,9 +140,13 @@ void draw_in_space(Scene& scene, const Json& answer) {
 
 }  // namespace
 
-void draw_answered(Scene& scene, const Json& answer) {
+void draw_answered(Scene& scene, const Json& answer, const Json& input) {
   if (!answer.is_object()) return;
-  if (!scene.figures.empty()) return draw_in_the_plane(scene, answer);
+  if (!scene.figures.empty()) {
+    draw_in_the_plane(scene, answer);
+    if (input.is_object()) draw_indices(scene, answer, input);
+    return;
+  }
   if (!scene.space.empty()) draw_in_space(scene, answer);
 }
 

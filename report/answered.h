@@ -8,6 +8,7 @@ namespace touchstone::audit {
 
 /// Adds what was answered, where it can be drawn, differs from the truth, and lies where the input does: else it
 /// would shrink everything else to a dot.
-void draw_answered(Scene& scene, const Json& answer);
+/// `input`: the question, whose points an answer of indices means.
+void draw_answered(Scene& scene, const Json& answer, const Json& input = nullptr);
 
 }  // namespace touchstone::audit

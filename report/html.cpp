@@ -5,6 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "report/ways.h"
+
 namespace touchstone::audit {
 
 void write_whole_file(const std::string& file, const std::string& bytes) {
@@ -14,7 +16,22 @@ void write_whole_file(const std::string& file, const std::string& bytes) {
   }
 }
 
-void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine) {
+namespace {
+
+/// Around which an engine's map may be centred: what was found of it, but for answers that may have taken long.
+std::vector<Question> found_in(const OperationTally& tally) {
+  std::vector<Question> questions;
+  for (const WayOfOperation& shown : ways_of(tally)) {
+    const Verdict verdict = shown.way.verdict;
+    if (is_finding(verdict) && verdict != Verdict::invalid) questions.push_back(shown.counted.example->question);
+  }
+  return questions;
+}
+
+}  // namespace
+
+void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine,
+                  const ReportNotes& notes) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw std::runtime_error(directory + ": " + error.message());
@@ -23,11 +40,12 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
     const std::string& name = tally.operations[i].operation;
     const Operation* operation = find_operation(name);
     std::vector<FailureMap> shown;
-    if (operation) shown = failure_maps(*operation, jobs, tally.declaration.binary32, engine);
-    write_whole_file(directory + "/" + name + ".html", operation_page(tally, i, shown));
+    if (operation)
+      shown = failure_maps(*operation, jobs, tally.declaration.binary32, engine, found_in(tally.operations[i]));
+    write_whole_file(directory + "/" + name + ".html", operation_page(tally, i, shown, notes));
     if (operation) maps.emplace_back(name, std::move(shown));
   }
-  write_whole_file(directory + "/index.html", index_page(tally, maps));
+  write_whole_file(directory + "/index.html", index_page(tally, maps, notes));
 }
 
 }  // namespace touchstone::audit

@@ -9,16 +9,25 @@
 
 namespace touchstone::audit {
 
+/// What a report says beside the tally.
+struct ReportNotes {
+  std::string command;            ///< the line that was called; empty: one that gives the same tally
+  const Tally* before = nullptr;  ///< an earlier audit to be shown beside this one, as before and after a fix
+};
+
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there.
-/// Every page stands alone: nothing fetched, and all to be read without scripts; where a figure can be turned, one
-/// script in the page does it. The same tally gives the same bytes, whatever the jobs. With `engine` the failure maps
-/// show it too. Throws std::runtime_error naming the file that cannot be written.
-void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr);
+/// Every page stands alone: nothing fetched, and all to be read without scripts; where a figure can be turned or a map
+/// walked over, one script in the page does it. The same tally gives the same bytes, whatever the jobs, but for the
+/// versions in the last line. With `engine` the failure maps show it too. Throws std::runtime_error naming the file that
+/// cannot be written.
+void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr,
+                  const ReportNotes& notes = {});
 
 using OperationMaps =
     std::vector<std::pair<std::string, std::vector<FailureMap>>>;  ///< by operation, in the tally's order
-std::string index_page(const Tally& tally, const OperationMaps& maps);
-std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps);
+std::string index_page(const Tally& tally, const OperationMaps& maps, const ReportNotes& notes = {});
+std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps,
+                           const ReportNotes& notes = {});
 /// A page with the maps of one operation alone.
 std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat = {});
 

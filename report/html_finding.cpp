@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "catalogue/codec/json.h"
@@ -11,6 +12,7 @@
 #include "geometry/invalid_input.h"
 #include "report/answered.h"
 #include "report/html_parts.h"
+#include "report/phrases.h"
 #include "report/space_svg.h"
 #include "report/svg.h"
 
@@ -37,17 +39,51 @@ std::string in_short(const std::string& note) {
   return shorter.size() > longest ? shorter.substr(0, longest) + " \u2026" : shorter;
 }
 
-std::string figure(const Operation& operation, const Finding& finding) {
+/// Whether a note is about a field of the truth, which the caption says.
+bool is_said(const std::string& note, const Json& truth) {
+  const std::string field = note.substr(0, note.find_first_of(":= "));
+  return truth.is_object() && truth.contains(field);
+}
+
+std::string drawn(const Scene& scene, const std::string& title, const std::string& caption) {
+  const std::string svg = scene.figures.empty() ? space_svg(scene, title) : scene_svg(scene, title);
+  return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>";
+}
+
+bool shows_an_answer(const Scene& scene) {
+  const auto said = [](const auto& figure) { return figure.said; };
+  return std::any_of(scene.figures.begin(), scene.figures.end(), said) ||
+         std::any_of(scene.space.begin(), scene.space.end(), said);
+}
+
+/// Without the truth.
+Scene answered_alone(Scene scene) {
+  const auto true_one = [](const auto& figure) { return figure.answer; };
+  scene.figures.erase(std::remove_if(scene.figures.begin(), scene.figures.end(), true_one), scene.figures.end());
+  scene.space.erase(std::remove_if(scene.space.begin(), scene.space.end(), true_one), scene.space.end());
+  return scene;
+}
+
+std::string figures(const Operation& operation, const Finding& finding, const Json& truth, const std::string& who) {
   const Question& question = finding.question;
-  Scene scene = operation.scene(question);
-  draw_answered(scene, plain(finding.answer));
+  const Scene scene = operation.scene(question);
   std::string notes;
   for (const std::string& note : scene.notes) {
+    if (is_said(note, truth)) continue;
     notes += (notes.empty() ? "" : "; ") + in_short(note);
   }
   const std::string title = operation.name() + ": the input " + one_line(operation.print(question));
-  const std::string svg = scene.figures.empty() ? space_svg(scene, title) : scene_svg(scene, title);
-  return "<figure>" + svg + (notes.empty() ? "" : "<figcaption>" + escaped(notes) + "</figcaption>") + "</figure>";
+  const std::string right = "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, truth)) + ".",
+                    wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
+                            escaped(sentence(operation, plain(finding.answer))) + ".";
+  Scene both = scene;
+  draw_answered(both, plain(finding.answer), operation.print(question));
+  if (!shows_an_answer(both)) {
+    const std::string more = notes.empty() ? "" : "<br><span class=\"quiet\">" + escaped(notes) + "</span>";
+    return drawn(scene, title, right + " " + wrong + more);
+  }
+  return "<div class=\"beside\">" + drawn(scene, title, right) +
+         drawn(answered_alone(both), title + ", and what was answered", wrong) + "</div>";
 }
 
 std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement, Speaker speaker,
@@ -89,25 +125,49 @@ std::string certificate(const Examination& question) {
 
 }  // namespace
 
-std::string finding_card(const Operation& operation, const Smallest& smallest, std::uint64_t count,
-                         const Declaration& declaration, Speaker speaker, const Repeat& repeat) {
-  const Finding& finding = *smallest.finding;
-  const std::string verdict = name_of(finding.judgement.verdict);
+std::string name_of(Speaker speaker, const Declaration& declaration) {
+  return speaker == Speaker::reference ? "Formula" : speaker == Speaker::robust ? "Robust" : declaration.engine;
+}
+
+std::string sentence(const Operation& operation, const Json& answer) {
+  constexpr std::size_t longest = 120;
+  const Json in_short = with_short_numbers(answer);
+  std::string text = phrase(operation, in_short);
+  if (text.empty()) text = one_line(in_short);
+  return text.size() > longest ? text.substr(0, longest) + " \u2026" : text;
+}
+
+std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
+                         Speaker speaker, const Repeat& repeat) {
+  const Finding& finding = *shown.counted.example;
+  const Verdict verdict = finding.judgement.verdict;
+  const std::uint64_t cases = both(shown.counted.cases), ordinary = shown.counted.cases[0],
+                      out_of_range = both(shown.counted.out_of_range);
+  std::string how_often =
+      counted(cases, "case") + (ordinary == cases ? ", all" : ", " + grouped(ordinary)) + " of ordinary size";
+  if (out_of_range > 0) how_often += "; " + grouped(out_of_range) + " by over- or underflow";
+  std::string words =
+      shown.way.answer == shown.way.truth || shown.way.answer.empty()
+          ? ""
+          : phrase(operation, shown.way.answer) + " where it is " + phrase(operation, shown.way.truth) + " ";
   std::string text =
-      fmt::format("<section class=\"card\" id=\"{0}{1}\"><h3>{2} {3}</h3><p>{4}</p>",
-                  speaker == Speaker::robust ? "robust-" : "", verdict, badge(finding.judgement.verdict, speaker),
-                  escaped(counted(count, "case")), escaped(why(finding, &operation, speaker, declaration.binary32)));
-  text += "<div class=\"seen\">" + figure(operation, finding);
-  std::string margin, proof;
+      fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
+                  badge(verdict, speaker), escaped(words), escaped(how_often),
+                  escaped(why(finding, &operation, speaker, declaration.binary32)));
+  std::string margin, proof, said;
+  Json truth;
   try {
     const auto question = operation.examine(finding.question);
     const bool narrow = operation.in_binary32(finding.question) == finding.question;
-    text += what_was_said(*question, finding, declaration, speaker, narrow) + "</div>";
+    truth = readable(question->truth());
+    said = what_was_said(*question, finding, declaration, speaker, narrow);
     if (question->margin()) margin = readable(*question->margin());
     proof = certificate(*question);
   } catch (const InvalidInput& refused) {
-    text += "<p>The oracle refuses this input: " + code(refused.what()) + "</p></div>";
+    truth = std::string("refused, ") + refused.what();
+    said = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
   }
+  text += "<div class=\"seen\">" + figures(operation, finding, truth, name_of(speaker, declaration)) + said + "</div>";
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
   };
@@ -115,12 +175,11 @@ std::string finding_card(const Operation& operation, const Smallest& smallest, s
   if (!margin.empty()) fact("margin", code(margin));
   fact("input", code(one_line(operation.print(finding.question))));
   fact("hexadecimal", code(one_line(operation.print_hexadecimal(finding.question))));
-  fact("found in", escaped(fmt::format("family {}, case {}", smallest.family, finding.index)));
+  fact("found in", escaped(fmt::format("family {}, case {}", shown.family, finding.index)));
   text +=
       "</dl><p class=\"small quiet\" style=\"margin:10px 0 0\">Ask again (touchstone is build/release/touchstone "
-      "where it is not installed"
-      "):</p><pre class=\"repeat\">" +
-      escaped(repeat_command(operation, finding.question, speaker, repeat)) + "</pre>";
+      "where it is not installed):</p>" +
+      shell_line(repeat_command(operation, finding.question, speaker, repeat));
   return text + proof + "</section>";
 }
 

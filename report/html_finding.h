@@ -4,12 +4,21 @@
 #include <string>
 
 #include "audit/tally.h"
+#include "report/ways.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {
 
-/// One finding as a card: the figure, what each implementation said and why, the numbers, the command, the certificate.
-std::string finding_card(const Operation& operation, const Smallest& smallest, std::uint64_t count,
-                         const Declaration& declaration, Speaker speaker, const Repeat& repeat);
+/// A way of answering as a card with its example: the truth and what was answered in words, drawn beside one another
+/// where they can be drawn, what each implementation said and why, the numbers, the command, the certificate.
+std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
+                         Speaker speaker, const Repeat& repeat);
+
+/// Who answered, as a caption begins: "Formula", "Robust", "my engine 1.0".
+std::string name_of(Speaker speaker, const Declaration& declaration);
+
+/// "Right of the line" of a whole answer, exact or not; where it has too many numbers for a sentence, the answer as it
+/// is.
+std::string sentence(const Operation& operation, const Json& answer);
 
 }  // namespace touchstone::audit

@@ -1,41 +1,98 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
 #include "audit/engines/protocol.h"
 #include "report/html.h"
+#include "report/html_compare.h"
+#include "report/html_footer.h"
 #include "report/html_map.h"
 #include "report/html_parts.h"
 
 namespace touchstone::audit {
 namespace {
 
-std::string conditions(const Tally& tally) {
+/// "2^-100", or the number.
+std::string limit_in_words(double limit) {
+  int exponent = 0;
+  return std::frexp(limit, &exponent) == 0.5 ? fmt::format("2^{}", exponent - 1) : fmt::format("{}", limit);
+}
+
+std::string who_in_words(const Tally& tally) {
+  const std::string type = tally.declaration.binary32 ? " in float" : " in double";
+  return speaker_of(tally.declaration) == Speaker::reference ? "The textbook formulas" + type
+                                                             : tally.declaration.engine + type;
+}
+
+/// What happened, in one line.
+std::string headline(const Tally& tally, const Cell& sum) {
+  const std::string questions =
+      tally.grid.size > 0 ? counted(sum.answered(), "configuration") : counted(sum.answered(), "hard question");
+  if (sum.answered() == 0) return who_in_words(tally) + ": nothing answered";
+  return who_in_words(tally) + ": " + (sum.wrong() == 0 ? "none" : share(sum.wrong(), sum.answered())) + " of " +
+         questions + " wrong";
+}
+
+std::string causes(const Cell& sum) {
+  std::string text;
+  const auto name = [&](std::uint64_t n, const std::string& words) {
+    if (n > 0) text += (text.empty() ? "" : ", ") + grouped(n) + " " + words;
+  };
+  name(both(sum.cancellation()), "by cancellation");
+  name(both(sum.out_of_range()), "by over- or underflow");
+  name(sum.count(Verdict::algorithm), "by the algorithm itself");
+  name(sum.count(Verdict::invalid), "no valid answer");
+  return text;
+}
+
+std::string lead(const Tally& tally, const Cell& sum) {
+  const std::uint64_t ordinary = sum.answered(Range::ordinary), wrong = sum.wrong(Range::ordinary);
+  std::string text;
+  if (ordinary > 0) {
+    text = "At ordinary size (every number 0 or between " + limit_in_words(tally.limits.least) + " and " +
+           limit_in_words(tally.limits.most) + "): " + grouped(wrong) + " of " + grouped(ordinary) + " wrong (" +
+           share(wrong, ordinary) + ").";
+  }
+  if (sum.wrong() > 0) text += " Of all " + counted(sum.wrong(), "wrong answer") + ": " + causes(sum) + ".";
+  if (sum.count(Verdict::inexact) > 0) {
+    text += " " + grouped(sum.count(Verdict::inexact)) +
+            " more decide rightly, but a number is further off than the "
+            "stated bound.";
+  }
+  if (!tally.robust.empty()) {
+    const Cell robust = sum_of(tally.robust);
+    const std::uint64_t not_right = robust.cases() - robust.count(Verdict::agree);
+    text +=
+        " Robust, asked the same questions: " + (not_right == 0 ? "none wrong." : grouped(not_right) + " not right.");
+  }
+  return text;
+}
+
+std::string conditions(const Tally& tally, const Cell& sum) {
   const Declaration& declared = tally.declaration;
   std::string text = counted(tally.operations.size(), "operation");
   text += tally.grid.size > 0
               ? fmt::format(", every configuration on the {0} \u00d7 {0} grid ({1} of {2})", tally.grid.size,
                             tally.grid.done.size(), counted(tally.grid.shards, "shard"))
               : ", " + counted(tally.cases, "case") + " each, seed " + std::to_string(tally.seed);
+  if (sum.left_out > 0) text += ", ordinary size only";
   text += ". Boundary convention: " + boundary_word(declared.boundary) + ".";
   if (declared.tolerance > 0) text += fmt::format(" Declared tolerance: {}.", declared.tolerance);
   if (tally.grid.size == 0) {
     text +=
         " Most families are degenerate on purpose or a few units in the last place away from it, so the shares say "
-        "where an "
-        "implementation fails, not how often everyday input would meet it.";
+        "where an implementation fails, not how often everyday input would meet it.";
+  }
+  if (!tally.undeclared.empty()) {
+    text += " Not declared by the engine, so not asked: ";
+    for (const std::string& name : tally.undeclared) text += (&name == &tally.undeclared[0] ? "" : ", ") + name;
+    text += ".";
   }
   if (tally.interrupted) text += " The run was interrupted; this is what had been counted.";
-  return text;
-}
-
-/// The closing sentence of the table, where the heading already says whose answers these are.
-std::string lead(const Tally& tally) {
-  const Cell robust = sum_of(tally.robust);
-  std::string text = summary_of(sum_of(tally.operations)) + ".";
-  if (!tally.robust.empty()) {
-    const std::uint64_t wrong = robust.cases() - robust.count(Verdict::agree);
-    text += " Robust, asked the same questions: " + (wrong == 0 ? "none wrong." : grouped(wrong) + " not right.");
-  }
   return text;
 }
 
@@ -43,105 +100,128 @@ std::string tile(const std::string& style, std::uint64_t n, const std::string& w
   return "<div class=\"tile " + style + "\"><b>" + grouped(n) + "</b><span>" + escaped(words) + "</span></div>";
 }
 
-std::string tiles(const Tally& tally, const Cell& sum) {
-  std::string text =
-      "<div class=\"tiles\">" + tile("", sum.cases() - sum.count(Verdict::unsupported), "answers judged");
-  const auto counts = sum.counts();
-  for (std::size_t v = 0; v < verdict_count; ++v) {
-    const auto verdict = static_cast<Verdict>(v);
-    const bool always = verdict == Verdict::agree || verdict == Verdict::rounding || verdict == Verdict::algorithm;
-    if (always || counts[v] > 0) text += tile(verdict_names[v], counts[v], verdict_names[v]);
-  }
-  if (sum.not_asked > 0) text += tile("", sum.not_asked, "not asked");
-  if (!tally.robust.empty()) {
-    const Cell robust = sum_of(tally.robust);
-    text += tile("", robust.cases() - robust.count(Verdict::agree), "wrong by robust");
-  }
+/// Causes add up to what is wrong; that and the rest to what was judged.
+std::string tiles(const Cell& sum) {
+  std::string text = "<div class=\"tiles\">" + tile("", sum.answered(), "answers judged") +
+                     tile("agree", sum.count(Verdict::agree), "right") + tile("", sum.wrong(), "wrong");
+  const auto add = [&](const char* style, std::uint64_t n, const char* words) {
+    if (n > 0) text += tile(style, n, words);
+  };
+  add("rounding", both(sum.cancellation()), "wrong by cancellation");
+  add("range", both(sum.out_of_range()), "wrong by over- or underflow");
+  add("algorithm", sum.count(Verdict::algorithm), "wrong by algorithm");
+  add("invalid", sum.count(Verdict::invalid), "invalid");
+  add("inexact", sum.count(Verdict::inexact), "inexact");
+  add("convention", sum.count(Verdict::convention), "by another convention");
+  add("tolerance", sum.count(Verdict::tolerance), "within the tolerance");
+  add("unsupported", sum.count(Verdict::unsupported), "not supported");
+  add("", sum.not_asked, "not asked");
   return text + "</div>";
 }
 
-std::string operations_table(const Tally& tally) {
-  std::string text =
-      "<div class=\"card scroll\"><table><thead><tr><th scope=\"col\">operation</th><th scope=\"col\" "
-      "class=\"text\">all answers</th>"
-      "<th scope=\"col\">findings</th><th scope=\"col\">share</th><th scope=\"col\" class=\"text\">their "
-      "causes</th></tr></thead><tbody>";
+/// The worst first: by the share that is wrong at ordinary size, then at any, then by inexact numbers.
+std::vector<const OperationTally*> worst_first(const Tally& tally) {
+  std::vector<std::pair<std::array<double, 3>, const OperationTally*>> sorted;
   for (const OperationTally& operation : tally.operations) {
     const Cell total = operation.total();
-    const Operation* known = find_operation(operation.operation);
-    text += fmt::format(
-        "<tr><th scope=\"row\"><a href=\"{0}.html\">{0}</a><div class=\"small quiet\" "
-        "style=\"font-weight:400;white-space:normal\">{1}</div></th>"
-        "<td class=\"wide\">{2}</td><td>{3}</td><td>{4}</td><td style=\"min-width:130px\">{5}</td></tr>",
-        escaped(operation.operation), escaped(known ? known->card().question : ""), verdict_bar(total, false),
-        grouped(total.findings()), share(total.findings(), total.cases()), cause_bar(total));
+    const auto part = [](std::uint64_t n, std::uint64_t of) {
+      return of == 0 ? 0 : -static_cast<double>(n) / static_cast<double>(of);
+    };
+    sorted.push_back({{part(total.wrong(Range::ordinary), total.answered(Range::ordinary)),
+                       part(total.wrong(), total.answered()), part(total.findings(), total.answered())},
+                      &operation});
   }
-  return text + "</tbody></table></div>";
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const OperationTally*> operations;
+  for (const auto& [key, operation] : sorted) operations.push_back(operation);
+  return operations;
+}
+
+std::string wrong_in_words(std::uint64_t wrong, std::uint64_t answered) {
+  return answered == 0 ? "\u2013" : grouped(wrong) + " <small>" + share(wrong, answered) + "</small>";
+}
+
+std::string operation_row(const Cell& total, const std::string& name, const char* style) {
+  return fmt::format(
+      "<tr{}>{}<td class=\"bar-cell wide\">{}</td><td data-label=\"wrong at ordinary size\">{}</td><td "
+      "data-label=\"wrong\">{}</td><td data-label=\"inexact\" class=\"{}\">{}</td></tr>",
+      style, name, verdict_bar(total, false),
+      wrong_in_words(total.wrong(Range::ordinary), total.answered(Range::ordinary)),
+      wrong_in_words(total.wrong(), total.answered()), total.count(Verdict::inexact) == 0 ? "none" : "",
+      grouped(total.count(Verdict::inexact)));
+}
+
+std::string operations_table(const Tally& tally, const Cell& sum) {
+  std::string text =
+      "<div class=\"card scroll\"><table class=\"stack operations\"><thead><tr><th scope=\"col\">operation, the worst "
+      "first</th><th scope=\"col\" class=\"text\">all answers</th><th scope=\"col\">wrong at ordinary size</th><th "
+      "scope=\"col\">wrong</th><th scope=\"col\">inexact</th></tr></thead><tbody>";
+  for (const OperationTally* operation : worst_first(tally)) {
+    const Operation* known = find_operation(operation->operation);
+    text += operation_row(operation->total(),
+                          fmt::format("<th scope=\"row\"><a href=\"{}.html\">{}</a><div class=\"small quiet "
+                                      "question\">{}</div></th>",
+                                      escaped(operation->operation), breakable(operation->operation),
+                                      escaped(known ? known->card().question : "")),
+                          "");
+  }
+  return text + operation_row(sum, "<th scope=\"row\">all</th>", " class=\"total\"") + "</tbody></table></div>";
 }
 
 /// The words of the pages that a reader may not know.
 std::string glossary() {
-  return "<p class=\"small quiet\" style=\"margin:14px 0 0\">The slide is the textbook formula of an operation, deck "
-         "p. the "
-         "page of the lecture deck that it stands on (<em>Collision handling: detection and response</em>, CSE 3541, "
-         "M. "
+  return "<p class=\"small quiet\" style=\"margin:14px 0 0\">Deck p. is the page of the lecture deck that an "
+         "operation's textbook formula stands on (<em>Collision handling: detection and response</em>, CSE 3541, M. "
          "Boggus); an ulp is one unit in the last place of a number, and a family named +ulp holds the inputs of the "
          "family before it with one coordinate moved by a few ulps.</p>";
 }
 
 std::string legend(Speaker speaker) {
   std::string text = "<div class=\"card\"><dl class=\"legend\">";
+  const auto entry = [&](const char* style, const std::string& name, const std::string& words) {
+    text +=
+        fmt::format("<dt><span class=\"swatch {} hatch\" style=\"background-color:var(--c)\"></span>{}</dt><dd>{}</dd>",
+                    style, name, escaped(words));
+  };
   for (std::size_t v = 0; v < verdict_count; ++v) {
-    text += fmt::format(
-        "<dt><span class=\"swatch {0} hatch\" style=\"background-color:var(--c)\"></span>{0}</dt><dd>{1}</dd>",
-        verdict_names[v], escaped(meaning(static_cast<Verdict>(v), speaker)));
+    const auto verdict = static_cast<Verdict>(v);
+    entry(verdict_names[v], verdict_names[v], meaning(verdict, speaker));
+    if (verdict != Verdict::rounding) continue;
+    entry("rounding", "\u2003cancellation", "of these: digits were lost where nearly equal numbers were subtracted");
+    entry("range", "\u2003over- or underflow", "of these: a number on the way left the range of the number type");
   }
   return text + "</dl>" + glossary() + "</div>";
 }
 
-/// A foreign engine is not always at hand when the report is written; then the maps are those of the slide's formula.
-std::string gallery_heading(const Tally& tally, const OperationMaps& maps) {
-  const bool shown = speaker_of(tally.declaration) == Speaker::reference || maps[0].second.size() > 2;
-  return shown ? "Where it goes wrong" : "For comparison: where the slide's formula goes wrong";
+/// Maps on which something fails, the worst operation first.
+std::vector<std::pair<std::string, const FailureMap*>> failing_maps(const Tally& tally, const OperationMaps& maps) {
+  std::vector<std::pair<std::string, const FailureMap*>> failing;
+  for (const OperationTally* operation : worst_first(tally)) {
+    for (const auto& [name, shown] : maps) {
+      if (name == operation->operation && !shown.empty() && subject_of(shown).findings() > 0)
+        failing.emplace_back(name, &subject_of(shown));
+    }
+  }
+  return failing;
 }
 
-std::string gallery(const OperationMaps& maps) {
-  const std::vector<FailureMap>& first = maps[0].second;
+/// Empty where nothing fails. A foreign engine is not always at hand when the report is written; then the maps are
+/// those of the textbook formula.
+std::string gallery(const Tally& tally, const OperationMaps& maps) {
+  const auto failing = failing_maps(tally, maps);
+  if (failing.empty()) return "";
+  const bool own = speaker_of(tally.declaration) == Speaker::reference ||
+                   std::any_of(maps.begin(), maps.end(), [](const auto& entry) { return entry.second.size() > 2; });
   std::string text =
-      "<p class=\"quiet\">Every pixel is one question, at most 128 of the smallest steps away from a degenerate one. "
-      "Left: " +
-      escaped(first[first.size() > 2 ? 2 : 0].subject) +
-      "; right: robust. Pale areas are right answers, one tint for each answer; strong colours are verdicts, as "
-      "above.</p>"
-      "<div class=\"gallery\">";
-  for (const auto& [operation, shown] : maps) {
-    const FailureMap& map = subject_of(shown);
-    if (map.findings() == 0) continue;
-    text += fmt::format("<a href=\"{0}.html#map\">{1}<strong>{0}</strong></a>", escaped(operation),
-                        map_picture(map, map.subject));
+      std::string("<h2>") + (own ? "Where it goes wrong" : "For comparison: where the textbook formula goes wrong") +
+      "</h2><p class=\"quiet\">Every pixel is one question, at most 128 of the smallest steps away from the one in the "
+      "middle. Strong colours are findings, as below; what is right is pale, and a pattern tells one right answer from "
+      "another.</p><div class=\"gallery\">";
+  for (const auto& [name, map] : failing) {
+    text += fmt::format("<a href=\"{}.html#map\">{}<strong>{}</strong></a>", escaped(name),
+                        map_picture(*map, map->subject + ": " + summary_of(Cell::of(map->counts))), breakable(name));
   }
   return text + "</div>";
-}
-
-std::string whole_table(const Tally& tally) {
-  std::string text = "<div class=\"card scroll\"><table><thead><tr><th scope=\"col\">operation, family</th>" +
-                     verdict_columns() + "</tr></thead>";
-  for (const OperationTally& operation : tally.operations) {
-    text += "<tbody><tr class=\"total\"><th scope=\"row\"><a href=\"" + escaped(operation.operation) + ".html\">" +
-            escaped(operation.operation) + "</a></th>" + verdict_numbers(operation.total()) + "</tr>";
-    const Cell total = operation.total();
-    const bool unknown = total.count(Verdict::unsupported) == total.cases();
-    for (const auto& [family, cell] : operation.families) {
-      if (unknown) break;
-      text += "<tr><td>" + escaped(family) + "</td>" + verdict_numbers(cell) + "</tr>";
-    }
-    text += "</tbody>";
-  }
-  text += "<tbody><tr class=\"total\"><th scope=\"row\">all</th>" + verdict_numbers(sum_of(tally.operations)) + "</tr>";
-  if (!tally.robust.empty()) {
-    text += "<tr><th scope=\"row\">robust, the same questions</th>" + verdict_numbers(sum_of(tally.robust)) + "</tr>";
-  }
-  return text + "</tbody></table></div>";
 }
 
 std::string conventions(const Tally& tally) {
@@ -160,36 +240,17 @@ std::string conventions(const Tally& tally) {
          items + "</ul></div>";
 }
 
-std::string command(const Tally& tally) {
-  if (tally.grid.size > 0) return "";
-  std::string names;
-  for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
-  if (tally.operations.size() == catalogue().size()) names = "all";
-  const bool foreign = speaker_of(tally.declaration) == Speaker::foreign && !tally.repeat.options.empty();
-  const std::string engine = foreign ? " " + tally.repeat.options : "";
-  return "<h2>Repeat</h2><pre class=\"repeat\">" +
-         escaped(fmt::format("{} audit{} --ops {} --cases {} --seed {} --report DIR", tally.repeat.program, engine,
-                             names, tally.cases, tally.seed)) +
-         "</pre>";
-}
-
 }  // namespace
 
-std::string index_page(const Tally& tally, const OperationMaps& maps) {
+std::string index_page(const Tally& tally, const OperationMaps& maps, const ReportNotes& notes) {
   const Cell sum = sum_of(tally.operations);
-  const std::string name = subject(tally.declaration);
-  std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(name) +
-                     "</h1><p class=\"lead\">" + escaped(lead(tally)) + "</p><p class=\"quiet\">" +
-                     escaped(conditions(tally)) + "</p></header><main>";
-  body += tiles(tally, sum) + "<h2>By operation</h2>" + operations_table(tally);
-  body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration));
-  if (!maps.empty()) body += "<h2>" + gallery_heading(tally, maps) + "</h2>" + gallery(maps);
-  body += conventions(tally) + "<h2>By family of inputs</h2>" + whole_table(tally) + command(tally);
-  return page(
-      "touchstone: " + name,
-      body +
-          "</main><footer>The truth is computed in exact rationals and comes with a certificate for "
-          "every answer. Numbers are binary64 inputs, taken as exactly the real numbers that they are.</footer>");
+  std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(headline(tally, sum)) +
+                     "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) + "</p><p class=\"quiet\">" +
+                     escaped(conditions(tally, sum)) + "</p></header><main>" + tiles(sum);
+  if (notes.before != nullptr) body += comparison(*notes.before, tally);
+  body += "<h2>By operation</h2>" + operations_table(tally, sum) + gallery(tally, maps);
+  body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration)) + conventions(tally);
+  return page("touchstone: " + headline(tally, sum), body + "</main>" + page_footer(tally, notes));
 }
 
 }  // namespace touchstone::audit

@@ -3,9 +3,14 @@
 
 #include "report/condition_plot.h"
 #include "report/html.h"
+#include "report/html_compare.h"
+#include "report/html_confusion.h"
 #include "report/html_finding.h"
+#include "report/html_footer.h"
 #include "report/html_map.h"
 #include "report/html_parts.h"
+#include "report/phrases.h"
+#include "report/ways.h"
 
 namespace touchstone::audit {
 namespace {
@@ -27,15 +32,15 @@ std::string navigation(const Tally& tally, std::size_t operation) {
     text += fmt::format("<a href=\"{0}.html\"{2}>{1}</a>", escaped(tally.operations[to].operation), words,
                         to > operation ? " class=\"end\"" : "");
   };
-  if (operation > 0) link(operation - 1, "\u2190 " + escaped(tally.operations[operation - 1].operation));
+  if (operation > 0) link(operation - 1, "\u2190 " + breakable(tally.operations[operation - 1].operation));
   if (operation + 1 < tally.operations.size())
-    link(operation + 1, escaped(tally.operations[operation + 1].operation) + " \u2192");
+    link(operation + 1, breakable(tally.operations[operation + 1].operation) + " \u2192");
   return text + "</nav>";
 }
 
 std::string opening(const Tally& tally, const OperationTally& counted_here, const Operation* known) {
   std::string text = "<header><p class=\"kicker\">touchstone audit of " + escaped(subject(tally.declaration)) +
-                     "</p><h1>" + escaped(counted_here.operation) + "</h1>";
+                     "</p><h1>" + breakable(counted_here.operation) + "</h1>";
   if (known) {
     const Card& card = known->card();
     std::string fields;
@@ -57,13 +62,13 @@ std::string summary(const Tally& tally, std::size_t operation) {
   for (const OperationTally& robust : tally.robust) {
     if (robust.operation != tally.operations[operation].operation) continue;
     const Cell same = robust.total();
-    text += "<p style=\"margin-top:14px\"><strong>robust</strong>, the same questions: " + escaped(summary_of(same)) +
-            ".</p>" + verdict_bar(same, true);
+    text += "<p class=\"apart\"><strong>robust</strong>, the same questions: " + escaped(summary_of(same)) + ".</p>" +
+            verdict_bar(same, true);
   }
-  if (total.not_asked > 0) text += "<p style=\"margin-top:14px\">" + escaped(not_asked_in_words(total)) + ".</p>";
+  if (total.not_asked > 0) text += "<p class=\"apart\">" + escaped(not_asked_in_words(total)) + ".</p>";
   if (tally.operations[operation].inconsistent_convention()) {
     text +=
-        "<p style=\"margin-top:14px\"><strong>Inconsistent convention</strong>: where shapes only touch, it answers as "
+        "<p class=\"apart\"><strong>Inconsistent convention</strong>: where shapes only touch, it answers as "
         "closed sets do in " +
         counted(total.touches_closed, "case") + " and as open sets do in " + counted(total.touches_open, "case") +
         ".</p>";
@@ -71,15 +76,23 @@ std::string summary(const Tally& tally, std::size_t operation) {
   return text + "</div>";
 }
 
+constexpr std::size_t most_ways = 6;  ///< that are shown with an example
+
 std::string cards(const OperationTally& tally, const Operation& known, const Tally& whole, Speaker speaker) {
-  std::string text;
-  const Cell total = tally.total();
-  for (std::size_t v = 1; v < verdict_count; ++v) {
-    const auto verdict = static_cast<Verdict>(v);
-    const Smallest smallest = smallest_of(tally, verdict);
-    if (smallest.finding && verdict != Verdict::unsupported)
-      text += finding_card(known, smallest, total.count(verdict), whole.declaration, speaker, whole.repeat);
+  std::string text, others;
+  const std::vector<WayOfOperation> ways = ways_of(tally);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (i < most_ways) {
+      text += finding_card(known, ways[i], whole.declaration, speaker, whole.repeat);
+      continue;
+    }
+    const Way& way = ways[i].way;
+    others += "<li>" + badge(way.verdict, speaker) + " " +
+              escaped(phrase(known, way.answer) + " where it is " + phrase(known, way.truth) + ": " +
+                      counted(both(ways[i].counted.cases), "case")) +
+              "</li>";
   }
+  if (!others.empty()) text += "<details><summary>Less frequent ways</summary><ul>" + others + "</ul></details>";
   return text;
 }
 
@@ -98,58 +111,54 @@ std::string findings(const Tally& tally, const OperationTally& here, const Opera
 }
 
 std::string by_family(const OperationTally& tally) {
-  const std::uint64_t refused = tally.total().refused;
+  const Cell total = tally.total();
+  const std::vector<Column> columns = columns_of(total);
   std::string text =
-      "<div class=\"card scroll\"><table><thead><tr><th scope=\"col\">family</th><th scope=\"col\" "
-      "class=\"text\"></th>" +
-      verdict_columns() + "</tr></thead><tbody>";
+      "<div class=\"card scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">family</th><th "
+      "scope=\"col\" class=\"text\"></th>" +
+      headings(columns) + "</tr></thead><tbody>";
   for (const auto& [family, cell] : tally.families) {
-    text += "<tr><td>" + escaped(family) + "</td><td>" + verdict_bar(cell, true) + "</td>" + verdict_numbers(cell) +
-            "</tr>";
+    text += "<tr><th scope=\"row\">" + breakable(family) + "</th><td class=\"bar-cell\">" + verdict_bar(cell, true) +
+            "</td>" + numbers(columns, cell) + "</tr>";
   }
-  return text + "<tr class=\"total\"><th scope=\"row\">all</th><td></td>" + verdict_numbers(tally.total()) +
+  return text + "<tr class=\"total\"><th scope=\"row\">all</th><td></td>" + numbers(columns, total) +
          "</tr></tbody></table>" +
-         (refused == 0
-              ? ""
-              : "<p class=\"small quiet\">Drawn but outside the contract, so no cases: " + grouped(refused) + ".</p>") +
+         (total.refused == 0 ? ""
+                             : "<p class=\"small quiet\">Drawn but outside the contract, so no cases: " +
+                                   grouped(total.refused) + ".</p>") +
          "</div>";
-}
-
-std::string outcomes(const Cell& total) {
-  // Where the truth has no words there is nothing to tell apart.
-  const auto truths = total.truths();
-  if (truths.empty() || (truths.size() == 1 && truths.begin()->first == "value")) return "";
-  std::string text =
-      "<h2>What the truth was</h2><div class=\"card\"><p class=\"quiet\">How often the truth was what. A family that "
-      "never reaches an answer "
-      "tests nothing about it.</p><ul class=\"chips\">";
-  for (const auto& [outcome, n] : truths) text += "<li>" + escaped(outcome) + " " + grouped(n) + "</li>";
-  return text + "</ul></div>";
 }
 
 }  // namespace
 
-std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps) {
+std::string operation_page(const Tally& tally, std::size_t operation, const std::vector<FailureMap>& maps,
+                           const ReportNotes& notes) {
   const OperationTally& here = tally.operations[operation];
   const Operation* known = find_operation(here.operation);
+  const Speaker speaker = speaker_of(tally.declaration);
   std::string body = navigation(tally, operation) + opening(tally, here, known) + "<main>" + summary(tally, operation);
-  if (known) body += "<h2>The smallest input of each cause</h2>" + findings(tally, here, *known);
-  if (known && !maps.empty()) {
+  if (notes.before != nullptr) body += comparison(*notes.before, tally, here.operation);
+  if (known) {
+    const std::string matrix = confusion_matrix(
+        *known, here.total(), speaker == Speaker::foreign ? tally.declaration.engine : std::string("the formula"));
+    if (!matrix.empty()) body += "<h2>Truth and answer</h2>" + matrix;
+    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known);
+  }
+  if (known && !maps.empty() && subject_of(maps).findings() > 0) {
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
   }
-  if (known && speaker_of(tally.declaration) == Speaker::reference && !tally.declaration.binary32)
-    body += condition_section(*known);
-  body += "<h2>By family of inputs</h2>" + by_family(here) + outcomes(here.total());
-  return page("touchstone: " + here.operation, body + "</main><footer></footer>");
+  if (known && speaker == Speaker::reference && !tally.declaration.binary32) body += condition_section(*known);
+  body += "<h2>By family of inputs</h2>" + by_family(here);
+  return page("touchstone: " + here.operation, body + "</main>" + page_footer(tally, notes));
 }
 
 std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
   const Card& card = operation.card();
   return page("touchstone map: " + operation.name(),
-              "<header><p class=\"kicker\">touchstone map</p><h1>" + escaped(operation.name()) +
+              "<header><p class=\"kicker\">touchstone map</p><h1>" + breakable(operation.name()) +
                   "</h1><p class=\"lead\">" + escaped(card.question) + " Deck p. " + escaped(card.pages) + ".</p><p>" +
                   escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" +
-                  map_section(operation, maps, repeat) + "</div></main><footer></footer>");
+                  map_section(operation, maps, repeat) + "</div></main>" + page_footer());
 }
 
 }  // namespace touchstone::audit

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
-
 #include "report/html_map.h"
 #include "report/html_style.h"
 #include "report/map_script.h"
@@ -14,20 +12,48 @@
 namespace touchstone::audit {
 namespace {
 
-std::string bar_of(const std::array<std::uint64_t, verdict_count>& counts, bool thin) {
-  const std::uint64_t whole = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-  if (whole == 0) return "";
-  std::string parts, spoken;
+struct Part {
+  const char *style, *name;
+  std::uint64_t n;
+};
+
+/// What was counted, rounding by its two kinds.
+std::vector<Part> parts_of(const Cell& cell, bool findings_alone) {
+  std::vector<Part> parts;
+  const auto counts = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
-    const std::uint64_t n = counts[v];
-    if (n == 0) continue;
-    const std::string text = std::string(verdict_names[v]) + " " + grouped(n) + " (" + share(n, whole) + ")";
-    parts += fmt::format("<i class=\"{} hatch\" style=\"width:{:.3f}%\" title=\"{}\"></i>", verdict_names[v],
-                         100.0 * static_cast<double>(n) / static_cast<double>(whole), text);
+    const auto verdict = static_cast<Verdict>(v);
+    if (findings_alone && !is_finding(verdict)) continue;
+    if (verdict == Verdict::rounding) {
+      parts.push_back({"rounding", "rounding by cancellation", both(cell.cancellation())});
+      parts.push_back({"range", "over- or underflow", both(cell.out_of_range())});
+    } else {
+      parts.push_back({verdict_names[v], verdict_names[v], counts[v]});
+    }
+  }
+  return parts;
+}
+
+std::string bar_of(const std::vector<Part>& parts, bool thin) {
+  std::uint64_t whole = 0;
+  for (const Part& part : parts) whole += part.n;
+  if (whole == 0) return "";
+  std::string bars, spoken;
+  for (const Part& part : parts) {
+    if (part.n == 0) continue;
+    const std::string text = std::string(part.name) + " " + grouped(part.n) + " (" + share(part.n, whole) + ")";
+    bars += fmt::format("<i class=\"{} hatch\" style=\"width:{:.3f}%\" title=\"{}\"></i>", part.style,
+                        100.0 * static_cast<double>(part.n) / static_cast<double>(whole), text);
     spoken += (spoken.empty() ? "" : ", ") + text;
   }
-  return fmt::format("<div class=\"bar{}\" role=\"img\" aria-label=\"{}\">{}</div>", thin ? " thin" : "", spoken,
-                     parts);
+  return fmt::format("<div class=\"bar{}\" role=\"img\" aria-label=\"{}\">{}</div>", thin ? " thin" : "", spoken, bars);
+}
+
+/// Text with places where a line may break after each of these characters.
+std::string with_breaks(const std::string& text, const std::string& after) {
+  std::string broken;
+  for (const char c : escaped(text)) (broken += c) += after.find(c) != std::string::npos ? "<wbr>" : "";
+  return broken;
 }
 
 }  // namespace
@@ -43,10 +69,13 @@ std::string page(const std::string& title, const std::string& body) {
 }
 
 std::string code(const std::string& text) {
-  // A line may break after a comma or a colon: JSON on one line has no spaces.
-  std::string breakable;
-  for (const char c : escaped(text)) (breakable += c) += c == ',' || c == ':' ? "<wbr>" : "";
-  return "<code>" + breakable + "</code>";
+  return "<code>" + with_breaks(text, ",:") + "</code>";  // JSON on one line has no spaces
+}
+
+std::string breakable(const std::string& name) { return with_breaks(name, "_"); }
+
+std::string shell_line(const std::string& line) {
+  return "<pre class=\"repeat\">" + with_breaks(line, ",:") + "</pre>";
 }
 
 std::string badge(Verdict verdict, Speaker speaker) {
@@ -56,27 +85,46 @@ std::string badge(Verdict verdict, Speaker speaker) {
 
 std::string swatch(const std::string& colour) { return "<span class=\"swatch\" style=\"--c:" + colour + "\"></span>"; }
 
-std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(cell.counts(), thin); }
+std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(parts_of(cell, false), thin); }
+std::string cause_bar(const Cell& cell) { return bar_of(parts_of(cell, true), true); }
 
-std::string cause_bar(const Cell& cell) {
-  auto counts = cell.counts();
-  for (std::size_t v = 0; v < verdict_count; ++v) counts[v] = is_finding(static_cast<Verdict>(v)) ? counts[v] : 0;
-  return bar_of(counts, true);
+std::vector<Column> columns_of(const Cell& total) {
+  static const Column all[] = {
+      {"cases", false, [](const Cell& c) { return c.cases(); }},
+      {"wrong", true, [](const Cell& c) { return c.wrong(); }},
+      {"of ordinary size", true, [](const Cell& c) { return c.wrong(Range::ordinary); }},
+      {"by cancellation", true, [](const Cell& c) { return both(c.cancellation()); }},
+      {"by over- or underflow", true, [](const Cell& c) { return both(c.out_of_range()); }},
+      {"by algorithm", true, [](const Cell& c) { return c.count(Verdict::algorithm); }},
+      {"invalid", true, [](const Cell& c) { return c.count(Verdict::invalid); }},
+      {"inexact", true, [](const Cell& c) { return c.count(Verdict::inexact); }},
+      {"convention", false, [](const Cell& c) { return c.count(Verdict::convention); }},
+      {"tolerance", false, [](const Cell& c) { return c.count(Verdict::tolerance); }},
+      {"unsupported", false, [](const Cell& c) { return c.count(Verdict::unsupported); }},
+      {"agree", false, [](const Cell& c) { return c.count(Verdict::agree); }},
+  };
+  std::vector<Column> columns;
+  for (const Column& column : all) {
+    if (columns.size() < 2 || column.count(total) > 0) columns.push_back(column);
+  }
+  return columns;
 }
 
-std::string verdict_columns() {
-  std::string text = "<th scope=\"col\">cases</th>";
-  for (const char* name : verdict_names) text += std::string("<th scope=\"col\">") + name + "</th>";
+std::string headings(const std::vector<Column>& columns) {
+  std::string text;
+  for (const Column& column : columns) text += std::string("<th scope=\"col\">") + column.name + "</th>";
   return text;
 }
 
-std::string verdict_numbers(const Cell& cell) {
-  std::string text = "<td>" + grouped(cell.cases()) + "</td>";
-  const auto counts = cell.counts();
-  for (std::size_t v = 0; v < verdict_count; ++v) {
-    const bool found = is_finding(static_cast<Verdict>(v));
-    text += counts[v] == 0 ? "<td class=\"none\">0</td>"
-                           : fmt::format("<td{}>{}</td>", found ? " class=\"found\"" : "", grouped(counts[v]));
+std::string numbers(const std::vector<Column>& columns, const Cell& cell) {
+  std::string text;
+  for (const Column& column : columns) {
+    const std::uint64_t n = column.count(cell);
+    text += fmt::format("<td data-label=\"{}\" class=\"{}\">{}</td>", column.name,
+                        n == 0         ? "none"
+                        : column.found ? "found"
+                                       : "",
+                        grouped(n));
   }
   return text;
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "audit/tally.h"
 #include "report/labels.h"
@@ -18,13 +20,26 @@ std::string code(const std::string& text);
 std::string badge(Verdict verdict, Speaker speaker);
 std::string swatch(const std::string& colour);
 
-/// Shares of the verdicts as one horizontal bar, its numbers said to screen readers.
+/// A name of ours, as in "point_on_segment": a line may break after each part of it.
+std::string breakable(const std::string& name);
+/// A line for a shell; it may break after a comma.
+std::string shell_line(const std::string& line);
+
+/// Shares of the verdicts as one horizontal bar, rounding in its two parts, its numbers said to screen readers.
 std::string verdict_bar(const Cell& cell, bool thin);
 /// The findings alone, as parts of all findings. Empty where there is none.
 std::string cause_bar(const Cell& cell);
 
-/// Numbers of a cell as table cells, in the order of verdict_columns.
-std::string verdict_columns();
-std::string verdict_numbers(const Cell& cell);
+/// A kind of number in tables: "wrong", "cancellation" ...
+struct Column {
+  const char* name;
+  bool found;  ///< its numbers are findings
+  std::uint64_t (*count)(const Cell&);
+};
+/// Those that are not 0 in `total`, cases and wrong always. Cancellation, over- or underflow, algorithm and invalid add
+/// up to wrong; wrong and what follows them to the cases.
+std::vector<Column> columns_of(const Cell& total);
+std::string headings(const std::vector<Column>& columns);
+std::string numbers(const std::vector<Column>& columns, const Cell& cell);
 
 }  // namespace touchstone::audit

@@ -39,6 +39,7 @@ p{margin:0 0 12px;max-width:78ch}.lead{font-size:17px}.quiet{color:var(--quiet)}
 .bar i{display:block;background-color:var(--c);min-width:2px}
 .bar.thin{height:9px;min-width:80px}
 .algorithm.hatch{background-image:repeating-linear-gradient(45deg,#fff5 0 2px,#fff0 2px 6px)}
+.range.hatch{background-image:repeating-linear-gradient(90deg,#fff5 0 2px,#fff0 2px 6px)}
 .rounding.hatch{background-image:repeating-linear-gradient(-45deg,#fff4 0 1.5px,#fff0 1.5px 7px)}
 .swatch{display:inline-block;width:13px;height:13px;border-radius:3px;background:var(--c);vertical-align:-1px;margin-right:7px;border:1px solid #0003}
 .badge{display:inline-block;border:1px solid var(--line);border-left:5px solid var(--c);border-radius:4px;padding:0 8px;font-size:13px;font-weight:600;background:var(--paper);white-space:nowrap}
@@ -48,21 +49,26 @@ dl.legend dt{font-weight:600}dl.legend dd{margin:0;color:var(--quiet)}
 table{border-collapse:collapse;width:100%;font-size:14px}
 th,td{text-align:right;padding:4px 7px;font-variant-numeric:tabular-nums;white-space:nowrap;border-bottom:1px solid var(--line)}
 th{color:var(--quiet);font-weight:600;font-size:13px;vertical-align:bottom}
-th:first-child,td:first-child{text-align:left;padding-left:2px}
+th:first-child,td:first-child{text-align:left;padding-left:2px}thead th{white-space:normal}
 tbody th{color:var(--ink);font-size:14px}
 tbody tr.total>*{font-weight:650;border-top:2px solid var(--faint);padding-top:8px}
 td.none{color:var(--quiet)}td.wide{width:34%;min-width:160px}td.text,th.text{text-align:left;white-space:normal}
 td.found{font-weight:600}
 code,pre{font:13px/1.5 ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace}
-code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:anywhere}
-pre{background:var(--code);border-radius:6px;padding:9px 12px;margin:4px 0 12px;white-space:pre-wrap;overflow-wrap:anywhere}
+code{background:var(--code);border-radius:4px;padding:1px 5px;overflow-wrap:break-word}
+pre{background:var(--code);border-radius:6px;padding:9px 12px;margin:4px 0 12px;white-space:pre-wrap;overflow-wrap:break-word}
 pre.repeat{user-select:all}
 .facts{display:grid;grid-template-columns:max-content 1fr;gap:5px 16px;margin:14px 0 4px;font-size:14.5px}
 .facts dt{color:var(--quiet)}.facts dd{margin:0;min-width:0}
 .facts dd code{display:inline-block}
-figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{color:var(--quiet);font-size:13.5px;overflow-wrap:anywhere}
+figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{font-size:14.5px;max-width:60ch;overflow-wrap:break-word}
+.beside{display:flex;flex-wrap:wrap;gap:0 28px}.truth-said{color:var(--truth)}.who-said{color:var(--said)}
+.finding h3{display:flex;flex-wrap:wrap;gap:4px 10px;align-items:baseline}.how-often{font-weight:400;color:var(--quiet);font-size:14px}
+.apart{margin-top:14px}.question{font-weight:400;white-space:normal}td small{color:var(--quiet);font-weight:400}
+.confusion td{text-align:right}.confusion td small{display:block}.confusion td.right{background:var(--agree)}.confusion td.found{box-shadow:inset 4px 0 var(--rounding)}
+.walk pre{white-space:pre-wrap}
 .said{margin:8px 0 4px}.said td,.said th{white-space:normal;vertical-align:top}.said td:nth-child(2){text-align:left}
-.said td:nth-child(2) code{overflow-wrap:break-word}.said tr.truth th{color:var(--truth)}
+.said tr.truth th{color:var(--truth)}
 details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .maps{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:24px}
 .map{position:relative}.map img,.gallery img{image-rendering:pixelated;width:100%;height:auto;display:block}
@@ -77,22 +83,34 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .maps ul{list-style:none;margin:10px 0 0;padding:0;font-size:14px}
 .maps li{display:flex;gap:4px;align-items:baseline}.maps li b{margin-left:auto;font-weight:500;font-variant-numeric:tabular-nums}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}
-.gallery a{min-width:0;overflow-wrap:anywhere;text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
+.gallery a{min-width:0;text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
 .chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
-@media (max-width:640px){main,header,nav,footer{padding-left:14px;padding-right:14px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}.seen figure{overflow-x:auto}.fig{max-width:none}.said td:nth-child(2) code{overflow-wrap:anywhere}}
+@media screen and (max-width:640px){
+main,header,nav,footer{padding-left:14px;padding-right:14px}.card{padding:14px}
+h1{font-size:25px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}
+.seen figure{overflow-x:auto}.seen figure .fig{max-width:none}.beside{min-width:0;max-width:100%}.seen .said{flex-basis:100%}.tiles{grid-template-columns:repeat(auto-fit,minmax(130px,1fr))}
+table.stack thead{display:none}table.stack,table.stack tbody{display:block}
+table.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}
+table.stack th,table.stack td{display:block;border:0;padding:1px 0;text-align:left;white-space:normal;background:none;box-shadow:none}
+table.stack td[data-label]{display:flex;justify-content:flex-end;align-items:baseline;gap:8px;text-align:right}
+table.stack td[data-label]::before{content:attr(data-label);color:var(--quiet);font-weight:400;text-align:left;margin-right:auto}
+table.stack td.none{display:none}table.stack td.bar-cell{padding:4px 0;width:auto}table.stack td:empty{display:none}
+.said tr{display:block;border-bottom:1px solid var(--line);padding:5px 0}.said th,.said td{display:block;border:0;padding:1px 0;text-align:left}
+.walk{display:block}.lenses{grid-template-columns:1fr 1fr}
+}
 @page{margin:13mm}
 @media print{
-body{background:#fff;font-size:10pt}nav,.screen{display:none}
+body{background:#fff;font-size:10pt}nav,.screen,.walk,.cross{display:none}
 main,header,footer{max-width:none;padding:0}header{padding-top:0}h2{margin-top:24px}h2,h3,h4{break-after:avoid}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}
 .card{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
-p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
+p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a,.gallery img{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
 .card>h3,.card>h3+p,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
 .tiles{grid-template-columns:repeat(auto-fit,minmax(88px,1fr))}.tile b{font-size:15pt}
 .scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}td.wide{min-width:90px}.bar.thin{min-width:40px}
 .seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.wide){flex-basis:100%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}
-.maps{grid-template-columns:repeat(3,1fr);gap:16px}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
+.maps{grid-template-columns:repeat(3,1fr);gap:16px}.maps li{break-inside:avoid}.maps ul{font-size:8pt}.maps ul,.maps h4{break-inside:avoid}
 .gallery{grid-template-columns:repeat(3,1fr)}
 details::details-content{content-visibility:visible;block-size:auto}
 }
@@ -107,7 +125,7 @@ std::string verdict_variables(Scheme scheme) {
 }
 
 std::string verdict_classes() {
-  std::string text;
+  std::string text = ".range{--c:var(--range)}";
   for (const char* name : verdict_names) text += std::string(".") + name + "{--c:var(--" + name + ")}";
   return text;
 }

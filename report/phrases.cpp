@@ -94,6 +94,9 @@ bool say(const Operation& operation, const std::string& key, const Json& value, 
 }  // namespace
 
 std::string phrase(const Operation& operation, const std::string& word) {
+  const std::size_t slash = word.find('/');
+  if (slash != std::string::npos)
+    return phrase(operation, word.substr(0, slash)) + ", " + phrase(operation, word.substr(slash + 1));
   for (const Phrase& entry : phrases) {
     if (word == entry.word && (entry.operation[0] == '\0' || operation.name() == entry.operation)) return entry.words;
   }

@@ -9,7 +9,7 @@
 namespace touchstone::audit {
 
 /// An answer's word in plain words: "left" of orientation is "left of the line". A word without a phrase stands as it
-/// is, "_" a space.
+/// is, "_" a space; of several with "/" between them ("convex/ccw") each has its own.
 std::string phrase(const Operation& operation, const std::string& word);
 
 /// A whole answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)". `answer`

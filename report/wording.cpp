@@ -37,7 +37,7 @@ bool mentions_nan(const Json& answer) {
          std::any_of(answer.begin(), answer.end(), [](const Json& part) { return mentions_nan(part); });
 }
 
-/// Whether the slide's formula in the engine's own number type decides rightly; empty where that cannot be asked.
+/// Whether the textbook formula in the engine's own number type decides rightly; empty where that cannot be asked.
 std::optional<bool> formula_is_right(const Finding& finding, const Operation* operation, bool binary32) {
   if (!operation) return std::nullopt;
   try {
@@ -79,24 +79,25 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
   switch (speaker) {
     case Speaker::reference:
       return std::string(
-                 "The slide's formula itself fails here: even in exact arithmetic it is wrong, or undefined such as "
+                 "The textbook formula itself fails here: even in exact arithmetic it is wrong, or undefined such as "
                  "0/0.") +
              (mentions_nan(finding.answer) ? " The NaN in the answer is what 0/0 leaves behind." : "");
     case Speaker::robust: return "robust promises the right answer for every finite input, so this is a bug of robust.";
     case Speaker::foreign: break;
   }
   const auto right = formula_is_right(finding, operation, binary32);
-  return std::string("The slide's formula, evaluated in the engine's own number type, is ") +
+  return std::string("The textbook formula, evaluated in the engine's own number type, is ") +
          (right && *right ? "right here" : "certain of its decision here, although that is wrong too") +
          ": the method is the presumed cause. The engine's own formula was not seen.";
 }
 
 std::string why_rounding(Speaker speaker) {
   if (speaker == Speaker::reference) {
-    return "The slide's formula is right here: so is its answer in exact arithmetic. Rounding its intermediate results "
+    return "The textbook formula is right here: so is its answer in exact arithmetic. Rounding its intermediate "
+           "results "
            "changed the decision.";
   }
-  return "The slide's formula, evaluated in the engine's own number type, rounds and is wrong on this input too, or "
+  return "The textbook formula, evaluated in the engine's own number type, rounds and is wrong on this input too, or "
          "the input is beside a touch by less than its last places: rounding is the presumed cause. The engine's own "
          "formula was not seen.";
 }
@@ -144,11 +145,11 @@ std::string meaning(Verdict verdict, Speaker speaker) {
     case Verdict::agree: return "right decision, every number within the stated bound";
     case Verdict::rounding:
       return foreign
-                 ? "wrong decision where the slide's formula in the engine's number type rounds and is wrong too, or "
+                 ? "wrong decision where the textbook formula in the engine's number type rounds and is wrong too, or "
                    "beside a touch by less than the input's last places"
                  : "wrong decision; the same formula in exact arithmetic is right";
     case Verdict::algorithm:
-      return foreign ? "wrong decision where the slide's formula in the engine's number type is right, or certain"
+      return foreign ? "wrong decision where the textbook formula in the engine's number type is right, or certain"
                      : "wrong decision, or undefined, even in exact arithmetic";
     case Verdict::inexact: return "right decision, a number further off than the stated bound";
     case Verdict::convention: return "right for open sets, where the truth is a touch";

@@ -46,7 +46,7 @@ void check_pixel(const Json& seen, const Operation& operation, const MapGrid& gr
   const Question question = grid.at(column, row);
   const auto examination = operation.examine(question);
   CHECK(seen["input"] == one_line(operation.print(question)));
-  CHECK(seen["repeat"] == repeat_command(operation, question, Speaker::reference));
+  CHECK(seen["repeat"] == repeat_command(operation, question, Speaker::reference, {}));
   const std::string truth = phrase(operation, examination->outcome());
   const std::string formula = phrase(operation, word_in(examination->reference()));
   const auto& answers = seen["answers"];

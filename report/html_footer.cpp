@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/html_footer.h"
+
+#include <fmt/format.h>
+#include <gmp.h>
+#include <mpfr.h>
+#include <png.h>
+
+#include "report/html_parts.h"
+#include "report/wording.h"
+
+namespace touchstone::audit {
+
+std::string versions() {
+#if defined(__clang__)
+  const std::string compiler = "clang " __clang_version__;
+#else
+  const std::string compiler = "g++ " __VERSION__;
+#endif
+  return fmt::format("touchstone 0.1.0, {}, GMP {}, MPFR {}, libpng {}", compiler, gmp_version, mpfr_get_version(),
+                     PNG_LIBPNG_VER_STRING);
+}
+
+std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {
+  if (!notes.command.empty()) return notes.command;
+  std::string names;
+  for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
+  if (tally.operations.size() == catalogue().size()) names = "all";
+  const bool ours = tally.repeat.program == Repeat{}.program;
+  if (tally.grid.size > 0) return fmt::format("touchstone exhaust {} --grid {}", names, tally.grid.size);
+  const std::string options = tally.repeat.options.empty() ? "" : " " + tally.repeat.options;
+  const std::string range = sum_of(tally.operations).left_out > 0 ? " --range ordinary" : "";
+  return fmt::format("{}{}{} --ops {} --cases {} --seed {}{} --report DIR", tally.repeat.program, ours ? " audit" : "",
+                     options, names, tally.cases, tally.seed, range);
+}
+
+std::string page_footer(const Tally& tally, const ReportNotes& notes) {
+  return "<footer><p>The truth is computed in exact rationals and comes with a certificate for every answer. Inputs "
+         "are "
+         "taken as exactly the real numbers that their doubles are.</p><p>Made by:</p>" +
+         shell_line(audit_command_of(tally, notes)) + "<p>" + escaped(versions()) + "</p></footer>";
+}
+
+std::string page_footer() { return "<footer><p>" + escaped(versions()) + "</p></footer>"; }
+
+}  // namespace touchstone::audit

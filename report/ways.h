@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "audit/tally.h"
+
+namespace touchstone::audit {
+
+/// A way of answering an operation, over all its families.
+struct WayOfOperation {
+  Way way;
+  WayCount counted;
+  std::string family;  ///< of the example
+};
+
+/// Those that have an example: wrong answers, then inexact ones, then what is no finding; of these what is most frequent
+/// at ordinary size first.
+std::vector<WayOfOperation> ways_of(const OperationTally& tally);
+
+}  // namespace touchstone::audit
