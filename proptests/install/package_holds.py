@@ -75,6 +75,12 @@ def faults(source, prefix):
     for file in sorted(files):
         if file.startswith("include/"):
             yield from faults_of_header(file, (prefix / file).read_text(encoding="utf-8"), files)
+    # So that it can be moved, and no one else's paths are in it.
+    for file in sorted(files):
+        text = (prefix / file).read_bytes() if file.startswith("lib") and file.endswith((".cmake", ".pc")) else b""
+        for place in (source, prefix):
+            if str(place.resolve()).encode() in text:
+                yield f"{file}: holds the path {place}"
     for vectors in sorted((source / "vectors").glob("*.jsonl")):
         if f"share/touchstone/vectors/{vectors.name}" not in files:
             yield f"{vectors.name}: test vectors that are not installed"
