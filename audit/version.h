@@ -4,6 +4,6 @@
 namespace touchstone::audit {
 
 /// As CMakeLists.txt has it (a test compares them).
-inline constexpr const char* release_number = "0.1.0";
+inline constexpr const char* version_number = "0.1.0";
 
 }  // namespace touchstone::audit

@@ -17,7 +17,7 @@ std::string version() {
 #else
   const std::string compiler = "g++ " __VERSION__;
 #endif
-  return std::string("touchstone ") + release_number + "\ncompiler: " + compiler +
+  return std::string("touchstone ") + version_number + "\ncompiler: " + compiler +
          fmt::format("\nlibraries: GMP {}, MPFR {}, nlohmann-json {}.{}.{}, {{fmt}} {}.{}.{}, CLI11 {}, libpng {}",
                      gmp_version, mpfr_get_version(), NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                      NLOHMANN_JSON_VERSION_PATCH, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,

@@ -6,7 +6,7 @@ each: every fault must be found).
 Links lead to files that are there, and to headings. A block marked `console` shows commands (`$ ...`) with what they
 print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
 lines. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
-audit/version.h and CITATION.cff."""
+audit/version.h, CITATION.cff and the program."""
 import argparse
 import pathlib
 import re
@@ -80,23 +80,24 @@ def shown_output(root, page, program):
                 yield f"{page.relative_to(root)}: $ {command}: it prints\n" + "\n".join(printed[:40])
 
 
-def versions(root):
-    found = {}
+def versions(root, told):
+    """told: what the program says of itself."""
+    found = {"--version": re.match(r"touchstone ([\d.]+)$|", told, re.MULTILINE).group(1)}
     for file, pattern in {"CMakeLists.txt": r"project\(touchstone VERSION ([\d.]+)",
-                          "audit/version.h": r'version = "([\d.]+)"',
+                          "audit/version.h": r'version_number = "([\d.]+)"',
                           "CITATION.cff": r"^version: ([\d.]+)$"}.items():
         match = re.search(pattern, (root / file).read_text(encoding="utf-8"), re.MULTILINE)
         found[file] = match.group(1) if match else "none"
     if len(set(found.values())) > 1:
-        yield "versions differ: " + ", ".join(f"{file} {version}" for file, version in found.items())
+        yield "versions differ: " + ", ".join(f"{place} {version}" for place, version in found.items())
 
 
-def faults(root, program, usage, subcommands):
+def faults(root, program, usage, subcommands, told):
     for page in pages(root):
         yield from links(root, page)
         yield from commands(root, page, usage, subcommands)
         yield from shown_output(root, page, program)
-    yield from versions(root)
+    yield from versions(root, told)
 
 
 RIGHT = {
@@ -105,7 +106,7 @@ RIGHT = {
     "docs/page.md": "# Two `words`\n[up](../README.md) [out](https://example.org)\n",
     "picture.png": "",
     "CMakeLists.txt": "project(touchstone VERSION 1.2.3 LANGUAGES CXX)\n",
-    "audit/version.h": 'version = "1.2.3";\n',
+    "audit/version.h": 'version_number = "1.2.3";\n',
     "CITATION.cff": "version: 1.2.3\n",
     "program": "#!/bin/sh\necho asked\n",
 }
@@ -132,7 +133,7 @@ def self_check():
                 changed = text.replace(before, after, 1) if name == file and before else text
                 (root / name).write_text(changed, encoding="utf-8")
             (root / "program").chmod(0o755)
-            found = list(faults(root, root / "program", "./dev test   build", {"ask"}))
+            found = list(faults(root, root / "program", "./dev test   build", {"ask"}, "touchstone 1.2.3\nelse"))
         if wanted is None and found:
             yield f"the right tree: {found}"
         if wanted is not None and not (len(found) == 1 and wanted in found[0]):
@@ -149,9 +150,10 @@ def main():
     else:
         root = pathlib.Path(__file__).resolve().parent.parent
         usage = subprocess.run([root / "dev", "help"], check=True, text=True, stdout=subprocess.PIPE).stdout
-        told = subprocess.run([options.program, "--help"], check=True, text=True, stdout=subprocess.PIPE).stdout
-        subcommands = set(re.findall(r"^  ([a-z][a-z-]*)  ", told, re.MULTILINE))
-        found = list(faults(root, options.program.resolve(), usage, subcommands))
+        help_text, version = (subprocess.run([options.program, option], check=True, text=True, stdout=subprocess.PIPE).stdout
+                              for option in ("--help", "--version"))
+        subcommands = set(re.findall(r"^  ([a-z][a-z-]*)  ", help_text, re.MULTILINE))
+        found = list(faults(root, options.program.resolve(), usage, subcommands, version))
     print("\n".join(found) or "the pages hold")
     sys.exit(1 if found else 0)
 

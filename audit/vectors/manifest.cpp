@@ -65,7 +65,7 @@ Json manifest_of(const std::string& folder, std::uint64_t seed) {
   }
   Json manifest = Json::object();
   manifest["touchstone"] = vector_version;
-  manifest["generator"] = std::string("touchstone ") + release_number;
+  manifest["generator"] = std::string("touchstone ") + version_number;
   manifest["seed"] = seed;
   manifest["vectors"] = vectors;
   manifest["files"] = std::move(files);
