@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "audit/tally.h"
 #include "report/map_image.h"
 
 /// Failure maps as HTML.
