@@ -173,7 +173,8 @@ void add_vectors(CLI::App& program, Action& action) {
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   auto checked = std::make_shared<VectorsCheckCommand>();
   check->add_option("directory", checked->directory, "Where they are")->required();
-  add_engine(*check, checked->engine, checked->timeout, "Asked them as well, and judged");
+  add_engine(*check, checked->engine, checked->timeout,
+             "Asked the vectors of its operations, and judged; no others are checked");
   check->callback([=, &action] { action = [=] { return vectors_check_command(*checked, std::cout, std::cerr); }; });
 }
 

@@ -60,7 +60,8 @@ class EngineResult {
     std::string causes;
     for (std::size_t v = 0; v < verdict_count; ++v) {
       asked += counts_[v];
-      if (v > 0 && counts_[v] > 0) causes += ", " + std::to_string(counts_[v]) + " " + verdict_names[v];
+      if (v > 0 && counts_[v] > 0)
+        causes += (causes.empty() ? "; " : ", ") + std::to_string(counts_[v]) + " " + verdict_names[v];
       if (is_finding(static_cast<Verdict>(v))) findings += counts_[v];
     }
     out_ << engine_.declaration().engine << ": " << asked << " vectors asked, " << findings << " findings" << causes
@@ -126,6 +127,9 @@ int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out,
   for (const std::string& complaint : differences)
     err << "touchstone: " << excerpt((std::filesystem::path(directory) / complaint).string(), 1000) << '\n';
   for (const std::string& file : files) {
+    // A file of an operation that the engine does not have is none of its business.
+    const Operation* const operation = find_operation(std::filesystem::path(file).stem().string());
+    if (engine && operation != nullptr && !engine->supports(operation->name())) continue;
     std::optional<VectorQuestions> questions;
     if (engine) questions.emplace(*engine, directory);
     std::set<std::string> ids;
