@@ -24,6 +24,16 @@ class Shrinker {
   Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way)
       : shrinking_(shrinking), family_(family), way_(way) {}
 
+  /// What we answered ourselves is not kept while cases are counted.
+  void add_answer(Finding& example) const {
+    if (shrinking_.engine != nullptr) return;
+    try {
+      const auto examination = shrinking_.operation.examine(example.question);
+      example.answer = shrinking_.robust ? examination->robust() : examination->reference();
+    } catch (const InvalidInput&) {  // refused differently by robust and oracle: there is none
+    }
+  }
+
   void shrink(Finding& example) {
     if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
     Choices choices = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
@@ -88,6 +98,7 @@ struct Task {
   const Way* way;
   Finding* example;
   std::size_t family;  ///< within the operation
+  bool smaller = true;
 };
 
 }  // namespace
@@ -103,7 +114,7 @@ void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>&
   for (auto& [way, examples] : by_way) {
     std::stable_sort(examples.begin(), examples.end(),
                      [](const Task& a, const Task& b) { return shown_before(*a.example, *b.example); });
-    examples.resize(std::min(examples.size(), most_families));
+    for (std::size_t i = most_families; i < examples.size(); ++i) examples[i].smaller = false;
     tasks.insert(tasks.end(), examples.begin(), examples.end());
   }
   // One engine is asked one question after the other.

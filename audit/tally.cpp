@@ -137,6 +137,11 @@ Range range_of(const Question& question, const Limits& limits) {
   return ordinary ? Range::ordinary : Range::extreme;
 }
 
+const char* cause_of(const Judgement& judgement) {
+  if (judgement.verdict != Verdict::rounding) return name_of(judgement.verdict);
+  return judgement.out_of_range ? "out_of_range" : "cancellation";
+}
+
 bool shown_before(const Finding& a, const Finding& b) {
   if (a.range != b.range) return a.range < b.range;
   if (a.generic != b.generic) return a.generic;

@@ -40,6 +40,9 @@ struct Finding {
   bool generic = true;  ///< audit/generic.h
 };
 
+/// The verdict, or of `rounding` its kind: "cancellation" or "out_of_range".
+const char* cause_of(const Judgement& judgement);
+
 /// Whether `a` is the better example of one way of answering: ordinary numbers before extreme ones, generic before
 /// degenerate, then the smaller question, then the earlier case. A total order of the findings of one cell.
 bool shown_before(const Finding& a, const Finding& b);

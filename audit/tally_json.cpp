@@ -2,24 +2,44 @@
 #include "audit/tally_json.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "audit/engines/protocol.h"
+#include "audit/place.h"
+#include "audit/repeat.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/plain.h"
 
 namespace touchstone::audit {
 namespace {
 
-Json finding_json(const Operation& operation, const Finding& finding) {
+/// Null where robust and oracle refuse the question.
+Json truth_json(const Operation& operation, const Question& question) {
+  try {
+    return operation.examine(question)->truth();
+  } catch (const InvalidInput&) {
+    return nullptr;
+  }
+}
+
+/// Whose tallies they are.
+struct Whose {
+  const Tally& tally;
+  bool robust;
+};
+
+Json finding_json(const Operation& operation, const Finding& finding, const Whose& whose) {
   return {{"input", operation.print(finding.question)},
+          {"hex", operation.print_hexadecimal(finding.question)},
+          {"truth", truth_json(operation, finding.question)},
+          {"cause", cause_of(finding.judgement)},
           {"index", finding.index},
           {"answer", plain(finding.answer)},
           {"ulps", written(finding.judgement.ulps)},
           {"remark", finding.judgement.remark},
           {"touch", finding.judgement.touch_reading},
           {"range", name_of(finding.range)},
-          {"generic", finding.generic}};
+          {"generic", finding.generic},
+          {"repeat", repeat_command(operation, finding.question, whose.tally, whose.robust)}};
 }
 
 Json by_range_json(const ByRange& counts) {
@@ -28,13 +48,13 @@ Json by_range_json(const ByRange& counts) {
   return result;
 }
 
-Json way_json(const Operation* operation, const Way& way, const WayCount& counted) {
+Json way_json(const Operation* operation, const Way& way, const WayCount& counted, const Whose& whose) {
   Json result = {{"verdict", name_of(way.verdict)},
                  {"truth", way.truth},
                  {"answer", way.answer},
                  {"cases", by_range_json(counted.cases)}};
   if (way.verdict == Verdict::rounding) result["out_of_range"] = by_range_json(counted.out_of_range);
-  if (counted.example && operation) result["example"] = finding_json(*operation, *counted.example);
+  if (counted.example && operation) result["example"] = finding_json(*operation, *counted.example, whose);
   return result;
 }
 
@@ -48,16 +68,16 @@ Json ordinary_json(const Cell& cell) {
           {"out_of_range", cell.out_of_range()[0]}};
 }
 
-Json cell_json(const Operation* operation, const std::string& family, const Cell& cell) {
+Json cell_json(const Operation* operation, const std::string& family, const Cell& cell, const Whose& whose) {
   Json counts = Json::object(), outcomes = Json::object(), smallest = Json::object(), rules = Json::object();
   Json ways = Json::array();
   const auto by_verdict = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     counts[verdict_names[v]] = by_verdict[v];
     const Finding* example = cell.example(static_cast<Verdict>(v));
-    if (example != nullptr && operation) smallest[verdict_names[v]] = finding_json(*operation, *example);
+    if (example != nullptr && operation) smallest[verdict_names[v]] = finding_json(*operation, *example, whose);
   }
-  for (const auto& [way, counted] : cell.ways) ways.push_back(way_json(operation, way, counted));
+  for (const auto& [way, counted] : cell.ways) ways.push_back(way_json(operation, way, counted, whose));
   for (const auto& [truth, n] : cell.truths()) outcomes[truth] = n;
   for (const auto& [rule, n] : cell.rules) rules[rule] = n;
   Json result = {{"family", family},
@@ -79,68 +99,16 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
   return result;
 }
 
-Json operations_json(const std::vector<OperationTally>& tallies) {
+Json operations_json(const std::vector<OperationTally>& tallies, const Whose& whose) {
   Json result = Json::array();
   for (const OperationTally& tally : tallies) {
     const Operation* operation = find_operation(tally.operation);
     Json families = Json::array();
-    for (const auto& [family, cell] : tally.families) families.push_back(cell_json(operation, family, cell));
+    for (const auto& [family, cell] : tally.families) families.push_back(cell_json(operation, family, cell, whose));
     result.push_back({{"operation", tally.operation}, {"families", families}});
   }
   return result;
 }
-
-/// Longer than any text that an audit writes.
-constexpr std::size_t most_of_a_text = 1000;
-
-/// A value and where it stands in the file, so that a refusal can name it.
-struct Place {
-  const Json& value;
-  std::string path;
-
-  Place at(const char* name) const {
-    const std::string field = member_path(path, name);
-    if (!value.is_object()) throw InvalidInput(path.empty() ? "file" : path, "object");
-    if (!value.contains(name)) throw InvalidInput(field, "missing");
-    return {value[name], field};
-  }
-  template <class Visit>
-  void each(const Visit& visit) const {
-    if (!value.is_array()) throw InvalidInput(path, "array");
-    for (std::size_t i = 0; i < value.size(); ++i) visit(Place{value[i], path + "[" + std::to_string(i) + "]"});
-  }
-  template <class Visit>
-  void each_member(const Visit& visit) const {
-    if (!value.is_object()) throw InvalidInput(path, "object");
-    for (const auto& [key, part] : value.items()) visit(key, Place{part, unknown_path(path, key)});
-  }
-  std::string text() const {
-    if (!value.is_string() || is_typed_number(value)) throw InvalidInput(path, "string");
-    return excerpt(value.get_ref<const std::string&>(), most_of_a_text);
-  }
-  bool flag() const {
-    if (!value.is_boolean()) throw InvalidInput(path, "true or false");
-    return value.get<bool>();
-  }
-  double number() const { return read_answer_number(value, path); }
-  std::uint64_t count() const {
-    std::uint64_t n = 0;
-    const std::string digits = is_typed_number(value) ? value.get<std::string>().substr(1) : "";
-    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
-    if (digits.empty() || error != std::errc() || stop != digits.data() + digits.size())
-      throw InvalidInput(path, "count");
-    return n;
-  }
-  std::size_t one_of(const std::vector<std::string>& words) const {
-    const std::string word = text();
-    std::string rule = "one of";
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (word == words[i]) return i;
-      rule += (i == 0 ? " " : ", ") + words[i];
-    }
-    throw InvalidInput(path, rule);
-  }
-};
 
 const std::vector<std::string>& verdict_words() {
   static const std::vector<std::string> words(verdict_names.begin(), verdict_names.end());
@@ -164,6 +132,8 @@ Finding read_finding(const Operation& operation, const Way& way, const Place& pl
   finding.index = place.at("index").count();
   finding.range = static_cast<Range>(place.at("range").one_of(range_words()));
   finding.generic = place.at("generic").flag();
+  static const std::vector<std::string> kinds{"cancellation", "out_of_range"};
+  if (way.verdict == Verdict::rounding) finding.judgement.out_of_range = place.at("cause").one_of(kinds) == 1;
   return finding;
 }
 
@@ -269,8 +239,8 @@ std::string tally_json(const Tally& tally) {
                      {"limits", {{"least", written(tally.limits.least)}, {"most", written(tally.limits.most)}}},
                      {"interrupted", tally.interrupted},
                      {"undeclared", tally.undeclared},
-                     {"operations", operations_json(tally.operations)},
-                     {"robust", operations_json(tally.robust)}};
+                     {"operations", operations_json(tally.operations, {tally, false})},
+                     {"robust", operations_json(tally.robust, {tally, true})}};
   return one_line(json) + "\n";
 }
 

@@ -19,12 +19,14 @@
 ///                                         "cases":{"ordinary":1,"extreme":0},
 ///                                         "out_of_range":{"ordinary":0,"extreme":0}, "example":{...}}, ...],
 ///                                "outcomes":{"left":4, ...}, "touches":{"closed":0,"open":0}, "refused":0,
-///                                "worst_ulps":0, "smallest":{"rounding":{"input":{...}, "index":7, "answer":{...},
-///                                "ulps":0, "remark":"", "touch":0, "range":"ordinary", "generic":true}}}]}],
+///                                "worst_ulps":0, "smallest":{"rounding":{"input":{...}, "hex":{...}, "truth":{...},
+///                                "cause":"cancellation", "index":7, "answer":{...}, "ulps":0, "remark":"", "touch":0,
+///                                "range":"ordinary", "generic":true, "repeat":"echo ... | touchstone ask ..."}}}]}],
 ///    "robust":[...the same...]}
 ///
 /// `ways` counts everything (audit/tally.h: Way, WayCount); what else is counted by verdict or truth are its sums, and
-/// `smallest` is the best of its examples for each verdict. `touch`: how a touch was answered, 1 as closed sets, -1 as
+/// `smallest` is the best of its examples for each verdict. `truth` is exact and null where
+/// the question is refused; `cause` is the verdict, or of `rounding` its kind. `touch`: how a touch was answered, 1 as closed sets, -1 as
 /// open sets, else 0. Where they are not 0 a family also has `surplus`, `left_out` and, with the reason `given_up`,
 /// `not_asked` (audit/tally.h: Cell).
 namespace touchstone::audit {

@@ -160,6 +160,7 @@ TEST_CASE("audit_runs: what is shown is never a worse example than what was foun
         REQUIRE(shown);
         CHECK(shown->judgement.verdict == judgement.verdict);
         CHECK(shown->judgement.said == judgement.said);
+        CHECK_FALSE(shown->answer.is_null());
         const bool generic = !judgement.degenerate && in_general_position(operation, question);
         CHECK_FALSE(shown_before({question, judgement, nullptr, i, range_of(question), generic}, *shown));
       }
