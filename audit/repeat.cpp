@@ -3,10 +3,14 @@
 
 namespace touchstone::audit {
 
+std::string repeat_command(const Operation& operation, const Question& question, const Repeat& repeat, bool foreign) {
+  return "echo '" + one_line(operation.print(question)) + "' | " + (foreign ? repeat.program : Repeat{}.program) +
+         " ask " + operation.name() + (foreign && !repeat.options.empty() ? " " + repeat.options : " -");
+}
+
 std::string repeat_command(const Operation& operation, const Question& question, const Tally& tally, bool of_robust) {
-  const bool ours = of_robust || tally.declaration.engine.empty() || tally.declaration.engine == "reference";
-  return "echo '" + one_line(operation.print(question)) + "' | touchstone ask " + operation.name() +
-         (ours ? " -" : " --engine CMD");
+  const bool ours = tally.declaration.engine.empty() || tally.declaration.engine == "reference";
+  return repeat_command(operation, question, tally.repeat, !of_robust && !ours);
 }
 
 }  // namespace touchstone::audit

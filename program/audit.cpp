@@ -77,12 +77,12 @@ class Interruptible {
   void (*by_others_)(int);
 };
 
-int exit_code(const Tally& tally, std::ostream& err) {
+int exit_code(const Tally& tally, bool failed, std::ostream& err) {
   if (tally.interrupted) {
     err << "touchstone: interrupted; what had been counted until then is what was written\n";
     return interrupted;
   }
-  if (tally.has_findings()) return findings;
+  if (failed) return findings;
   if (sum_of(tally.operations).cases() > 0) return nothing_found;
   err << "touchstone: nothing was judged: no question of these families is within the contract of these operations\n";
   return bad_usage;
@@ -105,6 +105,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   require_directory(command.report_directory);
   EngineNotes notes;
   Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
+  const Gate gate = gate_of(command.gate);
   if (!command.engine.empty()) {
     options.engine = [&] {
       auto engine = pipe_engine(command.engine, command.timeout, &stopped, &notes);
@@ -127,6 +128,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   tally.repeat = repeat_of(command.program, command.engine, command.timeout);
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
   readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
+  const GateResult result = finish_gate(command.gate, gate, tally, readable);
   write_file("--json", command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
@@ -137,7 +139,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     }
     readable << "report: " << command.report_directory << "/index.html\n";
   }
-  return exit_code(tally, err);
+  return exit_code(tally, command.gate.decides() ? !result.passed() : tally.has_findings(), err);
 }
 
 }  // namespace touchstone::audit

@@ -12,6 +12,7 @@
 #include "audit/engines/notes.h"
 #include "audit/tally.h"
 #include "catalogue/operation.h"
+#include "program/audit_gate.h"
 
 /// The commands, each a function of its parsed options: what goes to standard output is written to `out`, complaints to
 /// `err`, and the exit code is returned.
@@ -34,6 +35,7 @@ struct AuditCommand {
   std::string range = "all";                  ///< "ordinary": only questions of ordinary size
   std::string ordinary = "0x1p-100,0x1p100";  ///< LEAST,MOST: what that is
   bool summary = false;                       ///< a row for each operation, no families and no examples
+  GateCommand gate;
 };
 
 struct AskCommand {

@@ -50,6 +50,31 @@ const CLI::Validator a_command(
     },
     "");
 
+/// What of `audit` is for CI.
+void add_gate(CLI::App& command, GateCommand& gate) {
+  const CLI::Validator rate(
+      [](std::string& text) {
+        double value = 0;
+        const bool right = CLI::detail::lexical_cast(text, value) && value >= 0 && value <= 1;
+        return right ? std::string() : text + ": a number from 0 to 1";
+      },
+      "RATE");
+  command.add_option(
+      "--fail-on", gate.fail_on,
+      "Causes with commas that fail the audit: rounding (cancellation, out_of_range), algorithm, inexact, "
+      "invalid, not_asked, inconsistent_convention (these by default), convention, tolerance, unsupported; "
+      "none");
+  command.add_option("--baseline", gate.baseline, "Findings in this file are known and do not fail the audit");
+  command.add_option("--write-baseline", gate.write_baseline, "Write the findings into this file as known");
+  command
+      .add_option("--max-rate", gate.max_rate,
+                  "Share of an operation's cases that findings which are not known may have (default 0)")
+      ->check(rate);
+  command.add_option("--junit", gate.junit_file, "Write the result as JUnit's XML into this file");
+  command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");
+  command.add_option("--source", gate.source, "File of the engine's code, at which a SARIF viewer shows the results");
+}
+
 /// A command and what runs it once the line is parsed.
 using Action = std::function<int()>;
 
@@ -108,6 +133,7 @@ void add_audit(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"ordinary", "all"}));
   command->add_option("--ordinary", options->ordinary,
                       "LEAST,MOST: numbers of ordinary size are 0 or between these in size");
+  add_gate(*command, options->gate);
   command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "audit/repeat.h"
 #include "catalogue/codec/plain.h"
 
 namespace touchstone::audit {
@@ -229,9 +230,7 @@ std::string word_in(const Json& answer) {
 
 std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker,
                            const Repeat& repeat) {
-  const bool foreign = speaker == Speaker::foreign;
-  return "echo '" + one_line(operation.print(question)) + "' | " + (foreign ? repeat.program : Repeat{}.program) +
-         " ask " + operation.name() + (foreign && !repeat.options.empty() ? " " + repeat.options : " -");
+  return repeat_command(operation, question, repeat, speaker == Speaker::foreign);
 }
 
 Smallest smallest_of(const OperationTally& tally, Verdict verdict) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "audit/gate/gate.h"
+
+/// A baseline as a file, version 1, an entry a line so that a change is seen:
+///
+///   {"touchstone":1,"kind":"baseline","engine":"my engine 1.0","seed":1,"known":[
+///   {"operation":"orientation","family":"collinear","cause":"algorithm","findings":12,"cases":400,"rate":0.03}
+///   ]}
+///
+/// `rate` is for the reader: findings divided by cases.
+namespace touchstone::audit {
+
+std::string baseline_json(const Baseline& baseline);
+
+/// Throws InvalidInput naming field and rule where the text is no such file, or of another version.
+Baseline read_baseline(const std::string& text);
+
+}  // namespace touchstone::audit

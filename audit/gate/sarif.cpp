@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/gate/sarif.h"
+
+#include <algorithm>
+
+#include "audit/gate/shown.h"
+#include "audit/repeat.h"
+#include "audit/version.h"
+#include "catalogue/codec/plain.h"
+
+namespace touchstone::audit {
+namespace {
+
+const char* cause_in_words(Cause cause) {
+  switch (cause) {
+    case Cause::cancellation: return "wrong decision by rounding: sums cancel";
+    case Cause::out_of_range: return "wrong decision by rounding: overflow or underflow";
+    case Cause::algorithm: return "wrong decision, and rounding is not to blame";
+    case Cause::inexact: return "right decision, a number further off than the stated bound";
+    case Cause::invalid: return "no valid answer: NaN, infinity, exception, crash, or none in time";
+    case Cause::convention: return "a touch answered as open sets do";
+    case Cause::tolerance: return "wrong decision within the declared tolerance";
+    case Cause::unsupported: return "not answered";
+    case Cause::not_asked: return "not asked: the engine was given up";
+    case Cause::inconsistent_convention: return "touches answered now as closed sets do, now as open sets do";
+  }
+  return "";
+}
+
+std::string rule_id(const Found& found) { return found.operation + "/" + name_of(found.cause); }
+
+Json rule_json(const Found& found) {
+  const Operation* operation = find_operation(found.operation);
+  Json rule = {{"id", rule_id(found)},
+               {"shortDescription", {{"text", found.operation + ": " + cause_in_words(found.cause)}}}};
+  if (operation) rule["fullDescription"] = {{"text", std::string(operation->card().question)}};
+  rule["defaultConfiguration"] = {{"level", "error"}};
+  return rule;
+}
+
+Json properties_json(const Tally& tally, const GateEntry& entry, const Finding* example) {
+  const Found& found = entry.found;
+  Json properties = {{"operation", found.operation}, {"family", found.family}, {"cause", name_of(found.cause)},
+                     {"findings", found.findings},   {"cases", found.cases},   {"known", entry.known}};
+  const Operation* operation = find_operation(found.operation);
+  if (!example || !operation) return properties;
+  properties["input"] = operation->print(example->question);
+  properties["hex"] = operation->print_hexadecimal(example->question);
+  properties["answer"] = plain(example->answer);
+  properties["repeat"] = repeat_command(*operation, example->question, tally, false);
+  return properties;
+}
+
+}  // namespace
+
+std::string sarif_json(const Tally& tally, const Gate& gate, const GateResult& result, const std::string& source) {
+  std::vector<std::string> ids;
+  Json rules = Json::array(), results = Json::array();
+  for (const GateEntry& entry : result.entries) {
+    const Found& found = entry.found;
+    const std::string id = rule_id(found);
+    auto place = std::find(ids.begin(), ids.end(), id);
+    if (place == ids.end()) {
+      rules.push_back(rule_json(found));
+      place = ids.insert(ids.end(), id);
+    }
+    const Finding* example = example_of(tally, found);
+    const std::string family = found.family.empty() ? "" : ", family " + found.family;
+    Json one = {{"ruleId", id},
+                {"ruleIndex", place - ids.begin()},
+                {"level", entry.fails ? "error" : "note"},
+                {"message",
+                 {{"text", found.operation + family + ": " + in_words(entry) +
+                               (example ? "\n" + described(tally, found.operation, *example) : "")}}}};
+    one["locations"] =
+        Json::array({{{"physicalLocation", {{"artifactLocation", {{"uri", source}}}, {"region", {{"startLine", 1}}}}},
+                      {"logicalLocations", Json::array({{{"name", found.operation}, {"kind", "function"}}})}}});
+    one["partialFingerprints"] = {{"operationFamilyCause/v1", id + "/" + found.family}};
+    if (gate.baseline) one["baselineState"] = entry.found.findings > entry.known ? "new" : "unchanged";
+    one["properties"] = properties_json(tally, entry, example);
+    results.push_back(std::move(one));
+  }
+  const Json driver = {
+      {"name", "touchstone"}, {"version", version_number}, {"semanticVersion", version_number}, {"rules", rules}};
+  const Json run = {
+      {"tool", {{"driver", driver}}},
+      {"columnKind", "utf16CodeUnits"},
+      {"results", results},
+      {"properties", {{"engine", tally.declaration.engine}, {"seed", tally.seed}, {"passed", result.passed()}}}};
+  const Json log = {
+      {"$schema", "https://json.schemastore.org/sarif-2.1.0.json"}, {"version", "2.1.0"}, {"runs", Json::array({run})}};
+  return one_line(log) + "\n";
+}
+
+}  // namespace touchstone::audit

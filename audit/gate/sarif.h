@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "audit/gate/gate.h"
+
+namespace touchstone::audit {
+
+/// The result of a gate as a SARIF 2.1.0 log: a rule for each operation and cause, a result for each family in which it
+/// was found; level `error` where the gate fails it, else `note`, and held against a baseline `new` or `unchanged`.
+/// `source`: the file that the results are shown at, such as the engine's own, relative to the repository.
+std::string sarif_json(const Tally& tally, const Gate& gate, const GateResult& result, const std::string& source);
+
+}  // namespace touchstone::audit

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/gate/shown.h"
+
+#include <algorithm>
+
+#include "audit/repeat.h"
+#include "catalogue/codec/excerpt.h"
+#include "catalogue/codec/plain.h"
+
+namespace touchstone::audit {
+namespace {
+
+constexpr std::size_t most_shown = 2000;
+
+}  // namespace
+
+std::string with_commas(std::uint64_t n) {
+  std::string digits = std::to_string(n);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
+  return digits;
+}
+
+std::string in_words(const GateEntry& entry) {
+  const Found& found = entry.found;
+  return std::string(name_of(found.cause)) + " in " + with_commas(found.findings) + " of " + with_commas(found.cases) +
+         (found.cases == 1 ? " case" : " cases") + (entry.known > 0 ? ", known: " + with_commas(entry.known) : "");
+}
+
+const Finding* example_of(const Tally& tally, const Found& found) {
+  const Finding* best = nullptr;
+  const auto fits = [&](const Finding& finding) {
+    return cause_of(finding.judgement) == std::string(name_of(found.cause));
+  };
+  const auto before = [&](const Finding& a, const Finding& b) {
+    return fits(a) != fits(b) ? fits(a) : shown_before(a, b);
+  };
+  for (const OperationTally& operation : tally.operations) {
+    if (operation.operation != found.operation) continue;
+    for (const auto& [family, cell] : operation.families) {
+      if (family != found.family) continue;
+      for (const auto& [way, counted] : cell.ways) {
+        const bool of_rounding = found.cause == Cause::cancellation || found.cause == Cause::out_of_range;
+        const std::string verdict = of_rounding ? "rounding" : name_of(found.cause);
+        if (name_of(way.verdict) != verdict || !counted.example) continue;
+        if (best == nullptr || before(*counted.example, *best)) best = &*counted.example;
+      }
+    }
+  }
+  return best;
+}
+
+std::string described(const Tally& tally, const std::string& operation_name, const Finding& finding, bool of_robust) {
+  const Operation* operation = find_operation(operation_name);
+  if (!operation) return "";
+  const auto line = [](const std::string& key, const std::string& value) {
+    return key + excerpt(value, most_shown) + "\n";
+  };
+  std::string text = line("input:  ", one_line(operation->print(finding.question))) +
+                     line("hex:    ", one_line(operation->print_hexadecimal(finding.question)));
+  try {
+    text += line("truth:  ", one_line(operation->examine(finding.question)->truth()));
+  } catch (const InvalidInput& refused) {
+    text += line("truth:  ", std::string("refused: ") + refused.what());
+  }
+  text += line("answer: ", finding.answer.is_null() ? no_answer : one_line(plain(finding.answer)));
+  if (!finding.judgement.remark.empty()) text += line("remark: ", finding.judgement.remark);
+  return text + "repeat: " + repeat_command(*operation, finding.question, tally, of_robust) + "\n";
+}
+
+}  // namespace touchstone::audit
