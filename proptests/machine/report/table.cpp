@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "audit/audit_run.h"
+#include "audit/tally_json.h"
 #include "proptests/catch.h"
 #include "proptests/machine/program/called.h"
 
@@ -50,12 +51,13 @@ std::uint64_t only_number(const std::string& text, const std::string& name, std:
   return digits == "-" ? 0 : std::stoull(digits);
 }
 
-Tally audited(const char* operations, bool ordinary_only = false) {
+Tally audited(const char* operations, bool ordinary_only = false, std::uint64_t seed = 1) {
   AuditOptions options;
   std::istringstream names(operations);
   for (std::string name; names >> name;) options.operations.push_back(find_operation(name));
   options.cases = 3000;
   options.ordinary_only = ordinary_only;
+  options.seed = seed;
   return run_audit(options, false, [](const std::string&, std::uint64_t) {});
 }
 
@@ -110,6 +112,33 @@ TEST_CASE("table: verdicts add up to cases, families and sizes to their operatio
   const std::size_t sum_line = text.find("\nall ");
   CHECK(only_number(text, "by cancellation", sum_line) + only_number(text, "by over- or underflow", sum_line) ==
         all[1 + static_cast<std::size_t>(Verdict::rounding)]);
+}
+
+TEST_CASE("table: files of audits that are merged add up in every row, and keep what was left out") {
+  for (const bool ordinary_only : {false, true}) {
+    const Tally first = audited("segment_segment", ordinary_only, 1),
+                second = audited("segment_segment", ordinary_only, 2);
+    Tally sum = read_tally(tally_json(first));
+    sum.merge(read_tally(tally_json(second)));
+    const std::string text = text_table(sum), text_a = text_table(first), text_b = text_table(second);
+    const std::vector<Line> rows = rows_of(text), a = rows_of(text_a), b = rows_of(text_b);
+    REQUIRE(rows.size() == a.size());
+    REQUIRE(rows.size() == b.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      INFO(rows[i].name);
+      CHECK(rows[i].name == a[i].name);
+      Cells both = a[i].cells;
+      add(b[i].cells, both);
+      CHECK(rows[i].cells == both);
+    }
+    for (const char* kind : {"by cancellation", "by over- or underflow"}) {
+      if (!ordinary_only)
+        CHECK(only_number(text, kind, 0) == only_number(text_a, kind, 0) + only_number(text_b, kind, 0));
+    }
+    const auto left_out = [](const Tally& tally) { return tally.operations[0].total().left_out; };
+    CHECK(left_out(sum) == left_out(first) + left_out(second));
+    CHECK((left_out(sum) > 0) == ordinary_only);
+  }
 }
 
 TEST_CASE("table: the closing sentence is the sum of its parts, ordinary and extreme, and of rounding both kinds") {
