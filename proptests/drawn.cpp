@@ -23,7 +23,7 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
       Choices choices = Choices::seeded(audit::seed_of(seed, "", at));
       if (!complaint(operation.draw(choices, family)).empty()) break;
     }
-    return testing::shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
+    return tests::shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
   };
 }
 

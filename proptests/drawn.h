@@ -16,9 +16,9 @@ using audit::Choices;
 using audit::Operation;
 using audit::Question;
 
-using testing::Drawn;
-using testing::recorded;
-using testing::replayed;
+using tests::Drawn;
+using tests::recorded;
+using tests::replayed;
 
 /// What is wrong with a question's answers; empty where nothing is.
 using Complaint = std::function<std::string(const Question&)>;

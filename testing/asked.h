@@ -6,19 +6,21 @@
 #include <tuple>
 #include <variant>
 
+#include "audit/tally.h"
 #include "catalogue/catalogue.h"
+#include "catalogue/codec/did_you_mean.h"
 #include "catalogue/families/shrink.h"
 #include "testing/drawn.h"
 
 /// Questions of an operation as the shapes of geometry/, for users' own tests; no test framework is needed.
 ///
 ///   using namespace touchstone;
-///   using namespace touchstone::testing;
+///   using namespace touchstone::tests;
 ///   auto found = counterexample<operations::segment_segment>([](const Segment2d& a, const Segment2d& b) {
 ///     return my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint);
 ///   });
 ///   if (found) std::cerr << shown(*found) << '\n';   // already shrunk
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 /// The operations, each a type named like it: operations::orientation. docs/operations.md lists their arguments.
 namespace operations = ::touchstone::audit::rows;
@@ -79,29 +81,43 @@ inline std::vector<std::size_t> families_named(const Operation& operation, const
   }
   for (const std::string& name : names) {
     if (std::find(all.begin(), all.end(), name) == all.end())
-      throw InvalidInput("families", "family of " + operation.name() + " (touchstone ops --json), not " + name);
+      throw InvalidInput("families", operation.name() + " has no family " + name + audit::did_you_mean(name, all));
   }
   return found;
+}
+
+/// Which sizes of numbers a question may have.
+enum class Sizes {
+  any,       ///< from one end of the range of doubles to the other
+  ordinary,  ///< every number is 0 or between 2^-100 and 2^100 in size
+};
+
+/// Within the contract, and of these sizes.
+inline bool is_wanted(const Drawn& drawn, Sizes sizes) {
+  const bool right_size = sizes == Sizes::any || audit::range_of(drawn.question) == audit::Range::ordinary;
+  return right_size && is_valid(drawn);
 }
 
 /// A question of these families that is within the contract, the same for the same seed. Throws std::runtime_error where
 /// a thousand in a row are not.
 template <class Row, class... Ts>
-Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed) {
+Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed, Sizes sizes = Sizes::any) {
   constexpr std::uint64_t most_refused = 1000;
   const Operation& operation = operation_of<Row>();
   for (std::uint64_t at = 0; at < most_refused; ++at) {
     const std::size_t family = families[audit::seed_of(seed, "family", at) % families.size()];
     Drawn drawn = recorded(operation, family, audit::seed_of(seed, "choices", at));
-    if (!is_valid(drawn)) continue;
+    if (!is_wanted(drawn, sizes)) continue;
     if (auto found = typed<Row, Ts...>(std::move(drawn))) return *std::move(found);
   }
-  throw std::runtime_error(operation.name() + ": none of 1000 questions of these families is within the contract");
+  throw std::runtime_error(operation.name() +
+                           ": none of 1000 questions of these families is within the contract and of these sizes");
 }
 
 struct Options {
   std::vector<std::string> families{};  ///< none: all
   std::uint64_t cases = 1000, seed = 1;
+  Sizes sizes = Sizes::any;
 };
 
 /// Calls a function with the arguments of a question.
@@ -136,25 +152,26 @@ std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& o
   };
   const std::vector<std::size_t> families = families_named(operation_of<Row>(), options.families);
   for (std::uint64_t at = 0; at < options.cases; ++at) {
-    const Asked<Row, Ts...> first = asked<Row, Ts...>(families, audit::seed_of(options.seed, "question", at));
+    const Asked<Row, Ts...> first =
+        asked<Row, Ts...>(families, audit::seed_of(options.seed, "question", at), options.sizes);
     if (!fails(first)) continue;
     const auto of_choices = [&](const std::vector<std::uint8_t>& bytes) {
       return typed<Row, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
     };
     return of_choices(audit::shrunk(first.drawn.choices, [&](const std::vector<std::uint8_t>& bytes) {
       const auto candidate = of_choices(bytes);
-      return candidate && is_valid(candidate->drawn) && fails(*candidate);
+      return candidate && is_wanted(candidate->drawn, options.sizes) && fails(*candidate);
     }));
   }
   return std::nullopt;
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests
 
 /// So that `const auto [a, b] = question` works.
 template <class Row, class... Ts>
-struct std::tuple_size<touchstone::testing::Asked<Row, Ts...>>
-    : std::tuple_size<typename touchstone::testing::ArgumentsOf<Row, Ts...>::type> {};
+struct std::tuple_size<touchstone::tests::Asked<Row, Ts...>>
+    : std::tuple_size<typename touchstone::tests::ArgumentsOf<Row, Ts...>::type> {};
 template <std::size_t at, class Row, class... Ts>
-struct std::tuple_element<at, touchstone::testing::Asked<Row, Ts...>>
-    : std::tuple_element<at, typename touchstone::testing::ArgumentsOf<Row, Ts...>::type> {};
+struct std::tuple_element<at, touchstone::tests::Asked<Row, Ts...>>
+    : std::tuple_element<at, typename touchstone::tests::ArgumentsOf<Row, Ts...>::type> {};

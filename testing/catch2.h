@@ -25,7 +25,7 @@
 ///     const auto [a, b] = GENERATE(take(200, drawn<operations::segment_segment>()));
 ///     CHECK(my::segments_meet(a, b) == ...);
 ///   }
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 /// Fails the test with the simplest question found for which the law does not return true, or throws. The whole of it,
 /// with the line that asks for the truth, goes to standard error: Catch2 would break it at 80 columns.
@@ -45,7 +45,7 @@ template <class Row, class... Ts>
 class Generator final : public Catch::Generators::IGenerator<Asked<Row, Ts...>> {
  public:
   explicit Generator(const Options& options)
-      : families_(families_named(operation_of<Row>(), options.families)), seed_(options.seed), now_(at(0)) {}
+      : families_(families_named(operation_of<Row>(), options.families)), options_(options), now_(at(0)) {}
   const Asked<Row, Ts...>& get() const override { return now_; }
   bool next() override {
     now_ = at(++place_);
@@ -54,11 +54,12 @@ class Generator final : public Catch::Generators::IGenerator<Asked<Row, Ts...>> 
 
  private:
   Asked<Row, Ts...> at(std::uint64_t place) const {
-    return asked<Row, Ts...>(families_, audit::seed_of(seed_, "question", place));
+    return asked<Row, Ts...>(families_, audit::seed_of(options_.seed, "question", place), options_.sizes);
   }
 
   std::vector<std::size_t> families_;
-  std::uint64_t seed_, place_ = 0;
+  Options options_;
+  std::uint64_t place_ = 0;
   Asked<Row, Ts...> now_;
 };
 
@@ -72,7 +73,7 @@ Catch::Generators::GeneratorWrapper<Asked<Row, Ts...>> drawn(const Options& opti
 #endif
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests
 
 namespace Catch {
 
@@ -81,9 +82,9 @@ struct StringMaker<T> {
   static std::string convert(const T& value) { return touchstone::audit::printed(value); }
 };
 template <class Row, class... Ts>
-struct StringMaker<touchstone::testing::Asked<Row, Ts...>> {
-  static std::string convert(const touchstone::testing::Asked<Row, Ts...>& asked) {
-    return touchstone::testing::shown(asked);
+struct StringMaker<touchstone::tests::Asked<Row, Ts...>> {
+  static std::string convert(const touchstone::tests::Asked<Row, Ts...>& asked) {
+    return touchstone::tests::shown(asked);
   }
 };
 

@@ -10,7 +10,7 @@
 #include "catalogue/operation.h"
 
 /// Questions of the catalogue and the choices that give them, whatever test framework draws them.
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 using audit::Choices;
 using audit::Operation;
@@ -81,4 +81,4 @@ inline std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uin
   return found;
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests

@@ -10,14 +10,14 @@
 /// others the question's parameters, so that degenerate inputs are common; past the end of the bytes every choice is 0.
 ///
 ///   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-///     touchstone::testing::FuzzedData data(bytes, size);
+///     touchstone::tests::FuzzedData data(bytes, size);
 ///     const auto question = data.question<operations::segment_segment>();
 ///     if (!question) return -1;                          // outside the contract: not for the corpus
 ///     const auto& [a, b] = *question;
 ///     if (my::segments_meet(a, b) != ...) fail(*question);
 ///     return 0;
 ///   }
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 class FuzzedData {
  public:
@@ -49,4 +49,4 @@ template <class Row, class... Ts>
   std::abort();
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests

@@ -8,7 +8,7 @@
 ///
 ///   const auto question = *questions<operations::orientation>();
 ///   RC_ASSERT(broken_law(question, my::orientation) == "");
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 using audit::Compared;
 
@@ -32,4 +32,4 @@ std::string broken_law(const Asked<Row, Ts...>& asked, const Mine& mine, Compare
   return audit::broken_law(operation, asked.drawn.question, packed_answer, audit::shape_of<Answer>(), compared);
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests

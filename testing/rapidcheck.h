@@ -12,10 +12,10 @@
 /// within their family and print as JSON, in hexadecimal, and with the command that asks for the truth.
 ///
 ///   rc::check("segments that touch meet", [] {
-///     const auto [a, b] = *touchstone::testing::questions<operations::segment_segment>();
+///     const auto [a, b] = *touchstone::tests::questions<operations::segment_segment>();
 ///     RC_ASSERT(my::segments_meet(a, b) == (robust::segment_segment(a, b).relation != SegmentRelation::disjoint));
 ///   });
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 inline void showValue(const Drawn& drawn, std::ostream& os) { os << shown(drawn); }
 template <class Row, class... Ts>
@@ -33,31 +33,32 @@ inline rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
   });
 }
 
-/// The same of one operation's valid questions.
+/// The same of one operation's valid questions of these sizes.
 template <class Row, class... Ts>
-rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked) {
-  return rc::shrinkable::shrinkRecur(std::move(asked), [](const Asked<Row, Ts...>& parent) {
+rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked, Sizes sizes) {
+  return rc::shrinkable::shrinkRecur(std::move(asked), [sizes](const Asked<Row, Ts...>& parent) {
     std::vector<Asked<Row, Ts...>> smaller;
     for (auto& bytes : simpler(parent.drawn.choices)) {
       Drawn drawn = replayed(*parent.drawn.operation, parent.drawn.family, std::move(bytes));
-      if (!is_valid(drawn)) continue;
+      if (!is_wanted(drawn, sizes)) continue;
       if (auto found = typed<Row, Ts...>(std::move(drawn))) smaller.push_back(*std::move(found));
     }
     return rc::seq::fromContainer(std::move(smaller));
   });
 }
 
-/// Questions of an operation: questions<operations::orientation>(), questions<operations::orientation>({"collinear"}),
-/// and of one alternative alone questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws InvalidInput where the
-/// operation has no such family.
+/// Questions of an operation: questions<operations::orientation>(), of some families
+/// questions<operations::orientation>({"collinear"}), without the ends of the range
+/// questions<operations::orientation>({}, Sizes::ordinary), and of one alternative alone
+/// questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws InvalidInput where the operation has no such family.
 template <class Row, class... Ts>
-rc::Gen<Asked<Row, Ts...>> questions(const std::vector<std::string>& families = {}) {
-  return [chosen = families_named(operation_of<Row>(), families)](const rc::Random& random, int) {
-    return shrinkable(asked<Row, Ts...>(chosen, rc::Random(random).next()));
+rc::Gen<Asked<Row, Ts...>> questions(const std::vector<std::string>& families = {}, Sizes sizes = Sizes::any) {
+  return [chosen = families_named(operation_of<Row>(), families), sizes](const rc::Random& random, int) {
+    return shrinkable(asked<Row, Ts...>(chosen, rc::Random(random).next(), sizes), sizes);
   };
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests
 
 namespace touchstone {
 

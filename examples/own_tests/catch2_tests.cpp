@@ -9,7 +9,7 @@
 #include "meet.h"
 
 using namespace touchstone;
-using namespace touchstone::testing;
+using namespace touchstone::tests;
 
 namespace {
 
@@ -38,5 +38,5 @@ TEST_CASE("segments that share an end meet") {
 
 TEST_CASE("an audit finds nothing") {
   MyEngine engine;
-  CHECK(findings(audit(engine, {.cases = 2000})) == "");
+  CHECK(findings(tests::audit(engine, {.cases = 2000})) == "");
 }

@@ -5,7 +5,7 @@
 #include "meet.h"
 
 using namespace touchstone;
-using namespace touchstone::testing;
+using namespace touchstone::tests;
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) {
   FuzzedData data(bytes, size);

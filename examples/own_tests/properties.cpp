@@ -7,7 +7,7 @@
 #include "meet.h"
 
 using namespace touchstone;
-using namespace touchstone::testing;
+using namespace touchstone::tests;
 
 int main() {
   bool right = rc::check("segments meet where they have a common point", [] {

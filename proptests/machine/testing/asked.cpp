@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testing/asked.h"
 
+#include <cmath>
 #include <set>
 
 #include "proptests/catch.h"
@@ -9,7 +10,7 @@
 #include "testing/rapidcheck.h"
 
 /// Questions in users' own tests: drawn, shrunk, read from bytes, printed.
-namespace touchstone::testing {
+namespace touchstone::tests {
 
 using Orientation = operations::orientation;
 using Balls = operations::sphere_sphere;
@@ -40,7 +41,7 @@ TEST_CASE("asked: questions are within the contract, of the families named, and 
 
 TEST_CASE("asked: a family that the operation has not is named") {
   CHECK_THROWS_WITH(counterexample<Orientation>([](auto...) { return true; }, {.families = {"collinaer"}}),
-                    ContainsSubstring("families") && ContainsSubstring("not collinaer"));
+                    R"(families: orientation has no family collinaer (did you mean "collinear"?))");
 }
 
 TEST_CASE("asked: one alternative alone, or all as a variant") {
@@ -52,6 +53,24 @@ TEST_CASE("asked: one alternative alone, or all as a variant") {
     in_plane = in_plane || std::holds_alternative<Balls::InPlane>(asked<Balls>(all, seed).arguments());
   }
   CHECK(in_plane);
+}
+
+TEST_CASE("asked: questions of ordinary size have no number beyond 2^100, nor below 2^-100 but 0") {
+  const auto is_ordinary = [](Point2d p) {
+    for (const double number : {p.x, p.y}) {
+      if (number != 0 && !(std::fabs(number) >= 0x1p-100 && std::fabs(number) <= 0x1p100)) return false;
+    }
+    return true;
+  };
+  const auto all_are = [&](Point2d a, Point2d b, Point2d c) {
+    return is_ordinary(a) && is_ordinary(b) && is_ordinary(c);
+  };
+  CHECK(counterexample<Orientation>(all_are));
+  CHECK_FALSE(counterexample<Orientation>(all_are, {.sizes = Sizes::ordinary}));
+  const auto large = counterexample<Orientation>([](Point2d a, Point2d, Point2d) { return std::fabs(a.x) < 1e20; },
+                                                 {.cases = 5000, .sizes = Sizes::ordinary});
+  REQUIRE(large);
+  CHECK(std::apply(all_are, large->arguments()));
 }
 
 TEST_CASE("asked: a law that fails gives the simplest question of its family") {
@@ -172,4 +191,4 @@ TEST_CASE("rapidcheck: shapes, answers and enumerators print themselves") {
         R"({"relation":"overlap","overlap":[[1,0],[2,0]]})");
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests

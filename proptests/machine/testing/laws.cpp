@@ -4,7 +4,7 @@
 #include "proptests/catch.h"
 
 /// The symmetries of an operation, asked of users' functions.
-namespace touchstone::testing {
+namespace touchstone::tests {
 namespace {
 
 using Orientation = operations::orientation;
@@ -45,4 +45,4 @@ TEST_CASE("laws: what breaks one is named, and robust breaks none") {
         }) == "arguments exchanged");
 }
 
-}  // namespace touchstone::testing
+}  // namespace touchstone::tests
