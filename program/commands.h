@@ -77,7 +77,8 @@ struct DrawCommand {
   std::string operation;
   std::string families;  ///< names with commas; empty: all
   std::uint64_t cases = 100, seed = 1;
-  bool binary32 = false;  ///< numbers rounded to float before the truth is found
+  std::string range = "all";  ///< or "ordinary": no others are printed
+  bool binary32 = false;      ///< numbers rounded to float before the truth is found
 };
 
 int ops_command(bool json, std::ostream& out);

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "audit/audit_run.h"
+#include "catalogue/codec/did_you_mean.h"
 #include "program/commands.h"
 #include "program/program.h"
 
@@ -23,13 +24,15 @@ class Questions {
       Choices choices = case_choices(operation_, family_, command_.seed, index);
       Question question = operation_.draw(choices, family_);
       if (command_.binary32) question = operation_.in_binary32(question);
+      if (command_.range == "ordinary" && range_of(question) != Range::ordinary) continue;
       try {
         return line(question, index);
       } catch (const InvalidInput&) {
       }
     }
     throw UsageError("--families " + operation_.families()[family_] + ": none of " + std::to_string(most_refused) +
-                     " questions is within the contract of " + operation_.name());
+                     " questions is within the contract of " + operation_.name() +
+                     (command_.range == "ordinary" ? " and of ordinary size" : ""));
   }
 
  private:
@@ -65,7 +68,8 @@ int draw_command(const DrawCommand& command, std::ostream& out) {
   }
   for (const std::string& name : chosen) {
     if (std::find(all.begin(), all.end(), name) == all.end())
-      throw UsageError("--families " + name + ": a family of " + operation.name() + " (see touchstone ops --json)");
+      throw UsageError("--families " + name + ": " + operation.name() + " has no such family" +
+                       did_you_mean(name, all) + "; touchstone ops --json lists them");
   }
   for (std::uint64_t at = 0; at < command.cases; ++at) out << one_line(families[at % families.size()].next()) << '\n';
   return nothing_found;

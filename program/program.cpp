@@ -159,6 +159,8 @@ void add_draw(CLI::App& program, Action& action) {
   command->add_option("--families", options->families, "Families of inputs with commas (see ops --json)");
   command->add_option("--cases", options->cases, "Questions, dealt out over the families in turn")->check(any_cases);
   command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
+  command->add_option("--range", options->range, "ordinary: only questions of ordinary size; all: any")
+      ->check(CLI::IsMember({"ordinary", "all"}));
   command->add_flag("--binary32", options->binary32, "Every number is exact in float");
   command->callback([=, &action] { action = [=] { return draw_command(*options, std::cout); }; });
 }

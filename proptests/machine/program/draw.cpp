@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <set>
+#include <cmath>
 
 #include "program/commands.h"
 #include "proptests/machine/program/called.h"
@@ -74,10 +74,25 @@ TEST_CASE("draw: numbers are exact in float where that is asked for") {
   }
 }
 
+TEST_CASE("draw: of ordinary size where that is asked for") {
+  const auto greatest = [](const std::vector<Json>& lines) {
+    double most = 0;
+    for (const Json& line : lines) {
+      for (const double number : find_operation("orientation")->parse(parse_line(line["input"].dump())).numbers)
+        most = std::max(most, std::fabs(number));
+    }
+    return most;
+  };
+  CHECK(greatest(drawn({"orientation", "--cases", "500"})) > 0x1p100);
+  CHECK(greatest(drawn({"orientation", "--cases", "500", "--range", "ordinary"})) <= 0x1p100);
+}
+
 TEST_CASE("draw: an operation or a family that is none is named in one line") {
-  require_refused(called({"draw", "orientatoin"}), bad_usage, "operation orientatoin: one of");
+  require_refused(called({"draw", "orientatoin"}), bad_usage, "orientatoin");
   require_refused(called({"draw", "orientation", "--families", "collinear,shared"}), bad_usage,
-                  "--families shared: a family of orientation");
+                  "--families shared: orientation has no such family; touchstone ops --json lists them");
+  require_refused(called({"draw", "orientation", "--families", "colinear"}), bad_usage,
+                  "--families colinear: orientation has no such family (did you mean \"collinear\"?)");
   require_refused(called({"draw", "orientation", "--cases", "0"}), bad_usage, "a whole number from 1 to");
 }
 
