@@ -20,6 +20,9 @@ install_consumer(consumer ${install_tests} OPTIONS -DCMAKE_PREFIX_PATH=${install
                  THEN ${CMAKE_CTEST_COMMAND} --output-on-failure -E "^naive/audit$")
 install_consumer(my_engine ${PROJECT_SOURCE_DIR}/examples/my_engine OPTIONS -DCMAKE_PREFIX_PATH=${installed} THEN
                  ${CMAKE_COMMAND} -E true)
+# Generators and laws in users' own tests.
+install_consumer(own_tests ${PROJECT_SOURCE_DIR}/examples/own_tests OPTIONS -DCMAKE_PREFIX_PATH=${installed}
+                 THEN ${CMAKE_CTEST_COMMAND} --output-on-failure)
 
 # With pkg-config and the compiler alone.
 set(words "${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} -std=c++20")
@@ -30,7 +33,7 @@ ${words} '${install_tests}'/alone/$of.cpp -o '${consumers}'/pkg_config_$of $flag
 test \"$(pkg-config --variable=vectors touchstone-geometry)\"/orientation.jsonl -ef '${installed}/${CMAKE_INSTALL_DATADIR}/touchstone/vectors/orientation.jsonl'")
 set_tests_properties(install/pkg_config PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT
                                                    PKG_CONFIG_PATH=${installed}/${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-set_tests_properties(install/consumer install/my_engine install/pkg_config PROPERTIES FIXTURES_REQUIRED installed)
+set_tests_properties(install/consumer install/my_engine install/own_tests install/pkg_config PROPERTIES FIXTURES_REQUIRED installed)
 
 # It audits a naive engine, so that it ends with findings (exit code 1) is as it should be.
 add_test(NAME install/my_engine_audits COMMAND ${consumers}/my_engine/my_engine --cases 1000 --seed 1)

@@ -99,6 +99,20 @@ if(TARGET touchstone)
            COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/status.py --program $<TARGET_FILE:touchstone> --check)
 endif()
 
+# touchstone draw in the test suites of other languages. Debian's python3-hypothesis belongs to Debian's Python.
+find_program(TOUCHSTONE_SYSTEM_PYTHON python3 HINTS /usr/bin)
+find_program(TOUCHSTONE_NODE node)
+mark_as_advanced(TOUCHSTONE_SYSTEM_PYTHON TOUCHSTONE_NODE)
+# example_suite(NAME PROGRAM FILE): skipped by itself where its framework is not installed.
+function(example_suite name program file)
+  if(program AND TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
+    add_test(NAME own_tests/${name} COMMAND ${program} ${PROJECT_SOURCE_DIR}/examples/own_tests/${file})
+    set_tests_properties(own_tests/${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT TOUCHSTONE=$<TARGET_FILE:touchstone>)
+  endif()
+endfunction()
+example_suite(hypothesis "${TOUCHSTONE_SYSTEM_PYTHON}" test_hypothesis.py)
+example_suite(fast_check "${TOUCHSTONE_NODE}" test_fast_check.mjs)
+
 # What a user does with the installed package. Not while counting coverage: the flags for that stay in this build.
 if(NOT TOUCHSTONE_COVERAGE)
   include(install_tests)

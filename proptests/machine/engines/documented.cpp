@@ -83,6 +83,13 @@ TEST_CASE("documented: docs/engines.md lists what every operation is given and a
   }
 }
 
+TEST_CASE("documented: docs/testing.md shows a strategy of examples/own_tests") {
+  const std::string block = block_of("docs/testing.md", "python");
+  const std::string strategy = block.substr(0, block.find("\n\n"));
+  REQUIRE_THAT(strategy, StartsWith("def questions("));
+  REQUIRE_THAT(text_of("examples/own_tests/test_hypothesis.py"), ContainsSubstring(strategy));
+}
+
 TEST_CASE("documented: docs/operations.md is what the program prints") {
   const Called page = called({"ops", "--markdown"});
   CHECK(page.code == nothing_found);
