@@ -6,6 +6,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
 
 #include "audit/audit_run.h"
 #include "audit/engines/notes.h"
@@ -63,6 +66,21 @@ void require_directory(const std::string& directory) {
   }
 }
 
+/// The tally of --before, read before the first question.
+std::optional<Tally> earlier_audit(const AuditCommand& command) {
+  if (command.before.empty()) return std::nullopt;
+  if (command.report_directory.empty())
+    throw UsageError("--before " + command.before + ": expected --report too, which shows the two beside each other");
+  std::ifstream file(command.before, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) throw UsageError("--before " + command.before + ": cannot be read");
+  try {
+    return read_tally(text.str());
+  } catch (const InvalidInput& refused) {
+    throw UsageError("--before " + command.before + ": expected the file of an audit's --json; " + refused.what());
+  }
+}
+
 /// SIGINT and SIGTERM end the asking instead of the program, for as long as this lives.
 class Interruptible {
  public:
@@ -106,6 +124,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   EngineNotes notes;
   Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
   const Gate gate = gate_of(command.gate);
+  const std::optional<Tally> before = earlier_audit(command);
   if (!command.engine.empty()) {
     options.engine = [&] {
       auto engine = pipe_engine(command.engine, command.timeout, &stopped, &notes);
@@ -133,7 +152,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
     try {
-      write_report(tally, command.report_directory, options.jobs, for_maps.get());
+      write_report(tally, command.report_directory, options.jobs, for_maps.get(), {"", before ? &*before : nullptr});
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--report ") + failed.what());
     }

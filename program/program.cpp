@@ -129,6 +129,8 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_option("--json", options->json_file, "Write the result to this file; - is standard output");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
+  command->add_option("--before", options->before,
+                      "File of an earlier audit's --json: the report shows both, as before and after a fix");
   command->add_option("--range", options->range, "ordinary: ask only questions of ordinary size; all: any")
       ->check(CLI::IsMember({"ordinary", "all"}));
   command->add_option("--ordinary", options->ordinary,

@@ -123,6 +123,19 @@ std::string certificate(const Examination& question) {
          "compares.</p></details>";
 }
 
+/// Exact values of many digits as decimals.
+Json with_short_numbers(const Json& answer) {
+  if (answer.is_structured()) {
+    Json result = answer;
+    for (Json& part : result) part = with_short_numbers(part);
+    return result;
+  }
+  if (!answer.is_string()) return answer;
+  const std::string& text = answer.get_ref<const std::string&>();
+  const bool exact = text.size() > 12 && text.find_first_not_of("-0123456789/") == std::string::npos;
+  return exact ? Json(readable(mpq_class(text), 12)) : answer;
+}
+
 }  // namespace
 
 std::string name_of(Speaker speaker, const Declaration& declaration) {

@@ -6,6 +6,7 @@
 #include <mpfr.h>
 #include <png.h>
 
+#include "audit/version.h"
 #include "report/html_parts.h"
 #include "report/wording.h"
 
@@ -17,8 +18,8 @@ std::string versions() {
 #else
   const std::string compiler = "g++ " __VERSION__;
 #endif
-  return fmt::format("touchstone 0.1.0, {}, GMP {}, MPFR {}, libpng {}", compiler, gmp_version, mpfr_get_version(),
-                     PNG_LIBPNG_VER_STRING);
+  return fmt::format("touchstone {}, {}, GMP {}, MPFR {}, libpng {}", version_number, compiler, gmp_version,
+                     mpfr_get_version(), PNG_LIBPNG_VER_STRING);
 }
 
 std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {

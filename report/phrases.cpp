@@ -22,6 +22,7 @@ constexpr Phrase phrases[] = {
     {"point_ground_plane", "on", "on the ground"},
     {"point_ground_plane", "above", "above the ground"},
     {"point_ground_plane", "below", "below the ground"},
+    {"polygon_convexity", "none", "no orientation"},
     {"polygon_normal", "proper", "it has a normal"},
     {"polygon_normal", "degenerate", "degenerate: no normal"},
     {"line_line", "same", "the same line"},
@@ -69,8 +70,7 @@ bool say(const Operation& operation, const std::string& key, const Json& value, 
   std::replace(name.begin(), name.end(), '_', ' ');
   const auto words = operation.words();
   if (value.is_string() && std::find(words.begin(), words.end(), value.get<std::string>()) != words.end()) {
-    const std::string said = phrase(operation, value.get<std::string>());
-    add(key == "orientation" && said == "no hit" ? "no orientation" : said);
+    add(phrase(operation, value.get<std::string>()));
   } else if (value.is_boolean()) {
     add(value.get<bool>() ? name : "not " + name);
   } else if (value.is_primitive()) {

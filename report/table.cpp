@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "audit/engines/protocol.h"
+#include "report/ways.h"
 #include "report/wording.h"
 
 namespace touchstone::audit {
@@ -165,37 +165,6 @@ std::string robust_line(const Tally& tally) {
     if (counts[v] > 0) text += ", " + grouped(counts[v]) + " " + verdict_names[v];
   }
   return text + "\n";
-}
-
-/// A way of answering an operation, over all its families.
-struct WayOfOperation {
-  Way way;
-  WayCount counted;
-  std::string family;  ///< of the example
-};
-
-/// Wrong answers come first, then inexact ones.
-int rank(Verdict verdict) { return !is_finding(verdict) ? 2 : verdict == Verdict::inexact ? 1 : 0; }
-
-/// Those that have an example; of one rank what is most frequent at ordinary size first.
-std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
-  std::map<Way, WayOfOperation> by_way;
-  for (const auto& [family, cell] : tally.families) {
-    for (const auto& [way, counted] : cell.ways) {
-      if (!counted.example) continue;
-      WayOfOperation& sum = by_way[way];
-      if (!sum.counted.example || shown_before(*counted.example, *sum.counted.example)) sum.family = family;
-      sum.way = way;
-      sum.counted.merge(counted);
-    }
-  }
-  std::vector<WayOfOperation> ways;
-  for (auto& [way, sum] : by_way) ways.push_back(std::move(sum));
-  std::stable_sort(ways.begin(), ways.end(), [](const WayOfOperation& a, const WayOfOperation& b) {
-    const int rank_a = rank(a.way.verdict), rank_b = rank(b.way.verdict);
-    return rank_a != rank_b ? rank_a < rank_b : a.counted.cases > b.counted.cases;
-  });
-  return ways;
 }
 
 /// "inside where the truth is boundary"; empty where the words are the same, or none.
