@@ -101,7 +101,9 @@ std::string comparison(const Tally& before, const Tally& after, const std::strin
   std::vector<Pair> pairs;
   for (const auto& [family, cell] : now->families) {
     for (const auto& [earlier_family, earlier] : then->families) {
-      if (family == earlier_family) pairs.push_back({family, "", earlier, cell});
+      const Pair pair{family, "", earlier, cell};
+      const bool same = change(pair) == 0 && earlier.count(Verdict::inexact) == cell.count(Verdict::inexact);
+      if (family == earlier_family && !same) pairs.push_back(pair);
     }
   }
   return heading(before, after) + table("family", pairs, {"all", "", then->total(), now->total()});

@@ -10,7 +10,7 @@ namespace touchstone::audit {
 
 /// Every operation that both have, what changed most first; as HTML with its heading.
 std::string comparison(const Tally& before, const Tally& after);
-/// One operation by family; empty where the earlier audit does not have it.
+/// One operation, with the families that changed; empty where the earlier audit does not have it.
 std::string comparison(const Tally& before, const Tally& after, const std::string& operation);
 
 }  // namespace touchstone::audit
