@@ -9,6 +9,7 @@
 #include "audit/gate/baseline.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
+#include "program/audit_gate.h"
 #include "proptests/catch.h"
 #include "proptests/machine/program/called.h"
 
@@ -272,6 +273,23 @@ TEST_CASE("gate: the SARIF file has what version 2.1.0 requires, and says what i
   const Json none = parse_own_line(sarif_json(tally_of(0), {}, held_against(tally_of(0), {}), "engine"));
   CHECK(none["runs"][0]["results"].is_array());
   CHECK(none["runs"][0]["results"].empty());
+}
+
+TEST_CASE("gate: an interrupted audit leaves the baseline as it is") {
+  const TextFile baseline("interrupted.json", "as it was");
+  const auto after = [&](bool interrupted) {
+    Tally tally = tally_of(3);
+    tally.interrupted = interrupted;
+    GateCommand command;
+    command.write_baseline = baseline.path();
+    std::ostringstream out;
+    finish_gate(command, {}, tally, out);
+    std::stringstream text;
+    text << std::ifstream(baseline.path()).rdbuf();
+    return text.str();
+  };
+  CHECK(after(true) == "as it was");
+  CHECK(after(false) == baseline_json(baseline_of(tally_of(3), usual_causes())));
 }
 
 TEST_CASE("gate: the program's exit code is the gate's, and the baseline that it writes is known from then on") {
