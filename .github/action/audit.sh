@@ -9,6 +9,7 @@ set -- --engine "$ENGINE" --json "$results/audit.json"
 [ -z "$BASELINE" ] || set -- "$@" --baseline "$BASELINE"
 [ -z "$SARIF" ] || set -- "$@" --sarif "$SARIF"
 [ -z "$JUNIT" ] || set -- "$@" --junit "$JUNIT"
+[ -z "$SOURCE" ] || set -- "$@" --source "$SOURCE"
 [ -z "$REPORT" ] || set -- "$@" --report "$REPORT"
 code=0
 # shellcheck disable=SC2086  # words with spaces between them, as the input says
@@ -20,7 +21,8 @@ cat "$results/table.txt"
 } >>"$GITHUB_OUTPUT"
 {
   echo "### touchstone audit"
-  grep -v '^report: ' "$results/table.txt" | tail -n 1
+  # The headline, and what the gate says, without the findings that it lists.
+  awk -v RS= 'END { print }' "$results/table.txt" | grep -v '^  \|^report: ' || true
   printf '\n<details><summary>The whole table</summary>\n\n```text\n'
   head -c 900000 "$results/table.txt"
   printf '\n```\n\n</details>\n'

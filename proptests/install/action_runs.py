@@ -115,6 +115,20 @@ def faults(source, prefix, scratch):
     if not headline.search(summary):
         yield f"a naive engine: on the page of the run stands {summary}"
 
+    code, _, _ = runner.use(engine=engine, args=wrong, working_directory="my engines", fail_on="invalid")
+    if code:
+        yield f"a naive engine whose answers can be read: exit code {code}: {runner.log}"
+    (here / "my engines/known.json").write_text('{"touchstone":1,"kind":"baseline","engine":"e","seed":1,"known":[]}\n')
+    code, _, summary = runner.use(engine=engine, args=wrong, working_directory="my engines", baseline="known.json",
+                                  sarif="found here.sarif", junit="found.xml", source="naive engine.py")
+    if code != 1 or not re.search("^### touchstone audit\ntextbook in Python.*\ngate: failed.*new findings", summary):
+        yield f"a baseline in which nothing is known: exit code {code}: {runner.log}"
+    else:
+        found = [(here / "my engines" / file).read_text() for file in ("found here.sarif", "found.xml")]
+        for word, text in zip(("naive%20engine.py|naive engine.py", "<failure"), found):
+            if not re.search(word, text) or "segment_segment" not in text:
+                yield f"no {word} in {text}"
+
     right = "--ops orientation --families collinear,axis_parallel --cases 200"
     code, outputs, _ = runner.use(engine=engine, args=right, working_directory="my engines")
     if code or outputs["exit-code"] != "0":
