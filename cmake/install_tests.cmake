@@ -39,6 +39,10 @@ set_tests_properties(install/consumer install/my_engine install/own_tests instal
 add_test(NAME install/my_engine_audits COMMAND ${consumers}/my_engine/my_engine --cases 1000 --seed 1)
 set_tests_properties(install/my_engine_audits PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
                                                          "my engine 1.0.*segment_segment")
+# So does its ctest, by touchstone_add_audit.
+add_test(NAME install/my_engine_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${consumers}/my_engine --output-on-failure)
+set_tests_properties(install/my_engine_fails PROPERTIES DEPENDS install/my_engine PASS_REGULAR_EXPRESSION
+                     "audit/my_engine [.]*\\*\\*\\*Failed.*my engine 1.0.*gate: failed.*segment_segment, collinear: algorithm")
 # Its fuzz target: any bytes are a question, and it answers all; libFuzzer soon finds an answer that is wrong.
 set(fuzz_my_engine ${consumers}/my_engine/fuzz_my_engine)
 add_test(NAME install/my_engine_replays COMMAND ${fuzz_my_engine} ${PROJECT_SOURCE_DIR}/examples/my_engine/fuzz.cpp)
