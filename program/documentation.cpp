@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/documentation.h"
 
+#include <set>
+
 #include "catalogue/codec/did_you_mean.h"
 #include "program/command_tree.h"
 #include "program/commands.h"
@@ -93,6 +95,22 @@ void add_cases(const CLI::App& command, const std::string& path, std::string& wo
     add_cases(*below, path.empty() ? below->get_name() : path + " " + below->get_name(), words, operations);
 }
 
+/// "    --seed | --json": every option of any command that takes a value, but the names of operations.
+std::string value_options(const CLI::App& program) {
+  std::set<std::string> names;
+  const auto add = [&](const auto& self, const CLI::App& command) -> void {
+    for (const CLI::Option* option : command.get_options()) {
+      if (!takes_a_value(*option) || names_operations(*option)) continue;
+      for (const std::string& name : option->get_lnames()) names.insert("--" + name);
+    }
+    for (const CLI::App* below : commands_of(command)) self(self, *below);
+  };
+  add(add, program);
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "    " : " | ") + name;
+  return text;
+}
+
 std::string bash_completion(const CLI::App& program) {
   std::string names, words, operations;
   for (const Operation* operation : catalogue()) names += (names.empty() ? "" : " ") + operation->name();
@@ -130,7 +148,8 @@ _touchstone() {
       COMPREPLY=($(compgen -P "$before" -W "all $operations" -- "${current##*,}"))
       return
       ;;
-    --json | --report | --out | --mesh | --engine | --baseline | --write-baseline | --junit | --sarif) return ;;
+)" + value_options(program) +
+         R"() return ;;  # a value: bash's own completion, of files
   esac
   case $path in
 )" + words +
