@@ -21,12 +21,22 @@ From Coq Require Import Reals Bool.
 From Filters Require Import model.
 Open Scope R_scope.
 """
-# Definition, header, function or class and method, how many axes a pack has or the indices of the call.
+# Definition, function or class and method, how many axes a pack has.
 FILTERS = [
-    ("cross_sign", "filters.h", "cross_sign"),
-    ("orientation", "filters.h", "orientation"),
-    ("plane", "plane_filter.h", "plane"),
-    ("face_side", "face_filter.h", "FacePlane.side"),
+    ("cross_sign", "cross_sign"),
+    ("orientation", "orientation"),
+    ("circle", "circle"),
+    ("elevation", "elevation"),
+    ("plane", "plane"),
+    ("face_side", "FacePlane.side"),
+    ("spheres", "spheres"),
+    ("ball_and_box_2", "ball_and_box", 2),
+    ("ball_and_box_3", "ball_and_box", 3),
+    ("sweep_start", "Sweep.start"),
+    ("sweep_slope_at_start", "Sweep.slope_at_start"),
+    ("sweep_slope_at_end", "Sweep.slope_at_end"),
+    ("sweep_end", "Sweep.end"),
+    ("velocity_apart", "velocity_apart"),
 ]
 
 
@@ -38,7 +48,7 @@ def parameter(run, kind, name, names):
     return {f: parameter(run, k or "Float", f"{name}_{f}", names) for f, _, k in fields}
 
 
-def extracted(source, name, header, function, *how):
+def extracted(source, name, function, *how):
     """The definition, and the text that it came from."""
     run, names = Run(source, how[0] if how and isinstance(how[0], int) else 0), []
     owner, _, method = function.rpartition(".")

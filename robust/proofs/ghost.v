@@ -36,6 +36,11 @@ Proof.
 intros E%ratio. split; [apply Rabs_pos|]. rewrite Rabs_mult, (Rabs_right (1 + e)), pow_1, Rmult_comm by lra.
 apply Rmult_le_compat_l; [apply Rabs_pos|lra].
 Qed.
+Lemma low_sum_rounded x e : 0 <= x -> Rabs e <= u -> low 1 (x * (1 + e)) (Rabs x).
+Proof.
+intros P E%ratio. rewrite Rabs_right by lra. split; [exact P|]. rewrite pow_1, Rmult_comm.
+apply Rmult_le_compat_l; lra.
+Qed.
 Lemma low_rounded j x t e : low j x t -> Rabs e <= u -> low (S j) (x * (1 + e)) t.
 Proof.
 intros L E%ratio. pose proof (low_pos _ _ _ L). destruct L as [P L]. split; [exact P|]. pose proof (down j).
@@ -212,6 +217,13 @@ destruct (decided u fits_u _ _ _ _ _ _ O E' C). split; auto.
 Qed.
 End Certain.
 
+Lemma power_fine u k : 0 < u <= 1/1024 -> 0 < u ^ S k <= u ^ k / 1024.
+Proof. intros Hu. assert (0 < u ^ k) by (apply pow_lt; lra). simpl. split; nra. Qed.
+Ltac fine_powers u Hu :=
+  pose proof (power_fine u 1 Hu); pose proof (power_fine u 2 Hu); pose proof (power_fine u 3 Hu);
+  pose proof (power_fine u 4 Hu); pose proof (power_fine u 5 Hu); pose proof (power_fine u 6 Hu);
+  pose proof (power_fine u 7 Hu); pose proof (power_fine u 8 Hu); pose proof (power_fine u 9 Hu).
+
 (* the ghost of a bound, from below: in units of the exact differences, or (here) of the computed ones *)
 Ltac lows_here Hu := match goal with
   | |- low _ _ ((?x + ?y) * (1 + ?e)) _ => eapply low_add; [exact Hu| | |eassumption|reflexivity]; lows_here Hu
@@ -220,6 +232,7 @@ Ltac lows_here Hu := match goal with
   | |- low _ _ ?x _ => apply low_self; lra
   end.
 Ltac lows Hu := match goal with
+  | |- low _ _ ((?x + ?y) * (1 + ?e)) _ => is_var x; is_var y; apply low_sum_rounded; [lra|eassumption]
   | |- low _ _ ((?x + ?y) * (1 + ?e)) _ => eapply low_add; [exact Hu| | |eassumption|reflexivity]; lows Hu
   | |- low _ _ (?x * ?y * (1 + ?e)) _ => eapply low_mul; [exact Hu| | |eassumption|reflexivity]; lows Hu
   | |- low _ _ (Rabs (?x * (1 + ?e))) _ => apply low_abs_rounded; [exact Hu|eassumption]
@@ -228,6 +241,7 @@ Ltac lows Hu := match goal with
   end.
 Ltac offs Hu := match goal with
   | |- off _ _ ((?x - ?y) * (1 + ?e)) _ _ => is_var x; is_var y; apply off_rounded; [apply off_self|assumption]
+  | |- off _ _ ((?x + ?y) * (1 + ?e)) _ _ => is_var x; is_var y; apply off_rounded; [apply off_self|assumption]
   | |- off _ _ ((?x + ?y) * (1 + ?e)) _ _ => eapply off_add; [exact Hu| | |eassumption|reflexivity]; offs Hu
   | |- off _ _ ((?x - ?y) * (1 + ?e)) _ _ => eapply off_sub; [exact Hu| | |eassumption|reflexivity]; offs Hu
   | |- off _ _ (?x * ?y * (1 + ?e)) _ _ => eapply off_mul; [exact Hu| | |eassumption|reflexivity]; offs Hu

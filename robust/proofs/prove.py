@@ -4,6 +4,9 @@
 
   prove.py [--work DIR]          everything, in a fresh folder (build/proofs unless told)
   prove.py --looked-at           writes looked_at.txt: every proof was looked at after the last change of its filter
+  prove.py --share               a share of the theorems, for the tests; all filters' texts are compared all the same
+  prove.py --mutants [FILTER]    each constant one unit smaller: refused by Coq, or as changed text alone
+  prove.py --self-check          changed constants, open steps, axioms and caches are refused, without a run of Coq
 
 A filter NAME has a theorem NAME_right. Refused are: a filter whose text is not the one that looked_at.txt has, a filter
 without theorem, a step left open, an axiom but those of Coq's real numbers, compiled files beside the sources.
@@ -14,12 +17,16 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 from concurrent.futures import ThreadPoolExecutor
 
 sys.dont_write_bytecode = True
 import extract
+import mutants
 
+SKIPPED = 77  # for CTest
+SHARE = {"cross_sign", "orientation", "elevation", "plane"}
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 AXIOMS = {  # of the classical real numbers of Coq's standard library
@@ -86,9 +93,9 @@ def looked_at():
     return dict(line.split() for line in (HERE / "looked_at.txt").read_text(encoding="utf-8").splitlines())
 
 
-def faults(files, filters):
+def faults(files, filters, folder=HERE):
     """What is refused before Coq is asked."""
-    for path in HERE.iterdir():
+    for path in folder.iterdir():
         if path.suffix in (".vo", ".vos", ".vok", ".glob", ".aux") or path.name.endswith(".cache"):
             yield f"{path.name} is here: proofs start from nothing"
     for name, text in files.items():
@@ -105,14 +112,26 @@ def faults(files, filters):
         yield f"{name} is in looked_at.txt, but no filter"
 
 
-def prove(work, jobs):
+def closure(names, files):
+    """These, and the files that they need."""
+    found = set()
+    while names - found:
+        found |= names
+        names = names | {n for name in names for n in needed(files[name])}
+    return found
+
+
+def prove(work, jobs, share):
     started = time.monotonic()
     defined, filters = extract.all_of(ROOT)
     files = {**sources(), **generated(defined, filters)}
     found = list(faults(files, filters))
     if found:
         return found
-    theorems = [f"{name}_right" for name, _, _ in filters] + ["in_binary64"] * ("format" in files)
+    theorems = [f"{name}_right" for name, _, _ in filters if not share or name in SHARE] + ["in_binary64"]
+    if share:
+        parts = closure({proof_of(theorem, files) for theorem in theorems}, files)
+        files = {name: files[name] for name in parts}
     files["assumptions"] = f"From Filters Require Import {' '.join(sorted(files))}.\n" + "".join(
         f"Print Assumptions {t}.\n" for t in theorems)
     shutil.rmtree(work, ignore_errors=True)
@@ -135,17 +154,93 @@ def prove(work, jobs):
     return []
 
 
+def changed(filters, others):
+    return [name for (name, before, _), (_, after, _) in zip(filters, others) if before != after]
+
+
+def self_check():
+    """Each fault alone is found."""
+    defined, filters = extract.all_of(ROOT)
+    files = {**sources(), **generated(defined, filters)}
+    wrong = list(faults(files, filters))
+    names = {name for name, _, _ in filters}
+    proved = 0
+    for _, what, (_, others) in mutants.mutated(ROOT):
+        if changed(filters, others):
+            proved += 1
+            if not any(name in names for name in changed(filters, others) if any(
+                    line.startswith(f"{name}: its text has changed") for line in faults(files, others))):
+                wrong.append(f"not refused: {what}")
+    if proved < 3 * len({definition for _, definition, _ in filters}) // 2:
+        wrong.append(f"only {proved} mutants")
+    for fault in ("Admitted.", "Axiom x : False.", "Parameter x : nat.", "Unset Guard Checking."):
+        if not any("plane.v" in line for line in faults({**files, "plane": files["plane"] + fault}, filters)):
+            wrong.append(f"not refused: {fault}")
+    if list(faults({**files, "plane": files["plane"] + "(* Admitted *)"}, filters)):
+        wrong.append("refused: a comment")
+    with tempfile.TemporaryDirectory() as folder:
+        (pathlib.Path(folder) / ".nia.cache").touch()
+        if not any(".nia.cache" in line for line in faults(files, filters, pathlib.Path(folder))):
+            wrong.append("not refused: .nia.cache")
+    without = {**files, "plane": files["plane"].replace("plane_right", "plane_wrong")}
+    if not any("plane: no theorem" in line for line in faults(without, filters)):
+        wrong.append("not refused: a filter without theorem")
+    print(f"{proved} mutants of constants refused" if not wrong else "")
+    return wrong
+
+
+def proof_of(theorem, files):
+    return next(file for file, text in files.items() if re.search(rf"^Theorem {theorem}\b", text, re.M))
+
+
+def try_mutants(work, jobs, only):
+    """Coq's own word on each mutant, its text taken as looked at. A constant may be greater than its proof needs."""
+    defined, filters = extract.all_of(ROOT)
+    files = {**sources(), **generated(defined, filters)}
+    shutil.rmtree(work, ignore_errors=True)
+    proof, wrong = Proof(work, files), []
+    failed = proof.compile_all(list(files), jobs)
+    if failed:
+        return [f"not proved: {failed[0]}.v", failed[1]]
+    for kind, what, (_, others) in mutants.mutated(ROOT):
+        names = [n for n in changed(filters, others) if only in (None, n)]
+        # orientation's theorem follows from cross_sign's, so that does not fail by itself
+        held = []
+        for file in sorted({proof_of(f"{n}_right", files) for n in names}):
+            (work / "filters.v").write_text(generated(defined, others)["filters"], encoding="utf-8")
+            proof.compile("filters")
+            if proof.compile(file)[0]:
+                held.append(file)
+        if names:
+            said = f"proved all the same: {', '.join(held)}" if held else "not proved"
+            print(f"{what}: changed text; {said}", flush=True)
+        if kind == "first" and held:
+            wrong.append(f"{what} is proved")
+    return wrong
+
+
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "proofs")
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--looked-at", action="store_true")
+    options.add_argument("--share", action="store_true")
+    options.add_argument("--self-check", action="store_true")
+    options.add_argument("--mutants", nargs="?", const="", metavar="FILTER")
     given = options.parse_args()
     if given.looked_at:
         lines = [f"{name} {digest}\n" for name, _, digest in extract.all_of(ROOT)[1]]
         (HERE / "looked_at.txt").write_text("".join(lines), encoding="utf-8")
         return 0
-    found = prove(given.work, given.jobs)
+    if given.self_check:
+        found = self_check()
+    elif not shutil.which("coqc"):
+        print("skipped: no coqc (Debian: coq libcoq-flocq)")
+        return SKIPPED
+    elif given.mutants is not None:
+        found = try_mutants(given.work, given.jobs, given.mutants or None)
+    else:
+        found = prove(given.work, given.jobs, given.share)
     for line in found:
         print(line, file=sys.stderr)
     return 1 if found else 0

@@ -43,6 +43,8 @@ Ltac difference G S := match type of G with fits ?F ?H ?w ?v => match type of S 
 Ltac differences G := repeat match type of G with fits ?F ?H ?w ?v => match goal with
   | B : small H 1 _ ?x, S : sub (reals F) (Plain ?a) (Plain ?b) ?x |- _ => is_var a; is_var b; difference G S end end.
 
+Ltac sum_of_inputs G a b := match goal with S : add (reals _) (Plain a) (Plain b) _ |- _ => difference G S end.
+
 Ltac know G x := lazymatch type of G with fits ?F ?H ?w ?v => lazymatch goal with
   | _ : close F H _ _ x _ |- _ => idtac
   | _ => lazymatch x with
@@ -70,15 +72,17 @@ Ltac step_mul G S := lazymatch type of G with fits ?F ?H ?w ?v => lazymatch type
       _ =>
       let c := eval vm_compute in (c_product w v c1 m1 c2 m2) in let m := eval vm_compute in (m_product w v m1 m2) in
       let e := fresh "e" in let E := fresh "E" in let T := fresh "N" in
-      destruct (mul_close F H w v G k1 c1 m1 x x0 k2 c2 m2 y y0 z c Nx Bx Ny By S eq_refl) as (e & E & T);
-      pose proof (mul_small F H w v G k1 m1 x k2 m2 y z m Bx By S eq_refl);
-      clear S; cbn [Nat.add] in * end end end end ] end end.
+      let k := eval vm_compute in (Datatypes.S (k1 + k2)) in
+      destruct (mul_close F H w v G k1 c1 m1 x x0 k2 c2 m2 y y0 z c Nx Bx Ny By S eq_refl
+        : exists e, Rabs e <= u F /\ close F H k c z (x0 * y0 * (1 + e))) as (e & E & T);
+      pose proof (mul_small F H w v G k1 m1 x k2 m2 y z m Bx By S eq_refl : small H (Datatypes.S k) m z);
+      clear S end end end end ] end end.
 
 Ltac step_use G U := lazymatch type of G with fits ?F ?H ?w ?v => lazymatch type of U with
   | uses F (Plain ?x) ?x' => know G x; change (read F x x') in U;
     match goal with N : close F H ?k ?c x ?x0 |- _ => let c' := eval vm_compute in (c + 1024)%Z in
       pose proof (read_close F H w v G k c x x0 x' N U : close F H k c' x' x0) end;
-    try match goal with B : small H ?k ?m x |- _ => pose proof (read_small F H w v G k m x x' B U) end
+    try match goal with B : small H ?k ?m x |- _ => pose proof (read_small F H k m x x' B U) end
   | uses F (Product ?x ?y ?z) ?z' => first [
       match goal with T : forall z' r', uses F (Product x y z) z' -> (?r + 1024)%Z = r' -> _ |- _ =>
         let r' := eval vm_compute in (r + 1024)%Z in
@@ -91,10 +95,12 @@ Ltac step_use G U := lazymatch type of G with fits ?F ?H ?w ?v => lazymatch type
       match goal with Nz : close F H _ _ z (x0 * y0 * (1 + ?e)), E : Rabs ?e <= u F, Bz : small H _ ?mz z |- _ =>
         let c := eval vm_compute in (c_product w v c1 m1 c2 m2 + 1024)%Z in
         let e' := fresh "e" in let E' := fresh "E" in let D := fresh "D" in let N := fresh "N" in
-        destruct (use_product F H w v G k1 c1 m1 x x0 k2 c2 m2 y y0 z e z' c Nx Bx Ny By Nz E U eq_refl) as (e' & E' &
-          D & N);
-        pose proof (use_product_small F H w v G k1 m1 x k2 m2 y z z' Bx By Bz U : small H _ mz z');
-        cbn [Nat.add] in * end end end end end ] end end.
+let k := eval vm_compute in (Datatypes.S (k1 + k2)) in
+        destruct (use_product F H w v G k1 c1 m1 x x0 k2 c2 m2 y y0 z e z' c Nx Bx Ny By Nz E U eq_refl
+          : exists e', Rabs e' <= u F /\ (e' = e \/ e' = 0) /\ close F H k c z' (x0 * y0 * (1 + e'))) as (e' & E' & D
+            & N);
+        pose proof (use_product_small F H w v G k1 m1 x k2 m2 y z z' Bx By Bz U : small H (Datatypes.S k) mz z') end
+          end end end end ] end end.
 
 Ltac step_sum G S := lazymatch type of G with fits ?F ?H ?w ?v =>
   let x' := fresh "x" in let y' := fresh "y" in let U1 := fresh "U" in let U2 := fresh "U" in let R := fresh "R" in
@@ -182,15 +188,16 @@ Ltac polynomial G num Right :=
        ltac:(vm_compute; discriminate) K S O C) as Right]
     end end end end end end end end end.
 
-(* rule (5) for such a polynomial: relative (2 j) d *)
+(* rule (5) for such a polynomial: relative c d with c >= 2 j *)
 Ltac constant_is_enough G d := match goal with |- _ * ((1 + u ?F) ^ ?j - 1) * ?TT <= (1 - u ?F) ^ ?m * ?T =>
   match T with context [relative ?twice_j ?d' ?u'] =>
     let C := constr:(relative twice_j d' u') in
     let T' := match (eval pattern C in T) with ?f _ => eval cbv beta in (f 1) end in
     let E := fresh "E" in let L := fresh "L" in let P := fresh "P" in
     assert (E : (1 + u F) * ((1 + u F) ^ j - 1) <= (1 - u F) ^ m * C);
-    [ replace C with (INR j * u F + INR d * u F * u F) by (unfold relative; simpl; lra);
-      apply enough; [assumption| destruct G; simpl; lra | destruct G; simpl; lra]
+    [ apply Rle_trans with ((1 - u F) ^ m * (INR j * u F + INR d * u F * u F));
+      [ apply enough; [assumption| destruct G; simpl; lra | destruct G; simpl; lra]
+      | apply Rmult_le_compat_l; [apply pow_le; lra|unfold relative; simpl; lra] ]
     | replace T with (C * T') by ring;
       assert (L : TT <= T') by units;
       assert (P : 0 <= TT) by (magnitudes; positive_terms);
@@ -206,3 +213,9 @@ Ltac normal G c d mC := match type of G with fits ?F _ _ _ =>
   assert (C0 : 0 <= relative c d (u F)) by (destruct G; lra) end.
 Ltac answers R Right := match type of R with _ = if ?s then positive else negative =>
   split; intros ->; destruct s; try discriminate; apply Right; reflexivity end.
+
+(* from the two halves: beyond the bound, and no further where the sign is wrong *)
+Ltac signs R Pos Neg P Q W1 W2 := split; intros ->;
+  match type of R with _ = (if ?s then _ else _) => destruct s; try discriminate end; apply Rnot_le_lt; intros NN;
+  first [ specialize (P (Pos eq_refl)) | specialize (Q (Neg eq_refl)) ];
+  first [ specialize (W1 ltac:(lra)); lra | specialize (W2 ltac:(lra)); lra ].

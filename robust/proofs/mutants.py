@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Headers with one constant that is smaller: does a run refuse them? See prove.py."""
+import pathlib
+import re
+import shutil
+import tempfile
+
+import extract
+import source
+
+RELATIVE = re.compile(r"relative<(\d+), (\d+)>")
+ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
+
+
+def mutants(root):
+    """(what, header, text): each constant one unit smaller, in its last parameter and in its first."""
+    for name in source.HEADERS:
+        text = (root / name).read_text(encoding="utf-8")
+        def other_text(found, other):
+            where = text.count("\n", 0, found.start()) + 1
+            return f"{name}:{where} {other}", name, text[:found.start()] + other + text[found.end():]
+
+        for found in RELATIVE.finditer(text):
+            c, d = int(found[1]), int(found[2])
+            for kind, other in (("last", f"relative<{c}, {d - 1}>"), ("first", f"relative<{c - 1}, {d}>")):
+                yield kind, *other_text(found, other)
+        for found in ABSOLUTE.finditer(text):
+            other = f"power_of_two({int(found[1]) - 1} + Format::min_exponent"
+            yield "half", *other_text(found, other)
+
+
+def mutated(root):
+    """For each mutant: kind, what it is, and what extract has to say of it."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder)
+        for name in source.HEADERS:
+            (copy / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(root / name, copy / name)
+        for kind, what, name, text in mutants(root):
+            kept = (copy / name).read_text(encoding="utf-8")
+            (copy / name).write_text(text, encoding="utf-8")
+            yield kind, what, extract.all_of(copy)
+            (copy / name).write_text(kept, encoding="utf-8")
