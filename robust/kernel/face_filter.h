@@ -41,7 +41,7 @@ struct CubicBounds {
 /// difference: 34 for the coordinate's error times that difference, 10 for the difference's, 3.4 for DAZ, 1 for
 /// itself; rounded, less than 52. Three of them, summed with two roundings, which make 1.13, and 6 n: less than 183.
 /// The value: 1.0625 times that; the terms, which are too small by as much: C <= 1.125 times that; the bound itself:
-/// 4. That is less than 405, and 512 (1 - u) pays for it.
+/// 4. That is less than 405, and 512 (1 - u) pays for it. Proved: face_side.
 template <class Float, class Format = FloatFormat<Float>>
 class FacePlane {
  public:

