@@ -92,6 +92,11 @@ add_test(NAME documentation/self_check COMMAND ${documentation} --self-check)
 add_test(NAME engines/wrong_signatures
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/machine/engines/wrong_signatures.py ${CMAKE_CXX_COMPILER}
                  ${PROJECT_SOURCE_DIR})
+# A share of the theorems about filters; ./dev proofs proves all.
+set(prove ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/robust/proofs/prove.py)
+add_test(NAME proofs/self_check COMMAND ${prove} --self-check)
+add_test(NAME proofs COMMAND ${prove} --share --jobs 1 --work ${PROJECT_BINARY_DIR}/proofs)
+set_tests_properties(proofs PROPERTIES SKIP_RETURN_CODE 77)
 if(TARGET touchstone)
   add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)
   if(NOT TOUCHSTONE_TEST_ROBUST_ALONE)
