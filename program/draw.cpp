@@ -9,40 +9,44 @@
 namespace touchstone::audit {
 namespace {
 
-/// So many questions of a family in a row outside the contract mean that it has none within.
+/// So many questions of a family in a row outside the contract, or not of ordinary size, mean that it has no others.
 constexpr std::uint64_t most_refused = 1000;
 
 /// One family's questions within the contract, in the order in which an audit of the same seed asks them.
 class Questions {
  public:
   Questions(const Operation& operation, std::size_t family, const DrawCommand& command)
-      : operation_(operation), family_(family), command_(command) {}
+      : operation_(&operation), family_(family), command_(&command) {}
 
-  Json next() {
+  /// Empty where a thousand in a row are not wanted.
+  std::optional<Json> next() {
     for (std::uint64_t refused = 0; refused < most_refused; ++refused) {
       const std::uint64_t index = index_++;
-      Choices choices = case_choices(operation_, family_, command_.seed, index);
-      Question question = operation_.draw(choices, family_);
-      if (command_.binary32) question = operation_.in_binary32(question);
-      if (command_.range == "ordinary" && range_of(question) != Range::ordinary) continue;
+      Choices choices = case_choices(*operation_, family_, command_->seed, index);
+      Question question = operation_->draw(choices, family_);
+      if (command_->binary32) question = operation_->in_binary32(question);
+      if (command_->range == "ordinary" && range_of(question) != Range::ordinary) continue;
       try {
         return line(question, index);
       } catch (const InvalidInput&) {
       }
     }
-    throw UsageError("--families " + operation_.families()[family_] + ": none of " + std::to_string(most_refused) +
-                     " questions is within the contract of " + operation_.name() +
-                     (command_.range == "ordinary" ? " and of ordinary size" : ""));
+    return std::nullopt;
+  }
+  std::string refusal() const {
+    return "--families " + operation_->families()[family_] + ": none of " + std::to_string(most_refused) +
+           " questions is within the contract of " + operation_->name() +
+           (command_->range == "ordinary" ? " and of ordinary size" : "");
   }
 
  private:
   Json line(const Question& question, std::uint64_t index) const {
-    const auto examination = operation_.examine(question);
+    const auto examination = operation_->examine(question);
     Json line = Json::object();
-    line["op"] = operation_.name();
-    line["family"] = operation_.families()[family_];
+    line["op"] = operation_->name();
+    line["family"] = operation_->families()[family_];
     line["index"] = index;
-    line["input"] = operation_.print(question);
+    line["input"] = operation_->print(question);
     line["truth"] = examination->truth();
     line["rounded"] = examination->rounded_truth();
     if (examination->margin()) line["margin"] = written(*examination->margin());
@@ -50,9 +54,9 @@ class Questions {
     return line;
   }
 
-  const Operation& operation_;
+  const Operation* operation_;
   std::size_t family_;
-  const DrawCommand& command_;
+  const DrawCommand* command_;
   std::uint64_t index_ = 0;
 };
 
@@ -71,7 +75,17 @@ int draw_command(const DrawCommand& command, std::ostream& out) {
       throw UsageError("--families " + name + ": " + operation.name() + " has no such family" +
                        did_you_mean(name, all) + "; touchstone ops --json lists them");
   }
-  for (std::uint64_t at = 0; at < command.cases; ++at) out << one_line(families[at % families.size()].next()) << '\n';
+  for (std::uint64_t at = 0; at < command.cases;) {
+    const std::size_t turn = at % families.size();
+    if (const auto line = families[turn].next()) {
+      out << one_line(*line) << '\n';
+      ++at;
+    } else if (!chosen.empty() || families.size() == 1) {
+      throw UsageError(families[turn].refusal());
+    } else {
+      families.erase(families.begin() + static_cast<std::ptrdiff_t>(turn));  // nobody asked for it by name
+    }
+  }
   return nothing_found;
 }
 
