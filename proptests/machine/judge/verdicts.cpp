@@ -143,9 +143,10 @@ TEST_CASE("verdicts: words that are no JSON numbers lose the answer they stand i
     CHECK(judged.remark == "NaN or infinity where the truth is finite");
   }
   for (const char* numbers : {"[0x10,1]", "[01,1]", "[1.5.2,1]", "[--1,1]", "[+1,1]", "[.5,1]", "[Nan,1]"}) {
-    const Judgement judged = at.judge(R"({"point":)" + std::string(numbers) + "}");
+    const std::string typed = numbers, first = typed.substr(1, typed.find(',') - 1);
+    const Judgement judged = at.judge(R"({"point":)" + typed + "}");
     CHECK(name_of(judged.verdict) == std::string("invalid"));
-    CHECK(judged.remark == "answer.point[0]: number");
+    CHECK(judged.remark == "answer.point[0]: expected a number, got " + first);
   }
   CHECK_THAT(at.judge(R"({"point":[null,1]})").remark, ContainsSubstring(R"(send "nan")"));
 }
