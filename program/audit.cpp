@@ -101,8 +101,11 @@ int exit_code(const Tally& tally, bool failed, std::ostream& err) {
     return interrupted;
   }
   if (failed) return findings;
-  if (sum_of(tally.operations).cases() > 0) return nothing_found;
-  err << "touchstone: nothing was judged: no question of these families is within the contract of these operations\n";
+  const Cell sum = sum_of(tally.operations);
+  if (sum.answered() > 0) return nothing_found;
+  err << "touchstone: nothing was judged: "
+      << (sum.cases() > 0 ? "the engine says of every question that it is unsupported\n"
+                          : "no question of these families is within the contract of these operations\n");
   return bad_usage;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -87,10 +88,12 @@ std::string conditions(const Tally& tally, const Cell& sum) {
         " Most families are degenerate on purpose or a few units in the last place away from it, so the shares say "
         "where an implementation fails, not how often everyday input would meet it.";
   }
-  if (!tally.undeclared.empty()) {
-    text += " Not declared by the engine, so not asked: ";
-    for (const std::string& name : tally.undeclared) text += (&name == &tally.undeclared[0] ? "" : ", ") + name;
-    text += ".";
+  constexpr std::size_t most_named = 6;
+  if (tally.undeclared.size() > most_named) {
+    text +=
+        fmt::format(" {} other operations are not declared by the engine and were not asked.", tally.undeclared.size());
+  } else if (!tally.undeclared.empty()) {
+    text += fmt::format(" Not declared by the engine, so not asked: {}.", fmt::join(tally.undeclared, ", "));
   }
   if (tally.interrupted) text += " The run was interrupted; this is what had been counted.";
   return text;

@@ -6,7 +6,7 @@
 namespace touchstone::audit {
 namespace {
 
-constexpr std::size_t longest_name = 80;
+constexpr std::size_t longest_name = 80, fewest_of_a_beginning = 3;
 
 std::string folded(std::string_view name) {
   std::string result;
@@ -39,13 +39,15 @@ std::string nearest_of(std::string_view name, const Names& known) {
   if (name.empty() || name.size() > longest_name) return "";
   const std::string misspelt = folded(name);
   std::size_t least = std::max<std::size_t>(1, misspelt.size() / 3) + 1;
-  std::string nearest;
+  std::string nearest, longer;
   for (const auto& candidate : known) {
     const std::string spelt = folded(candidate);
+    if (longer.empty() && misspelt.size() >= fewest_of_a_beginning && spelt.starts_with(misspelt)) longer = candidate;
     const std::size_t off = distance(misspelt, spelt);
     // What shares no letter in its place is another name, however short.
     if (off < least && off < std::max(spelt.size(), misspelt.size())) least = off, nearest = candidate;
   }
+  if (nearest.empty()) nearest = longer;
   return nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)";
 }
 

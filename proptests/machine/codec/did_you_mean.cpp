@@ -26,6 +26,13 @@ TEST_CASE("did you mean: what has more than a third of its letters wrong is anot
   CHECK(did_you_mean(std::string(10'000'000, 'a'), names).empty());
 }
 
+TEST_CASE("did you mean: three letters or more that a name begins with stand for it") {
+  CHECK(did_you_mean("orient", names) == " (did you mean \"orientation\"?)");
+  CHECK(did_you_mean("seg", names) == " (did you mean \"segment_segment\"?)");
+  CHECK(did_you_mean("or", names).empty());
+  CHECK(did_you_mean("entation", std::vector<const char*>{"or_entation_of"}).empty());
+}
+
 TEST_CASE("did you mean: of several equally near the first is named, and a nearer one before it") {
   CHECK(did_you_mean("lift", std::vector<const char*>{"left", "list", "right"}) == " (did you mean \"left\"?)");
   CHECK(did_you_mean("lists", std::vector<const char*>{"left", "list", "right"}) == " (did you mean \"list\"?)");

@@ -54,6 +54,17 @@ TEST_CASE("program: what cannot be written is known before the first question, b
 
 TEST_CASE("program: nothing judged is not nothing found") {
   require_refused(called({"exhaust", "line_line", "--grid", "1"}), bad_usage, "nothing was judged");
+  const char* const engine = R"(echo '{"engine":"e 1","ops":["orientation"]}'; read greeting; id=1
+while read question; do echo "{\"id\":$id,\"unsupported\":true}"; id=$((id + 1)); done)";
+  const std::vector<const char*> audit{"audit",  "--ops", "orientation", "--cases", "40",
+                                       "--jobs", "1",     "--engine",    engine};
+  for (const char* gate : {"", "--fail-on=algorithm"}) {
+    std::vector<const char*> words = audit;
+    if (*gate != 0) words.push_back(gate);
+    const Called call = called(words);
+    CHECK(call.code == bad_usage);
+    CHECK_THAT(call.err, ContainsSubstring("nothing was judged: the engine says of every question"));
+  }
 }
 
 TEST_CASE("program: a number that is none costs an engine its question and not the run") {
