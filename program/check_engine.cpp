@@ -104,7 +104,7 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
   limits.restarts_in_a_row = 2;
   PipeEngine engine(command.engine, limits, nullptr, &notes);
   const Declaration& declared = engine.declaration();
-  std::size_t operations = 0, wrong = 0;
+  std::size_t operations = 0, wrong = 0, unchecked = 0;
   out << subject(declared) << ", boundary " << boundary_word(declared.boundary) << ", tolerance "
       << decimal(declared.tolerance) << '\n';
   for (const Operation* operation : catalogue()) {
@@ -113,13 +113,16 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
     tell(*operation, wiring, out);
     ++operations;
     wrong += wiring.wrong.empty() ? 0 : 1;
+    unchecked += wiring.declined == wiring.asked ? 1 : 0;
   }
   if (operations == 0)
     throw EngineError("engine " + declared.engine + ": it declares none of the operations" + notes.of_first_line());
   notes.tell(err);
-  out << (wrong == 0 ? fmt::format("wired up: {}\n", counted(operations, "operation"))
+  out << (wrong == 0 ? fmt::format("wired up: {}\n", counted(operations - unchecked, "operation"))
                      : fmt::format("not wired up: {} of {}\n", wrong, counted(operations, "operation")));
-  return wrong == 0 ? nothing_found : findings;
+  if (unchecked > 0)
+    out << fmt::format("not checked: {}, of which no easy question is supported\n", counted(unchecked, "operation"));
+  return wrong == 0 && unchecked == 0 ? nothing_found : findings;
 }
 
 }  // namespace touchstone::audit

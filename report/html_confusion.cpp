@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 #include "report/html_parts.h"
@@ -38,6 +39,11 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
   truths = in_order(operation, truths);
   answers = in_order(operation, answers);
   if (truths.size() > most_words || answers.size() > most_words) return "";
+  // A plain yes or no is no word of the truth's: what was judged right tells which pairs are.
+  std::set<std::pair<std::string, std::string>> right_pairs;
+  for (const auto& [way, count] : total.ways) {
+    if (way.verdict == Verdict::agree || way.verdict == Verdict::inexact) right_pairs.emplace(way.truth, way.answer);
+  }
   const auto refused = total.count(Verdict::convention) + total.count(Verdict::tolerance);
   std::string text =
       "<div class=\"card scroll\"><table class=\"confusion stack\"><thead><tr><th scope=\"col\">the truth is "
@@ -51,7 +57,7 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
       const auto found = counts.find({truth, answer});
       const ByRange n = found == counts.end() ? ByRange{} : found->second;
       all += both(n);
-      const bool empty = both(n) == 0, right = truth == answer;
+      const bool empty = both(n) == 0, right = truth == answer || right_pairs.count({truth, answer}) > 0;
       text +=
           fmt::format("<td class=\"{}\" data-label=\"answered: {}\">{}{}</td>",
                       empty   ? "none"
@@ -63,7 +69,7 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
     text += fmt::format("<td data-label=\"all\">{}</td></tr>", grouped(all));
   }
   return text + "</tbody></table><p class=\"small quiet\">Rows: what is true. Columns: what " + escaped(who) +
-         " answered. Where both are the same word the decision is right." +
+         " answered. Where a pair is shaded the decision is right." +
          (refused > 0 ? " Other pairs may be allowed by the convention or the tolerance that the engine declares."
                       : "") +
          "</p></div>";

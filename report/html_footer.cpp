@@ -27,12 +27,11 @@ std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {
   std::string names;
   for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
   if (tally.operations.size() == catalogue().size()) names = "all";
-  const bool ours = tally.repeat.program == Repeat{}.program;
   if (tally.grid.size > 0) return fmt::format("touchstone exhaust {} --grid {}", names, tally.grid.size);
   const std::string options = tally.repeat.options.empty() ? "" : " " + tally.repeat.options;
   const std::string range = sum_of(tally.operations).left_out > 0 ? " --range ordinary" : "";
-  return fmt::format("{}{}{} --ops {} --cases {} --seed {}{} --report DIR", tally.repeat.program, ours ? " audit" : "",
-                     options, names, tally.cases, tally.seed, range);
+  return fmt::format("{} audit{} --ops {} --cases {} --seed {}{} --report DIR", tally.repeat.program, options, names,
+                     tally.cases, tally.seed, range);
 }
 
 std::string page_footer(const Tally& tally, const ReportNotes& notes) {

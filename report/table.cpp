@@ -115,10 +115,12 @@ std::string heading(const Tally& tally) {
   }
   if (sum_of(tally.operations).left_out > 0) text += ", ordinary size only";
   if (!tally.undeclared.empty()) {
+    constexpr std::size_t most_named = 6;
     std::string declared, undeclared;
     for (const OperationTally& operation : tally.operations)
       declared += (declared.empty() ? "" : ", ") + operation.operation;
     for (const std::string& name : tally.undeclared) undeclared += (undeclared.empty() ? "" : ", ") + name;
+    if (tally.undeclared.size() > most_named) undeclared = counted(tally.undeclared.size(), "operation");
     text += "\n" + wrapped("declared: " + declared, 2) + "\n" + wrapped("not declared, so not asked: " + undeclared, 2);
   }
   return text + (tally.interrupted ? "\ninterrupted: what follows was counted until then" : "") + "\n\n";

@@ -30,10 +30,11 @@ struct Source {
 };
 constexpr Source sources[] = {{400, true, true}, {60, false, true}, {60, false, false}};
 
-/// Questions by what is true of them.
+/// Questions by what is true of them, and which alternative they are (in the plane, in space).
 class Found {
  public:
-  Found(const Operation& operation, bool binary32) : operation_(operation), binary32_(binary32) {}
+  Found(const Operation& operation, bool binary32)
+      : operation_(operation), binary32_(binary32), alternatives_(operation.zeros_of_alternatives().size() > 1) {}
 
   bool enough() const { return count_ >= 2 * wanted; }
   std::size_t count() const { return count_; }
@@ -53,7 +54,7 @@ class Found {
     }
   }
 
-  /// In turn of every truth.
+  /// In turn of every truth and alternative.
   std::vector<EasyQuestion> chosen() {
     std::vector<EasyQuestion> all;
     for (std::size_t i = 0; i < wanted; ++i) {
@@ -69,7 +70,7 @@ class Found {
     if (!asked_.insert(one_line(operation_.print(question))).second) return;
     try {
       auto examination = operation_.examine(question);
-      std::vector<EasyQuestion>& alike = by_truth_[examination->outcome()];
+      std::vector<EasyQuestion>& alike = by_truth_[{examination->outcome(), alternatives_ ? question.words[0] : 0}];
       if (alike.size() >= wanted || !is_easy(*examination, binary32_)) return;
       alike.push_back({std::move(question), std::move(examination)});
       ++count_;
@@ -79,7 +80,8 @@ class Found {
 
   const Operation& operation_;
   bool binary32_;
-  std::map<std::string, std::vector<EasyQuestion>> by_truth_;
+  bool alternatives_;
+  std::map<std::pair<std::string, Word>, std::vector<EasyQuestion>> by_truth_;  ///< and alternative
   std::set<std::string> asked_;
   std::size_t count_ = 0;
 };

@@ -30,7 +30,10 @@ sys.stdin.readline()
 print(json.dumps({"engine": "wired 1", "ops": sys.argv[2].split(","), "boundary": "closed"}), flush=True)
 for line in sys.stdin:
     q = json.loads(line, parse_int=float)
-    said = wirings[sys.argv[1]](orientation(**q["input"])) if q["op"] == "orientation" else True
+    if sys.argv[1] == "declines" or (sys.argv[1] == "in_space" and len(q["input"]["a"]["min"]) == 2):
+        print(json.dumps({"id": q["id"], "unsupported": True}), flush=True)
+        continue
+    said = True if sys.argv[1] == "in_space" else wirings[sys.argv[1]](orientation(**q["input"])) if q["op"] == "orientation" else True
     print(json.dumps({"id": q["id"], "answer": said}), flush=True)
 )";
 
@@ -49,6 +52,19 @@ TEST_CASE("check-engine: an engine that is wired up rightly passes") {
   CHECK_THAT(call.out, StartsWith("wired 1 (binary64), boundary closed, tolerance 0\n") &&
                            ContainsSubstring("5 of 5 right") && ContainsSubstring("wired up: 1 operation\n"));
   CHECK(call.err.empty());
+}
+
+TEST_CASE("check-engine: an operation of which no easy question is supported is not called wired up") {
+  const Called call = checked("declines");
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out,
+             ContainsSubstring("wired up: 0 operations\nnot checked: 1 operation, of which no easy question"));
+}
+
+TEST_CASE("check-engine: boxes in the plane are asked, and boxes in space") {
+  const Called call = checked("in_space", "aabb_aabb");
+  INFO(call.out << call.err);
+  CHECK_THAT(call.out, ContainsSubstring(" not supported\n") && !ContainsSubstring("5 not supported\n"));
 }
 
 TEST_CASE("check-engine: what is wired up wrongly is said as expectation and fact") {

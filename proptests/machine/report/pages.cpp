@@ -104,7 +104,8 @@ TEST_CASE("pages: answers in words") {
   CHECK(phrase(segments, Json{{"relation", "disjoint"}}) == "no common point");
   CHECK(phrase(segments, Json::parse(R"({"relation":"point","ta":0.5,"tb":"1/3","point":[1,2]})")) ==
         "a common point, ta = 0.5, tb = 1/3, point (1, 2)");
-  CHECK(phrase(*find_operation("polygon_convexity"), std::string("not_simple/none")) == "crossing itself, no orientation");
+  CHECK(phrase(*find_operation("polygon_convexity"), std::string("not_simple/none")) ==
+        "crossing itself, no orientation");
   CHECK(phrase(segments, Json(nullptr)) == "no answer");
   CHECK(sentence(segments, Json::parse(R"({"relation":"point","ta":"1234567890123/1234567890124"})")) ==
         "a common point, ta = about 1");
@@ -160,12 +161,23 @@ TEST_CASE("pages: before and after a fix, what changed most first") {
   CHECK_THAT(index_page(after, {}, {"", &before}), ContainsSubstring("Before and now"));
 }
 
+TEST_CASE("pages: a plain yes or no is right where it was judged right") {
+  Cell cell;
+  cell.ways[{Verdict::agree, "apart", "no"}].cases = {7, 0};
+  cell.ways[{Verdict::algorithm, "apart", "yes"}].cases = {3, 0};
+  const std::string matrix = confusion_matrix(*find_operation("aabb_aabb"), cell, "e");
+  CHECK_THAT(matrix, ContainsSubstring("<td class=\"right\" data-label=\"answered: no\">7") &&
+                         ContainsSubstring("<td class=\"found\" data-label=\"answered: yes\">3"));
+}
+
 TEST_CASE("pages: the footer holds the versions and the command that gives the same") {
   Tally tally = tally_of({{"orientation", cell_of_orientation()}});
   CHECK(audit_command_of(tally, {}) == "touchstone audit --ops orientation --cases 100 --seed 1 --report DIR");
   CHECK(audit_command_of(tally, {"touchstone audit --seed 7", nullptr}) == "touchstone audit --seed 7");
   tally.repeat.options = "--engine 'python3 engine.py'";
   CHECK_THAT(audit_command_of(tally, {}), StartsWith("touchstone audit --engine 'python3 engine.py' --ops"));
+  tally.repeat.program = "build/release/touchstone";
+  CHECK_THAT(audit_command_of(tally, {}), StartsWith("build/release/touchstone audit --engine"));
   const std::string page = index_page(tally, {});
   CHECK_THAT(page.substr(place_of(page, "<footer>")), ContainsSubstring(versions()));
   CHECK_THAT(versions(), ContainsSubstring("GMP ") && ContainsSubstring("MPFR "));
