@@ -142,7 +142,7 @@ struct Repeat {
 
 struct Tally {
   Declaration declaration;
-  Repeat repeat;  ///< of tallies that are merged the first's
+  Repeat repeat;                      ///< of tallies that are merged the first's
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
   Grid grid;
   Limits limits;                        ///< that tell ordinary questions from extreme ones
@@ -152,8 +152,8 @@ struct Tally {
   bool interrupted = false;
 
   bool has_findings() const;
-  /// Throws InvalidInput where the two are of different engines, grids or limits, or count the same cases. Of two seeds the
-  /// smaller stays.
+  /// Throws InvalidInput where the two are of different engines, grids or limits, or count the same cases. Of two seeds
+  /// the smaller stays.
   void merge(const Tally& other);
 };
 

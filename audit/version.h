@@ -6,4 +6,11 @@ namespace touchstone::audit {
 /// As CMakeLists.txt has it (a test compares them).
 inline constexpr const char* version_number = "0.1.0";
 
+/// What compiled this.
+#if defined(__clang__)
+inline constexpr const char* compiler_name = "clang " __clang_version__;
+#else
+inline constexpr const char* compiler_name = "g++ " __VERSION__;
+#endif
+
 }  // namespace touchstone::audit

@@ -32,8 +32,8 @@ struct AuditCommand {
   double seconds = 0, timeout = 5;
   int jobs = 0;  ///< 0: as many as the machine has
   std::string json_file, report_directory;
-  std::string before;  ///< file of an earlier audit (--json), shown beside this one in the report
-  std::string range = "all";                  ///< "ordinary": only questions of ordinary size
+  std::string before;         ///< file of an earlier audit (--json), shown beside this one in the report
+  std::string range = "all";  ///< "ordinary": only questions of ordinary size
   std::string ordinary = "0x1p-100,0x1p100";  ///< LEAST,MOST: what that is
   bool summary = false;                       ///< a row for each operation, no families and no examples
   GateCommand gate;
@@ -87,9 +87,9 @@ int ops_command(bool json, std::ostream& out);
 int operations_page_command(std::ostream& out);
 int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err);
 int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& err);
-/// Questions within the contract, dealt out over the families in turn, each with its truth, as JSON lines for test suites
-/// in any language: op, family, index, input, truth (exact), rounded (nearest doubles), margin, touch (open and closed
-/// sets answer differently).
+/// Questions within the contract, dealt out over the families in turn, each with its truth, as JSON lines for test
+/// suites in any language: op, family, index, input, truth (exact), rounded (nearest doubles), margin, touch (open and
+/// closed sets answer differently).
 int draw_command(const DrawCommand& command, std::ostream& out);
 int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err);
 int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "audit/version.h"
+
 #include <fmt/core.h>
 #include <gmp.h>
 #include <mpfr.h>
@@ -6,18 +8,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "audit/version.h"
 #include "program/documentation.h"
 
 namespace touchstone::audit {
 
 std::string version() {
-#if defined(__clang__)
-  const std::string compiler = "clang " __clang_version__;
-#else
-  const std::string compiler = "g++ " __VERSION__;
-#endif
-  return std::string("touchstone ") + version_number + "\ncompiler: " + compiler +
+  return std::string("touchstone ") + version_number + "\ncompiler: " + compiler_name +
          fmt::format("\nlibraries: GMP {}, MPFR {}, nlohmann-json {}.{}.{}, {{fmt}} {}.{}.{}, CLI11 {}, libpng {}",
                      gmp_version, mpfr_get_version(), NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                      NLOHMANN_JSON_VERSION_PATCH, FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100,

@@ -5,8 +5,8 @@
 
 namespace touchstone::proptests {
 
-/// How many times as much processor time work(8 n) takes as work(n): about 8 where the time is n, 10 where it is n log n,
-/// 64 where it is n^2. The middle of the last two, as factors go, tells them apart.
+/// How many times as much processor time work(8 n) takes as work(n): about 8 where the time is n, 10 where it is n log
+/// n, 64 where it is n^2. The middle of the last two, as factors go, tells them apart.
 constexpr double far_below_quadratic = 25;
 
 template <class Work>

@@ -13,12 +13,7 @@
 namespace touchstone::audit {
 
 std::string versions() {
-#if defined(__clang__)
-  const std::string compiler = "clang " __clang_version__;
-#else
-  const std::string compiler = "g++ " __VERSION__;
-#endif
-  return fmt::format("touchstone {}, {}, GMP {}, MPFR {}, libpng {}", version_number, compiler, gmp_version,
+  return fmt::format("touchstone {}, {}, GMP {}, MPFR {}, libpng {}", version_number, compiler_name, gmp_version,
                      mpfr_get_version(), PNG_LIBPNG_VER_STRING);
 }
 

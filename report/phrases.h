@@ -12,8 +12,8 @@ namespace touchstone::audit {
 /// is, "_" a space; of several with "/" between them ("convex/ccw") each has its own.
 std::string phrase(const Operation& operation, const std::string& word);
 
-/// A whole answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)". `answer`
-/// is shown as it is given: exact values are not shortened here.
+/// A whole answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)".
+/// `answer` is shown as it is given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
 
 }  // namespace touchstone::audit

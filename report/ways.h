@@ -15,8 +15,8 @@ struct WayOfOperation {
   std::string family;  ///< of the example
 };
 
-/// Those that have an example: wrong answers, then inexact ones, then what is no finding; of these what is most frequent
-/// at ordinary size first.
+/// Those that have an example: wrong answers, then inexact ones, then what is no finding; of these what is most
+/// frequent at ordinary size first.
 std::vector<WayOfOperation> ways_of(const OperationTally& tally);
 
 }  // namespace touchstone::audit

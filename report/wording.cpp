@@ -113,14 +113,6 @@ std::string fault_of(const Finding& finding) {
 
 }  // namespace
 
-std::string grouped(std::uint64_t n) {
-  std::string digits = std::to_string(n);
-  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits;
-}
-
-std::string counted(std::uint64_t n, const std::string& noun) { return grouped(n) + " " + noun + (n == 1 ? "" : "s"); }
-
 std::string share(std::uint64_t part, std::uint64_t whole) {
   if (whole == 0 || part == 0) return "0%";
   if (part == whole) return "100%";

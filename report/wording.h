@@ -7,15 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "audit/counted.h"
 #include "audit/tally.h"
 
 /// What tables and pages say in words, once for both.
 namespace touchstone::audit {
 
-/// 1234567 -> "1,234,567"
-std::string grouped(std::uint64_t n);
-/// 1234, "case" -> "1,234 cases"
-std::string counted(std::uint64_t n, const std::string& noun);
 /// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not whole.
 std::string share(std::uint64_t part, std::uint64_t whole);
 

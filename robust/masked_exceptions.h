@@ -11,14 +11,15 @@
 
 namespace touchstone::robust {
 
-/// For hosts that have unmasked floating-point exceptions (feenableexcept): no exception of what is computed while this is
-/// in scope reaches the host as a signal, and afterwards its masks and sticky flags are what they were. Rounding mode and
-/// flushing to zero stay as they are.
+/// For hosts that have unmasked floating-point exceptions (feenableexcept): no exception of what is computed while this
+/// is in scope reaches the host as a signal, and afterwards its masks and sticky flags are what they were. Rounding
+/// mode and flushing to zero stay as they are.
 ///
 /// It is for the host to use, not part of every call: setting the control word twice takes five times as long as a
-/// predicate does that its filter decides (orientation of random points, g++ 12 -O3, an AMD EPYC: 2.0 ns, and 11.6 ns with
-/// a guard around each call). One guard may be around many calls. No compiler knows that arithmetic depends on the control word, and it may move what stands in the same function
-/// out of the scope; `with_exceptions_masked` does not let it.
+/// predicate does that its filter decides (orientation of random points, g++ 12 -O3, an AMD EPYC: 2.0 ns, and 11.6 ns
+/// with a guard around each call). One guard may be around many calls. No compiler knows that arithmetic depends on the
+/// control word, and it may move what stands in the same function out of the scope; `with_exceptions_masked` does not
+/// let it.
 class MaskedExceptions {
  public:
 #if defined(__SSE2__)
@@ -40,8 +41,8 @@ class MaskedExceptions {
 #endif
 };
 
-/// What ask() returns, with exceptions masked while it is computed. What it computes from is captured by reference, as in
-/// with_exceptions_masked([&] { return orientation(p0, p1, p); }).
+/// What ask() returns, with exceptions masked while it is computed. What it computes from is captured by reference, as
+/// in with_exceptions_masked([&] { return orientation(p0, p1, p); }).
 template <class Ask>
 auto with_exceptions_masked(const Ask& ask) {
   const MaskedExceptions masked;

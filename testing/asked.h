@@ -36,8 +36,8 @@ struct ArgumentsOf<Row> {
   using type = typename Row::Question;
 };
 
-/// A question of an operation: its arguments, to be taken apart by a structured binding, by std::apply or, where they are
-/// a variant, by std::visit; and where they come from.
+/// A question of an operation: its arguments, to be taken apart by a structured binding, by std::apply or, where they
+/// are a variant, by std::visit; and where they come from.
 template <class Row, class... Ts>
 struct Asked : ArgumentsOf<Row, Ts...>::type {
   using Arguments = typename ArgumentsOf<Row, Ts...>::type;
@@ -98,8 +98,8 @@ inline bool is_wanted(const Drawn& drawn, Sizes sizes) {
   return right_size && is_valid(drawn);
 }
 
-/// A question of these families that is within the contract, the same for the same seed. Throws std::runtime_error where
-/// a thousand in a row are not.
+/// A question of these families that is within the contract, the same for the same seed. Throws std::runtime_error
+/// where a thousand in a row are not.
 template <class Row, class... Ts>
 Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t seed, Sizes sizes = Sizes::any) {
   constexpr std::uint64_t most_refused = 1000;
@@ -138,8 +138,9 @@ inline constexpr bool takes<Law, std::tuple<Ts...>> = std::is_invocable_v<const 
 template <class Law, class... Ts>
 inline constexpr bool takes<Law, std::variant<Ts...>> = (takes<Law, Ts> && ...);
 
-/// The simplest question found for which a law - a function of the arguments, or else of Asked - does not return true, or throws. Draws
-/// `cases` questions, stops at the first that fails, and shrinks it within its family. The same options find the same.
+/// The simplest question found for which a law - a function of the arguments, or else of Asked - does not return true,
+/// or throws. Draws `cases` questions, stops at the first that fails, and shrinks it within its family. The same
+/// options find the same.
 template <class Row, class... Ts, class Law>
 std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& options = {}) {
   const auto fails = [&](const Asked<Row, Ts...>& question) {

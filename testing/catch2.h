@@ -13,8 +13,8 @@
 #include "testing/asked.h"
 #include "testing/words.h"
 
-/// Catch2, version 2 or 3: laws of an operation that are shrunk where they fail, generators, and shapes and answers that
-/// print themselves in CHECK. RapidCheck is not needed.
+/// Catch2, version 2 or 3: laws of an operation that are shrunk where they fail, generators, and shapes and answers
+/// that print themselves in CHECK. RapidCheck is not needed.
 ///
 ///   TEST_CASE("segments that touch meet") {
 ///     always<operations::segment_segment>([](const Segment2d& a, const Segment2d& b) {

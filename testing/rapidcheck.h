@@ -8,8 +8,8 @@
 #include "testing/asked.h"
 #include "testing/words.h"
 
-/// RapidCheck: generators of every operation's questions - degenerate on purpose, always within the contract - that shrink
-/// within their family and print as JSON, in hexadecimal, and with the command that asks for the truth.
+/// RapidCheck: generators of every operation's questions - degenerate on purpose, always within the contract - that
+/// shrink within their family and print as JSON, in hexadecimal, and with the command that asks for the truth.
 ///
 ///   rc::check("segments that touch meet", [] {
 ///     const auto [a, b] = *touchstone::tests::questions<operations::segment_segment>();
@@ -50,7 +50,8 @@ rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked, Sizes size
 /// Questions of an operation: questions<operations::orientation>(), of some families
 /// questions<operations::orientation>({"collinear"}), without the ends of the range
 /// questions<operations::orientation>({}, Sizes::ordinary), and of one alternative alone
-/// questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws InvalidInput where the operation has no such family.
+/// questions<operations::sphere_sphere, Sphere3d, Sphere3d>(). Throws InvalidInput where the operation has no such
+/// family.
 template <class Row, class... Ts>
 rc::Gen<Asked<Row, Ts...>> questions(const std::vector<std::string>& families = {}, Sizes sizes = Sizes::any) {
   return [chosen = families_named(operation_of<Row>(), families), sizes](const rc::Random& random, int) {

@@ -24,7 +24,8 @@ struct ServedOperation {
 struct Served {
   Hello hello;
   std::map<std::string, ServedOperation, std::less<>> operations;
-  /// Of operations that it has, the alternatives of a question that it has not: "sphere_sphere(Sphere3<double> a, ...)".
+  /// Of operations that it has, the alternatives of a question that it has not: "sphere_sphere(Sphere3<double> a,
+  /// ...)".
   std::vector<std::string> left_out{};
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "audit/counted.h"
 #include "audit/gate/shown.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "geometry/invalid_input.h"
@@ -32,10 +33,6 @@ std::uint64_t findings_of(const Cell& cell, Cause cause) {
 
 bool same_place(const Found& a, const Found& b) {
   return a.operation == b.operation && a.family == b.family && a.cause == b.cause;
-}
-
-std::string plural(std::uint64_t n, const std::string& noun) {
-  return with_commas(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
 /// Cases that an operation was asked, all families together.
@@ -158,12 +155,12 @@ std::string gate_in_words(const GateResult& result) {
   }
   if (count > most_lines) lines += "  and " + std::to_string(count - most_lines) + " more\n";
   std::string text = result.passed() ? "gate: passed" : "gate: failed";
-  if (failing > 0) text += ": " + plural(failing, "new finding");
-  if (known > 0) text += "; known: " + with_commas(known);
-  if (tolerated > 0) text += "; within --max-rate: " + with_commas(tolerated);
-  if (result.robust > 0) text += "; robust is wrong in " + plural(result.robust, "case");
+  if (failing > 0) text += ": " + counted(failing, "new finding");
+  if (known > 0) text += "; known: " + grouped(known);
+  if (tolerated > 0) text += "; within --max-rate: " + grouped(tolerated);
+  if (result.robust > 0) text += "; robust is wrong in " + counted(result.robust, "case");
   if (result.gone > 0)
-    text += "; " + (result.gone == 1 ? std::string("1 entry") : with_commas(result.gone) + " entries") +
+    text += "; " + (result.gone == 1 ? std::string("1 entry") : grouped(result.gone) + " entries") +
             " of the baseline no longer found (--write-baseline makes it anew)";
   return text + "\n" + lines;
 }

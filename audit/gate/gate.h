@@ -34,7 +34,8 @@ inline const char* name_of(Cause cause) { return cause_names[static_cast<std::si
 
 /// What makes an audit without a gate exit with 1.
 std::set<Cause> usual_causes();
-/// "algorithm,invalid"; "rounding" is both its kinds, "none" none. Throws InvalidInput naming the causes that there are.
+/// "algorithm,invalid"; "rounding" is both its kinds, "none" none. Throws InvalidInput naming the causes that there
+/// are.
 std::set<Cause> causes_named(const std::string& names);
 
 /// How often a cause was found in a family of an operation.
@@ -54,8 +55,9 @@ struct Baseline {
 };
 Baseline baseline_of(const Tally& tally, const std::set<Cause>& causes);
 
-/// How many of these findings are known. The same questions (seed and number of cases) must not be answered wrongly more
-/// often than then. Of other questions as many may be as are expected at that rate, and three standard deviations more.
+/// How many of these findings are known. The same questions (seed and number of cases) must not be answered wrongly
+/// more often than then. Of other questions as many may be as are expected at that rate, and three standard deviations
+/// more.
 std::uint64_t accepted(const Found& found, std::uint64_t seed, const Baseline& baseline);
 
 struct Gate {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/gate/junit.h"
 
+#include "audit/counted.h"
 #include "audit/gate/shown.h"
 #include "catalogue/codec/excerpt.h"
 
@@ -74,8 +75,7 @@ void add_robust(const Tally& tally, const std::string& operation, Suite& suite) 
       if (example != nullptr && is_finding(static_cast<Verdict>(v)))
         text += described(tally, operation, *example, true);
     }
-    suite.add(operation, "robust", "robust", "robust is wrong in " + with_commas(total.findings()) + " cases", text,
-              "");
+    suite.add(operation, "robust", "robust", "robust is wrong in " + grouped(total.findings()) + " cases", text, "");
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "audit/counted.h"
 #include "audit/repeat.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/plain.h"
@@ -14,16 +15,10 @@ constexpr std::size_t most_shown = 2000;
 
 }  // namespace
 
-std::string with_commas(std::uint64_t n) {
-  std::string digits = std::to_string(n);
-  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, ",");
-  return digits;
-}
-
 std::string in_words(const GateEntry& entry) {
   const Found& found = entry.found;
-  return std::string(name_of(found.cause)) + " in " + with_commas(found.findings) + " of " + with_commas(found.cases) +
-         (found.cases == 1 ? " case" : " cases") + (entry.known > 0 ? ", known: " + with_commas(entry.known) : "");
+  return std::string(name_of(found.cause)) + " in " + grouped(found.findings) + " of " + counted(found.cases, "case") +
+         (entry.known > 0 ? ", known: " + grouped(entry.known) : "");
 }
 
 const Finding* example_of(const Tally& tally, const Found& found) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "audit/gate/gate.h"
@@ -9,17 +8,14 @@
 /// What the files for CI say of a finding, in words common to them.
 namespace touchstone::audit {
 
-/// 1234567 -> "1,234,567"
-std::string with_commas(std::uint64_t n);
-
 /// "algorithm in 12 of 400 cases, known: 3"
 std::string in_words(const GateEntry& entry);
 
 /// The best example of an entry within its family; nullptr where there is none.
 const Finding* example_of(const Tally& tally, const Found& found);
 
-/// Several lines: input, the same in hexadecimal, truth, answer, what is said of it, and the shell line that repeats it.
-/// Printable ASCII.
+/// Several lines: input, the same in hexadecimal, truth, answer, what is said of it, and the shell line that repeats
+/// it. Printable ASCII.
 std::string described(const Tally& tally, const std::string& operation, const Finding& finding, bool of_robust = false);
 
 }  // namespace touchstone::audit

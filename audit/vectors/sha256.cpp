@@ -11,7 +11,8 @@
 namespace touchstone::audit {
 namespace {
 
-/// The first 32 bits of the fractional parts of the nth roots of the first primes, as the standard defines its constants.
+/// The first 32 bits of the fractional parts of the nth roots of the first primes, as the standard defines its
+/// constants.
 template <std::size_t count>
 std::array<std::uint32_t, count> bits_of_roots(unsigned n) {
   std::array<std::uint32_t, count> bits{};

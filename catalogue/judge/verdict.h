@@ -37,8 +37,8 @@ struct Judgement {
   int touch_reading =
       0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
   std::uint64_t surplus = 0;  ///< of an answer that must cover: what it holds beyond the truth
-  /// The answer's enumerators ("boundary"), "value" where it has none, "true" or "false" where it was a plain one; empty
-  /// where there is no valid answer.
+  /// The answer's enumerators ("boundary"), "value" where it has none, "true" or "false" where it was a plain one;
+  /// empty where there is no valid answer.
   std::string said = {};
   /// Of `rounding`: a number left the range of the number type on the way; else sums cancelled.
   bool out_of_range = false;

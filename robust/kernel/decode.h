@@ -24,8 +24,8 @@ inline Decoded decode(double value) {
   return {fraction | hidden, field + (field == 0) - 1075, bits >> 63 != 0};
 }
 
-/// Whether the sign bit is set, that of -0.0 too. A compiler told -fno-signed-zeros makes "less than 0" of std::signbit,
-/// and denormals-are-zero then takes a negative subnormal for 0.
+/// Whether the sign bit is set, that of -0.0 too. A compiler told -fno-signed-zeros makes "less than 0" of
+/// std::signbit, and denormals-are-zero then takes a negative subnormal for 0.
 inline bool sign_bit(double value) { return std::bit_cast<std::int64_t>(value) < 0; }
 
 }  // namespace touchstone::robust::kernel

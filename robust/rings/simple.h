@@ -9,8 +9,8 @@
 namespace touchstone::robust {
 
 /// The first defect of a ring of finite vertices, exactly; empty: the ring is simple, which a sweep tells in time n log
-/// n. The first defect of a ring that is not is found by comparing edges whose boxes meet, along the axis on which fewer
-/// do, and as soon as one is known no pair of later edges.
+/// n. The first defect of a ring that is not is found by comparing edges whose boxes meet, along the axis on which
+/// fewer do, and as soon as one is known no pair of later edges.
 std::optional<validation::RingDefect> ring_defect(const Polygon2d& ring);
 
 }  // namespace touchstone::robust
