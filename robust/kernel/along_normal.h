@@ -4,6 +4,7 @@
 #include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
+#include "robust/kernel/staged.h"
 
 /// Velocities that change along a normal: v + t n, t = c (d . n) / (m n . n), with d a velocity or a difference of two,
 /// c and m made of masses and factors. The unit of the normal cancels.
@@ -69,12 +70,12 @@ std::optional<Float> enclosed_push(const Float& v, const Share<Float>& t, const 
   return above + Float();  // -0 + 0 is +0
 }
 
-inline std::optional<Vector3d> enclosed_push(const Vector3d& v, const Share<double>& t, const Vector3d& n) {
+inline Perhaps<Vector3d> enclosed_push(const Vector3d& v, const Share<double>& t, const Vector3d& n) {
   const Share<Two> of_both{Two(t.head), Two(t.tail), Two(t.error)};
   const auto xy = enclosed_push(Two(v.x, v.y), of_both, factor(Two(n.x, n.y)));
   const auto z = enclosed_push(v.z, t, factor(n.z));
   if (!xy || !z) return std::nullopt;
-  return Vector3d{xy->first(), xy->second(), *z};
+  return {std::in_place, xy->first(), xy->second(), *z};
 }
 
 /// Numbers of a vector as integers on one power of two.

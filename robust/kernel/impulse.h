@@ -32,9 +32,9 @@ bool in_narrow_window(Numbers... numbers) {
 
 /// c: -b m2 and b m1. in_narrow_window and rounds_to_nearest have been asked of all numbers, and masses are positive.
 /// Empty where n is 0, too.
-[[gnu::always_inline]] inline std::optional<Velocitiesd> enclosed_impulse(const Massesd& masses,
-                                                                          const Velocitiesd& velocities,
-                                                                          const Vector3d& n, const Factor<Two>& c) {
+[[gnu::always_inline]] inline Perhaps<Velocitiesd> enclosed_impulse(const Massesd& masses,
+                                                                    const Velocitiesd& velocities, const Vector3d& n,
+                                                                    const Factor<Two>& c) {
   const auto& [v, w] = velocities;
   // d in the first lane, and n - 0 beside it.
   const Vector3<Factor<Two>> normal = factors(n), left{vector_between(Two(w.x, 0), Two(v.x, n.x)),

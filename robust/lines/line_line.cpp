@@ -68,7 +68,7 @@ Perhaps<LineLine<double>> stages::line_line::enclosed(const Line2d& a, const Lin
   if (!kernel::rounds_to_nearest()) return std::nullopt;
   const auto crossing = kernel::crossing_of({a.p, a.q}, {b.p, b.q});
   if (!crossing) return std::nullopt;
-  return LineLine<double>{LineRelation::crossing, crossing->ta, crossing->tb, crossing->point};
+  return {std::in_place, LineRelation::crossing, crossing->ta, crossing->tb, crossing->point};
 }
 
 Perhaps<LineLine<double>> stages::line_line::lattice(const Line2d& a, const Line2d& b) {

@@ -132,7 +132,7 @@ Perhaps<RaySegment<double>> stages::ray_segment::enclosed(const Ray2d& ray, cons
   const auto parameter = rounded(t);
   const auto point = rounded(along(origin, twice(t), v));
   if (!parameter || !point) return std::nullopt;
-  return RaySegment<double>{RayRelation::point, parameter, point_of(*point), {}};
+  return {std::in_place, RayRelation::point, *parameter, point_of(*point), std::nullopt};
 }
 
 Perhaps<RaySegment<double>> stages::ray_segment::lattice(const Ray2d& ray, const Segment2d& segment) {

@@ -90,8 +90,8 @@ Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d&
   const auto normal_xy = rounded(nxy), unit_xy = rounded(nxy / Divisor(twice(length)));
   const auto zs = rounded(both(nz, nz / Divisor(length)));
   if (!normal_xy || !unit_xy || !zs) return std::nullopt;
-  return PolygonNormal<double>{NormalClass::proper, Vector3d{normal_xy->first(), normal_xy->second(), zs->first()},
-                               Vector3d{unit_xy->first(), unit_xy->second(), zs->second()}};
+  return {std::in_place, NormalClass::proper, Vector3d{normal_xy->first(), normal_xy->second(), zs->first()},
+          Vector3d{unit_xy->first(), unit_xy->second(), zs->second()}};
 }
 
 Perhaps<PolygonNormal<double>> stages::polygon_normal::lattice(const Polygon3d& polygon) {

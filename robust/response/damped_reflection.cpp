@@ -32,9 +32,7 @@ Perhaps<Vector3d> stages::damped_reflection::enclosed(const Vector3d& v, const V
   const Term2<double> back = product(factor(approach), factor(Pair<double>{-gain.high, -gain.low}));
   const double size = filters::FloatFormat<double>::magnitude(gain.high) * approach.error;
   const Divisor d(square);
-  const auto answer = enclosed_push(v, share(back, size, d.value, d.inverse), n);
-  if (!answer) return std::nullopt;
-  return *answer;
+  return enclosed_push(v, share(back, size, d.value, d.inverse), n);
 }
 
 Vector3d stages::damped_reflection::exact(const Vector3d& v, const Vector3d& n, double k) {

@@ -24,9 +24,7 @@ Perhaps<Velocitiesd> stages::elastic_collision::enclosed(const Massesd& masses, 
   if (!in_narrow_window(both_masses, Two(v.x, w.x), Two(v.y, w.y), Two(v.z, w.z), Two(n.x, n.y), Two(n.z, 0)) ||
       !(both_masses >= Two(0x1p-60)) || !rounds_to_nearest())
     return std::nullopt;
-  const auto answer = enclosed_impulse(masses, velocities, n, factor(Two(-2 * masses.second, 2 * masses.first)));
-  if (!answer) return std::nullopt;
-  return *answer;
+  return enclosed_impulse(masses, velocities, n, factor(Two(-2 * masses.second, 2 * masses.first)));
 }
 
 Velocitiesd stages::elastic_collision::exact(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& n) {

@@ -47,9 +47,7 @@ Perhaps<Vector3d> stages::penalty_force::enclosed(const Point3d& p, const Vector
   const Divisor d(square);
   const Share<double> t = share(Term2<double>{force.high, force.low + (forces.tail.first() + forces.tail.second())},
                                 errors.first() + errors.second(), d.value, d.inverse);
-  const auto answer = enclosed_push({0, 0, 0}, t, n);
-  if (!answer) return std::nullopt;
-  return *answer;
+  return enclosed_push({0, 0, 0}, t, n);
 }
 
 Vector3d stages::penalty_force::exact(const Point3d& p, const Vector3d& v, const Plane3d& plane, double stiffness,

@@ -24,9 +24,7 @@ Perhaps<Vector3d> stages::reflect_plane::enclosed(const Vector3d& v, const Vecto
   if (square.high == 0) return std::nullopt;  // refused
   const Term2<double> twice_back{-2 * approach.high, -2 * approach.low};
   const Divisor d(square);
-  const auto answer = enclosed_push(v, share(twice_back, 2 * approach.error, d.value, d.inverse), n);
-  if (!answer) return std::nullopt;
-  return *answer;
+  return enclosed_push(v, share(twice_back, 2 * approach.error, d.value, d.inverse), n);
 }
 
 Vector3d stages::reflect_plane::exact(const Vector3d& v, const Vector3d& n) {

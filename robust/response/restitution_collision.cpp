@@ -29,9 +29,7 @@ Perhaps<Velocitiesd> stages::restitution_collision::enclosed(const Massesd& mass
   const Pair<double> bounce = two_sum(1.0, e);
   const Factor<double> one_and_e = factor(bounce);
   const Term2<Two> c = product(both(one_and_e, one_and_e), factor(Two(-masses.second, masses.first)));
-  const auto answer = enclosed_impulse(masses, velocities, n, factor(Enclosed<Two>{c.head, c.tail, Two()}));
-  if (!answer) return std::nullopt;
-  return *answer;
+  return enclosed_impulse(masses, velocities, n, factor(Enclosed<Two>{c.head, c.tail, Two()}));
 }
 
 Velocitiesd stages::restitution_collision::exact(const Massesd& masses, const Velocitiesd& velocities,
