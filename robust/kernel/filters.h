@@ -174,16 +174,17 @@ Sign elevation(const Float& slope, const Float& intercept, const Point2<Float>& 
 /// decides without a choice.
 ///
 /// With a, b, c the units of (2) for r x s, r x f, s x f: a + b + c <= ex ey. Let D, R, S be these three as computed
-/// and G = |S + R - D| + |S - R| - |D|, exactly. If G has the wrong sign, S or D does, or S lies on the wrong side of D
-/// (or R instead of S): |G| <= 2 |S - s x f| + 2 |D - r x s| <= 2 T (a + c). Let N = |D| + |G| = |S + R - D| + |S - R|;
-/// then |S + R| <= 2 N, and N <= |D| + 2 T (a + c) where G has the wrong sign. The sums before the last are off by u (1
-/// + u) 2 N for S + R, u N for the two with magnitudes, and both again rounded with u N: at most u (4 + 5 u + 2 u^2) N
-/// in all. The relative terms are 2 T + u (4 + 5 u + 2 u^2) ((1 + u)^2 + 2 T) = 12 u + ...; m = 7. C = 12 u (1 + 20 u):
-/// at u = 1/16, 2.19 < 2.25 in units of 12 u. (Looser by more than two: the roundings of S and D, and those of the
-/// sums, are taken for independent; nothing is known that needs half.) Where N is larger than that, G is positive, and
-/// only the roundings could make the value negative: its magnitude is then at most |D| - (1 - u (4 + 5 u + 2 u^2)) N,
-/// which falls with N and is below these terms. The absolute terms are 160 n H by (3), 10 n H for five sums, and 30 n H
-/// in the bound: 512 n H pays for them.
+/// and N = |S + R - D| + |S - R|, exactly. N is the larger of |2 S - D| and |2 R - D|, so N - |D| is off by at most 2 T
+/// max(b, c) + 2 T a <= 2 T (a + b + c), wherever the signs of D, R, S are. The sums before the last are off by u |S +
+/// R| and by u N, and round that again with u: u (1 + u)^2 |S + R| + u (2 + u) N in all. |S + R| <= (1 + u)^2 (b + c),
+/// and where the value has the wrong sign, N is not much larger than |D|: if N - |D| should be negative, N <= |D| + 2 T
+/// (a + b + c). If it should be positive and the value is negative, N as computed is below |D|: (1 - 2 u - u^2) N <=
+/// |D| + u (1 + u)^2 |S + R|. So however large N can be, the relative terms are at most 2 T + u (2 + u) ((1 + u)^2 + 2
+/// T) = 10 u + ..., in the first case; m = 7. C = 12 u (1 + 20 u): at u = 1/16, 1.67 < 2.25 in units of 12 u. (10 u (1
+/// + 16 u) would do. Looser by more than that: the roundings of S and D, and those of the sums, are taken for
+/// independent; nothing is known that needs half.) The absolute terms are 160 n H by (3), 10 n H for five sums, and 30
+/// n H in the bound: 512 n H pays for them. Proved; segments_meet says it of the segments: negative, and they have one
+/// point in common, within both; positive, and they have none.
 template <class Float, class Format = FloatFormat<Float>>
 Sign segments(const Segment2<Float>& a, const Segment2<Float>& b) {
   using B = Bounds<Float, Format>;

@@ -23,22 +23,11 @@ assert (HC : n F <= relative 3 12 (u F) <= q 2). { destruct G. unfold relative, 
 assert (C0 : 0 <= relative 3 12 (u F)) by (destruct G; lra).
 steps G.
 bounded G 64%Z lows_here Pos Neg.
-match type of L with low _ _ _ (_ * ?X * ?Y) => set (EF := X * Y) in *;
-  replace (relative 3 12 (u F) * X * Y) with (relative 3 12 (u F) * EF) in Pos, Neg by (unfold EF; ring) end.
-assert (EF0 : 0 <= EF) by (unfold EF; apply Rmult_le_pos; apply Rplus_le_le_0_compat; apply Rabs_pos).
-match type of Pos with _ -> ?D * (1 + ?e) > ?X =>
-  destruct (beyond (u F) Hu D e ((3 * u F + u F ^ 3) / 2 * EF) X) as [Pos' Neg']; [assumption| | |] end.
-- apply Rmult_le_pos; [pose proof (power (u F) Hu 2); simpl in *; lra|exact EF0].
-- apply Rle_trans with ((1 + u F) * ((3 * u F + u F ^ 3) / 2) * EF); [right; ring|]. rewrite <- (Rmult_assoc ((1 - u
-  F) ^ 5)).
-  apply Rmult_le_compat_r; [exact EF0|]. apply cross_enough, Hu.
-- pose proof (wrong_sign (u F) Hu a b c d e1 e4 e2 e3 e12 e13 E1 E4 E2 E3 E12 E13) as W1.
-  pose proof (wrong_sign (u F) Hu c d a b e3 e2 e4 e1 e13 e12 E3 E2 E4 E1 E13 E12) as W2. cbv zeta in W1, W2. fold EF
-    in W1.
-  match type of W2 with _ -> _ <= _ * ?X => replace X with EF in W2 by (unfold EF; ring) end.
-  clear - Pos Neg Pos' Neg' W1 W2 R. split; intros ->; destruct x14; try discriminate.
-  + specialize (Pos' (Pos eq_refl)). apply Rnot_le_lt. intros N. specialize (W1 ltac:(lra)). lra.
-  + specialize (Neg' (Neg eq_refl)). apply Rnot_le_lt. intros N. specialize (W2 ltac:(lra)). lra.
+in_extents G Pos ((3 * u F + u F ^ 3) / 2) (cross_enough (u F) Hu) P' Q'.
+pose proof (wrong_sign (u F) Hu a b c d e1 e4 e2 e3 e12 e13 E1 E4 E2 E3 E12 E13) as W1.
+  pose proof (wrong_sign (u F) Hu c d a b e3 e2 e4 e1 e13 e12 E3 E2 E4 E1 E13 E12) as W2. cbv zeta in W1, W2.
+rewrite (Rplus_comm (Rabs (c * _))), (Rplus_comm (Rabs (d * _))) in W2.
+clear - Pos Neg P' Q' W1 W2 R. signs R Pos Neg P' Q' W1 W2.
 Qed.
 
 Lemma near_difference a b x : sub (reals F) (Plain b) (Plain a) x -> Near (b - a) x.

@@ -42,12 +42,6 @@ intros Hu. unfold relative. apply Rmult_le_reg_r with (1 - 2 * u); [lra|].
 replace ((1 + u) * (u / (1 - 2 * u)) * (1 - 2 * u)) with ((1 + u) * u) by (field; lra). powers u Hu. lra.
 Qed.
 
-Lemma rounding u x e : Rabs e <= u -> Rabs (x * (1 + e) - x) <= u * Rabs x.
-Proof.
-intros E. replace (x * (1 + e) - x) with (e * x) by ring. rewrite Rabs_mult.
-apply Rmult_le_compat_r; [apply Rabs_pos|exact E].
-Qed.
-
 Theorem elevation_right F slope intercept px py answer : fits F (third F) 1 1 ->
   elevation F R (reals F) slope intercept px py answer ->
   let exact := py - (slope * px + intercept) in

@@ -27,6 +27,7 @@ FILTERS = [
     ("orientation", "orientation"),
     ("circle", "circle"),
     ("elevation", "elevation"),
+    ("segments", "segments"),
     ("plane", "plane"),
     ("face_side", "FacePlane.side"),
     ("spheres", "spheres"),

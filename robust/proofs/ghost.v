@@ -15,6 +15,15 @@ Definition off j x t T := Rabs t <= T /\ Rabs (x - t) <= ((1 + u) ^ j - 1) * T.
 
 Lemma ratio e : Rabs e <= u -> 1 - u <= 1 + e <= 1 + u.
 Proof. intros E%abs_le. lra. Qed.
+Lemma rounding x e : Rabs e <= u -> Rabs (x * (1 + e) - x) <= u * Rabs x.
+Proof.
+intros E. replace (x * (1 + e) - x) with (e * x) by ring. rewrite Rabs_mult.
+apply Rmult_le_compat_r; [apply Rabs_pos|exact E].
+Qed.
+Lemma near x y d : Rabs (x - y) <= d -> Rabs y - d <= Rabs x <= Rabs y + d.
+Proof.
+intros L. pose proof (Rabs_triang_inv x y). pose proof (Rabs_triang_inv y x). rewrite (Rabs_minus_sym y x) in *. lra.
+Qed.
 Lemma down j : 0 < (1 - u) ^ j <= 1.
 Proof. split; [apply pow_lt; lra|]. induction j; simpl; [lra|]. assert (0 < (1 - u) ^ j) by (apply pow_lt; lra). nra.
   Qed.
@@ -76,6 +85,11 @@ Proof.
 intros [A B]. pose proof (Rabs_pos t). split; [lra|]. replace x with (t + (x - t)) by ring.
 apply Rle_trans with (1 := Rabs_triang _ _). lra.
 Qed.
+Lemma off_by j k x t T : (1 + u) ^ j - 1 <= k -> off j x t T -> 0 <= T /\ Rabs t <= T /\ Rabs (x - t) <= k * T.
+Proof.
+intros L [A B]. assert (P : 0 <= T) by (apply Rle_trans with (2 := A), Rabs_pos).
+repeat split; [exact P|exact A|]. apply Rle_trans with (1 := B). now apply Rmult_le_compat_r.
+Qed.
 Lemma off_rounded j x t T e : off j x t T -> Rabs e <= u -> off (S j) (x * (1 + e)) t T.
 Proof.
 intros O E. destruct (off_size _ _ _ _ O) as [P S]. destruct O as [A B]. split; [exact A|].
@@ -134,6 +148,17 @@ Proof.
 intros E%ratio K0 L. split; intros S; apply Rnot_le_lt; intros N.
 - destruct (Rle_or_lt D 0); nra.
 - destruct (Rle_or_lt 0 D); nra.
+Qed.
+
+(* the same in units of a product of extents *)
+Lemma beyond_extents V e K C X Y m : Rabs e <= u -> 0 <= K -> 0 <= X -> 0 <= Y -> (1 + u) * K <= (1 - u) ^ m * C ->
+  (V * (1 + e) > (1 - u) ^ m * (C * X * Y) -> V > K * (X * Y)) /\
+  (V * (1 + e) < - ((1 - u) ^ m * (C * X * Y)) -> V < - (K * (X * Y))).
+Proof.
+intros E K0 PX PY L. assert (P : 0 <= X * Y) by (now apply Rmult_le_pos).
+apply beyond; [exact E|now apply Rmult_le_pos|].
+apply Rle_trans with ((1 + u) * K * (X * Y)); [right; ring|].
+apply Rle_trans with ((1 - u) ^ m * C * (X * Y)); [now apply Rmult_le_compat_r|right; ring].
 Qed.
 
 (* rule (5): of (1 - u)^m C and (1 + u) ((1 + u)^j - 1) *)

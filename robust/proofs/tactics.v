@@ -219,3 +219,12 @@ Ltac signs R Pos Neg P Q W1 W2 := split; intros ->;
   match type of R with _ = (if ?s then _ else _) => destruct s; try discriminate end; apply Rnot_le_lt; intros NN;
   first [ specialize (P (Pos eq_refl)) | specialize (Q (Neg eq_refl)) ];
   first [ specialize (W1 ltac:(lra)); lra | specialize (W2 ltac:(lra)); lra ].
+
+(* a bound C ex ey: beyond K, in units of the extents *)
+Ltac in_extents G Pos K enough P' Q' := lazymatch type of G with fits ?F _ _ _ =>
+  match type of Pos with _ -> ?V * (1 + ?e) > (1 - _) ^ ?m * (?C * ?X * ?Y) =>
+  match goal with Hu : 0 < u F <= 1/16 |- _ =>
+    destruct (beyond_extents (u F) Hu V e K C X Y m) as [P' Q'];
+    [assumption|clear - Hu; pose proof (power (u F) Hu 1); pose proof (power (u F) Hu 2); lra
+    |clear; repeat apply Rplus_le_le_0_compat; apply Rabs_pos
+    |clear; repeat apply Rplus_le_le_0_compat; apply Rabs_pos|exact enough|] end end end.
