@@ -221,16 +221,18 @@ bool apart(const Segment2<Float>& a, const Segment2<Float>& b) {
 /// sign of the whole is wrong, then that of one or of two is, and the value is at most twice that one, and the
 /// roundings of one + two and one - two: 2 u times the greater of them, as computed, and that is the wrong one itself
 /// or positive.
-/// - one: as for segments, at most 2 T' (a + b) before it is rounded; 2 F + E is at most |E| more, so its rounding
-///   costs u ((1 + u)^2 a + 2 T' (a + b)). A positive two is at most (1 + u)^4 (a + c): (1 + u)^2 by (2), a sum, and
-///   the difference. Twice one and the rest: 12 u (a + b) + 2 u a + 2 u (a + c) + ... <= 16 u + ....
-/// - two = 2 min(|E|, |G|) with a sign: |E| <= T' a or |G| <= T c, and its two sums round 2 max(|E|, |G|). A positive
-///   one is at most |E|. In the second case 16 u c + 4 u a + 2 u a + ... <= 16 u + ..., in the first 12 u a + 4 u c +
-///   ....
-/// With all terms of higher order the second case of two is the largest: (1 + u) (2 + 2 u) (2 T + 2 u T) + ... = 1.280
-/// at u = 1/16. m = 7. C = 16 u (1 + 20 u): at u = 1/16, 2.14 < 2.25 in units of 16 u. (Looser by more than two, as for
-/// segments.) The absolute terms are 320 n H by (3), 26 n H for the sums, and 40 n H in the bound: 512 n H pays for
-/// them.
+/// - one: as for segments, at most 2 T' (a + b) before it is rounded. F + F is taken for rounded, by 2 u (1 + u)^2 b,
+///   although doubling is exact; 2 F + E is at most |E| and these more, so its rounding costs u times that. A positive
+///   two is at most (1 + u)^4 (a + c): (1 + u)^2 by (2), a sum, and the difference. Twice one and the rest: 12 u (a +
+///   b) + 4 u b + 2 u a + 2 u (a + c) + ... <= 16 u + ....
+/// - two = 2 min(|E|, |G|) with a sign: |E| <= T' a or |G| <= T c, or the sign is right before its two sums round,
+///   which costs 2 u max(|E|, |G|) in each case. A positive one is at most (1 + u) |E|. Where G is wrong, 16 u c + 4 u
+///   a + 2 u a + ... <= 16 u + ...; where E is, 12 u a + 4 u c + ...; where neither is, 4 u max(a, c) + 2 u a + ....
+/// With all terms of higher order it is largest where G is wrong: (1 + u) (2 + 2 u) (2 T + 2 u T) + ... = 1.280 at u =
+/// 1/16; one comes to 1.277. m = 7. C = 16 u (1 + 20 u): at u = 1/16, 2.14 < 2.25 in units of 16 u. (Looser by more
+/// than two, as for segments.) The absolute terms are 320 n H by (3), 26 n H for the sums, and 40 n H in the bound: 512
+/// n H pays for them. Proved; ray_meets says it of the ray and the segment: negative, and they have one point in
+/// common, beyond the origin and within the segment; positive, and they have none.
 template <class Float, class Format = FloatFormat<Float>>
 Sign ray(const Point2<Float>& origin, const Vector2<Float>& v, const Segment2<Float>& segment) {
   using B = Bounds<Float, Format>;

@@ -28,6 +28,7 @@ FILTERS = [
     ("circle", "circle"),
     ("elevation", "elevation"),
     ("segments", "segments"),
+    ("ray", "ray"),
     ("plane", "plane"),
     ("face_side", "FacePlane.side"),
     ("spheres", "spheres"),
