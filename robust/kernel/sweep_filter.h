@@ -19,8 +19,7 @@
 /// most 28 n times the sum of the magnitudes of its factors (3 n of them for factors read as zero); all sums of three
 /// products together with r^2, and (6), stay below 512 n H.
 ///
-/// Proved, but for passage: sweep_start, sweep_slope_at_start and so on. For the two slopes one u less than here would
-/// be enough.
+/// Proved: sweep_start, sweep_slope_at_start and so on. For the two slopes one u less than here would be enough.
 namespace touchstone::robust::filters {
 
 /// What is known of a sweep. Each sign is certain or unknown.

@@ -38,6 +38,7 @@ FILTERS = [
     ("sweep_slope_at_start", "Sweep.slope_at_start"),
     ("sweep_slope_at_end", "Sweep.slope_at_end"),
     ("sweep_end", "Sweep.end"),
+    ("sweep_passage", "Sweep.passage"),
     ("velocity_apart", "velocity_apart"),
 ]
 

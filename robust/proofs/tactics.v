@@ -170,6 +170,7 @@ Ltac units := magnitudes; match goal with |- ?x <= ?y => cut (0 <= y - x); [lra|
 (* The sign of a polynomial whose roundings are taken for independent, by certain_polynomial. What is left to show is
    that the constant is enough. *)
 Ltac polynomial G num Right :=
+  repeat match goal with D : _ = _ \/ _ = _ |- _ => clear D end; (* lra would look at each choice *)
   let Hu := fresh "Hu" in pose proof (fits_u _ _ _ _ G) as Hu;
   lazymatch type of G with fits ?F ?H ?w ?v =>
   match goal with K : greater (reals F) (Rabs ?x) ?b true |- _ =>
