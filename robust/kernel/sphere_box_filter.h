@@ -11,7 +11,8 @@ namespace touchstone::robust::filters {
 /// On one axis: how far the center is beyond the box, 0 where it is not, as computed; and max - min.
 ///
 /// Of min <= max at most one of min - c and c - max is positive, rounded too: rounding keeps the sign of a difference
-/// or makes it 0. So the greatest of these and 0 is off by no more than one difference. It is NaN where c is.
+/// or makes it 0. So the greatest of these and 0 is off by no more than one difference, and by 2 n more where numbers
+/// are read as zero when they are compared and chosen. It is NaN where c is.
 template <class Float>
 struct BeyondInterval {
   Float beyond, extent;
@@ -35,8 +36,7 @@ BeyondInterval<Float> beyond_interval(const Float& c, const Float& min, const Fl
 /// absolute terms are those for two balls, or less: the radius is no difference.
 ///
 /// Each extent is a difference of two numbers of the box: where it is positive and the sum of all is not infinite, no
-/// number of the box is NaN or infinite (box_differences.h). Proved for two and three axes, beyond_interval taken as
-/// right.
+/// number of the box is NaN or infinite (box_differences.h). Proved for two and three axes, beyond_interval included.
 template <class Float, class Format = FloatFormat<Float>, class... Axes>
 Sign ball_and_box(const Float& radius, const Axes&... axis) {
   using B = Bounds<Float, Format>;

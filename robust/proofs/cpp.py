@@ -6,7 +6,7 @@ from source import split
 
 TYPES = {
     "Vector2": "x y", "Point2": "x y", "Vector3": "x y z", "Point3": "x y z", "Segment2": "a:Point2 b:Point2",
-    "Sphere3": "center:Point3 radius", "Plane": "normal:Vector3 offset", "Slab": "min max", "Axis": "beyond extent",
+    "Sphere3": "center:Point3 radius", "Plane": "normal:Vector3 offset", "Slab": "min max", "BeyondInterval": "beyond extent",
     "MovingBody": "position:Point3 velocity:Vector3 angular_velocity:Vector3",
 }
 ANSWERS = {"Sign::unknown": "unknown", "Sign::positive": "positive", "Sign::negative": "negative"}
@@ -93,6 +93,12 @@ class Run:
         operation = {">": "greater", "<": "greater", "<=": "at_most", ">=": "at_most"}[operator]
         return Truth(self.step(operation, left, right, wish="b").name)
 
+    def choice(self, condition, yes, no):
+        yes, no = self.number(yes), self.number(no)
+        if yes.factors or no.factors:
+            raise SystemExit("a choice between products")
+        return self.step("choose", condition, yes, no)
+
     # calls
     def call(self, name, arguments):
         name = name.split("::")[-1] if not name.startswith("B::") else name
@@ -128,7 +134,7 @@ class Run:
         bounds, mine = self.bounds, self.owner
         self.owner = owner or self.owner
         self.bounds = chosen_bounds(body, bounds if owner in (None, mine) else owner)
-        result = Body(self, body, scope).run()
+        result = Body(self, body, scope, re.match(r"\s*(?:inline )?(\w+)", whole)[1]).run()
         self.owner, self.bounds = mine, bounds
         return result
 
@@ -171,8 +177,8 @@ def power(exponent):
 class Body:
     """Statements and expressions."""
 
-    def __init__(self, run, text, scope):
-        self.r, self.scope = run, scope
+    def __init__(self, run, text, scope, returned=None):
+        self.r, self.scope, self.returned = run, scope, returned
         self.tokens, at = [], 0
         text = self.unfolded(text).rstrip()
         while at < len(text):
@@ -220,7 +226,7 @@ class Body:
             return Answer(f"if {condition} then {then} else {self.run()}")
         if token == "return":
             self.take()
-            value = self.initialiser() if self.peek() == "{" else self.expression()
+            value = self.initialiser(self.returned) if self.peek() == "{" else self.expression()
             self.take(";")
             return value
         self.declaration()
@@ -256,7 +262,7 @@ class Body:
                 self.take()
         self.take("}")
         if all(isinstance(v, Number) for v in values):
-            return dict(zip("xyz", values))
+            return dict(zip(TYPES.get(kind, "x y z").split(), values))
         raise SystemExit("braces around what is no vector")
 
     def expression(self, level=0):
@@ -269,7 +275,10 @@ class Body:
             if operator == "?":
                 yes = self.expression()
                 self.take(":")
-                return Answer(f"if {left} then {yes} else {self.expression()}")
+                no = self.expression()
+                if isinstance(yes, Answer):
+                    return Answer(f"if {left} then {yes} else {no}")
+                return self.r.choice(left, yes, no)
             right = self.expression(level + 1)
             if operator in ("|", "||", "&", "&&"):
                 left = Truth(f"({left} {operator[0] * 2} {right})")

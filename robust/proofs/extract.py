@@ -69,8 +69,11 @@ def extracted(source, name, function, *how):
                                    if function not in ("plane", "slab") or len(f[0]) > 1]
         parameters = ", ".join(" ".join(k) for k in kinds)
         if run.pack:
-            parameters = "Float radius, " + ", ".join(f"Axis axis{i}" for i in range(run.pack))
+            parameters = "Float radius"
     scope = {**run.members, **scope_of(run, parameters, names)}
+    for i in range(run.pack):
+        scope[f"axis{i}"] = run.call(
+            "beyond_interval", list(scope_of(run, f"Float c{i}, Float min{i}, Float max{i}", names).values()))
     run.used[function] = whole
     run.bounds = chosen_bounds(body, "Bounds")
     answer = Body(run, body, scope).run()

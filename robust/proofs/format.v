@@ -52,7 +52,8 @@ Definition machine64 : machine R := {|
   add p q z := exists x y, operands p q x y /\ result (x + y) z;
   sub p q z := exists x y, operands p q x y /\ result (x - y) z;
   greater x y b := exists x' y', read64 x x' /\ read64 y y' /\ (b = true <-> x' > y');
-  at_most x y b := exists x' y', read64 x x' /\ read64 y y' /\ (b = true <-> x' <= y') |}.
+  at_most x y b := exists x' y', read64 x x' /\ read64 y y' /\ (b = true <-> x' <= y');
+  choose b x y z := read64 (if b then x else y) z |}.
 
 Lemma operands_model p q x y : operands p q x y -> uses binary64 p x /\ uses binary64 q y.
 Proof. destruct p, q; unfold operands, rounded_operand, exact_product, uses, read64; intuition. Qed.

@@ -18,16 +18,17 @@ Record machine (T : Type) := {
   add : operand T -> operand T -> T -> Prop;
   sub : operand T -> operand T -> T -> Prop;
   greater : T -> T -> bool -> Prop;
-  at_most : T -> T -> bool -> Prop }.
+  at_most : T -> T -> bool -> Prop;
+  choose : bool -> T -> T -> T -> Prop }.
 Arguments constant {T}. Arguments magnitude {T}. Arguments mul {T}. Arguments add {T}. Arguments sub {T}.
-Arguments greater {T}. Arguments at_most {T}.
+Arguments greater {T}. Arguments at_most {T}. Arguments choose {T}.
 
 (* u = 2^(1 - precision), n the least normal number, and 2^(max_exponent / k) for k = 3, 4, 6. *)
 Record format := { u : R; n : R; third : R; quarter : R; sixth : R }.
 
 (* The model of filters.h. An operation's result is exact * (1 + e) + h, |e| <= u, |h| <= n, and never of the wrong
-   sign; a number below n may be read as zero by every operation on its own; a product may be contracted in one sum and
-   not in another. That holds in every rounding mode, with FTZ and DAZ or without (format.v). *)
+   sign; a number below n may be read as zero by every operation on its own, by one that chooses too; a product may be
+   contracted in one sum and not in another. That holds in every rounding mode, with FTZ and DAZ or without: format.v. *)
 Section Model.
 Variable F : format.
 Definition read (x x' : R) := x' = x \/ (x' = 0 /\ Rabs x < n F).
@@ -45,5 +46,6 @@ Definition reals : machine R := {|
   add p q z := exists x' y', uses p x' /\ uses q y' /\ rounded (x' + y') z;
   sub p q z := exists x' y', uses p x' /\ uses q y' /\ rounded (x' - y') z;
   greater x y b := exists x' y', read x x' /\ read y y' /\ (b = true <-> x' > y');
-  at_most x y b := exists x' y', read x x' /\ read y y' /\ (b = true <-> x' <= y') |}.
+  at_most x y b := exists x' y', read x x' /\ read y y' /\ (b = true <-> x' <= y');
+  choose b x y z := read (if b then x else y) z |}.
 End Model.
