@@ -43,7 +43,8 @@
 /// families past_half_the_bound have the inputs. The other three are looser, and say why.
 ///
 /// A filter NAME that says "Proved" has a theorem NAME_right in robust/proofs, about its text as it stands: where it
-/// answers a sign, that is the exact one. docs/proofs.md says for which formats, and what is assumed.
+/// answers a sign, that is the exact one. NAME_binary64 says so of all doubles, infinities and NaN among them: there it
+/// is a theorem that the guard keeps out overflow. docs/proofs.md says for which formats, and what is assumed.
 namespace touchstone::robust::filters {
 
 enum class Sign { negative, unknown, positive };

@@ -19,7 +19,8 @@ namespace touchstone::robust::filters {
 /// (Looser than it could be: N P holds nine products, and the terms of a sum that cancels are smaller than s.)
 /// Underflow costs 2.2 n H for a factor read as zero and n for its rounding, three times, and 4 n for each of three
 /// sums, all times 1.2; 11 n H each for N and P, times C; and 3 n H in the bound: A pays for it. The offset has no
-/// guard: where it overflows the terms, its sign is the value's, however it was rounded. Proved.
+/// guard: where the terms overflow, so does the bound, and nothing is greater; where the value alone does, its sign is
+/// the offset's, and right. Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Sign plane(const Plane<Float>& plane, const Point3<Float>& p) {
   using B = Bounds<Float, Format>;

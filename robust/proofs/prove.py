@@ -8,8 +8,10 @@
   prove.py --mutants [FILTER]    each constant one unit smaller: refused by Coq, or as changed text alone
   prove.py --self-check          changed constants, open steps, axioms and caches are refused, without a run of Coq
 
-A filter NAME has a theorem NAME_right. Refused are: a filter whose text is not the one that looked_at.txt has, a filter
-without theorem, a step left open, an axiom but those of Coq's real numbers, compiled files beside the sources.
+A filter NAME has three theorems: NAME_right about real numbers where nothing overflows, NAME_binary64 about all numbers
+of binary64, NAME_runs that there is such a run. Refused are: a filter whose text is not the one that looked_at.txt has,
+a filter without these theorems, a step left open, an axiom but those of Coq's real numbers, compiled files beside the
+sources.
 """
 import argparse
 import pathlib
@@ -27,6 +29,7 @@ import mutants
 
 SKIPPED = 77  # for CTest
 SHARE = {"cross_sign", "orientation", "elevation", "plane"}
+KINDS = ("right", "binary64", "runs")
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 AXIOMS = {  # of the classical real numbers of Coq's standard library
@@ -106,10 +109,15 @@ def faults(files, filters, folder=HERE):
     for name, _, digest in filters:
         if seen.get(name) != digest:
             yield f"{name}: its text has changed. Look at its proof and its comment, then: ./dev proofs --looked-at"
-        if f"{name}_right" not in theorems:
-            yield f"{name}: no theorem {name}_right"
+        for theorem in theorems_of(name):
+            if theorem not in theorems:
+                yield f"{name}: no theorem {theorem}"
     for name in set(seen) - {name for name, _, _ in filters}:
         yield f"{name} is in looked_at.txt, but no filter"
+
+
+def theorems_of(name):
+    return [f"{name}_{kind}" for kind in KINDS]
 
 
 def closure(names, files):
@@ -128,12 +136,16 @@ def prove(work, jobs, share):
     found = list(faults(files, filters))
     if found:
         return found
-    theorems = [f"{name}_right" for name, _, _ in filters if not share or name in SHARE] + ["in_binary64"]
+    names = [name for name, _, _ in filters if not share or name in SHARE]
+    groups = [[f"{name}_right"] for name in names]
+    # all that rests on Flocq at once: Coq goes through the whole of it each time
+    groups.append([f"{name}_{kind}" for name in names for kind in KINDS[1:]] + ["in_binary64"])
     if share:
-        parts = closure({proof_of(theorem, files) for theorem in theorems}, files)
+        parts = closure({proof_of(theorem, files) for group in groups for theorem in group}, files)
         files = {name: files[name] for name in parts}
     files["assumptions"] = f"From Filters Require Import {' '.join(sorted(files))}.\n" + "".join(
-        f"Print Assumptions {t}.\n" for t in theorems)
+        f"Definition group{i} := ({', '.join(group)}).\nPrint Assumptions group{i}.\n"
+        for i, group in enumerate(groups))
     shutil.rmtree(work, ignore_errors=True)
     proof = Proof(work, files)
     failed = proof.compile_all([n for n in files if n != "assumptions"], jobs)
@@ -143,14 +155,14 @@ def prove(work, jobs, share):
     if not proved:
         return [said]
     parts = re.split(r"^(?:Axioms:|Closed under the global context)$", said, flags=re.M)[1:]
-    if len(parts) != len(theorems):
-        return [f"{len(theorems)} theorems, but {len(parts)} lists of axioms", said]
-    for theorem, part in zip(theorems, parts):
+    if len(parts) != len(groups):
+        return [f"{len(groups)} questions, but {len(parts)} lists of axioms", said]
+    for group, part in zip(groups, parts):
         axioms = re.findall(r"^([\w.]+)\s*:", part, re.M)
         if set(axioms) - AXIOMS:
-            return [f"{theorem} rests on {', '.join(sorted(set(axioms) - AXIOMS))}"]
-        print(f"{theorem}: proved. Axioms: {', '.join(axioms) or 'none'}")
-    print(f"{len(theorems)} theorems about robust/kernel, {time.monotonic() - started:.0f} s from nothing")
+            return [f"{', '.join(group)}: rests on {', '.join(sorted(set(axioms) - AXIOMS))}"]
+        print(f"{', '.join(group)}: proved. Axioms: {', '.join(axioms) or 'none'}")
+    print(f"{sum(map(len, groups))} theorems about robust/kernel, {time.monotonic() - started:.0f} s from nothing")
     return []
 
 
@@ -182,9 +194,10 @@ def self_check():
         (pathlib.Path(folder) / ".nia.cache").touch()
         if not any(".nia.cache" in line for line in faults(files, filters, pathlib.Path(folder))):
             wrong.append("not refused: .nia.cache")
-    without = {**files, "plane": files["plane"].replace("plane_right", "plane_wrong")}
-    if not any("plane: no theorem" in line for line in faults(without, filters)):
-        wrong.append("not refused: a filter without theorem")
+    for theorem in theorems_of("plane"):
+        without = {name: text.replace(f"Theorem {theorem}", "Theorem plane_wrong") for name, text in files.items()}
+        if not any(f"plane: no theorem {theorem}" in line for line in faults(without, filters)):
+            wrong.append(f"not refused: a filter without {theorem}")
     print(f"{proved} mutants of constants refused" if not wrong else "")
     return wrong
 
