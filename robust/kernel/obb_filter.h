@@ -14,14 +14,13 @@
 /// to four vectors of the input. With |x| for the sum of the magnitudes of a vector's coordinates, let S = |d| + sum
 /// |e| and P = |v| |w| S, taken exactly: P is at least the sum of the magnitudes of all products of three coordinates.
 /// Such a product goes through a difference (in d), a product and a difference in n, a product, at most two sums, and
-/// at most three sums more: at most eight roundings. The last operation, a subtraction, is shared and cannot make a
-/// sign wrong by (4), so a value of the wrong sign is at most (1 + u) ((1 + u)^8 - 1) P (FMA only leaves roundings
-/// out).
+/// at most three sums more: at most eight roundings, the last of which is shared and cannot make a sign wrong by (4).
+/// So a value of the wrong sign is at most (1 + u) ((1 + u)^7 - 1) P (FMA only leaves roundings out).
 ///
-/// The bound: |v| and |w| lose two roundings each, S at most nine (the difference, two sums within |d|, six between
-/// seven sizes), products three, the absolute term one: C (1 - u)^17 >= (1 + u) ((1 + u)^8 - 1) = 8 u + .... C = 8 u +
-/// 384 u^2: at u = 1/16, 3.974 < 4 in units of 8 u. (Looser than it could be by much: P holds 27 products for every six
-/// there are, and terms that have a sign in common are taken for as large as they can be.)
+/// The bound: |v| and |w| lose two roundings each, S at most six (two within a size, three between six of them, and one
+/// with that of d), products three, the absolute term one: C (1 - u)^14 >= (1 + u) ((1 + u)^7 - 1) = 7 u + .... At u =
+/// 1/16, 3.169 in units of 7 u: 7 u + 243 u^2 would do. C = 8 u + 384 u^2. (Looser by more than that: P holds 27
+/// products for every six there are, and terms that have a sign in common are taken for as large as they can be.)
 ///
 /// Guard: a sum of sizes that contains S, |v| and |w| is at most H, as computed: every number is at most H in
 /// magnitude, and every product of three and every sum of such at most H^3.
@@ -32,7 +31,7 @@
 /// for these vectors read as zero, 1 for the normal read as zero, 1.3 for the difference in d, 12 for products and
 /// sums, 3 for the sums of magnitudes, all times (1 + u)^6 = 1.44: less than 38. The bound: |v| and |w| are off by less
 /// than 9 n, S by less than 140 n: 18 and 35, times C <= 2; and 6 for its products. Less than 151 together, and 512
-/// times 1 - u pays for it.
+/// times 1 - u pays for it. (The proofs count more roughly, each coordinate as H and not their sum: 271.)
 namespace touchstone::robust::filters {
 
 /// The sum of the magnitudes of its coordinates.
@@ -53,6 +52,7 @@ struct AxisBounds {
 
 /// Where a point lies of a parallelepiped, unless it is too near to a face's plane. Unknown where the half axes may be
 /// dependent: n . u is the same for every half axis u and the normal n of the other two, and bounded as the values are.
+/// Proved.
 template <class Float, class Format = FloatFormat<Float>>
 Perhaps<Location> point_in_obb(const Obb3<Float>& box, const Point3<Float>& point) {
   using B = AxisBounds<Float, Format>;
@@ -92,10 +92,12 @@ class ObbAxes {
   }
 
   /// Whether the half axes of either are certain to be independent, where the guard holds; it is asked with every axis.
+  /// Proved: obb_volume, where an axis is certain.
   bool independent() const { return volume_is_certain(0) && volume_is_certain(3); }
 
   /// Of the axis n = v x w for edges number v and w, to which these two add nothing: positive where it separates,
-  /// negative where the boxes have a common interval of positive length along it.
+  /// negative where the boxes have a common interval of positive length along it. Proved for any four different others:
+  /// obb_axis, of what obb_axes computed.
   Sign on_axis(std::size_t v, std::size_t w, const std::array<std::size_t, 4>& others) const {
     const Vector3<Float> n = cross(edges_[v], edges_[w]);
     const auto along = [&n](const Vector3<Float>& x) { return Format::magnitude(dot(n, x)); };

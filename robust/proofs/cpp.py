@@ -8,8 +8,10 @@ TYPES = {
     "Vector2": "x y", "Point2": "x y", "Vector3": "x y z", "Point3": "x y z", "Segment2": "a:Point2 b:Point2",
     "Sphere3": "center:Point3 radius", "Plane": "normal:Vector3 offset", "Slab": "min max", "BeyondInterval": "beyond extent",
     "MovingBody": "position:Point3 velocity:Vector3 angular_velocity:Vector3",
+    "Obb3": "center:Point3 half_axes:HalfAxes", "HalfAxes": "u:Vector3 v:Vector3 w:Vector3",
 }
-ANSWERS = {"Sign::unknown": "unknown", "Sign::positive": "positive", "Sign::negative": "negative"}
+ANSWERS = {"Sign::unknown": "unknown", "Sign::positive": "positive", "Sign::negative": "negative",
+           "std::nullopt": "None", "Location::inside": "Some Inside", "Location::outside": "Some Outside"}
 TOKEN = re.compile(
     r"\s*(?:(\d+)|((?:[A-Za-z_]\w*|::)(?:::\w+)*)|(\+=|<=|>=|\+\+|&&|\|\||[-+*/(){}\[\],;<>=!&|?:.]))")
 
@@ -36,12 +38,34 @@ class Answer(str):
     """A Coq answer."""
 
 
+class Index(str):
+    """An index of an array, as a natural number."""
+
+
+class Array:
+    """An array whose elements are found by an index: a function of natural numbers, or one for each coordinate."""
+
+    def __init__(self, name, kind):
+        self.name, self.kind = name, kind
+
+    @staticmethod
+    def shown(index):
+        return index if isinstance(index, Index) else f"{index}%nat"
+
+    def __getitem__(self, index):
+        if self.kind == "std::size_t":
+            return Index(f"({self.name} {self.shown(index)})")
+        if self.kind == "Float":
+            return Number(f"({self.name} {self.shown(index)})")
+        return {f: Number(f"({self.name}_{f} {self.shown(index)})") for f in TYPES[self.kind].split()}
+
+
 class Run:
     """One function on names."""
 
     def __init__(self, source, pack):
         self.source, self.pack = source, pack
-        self.steps, self.used, self.taken, self.owner = [], {}, set(), None
+        self.steps, self.used, self.taken, self.owner, self.elements = [], {}, set(), None, set()
 
     # names and operations
     def fresh(self, wish):
@@ -73,6 +97,8 @@ class Run:
     def arithmetic(self, operator, left, right):
         if isinstance(left, dict) and isinstance(right, dict):
             return self.fieldwise(operator, left, right)
+        if isinstance(left, Index) and isinstance(right, tuple) and operator == "+":
+            return Index(f"({left} + {right[0]})%nat")
         if isinstance(left, tuple) or isinstance(right, tuple):  # exponents
             return exponents(operator, left, right)
         if operator == "*":
@@ -101,7 +127,8 @@ class Run:
 
     # calls
     def call(self, name, arguments):
-        name = name.split("::")[-1] if not name.startswith("B::") else name
+        of, _, last = name.rpartition("::")
+        name = last if of != "B" else name
         if name == "Float":
             return arguments[0] if arguments else Real("0")
         if name == "magnitude":
@@ -114,7 +141,7 @@ class Run:
         if name == "power_of_two":
             (e,) = arguments
             return Real(power(e))
-        owner = self.owner
+        owner = of if of in self.source.classes else self.owner
         if name.startswith("B::"):
             name = name[3:]
             owner = self.bounds if name in self.source.classes[self.bounds] else "Bounds"
@@ -224,6 +251,9 @@ class Body:
             then = self.expression()
             self.take(";")
             return Answer(f"if {condition} then {then} else {self.run()}")
+        if token == "for":
+            self.loop()
+            return self.run()
         if token == "return":
             self.take()
             value = self.initialiser(self.returned) if self.peek() == "{" else self.expression()
@@ -239,19 +269,66 @@ class Body:
             kind = self.take()
             while self.peek() == "&":
                 self.take()
-        elif self.tokens[self.at + 1] not in ("=",):
+        elif self.tokens[self.at + 1] not in ("=", "["):
             raise SystemExit(f"statement not understood: {' '.join(self.tokens[self.at:self.at + 8])}")
+        if kind == "auto" and self.peek() == "[":
+            self.binding()
+            return
         while True:
-            name = self.take()
+            name, index = self.take(), None
+            if self.peek() == "[":
+                self.take()
+                index = self.expression()
+                self.take("]")
             if self.peek() == "=":
                 self.take()
             value = self.initialiser(kind) if self.peek() == "{" else self.expression()
             steps = self.r.steps
             if isinstance(value, Number) and steps and steps[-1][0] is value and re.fullmatch(r"t\d*", value.name):
-                value.name = self.r.fresh(name.rstrip("_"))
+                value.name = self.r.fresh(name.rstrip("_")) if index is None else self.element(name, index)
+            if index is not None:
+                if not isinstance(value, Number) or value.factors or value.name not in self.r.elements:
+                    raise SystemExit(f"no element: {value}")
+                value = Array(name.rstrip("_"), "Float")
             self.scope[name] = value
             if self.take() == ";":
                 return
+
+    def element(self, array, index):
+        """The name of one that is assigned, once."""
+        name = f"({array.rstrip('_')} {index[0]}%nat)"
+        if not isinstance(index, tuple) or name in self.r.elements:
+            raise SystemExit(f"assignment not understood: {array}[{index}]")
+        self.r.elements.add(name)
+        return name
+
+    def binding(self):
+        """[a, b] = E;"""
+        self.take("[")
+        names = []
+        while self.peek() != "=":
+            names.append(self.take())
+            self.take() if self.peek() in (",", "]") else self.take(",")
+        self.take("=")
+        value = self.expression()
+        self.take(";")
+        if len(names) != len(value):
+            raise SystemExit(f"{len(names)} names for {list(value)}")
+        self.scope.update(zip(names, value.values()))
+
+    def loop(self):
+        """for (std::size_t i = 0; i < COUNT; ++i) ASSIGNMENT; unrolled."""
+        head = self.tokens[self.at:self.at + 14]
+        name, count = head[3], head[9]
+        if head != f"for ( std::size_t {name} = 0 ; {name} < {count} ; ++ {name} )".split() or not count.isdigit():
+            raise SystemExit(f"loop not understood: {' '.join(head)}")
+        self.at += len(head)
+        end = self.tokens.index(";", self.at) + 1
+        body, self.at = " ".join(self.tokens[self.at:end]), end
+        for i in range(int(count)):
+            once = Body(self.r, body, {**self.scope, name: (i, ())})
+            once.run()
+            self.scope.update({k: v for k, v in once.scope.items() if k != name})
 
     def initialiser(self, kind=None):
         self.take("{")
@@ -291,6 +368,8 @@ class Body:
         if level == 3 and self.peek() == "=" and self.tokens[self.at + 1] == "=":  # (known & guarded) == 0
             self.take(), self.take(), self.take("0")
             left = Truth(f"(negb {left})")
+        if level == 3 and self.peek() == "!" and isinstance(left, Truth):  # beyond != 0
+            self.take(), self.take("="), self.take("0")
         return left
 
     def unary(self):
@@ -324,7 +403,7 @@ class Body:
             elif self.peek() == "[":
                 self.take()
                 index = self.expression()
-                value = value[index[0]]
+                value = value[index if isinstance(index, Index) else index[0]]
                 self.take("]")
             else:
                 value = value(*self.arguments())

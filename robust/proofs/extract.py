@@ -13,7 +13,7 @@ import pathlib
 import re
 import sys
 
-from cpp import TYPES, Body, Number, Run, chosen_bounds
+from cpp import TYPES, Array, Body, Index, Number, Run, Truth, chosen_bounds
 from source import Source, split
 
 HEAD = """(* Written by extract.py from the headers of robust/kernel. *)
@@ -21,7 +21,8 @@ From Coq Require Import Reals Bool.
 From Filters Require Import model.
 Open Scope R_scope.
 """
-# Definition, function or class and method, how many axes a pack has.
+# Definition, function or class and method, how many axes a pack has. A class's "this" is its constructor, as a
+# definition of its own: it relates what it is made of to what it computes, and "kept" methods start from both.
 FILTERS = [
     ("cross_sign", "cross_sign"),
     ("orientation", "orientation"),
@@ -40,30 +41,75 @@ FILTERS = [
     ("sweep_end", "Sweep.end"),
     ("sweep_passage", "Sweep.passage"),
     ("velocity_apart", "velocity_apart"),
+    ("obb_axes", "ObbAxes.this"),
+    ("obb_volume", "ObbAxes.volume_is_certain", "kept"),
+    ("obb_axis", "ObbAxes.on_axis", "kept"),
+    ("point_in_obb", "point_in_obb"),
 ]
 
 
 def parameter(run, kind, name, names):
-    if kind == "Float":
-        names.append(run.fresh(name))
-        return Number(names[-1])
+    array = re.fullmatch(r"([\w:]+)\[\d+\]", kind)
+    if array:
+        for field in TYPES.get(array[1], "").split() or [""]:
+            names.append((run.fresh(f"{name}_{field}".rstrip("_")), f"nat -> {COQ[array[1]]}"))
+        return Array(name, array[1])
+    if kind in COQ and kind not in TYPES:
+        names.append((run.fresh(name), COQ[kind]))
+        return (Number if kind == "Float" else Index)(names[-1][0])
     fields = [f.partition(":") for f in TYPES[kind].split()]
     return {f: parameter(run, k or "Float", f"{name}_{f}", names) for f, _, k in fields}
+
+
+COQ = {"Float": "T", "Vector3": "T", "std::size_t": "nat"}
+
+
+def made(run, owner, names):
+    """The constructor's run: its members, and those that it computed as parameters of others."""
+    parameters, body, whole = run.source.classes[owner]["this"]
+    run.used[f"{owner}.this"] = whole
+    run.bounds = chosen_bounds(run.source.classes[owner].get("B", ("", "", ""))[1], "Bounds")
+    run.members = scope_of(run, parameters, names)
+    given = set(run.members)
+    Body(run, body, run.members).run()
+    computed = []
+    for name, value in run.members.items():
+        if isinstance(value, Array) and f"({value.name} 0%nat)" in run.elements:
+            computed.append((value.name, "nat -> T"))
+        elif isinstance(value, Number) and name not in given and value.name not in [n for n, _ in names]:
+            if value.factors:
+                raise SystemExit(f"a product is kept: {name}")
+            computed.append((value.name, "T"))
+    run.owner = owner
+    return computed
+
+
+def bound(names):
+    """(a b : T) (c : nat) ..."""
+    groups = []
+    for name, kind in names:
+        if groups and groups[-1][1] == kind:
+            groups[-1][0].append(name)
+        else:
+            groups.append(([name], kind))
+    return " ".join(f"({' '.join(group)} : {kind})" for group, kind in groups)
 
 
 def extracted(source, name, function, *how):
     """The definition, and the text that it came from."""
     run, names = Run(source, how[0] if how and isinstance(how[0], int) else 0), []
     owner, _, method = function.rpartition(".")
+    answer, hidden = None, []
     if owner:
-        members = source.classes[owner]
-        parameters, body, whole = members["this"]
-        run.used[f"{owner}.this"] = whole
-        run.bounds = "Bounds"
-        run.members = scope_of(run, parameters, names)
-        Body(run, body, run.members).run()
-        run.owner = owner
-        parameters, body, whole = members[method]
+        computed = made(run, owner, names)
+        if "kept" in how:
+            run.steps = []
+        if "kept" in how or method == "this":
+            names += computed
+            hidden = [n for n, _ in computed]
+        if method == "this":
+            return shown(name, run, names, hidden, None), run.used
+        parameters, body, whole = source.classes[owner][method]
     else:
         ((kinds, body, whole),) = [f for (n, _), all_of in source.functions.items() if n == function for f in all_of
                                    if function not in ("plane", "slab") or len(f[0]) > 1]
@@ -75,14 +121,22 @@ def extracted(source, name, function, *how):
         scope[f"axis{i}"] = run.call(
             "beyond_interval", list(scope_of(run, f"Float c{i}, Float min{i}, Float max{i}", names).values()))
     run.used[function] = whole
-    run.bounds = chosen_bounds(body, "Bounds")
+    run.bounds = chosen_bounds(body, run.bounds)
     answer = Body(run, body, scope).run()
-    lines = [f"Definition {name} F T (M : machine T) ({' '.join(names)} : T) (answer : sign) :="]
+    return shown(name, run, names, hidden, answer), run.used
+
+
+def shown(name, run, names, hidden, answer):
+    kind = "bool" if isinstance(answer, Truth) else "option location" if "Some" in (answer or "") else "sign"
+    of_answer = f" (answer : {kind})" if answer else ""
+    lines = [f"Definition {name} (F : format) T (M : machine T) {bound(names)}{of_answer} :="]
     for result, operation, operands in run.steps:
-        shown = " ".join(f"({' '.join(map(str, o))})" if isinstance(o, tuple) else str(o) for o in operands)
-        lines.append(f"  exists {result}, {operation} M {shown} {result} /\\")
-    lines.append(f"  answer = {answer}.")
-    return "\n".join(lines), run.used
+        them = " ".join(f"({' '.join(map(str, o))})" if isinstance(o, tuple) else str(o) for o in operands)
+        exists = "" if result.name in hidden or result.name in run.elements else f"exists {result}, "
+        lines.append(f"  {exists}{operation} M {them} {result} /\\")
+    if not answer:
+        return "\n".join(lines)[:-3] + "."
+    return "\n".join(lines + [f"  answer = {answer}."])
 
 
 def scope_of(run, parameters, names):

@@ -5,6 +5,7 @@ From Coq Require Import Reals Bool.
 Open Scope R_scope.
 
 Inductive sign := negative | unknown | positive.
+Inductive location := Inside | Outside.
 
 (* What is added: a number, or one that is the product of a and b, which a compiler may contract to FMA. *)
 Inductive operand (T : Type) := Plain (x : T) | Product (a b t : T).

@@ -14,6 +14,7 @@ def cleaned(text):
     text = re.sub(r"<Float, Format>|<Float>|<Real>|\btemplate (?=relative)|\[\[unlikely\]\]", "", text)
     text = re.sub(r"static_cast<int>", "", text)
     text = re.sub(r"\b(?:B|Bounds)::relative<(\d+), (\d+)>\(\)", r"relative(\1, \2)", text)
+    text = re.sub(r"std::array<([\w:]+), (\d+)>", r"\1[\2]", text)
     return re.sub(r"\bReal\(", "Float(", text)
 
 
@@ -34,7 +35,7 @@ class Source:
             for found in re.finditer(kinds, text, re.M | re.S):
                 self.add_class(found[2], found[3])
             text = re.sub(r"^template <[^;{}]*?>\n(class|struct) \w+[^;]*?\{\n.*?^\};", "", text, flags=re.M | re.S)
-            functions = r"^(?:inline )?(\w+) (operator[-+]|\w+)\(([^{;]*)\) \{\n(.*?)^\}"
+            functions = r"^(?:inline )?(\w+|Perhaps<\w+>) (operator[-+]|\w+)\(([^{;]*)\) \{\n(.*?)^\}"
             for found in re.finditer(functions, text, re.M | re.S):
                 self.add(found[2], found[3], found[4], found[0])
 
@@ -54,6 +55,9 @@ class Source:
         found = re.search(r"high_exponent = ([^;]*);", body)
         if found:
             members["high_exponent"] = ("", f"return {found[1]};", found[0])
+        found = re.search(r"^  using B = \w+;", body, re.M)
+        if found:
+            members["B"] = ("", found[0], found[0])
         self.classes[name] = members
 
 

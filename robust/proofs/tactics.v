@@ -5,7 +5,8 @@ From Filters Require Import model constants steps ghost.
 Open Scope R_scope.
 
 Ltac unpack := repeat match goal with
-  | R : exists _, _ |- _ => let x := fresh "x" in let S := fresh "S" in destruct R as (x & S & R) end.
+  | R : exists _, _ |- _ => let x := fresh "x" in let S := fresh "S" in destruct R as (x & S & R)
+  | R : add _ _ _ _ /\ _ |- _ => let S := fresh "S" in destruct R as (S & R) end.
 Ltac constants := repeat match goal with S : constant (reals _) _ ?x |- _ => simpl in S; subst x end;
   repeat match goal with |- context [magnitude (reals _) ?x] => change (magnitude (reals _) x) with (Rabs x) end;
   change @magnitude with @magnitude in *; cbn [magnitude reals] in *.
