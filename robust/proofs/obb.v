@@ -40,6 +40,26 @@ assert (each : forall i, one (others 0%nat) i * f i + one (others 1%nat) i * f i
 pose proof (each 0%nat). pose proof (each 1%nat). pose proof (each 2%nat). pose proof (each 3%nat).
 pose proof (each 4%nat). pose proof (each 5%nat). unfold six. clearbody one. lra.
 Qed.
+Definition rest v w (others : nat -> nat) :=
+  forall k, (k < 6)%nat -> k = v \/ k = w \/ exists l, (l < 4)%nat /\ k = others l.
+Lemma six_of_all f v w others : (forall k, 0 <= f k) -> f v = 0 -> f w = 0 -> rest v w others ->
+  six f <= f (others 0%nat) + f (others 1%nat) + (f (others 2%nat) + f (others 3%nat)).
+Proof.
+intros P V W C. set (one := fun a i => if Nat.eqb a i then f i else 0).
+assert (pick : forall a, six (one a) <= f a).
+{ intros a. pose proof (P a). unfold six, one. do 6 (destruct a as [|a]; [simpl; lra|]). simpl. lra. }
+assert (each : forall i, (i < 6)%nat -> f i <= one (others 0%nat) i + one (others 1%nat) i +
+  (one (others 2%nat) i + one (others 3%nat) i)).
+{ intros i I. assert (O : forall a, 0 <= one a i) by (intros a; unfold one; destruct (Nat.eqb a i); [apply P|lra]).
+  pose proof (O (others 0%nat)). pose proof (O (others 1%nat)). pose proof (O (others 2%nat)).
+  pose proof (O (others 3%nat)). destruct (C i I) as [->|[->|(l & L & ->)]]; [lra|lra|].
+  assert (S : one (others l) (others l) = f (others l)) by (unfold one; now rewrite Nat.eqb_refl).
+  do 4 (destruct l as [|l]; [lra|]). lia. }
+pose proof (pick (others 0%nat)). pose proof (pick (others 1%nat)). pose proof (pick (others 2%nat)).
+pose proof (pick (others 3%nat)). pose proof (each 0%nat ltac:(lia)). pose proof (each 1%nat ltac:(lia)).
+pose proof (each 2%nat ltac:(lia)). pose proof (each 3%nat ltac:(lia)). pose proof (each 4%nat ltac:(lia)).
+pose proof (each 5%nat ltac:(lia)). clearbody one. unfold six in *. lra.
+Qed.
 Lemma one_of_six f k : (forall k, 0 <= f k) -> (k < 6)%nat -> f k <= six f.
 Proof.
 intros P K. pose proof (P 0%nat). pose proof (P 1%nat). pose proof (P 2%nat). pose proof (P 3%nat).
@@ -267,6 +287,42 @@ assert (Right : (x48 = true -> exact > 0) /\ (x48 = false -> exact < 0)).
   apply Rplus_le_compat; [apply T|]. apply Rle_trans with (2 := Q). rewrite !Rmult_plus_distr_l.
   repeat match goal with |- _ + _ <= _ => apply Rplus_le_compat end; apply T. }
 answers R Right.
+Qed.
+
+(* where it separates, the boxes have no common point *)
+Theorem obb_axis_separates v w others : obb_axes F R M x y z wx wy wz sizes sum ->
+  obb_axis F R M x y z wx wy wz sizes sum v w others positive -> (v < 6)%nat -> (w < 6)%nat -> different others ->
+  rest v w others -> ~ exists r, (forall k, Rabs (r k) <= 1) /\
+    ax + r 0%nat * x 0%nat + r 1%nat * x 1%nat + r 2%nat * x 2%nat =
+      bx + r 3%nat * x 3%nat + r 4%nat * x 4%nat + r 5%nat * x 5%nat /\
+    ay + r 0%nat * y 0%nat + r 1%nat * y 1%nat + r 2%nat * y 2%nat =
+      by_ + r 3%nat * y 3%nat + r 4%nat * y 4%nat + r 5%nat * y 5%nat /\
+    az + r 0%nat * z 0%nat + r 1%nat * z 1%nat + r 2%nat * z 2%nat =
+      bz + r 3%nat * z 3%nat + r 4%nat * z 4%nat + r 5%nat * z 5%nat.
+Proof.
+intros S A V W D C (r & B & X & Y & Z). destruct (obb_axis_right v w others positive S A V W D) as [Q _].
+specialize (Q eq_refl). clear S A WX WY WZ.
+set (along := triple (x v) (y v) (z v) (x w) (y w) (z w)) in Q.
+pose proof (six_of_all (fun k => Rabs (along (x k) (y k) (z k))) v w others (fun k => Rabs_pos _)) as P. cbv beta in P.
+specialize (P ltac:(replace (along _ _ _) with 0 by (unfold along, triple; ring); apply Rabs_R0)
+  ltac:(replace (along _ _ _) with 0 by (unfold along, triple; ring); apply Rabs_R0) C).
+enough (Rabs (along (bx - ax) (by_ - ay) (bz - az)) <= six (fun k => Rabs (along (x k) (y k) (z k)))) by lra.
+replace (along (bx - ax) (by_ - ay) (bz - az)) with
+  (r 0%nat * along (x 0%nat) (y 0%nat) (z 0%nat) + r 1%nat * along (x 1%nat) (y 1%nat) (z 1%nat) +
+   r 2%nat * along (x 2%nat) (y 2%nat) (z 2%nat) - (r 3%nat * along (x 3%nat) (y 3%nat) (z 3%nat) +
+   r 4%nat * along (x 4%nat) (y 4%nat) (z 4%nat) + r 5%nat * along (x 5%nat) (y 5%nat) (z 5%nat))).
+2: { replace bx with (ax + r 0%nat * x 0%nat + r 1%nat * x 1%nat + r 2%nat * x 2%nat -
+       (r 3%nat * x 3%nat + r 4%nat * x 4%nat + r 5%nat * x 5%nat)) by lra.
+     replace by_ with (ay + r 0%nat * y 0%nat + r 1%nat * y 1%nat + r 2%nat * y 2%nat -
+       (r 3%nat * y 3%nat + r 4%nat * y 4%nat + r 5%nat * y 5%nat)) by lra.
+     replace bz with (az + r 0%nat * z 0%nat + r 1%nat * z 1%nat + r 2%nat * z 2%nat -
+       (r 3%nat * z 3%nat + r 4%nat * z 4%nat + r 5%nat * z 5%nat)) by lra.
+     unfold along, triple. ring. }
+assert (one : forall k, Rabs (r k * along (x k) (y k) (z k)) <= Rabs (along (x k) (y k) (z k))).
+{ intros k. rewrite Rabs_mult. pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos (along (x k) (y k) (z k))) (B k)). lra. }
+pose proof (abs_le _ _ (one 0%nat)). pose proof (abs_le _ _ (one 1%nat)). pose proof (abs_le _ _ (one 2%nat)).
+pose proof (abs_le _ _ (one 3%nat)). pose proof (abs_le _ _ (one 4%nat)). pose proof (abs_le _ _ (one 5%nat)).
+unfold six. apply le_abs. lra.
 Qed.
 End Axes.
 End Obb.

@@ -100,3 +100,37 @@ specialize (IU _ S88). specialize (IV _ S91). specialize (IW _ S94).
 clear - R S84 S85 S86 S89 S92 S95 OU OV OW IU IV IW Z.
 split; intros ->; (split; [exact Z|]); destruct x84, x85, x86, x89, x92, x95; try discriminate; auto.
 Qed.
+
+(* What that says of the solid: all c + r u + s v + t w with r, s, t from -1 to 1, and its interior. *)
+Definition at_place cx cy cz ux uy uz vx vy vz wx wy wz r s t px py pz := px = cx + r * ux + s * vx + t * wx /\
+  py = cy + r * uy + s * vy + t * wy /\ pz = cz + r * uz + s * vz + t * wz.
+
+Theorem point_in_obb_solid F cx cy cz ux uy uz vx vy vz wx wy wz px py pz answer : fits F (quarter F) 1 1 ->
+  point_in_obb F R (reals F) cx cy cz ux uy uz vx vy vz wx wy wz px py pz answer ->
+  let place := fun r s t => at_place cx cy cz ux uy uz vx vy vz wx wy wz r s t px py pz in
+  (answer = Some Outside -> ~ exists r s t, Rabs r <= 1 /\ Rabs s <= 1 /\ Rabs t <= 1 /\ place r s t) /\
+  (answer = Some Inside -> exists r s t, Rabs r < 1 /\ Rabs s < 1 /\ Rabs t < 1 /\ place r s t).
+Proof.
+intros G A place. pose proof (point_in_obb_right F cx cy cz ux uy uz vx vy vz wx wy wz px py pz answer G A) as [O I].
+clear A. cbv zeta in O, I. set (D := triple ux uy uz vx vy vz wx wy wz) in *. split; intros E.
+- specialize (O E). destruct O as [D0 O]. intros (r & s & t & R1 & S1 & T1 & X & Y & Z).
+  assert (one : forall q y, Rabs q <= 1 -> y = q * D -> Rabs y <= Rabs D).
+  { intros q y Q ->. rewrite Rabs_mult. pose proof (Rmult_le_compat_r _ _ _ (Rabs_pos D) Q). lra. }
+  assert (U : Rabs (triple vx vy vz wx wy wz (px - cx) (py - cy) (pz - cz)) <= Rabs D)
+    by (apply (one r _ R1); rewrite X, Y, Z; unfold D, triple; ring).
+  assert (V : Rabs (triple wx wy wz ux uy uz (px - cx) (py - cy) (pz - cz)) <= Rabs D)
+    by (apply (one s _ S1); rewrite X, Y, Z; unfold D, triple; ring).
+  assert (W : Rabs (triple ux uy uz vx vy vz (px - cx) (py - cy) (pz - cz)) <= Rabs D)
+    by (apply (one t _ T1); rewrite X, Y, Z; unfold D, triple; ring).
+  lra.
+- specialize (I E). destruct I as (D0 & U & V & W).
+  assert (N : D <> 0) by (intros Z; rewrite Z, Rabs_R0 in D0; lra).
+  assert (one : forall y, Rabs y < Rabs D -> Rabs (y / D) < 1).
+  { intros y Y. unfold Rdiv. rewrite Rabs_mult, Rabs_inv. apply Rmult_lt_reg_r with (Rabs D); [lra|].
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra. exact Y. }
+  exists (triple vx vy vz wx wy wz (px - cx) (py - cy) (pz - cz) / D),
+    (triple wx wy wz ux uy uz (px - cx) (py - cy) (pz - cz) / D),
+    (triple ux uy uz vx vy vz (px - cx) (py - cy) (pz - cz) / D).
+  repeat (split; [apply one; assumption|]).
+  split; [|split]; apply Rmult_eq_reg_r with D; auto; unfold Rdiv; clear - N; unfold D, triple in *; field; exact N.
+Qed.
