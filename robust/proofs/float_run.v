@@ -30,11 +30,11 @@ intros C D. unfold relative. cbn [u binary64]. pose proof (bpow_gt_0 radix2 (-52
 assert (L : bpow radix2 (-52) <= bpow radix2 (-30)) by (apply bpow_le; lia). simpl (bpow radix2 (-30)) in L.
 simpl (bpow radix2 (-10)). set (u0 := bpow radix2 (-52)) in *. clearbody u0. assert (0 <= d * u0 <= 1) by nra. nra.
 Qed.
-Lemma absolute_small c r k : 0 <= c <= 1024 -> r = bpow radix2 k -> (k <=? 1002)%Z = true ->
+Lemma absolute_small c r k : 0 <= c <= 4096 -> r = bpow radix2 k -> (k <=? 900)%Z = true ->
   0 <= c * (n binary64 * r) <= bpow radix2 (-10).
 Proof.
 intros C -> K%Z.leb_le. change (n binary64) with (bpow radix2 (-1022)). rewrite <- bpow_plus.
-assert (P : bpow radix2 (-1022 + k) <= bpow radix2 (-20)) by (apply bpow_le; lia). simpl (bpow radix2 (-20)) in P.
+assert (P : bpow radix2 (-1022 + k) <= bpow radix2 (-30)) by (apply bpow_le; lia). simpl (bpow radix2 (-30)) in P.
 pose proof (bpow_ge_0 radix2 (-1022 + k)). simpl (bpow radix2 (-10)). split; [apply Rmult_le_pos; lra|nra].
 Qed.
 Ltac power_of_two r := lazymatch r with
@@ -107,6 +107,9 @@ Ltac forward S := lazymatch type of S with
   | mul floats ?x ?y ?z => lazymatch goal with _ : mag z _ |- _ => idtac | _ => know x; know y;
       let i := mag_of x in let j := mag_of y in let A := bound_of x in let B := bound_of y in
       let k := eval vm_compute in (i + j)%Z in pose proof (mul_mag x y z i j k S A B eq_refl eq_refl) end
+  | choose floats ?b ?x ?y ?z => lazymatch goal with _ : mag z _ |- _ => idtac | _ => know x; know y;
+      let i := mag_of x in let j := mag_of y in let A := bound_of x in let B := bound_of y in
+      let k := eval vm_compute in (Z.max i j) in pose proof (choose_mag b x y z i j k S A B eq_refl) end
   | ?op floats ?p ?q ?z => lazymatch goal with _ : mag z _ |- _ => idtac | _ => know_operand p; know_operand q;
       let A := within_of p in let B := within_of q in
       let i := exponent A in let j := exponent B in let k := eval vm_compute in (Z.max i j + 1)%Z in
@@ -126,6 +129,8 @@ Ltac advance := lazymatch goal with
       lazymatch reverse goal with S : add floats _ _ ?z |- _ => result S z add_real end
   | |- exists z, sub M _ _ z /\ _ =>
       lazymatch reverse goal with S : sub floats _ _ ?z |- _ => result S z sub_real end
+  | |- exists z, choose M _ _ _ z /\ _ => lazymatch reverse goal with S : choose floats ?b ?x ?y ?z |- _ =>
+      forward S; exists (value z); split; [exact (choose_real b x y z S)|clear S] end
   | |- exists z, constant M _ z /\ _ =>
       lazymatch reverse goal with S : constant floats _ ?z |- _ =>
       exists (value z); split; [exact (proj2 S)|clear S] end

@@ -143,6 +143,8 @@ intros (x' & y' & X & Y & ->) A B. exists (value x'), (value y'). split; [|split
 rewrite (compared x' y' _ (finite_reads _ _ X A) (finite_reads _ _ Y B) eq_refl).
 destruct (Rcompare_spec (value x') (value y')); split; try easy; lra.
 Qed.
+Lemma choose_real b x y z : choose floats b x y z -> choose M b (value x) (value y) (value z).
+Proof. intros S%reads_read. now destruct b. Qed.
 
 (* forward: what is computed of numbers that are not large is none *)
 Definition within (p : operand float) k := mag (plain p) k /\
@@ -185,6 +187,10 @@ Lemma sub_mag p q z i j k : sub floats p q z -> within p i -> within q j -> (Z.m
 Proof.
 intros S X Y <- K. destruct (sub_used p q z S) as (x & y & X' & Y' & O); [right; eauto using within_whole|].
 apply (outcome_mag _ _ _ O); [|exact K]. unfold Rminus. apply sum_le; [|rewrite Rabs_Ropp]; eauto using used_mag.
+Qed.
+Lemma choose_mag b x y z i j k : choose floats b x y z -> mag x i -> mag y j -> Z.max i j = k -> mag z k.
+Proof.
+intros S X Y <-. apply (reads_mag _ _ _ S). destruct b; [apply mag_up with i|apply mag_up with j]; auto; lia.
 Qed.
 Lemma abs_mag x k : mag x k -> mag (Babs x) k.
 Proof. intros [X L]. split; [unfold finite; now rewrite is_finite_Babs|]. now rewrite value_abs, Rabs_Rabsolu. Qed.

@@ -75,6 +75,7 @@ Ltac in_mode m := repeat (refine (step _ _ _ _ _ _);
    | |- exists z, mul _ ?x ?y z => exact (some_product m x y)
    | |- exists z, add _ ?p ?q z => exact (some_sum m p q)
    | |- exists z, sub _ ?p ?q z => exact (some_difference m p q)
+   | |- exists z, choose _ ?b ?x ?y z => exists (if b then x else y); now left
    | |- exists b, greater _ ?x ?y b => exact (some_greater x y)
    | |- exists b, at_most _ ?x ?y b => exact (some_at_most x y)
    | |- _ => some_constant end|]; let z := fresh "z" in intros z; cbv beta).
@@ -95,10 +96,11 @@ Theorem face_side_runs (m : mode) a b c d e f g h i j k l : exists answer,
 Proof. runs face_side m. Qed.
 Theorem spheres_runs (m : mode) a b c d e f g h : exists answer, spheres binary64 float floats a b c d e f g h answer.
 Proof. runs spheres m. Qed.
-Theorem ball_and_box_2_runs (m : mode) a b c d e : exists answer, ball_and_box_2 binary64 float floats a b c d e answer.
+Theorem ball_and_box_2_runs (m : mode) a b c d e f g : exists answer,
+  ball_and_box_2 binary64 float floats a b c d e f g answer.
 Proof. runs ball_and_box_2 m. Qed.
-Theorem ball_and_box_3_runs (m : mode) a b c d e f g : exists answer,
-  ball_and_box_3 binary64 float floats a b c d e f g answer.
+Theorem ball_and_box_3_runs (m : mode) a b c d e f g h i j : exists answer,
+  ball_and_box_3 binary64 float floats a b c d e f g h i j answer.
 Proof. runs ball_and_box_3 m. Qed.
 Theorem sweep_start_runs (m : mode) a b c d e f g h i j k l o p : exists answer,
   sweep_start binary64 float floats a b c d e f g h i j k l o p answer.
@@ -119,3 +121,6 @@ Theorem segments_runs (m : mode) a b c d e f g h : exists answer, segments binar
 Proof. runs segments m. Qed.
 Theorem ray_runs (m : mode) a b c d e f g h : exists answer, ray binary64 float floats a b c d e f g h answer.
 Proof. runs ray m. Qed.
+Theorem sweep_passage_runs (m : mode) a b c d e f g h i j k l o p : exists answer,
+  sweep_passage binary64 float floats a b c d e f g h i j k l o p answer.
+Proof. runs sweep_passage m. Qed.

@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* slope_at_start, slope_at_end and end of Sweep on all of binary64. *)
+(* slope_at_start, slope_at_end, end and passage of Sweep on all of binary64. *)
 From Coq Require Import Reals Bool List.
 From Filters Require Import model constants filters steps tactics format floats float_steps float_guards float_run.
-From Filters Require Import sweep.
+From Filters Require Import sweep sweep_passage.
 Import ListNotations.
 Open Scope R_scope.
 #[local] Coercion value : float >-> R.
@@ -40,5 +40,18 @@ Proof.
 intros R. unfold sweep_end in R. float_run R.
 apply (sweep_end_right binary64 acx acy acz ra bcx bcy bcz rb vax vay vaz vbx vby vbz);
   [fits|now apply up_value|now apply up_value|unfold sweep_end; repeat advance; exact R].
+Qed.
+
+Theorem sweep_passage_binary64 :
+  sweep_passage binary64 float floats acx acy acz ra bcx bcy bcz rb vax vay vaz vbx vby vbz answer ->
+  let x := (acy - bcy) * (vaz - vbz) - (acz - bcz) * (vay - vby) in
+  let y := (acz - bcz) * (vax - vbx) - (acx - bcx) * (vaz - vbz) in
+  let z := (acx - bcx) * (vay - vby) - (acy - bcy) * (vax - vbx) in
+  correct answer arguments (x * x + y * y + z * z - (ra + rb) * (ra + rb) *
+    ((vax - vbx) * (vax - vbx) + (vay - vby) * (vay - vby) + (vaz - vbz) * (vaz - vbz))).
+Proof.
+intros R x y z. unfold sweep_passage in R. float_run R.
+apply (sweep_passage_right binary64 acx acy acz ra bcx bcy bcz rb vax vay vaz vbx vby vbz);
+  [fits|now apply up_value|now apply up_value|unfold sweep_passage; repeat advance; exact R].
 Qed.
 End Sweep.
