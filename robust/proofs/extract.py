@@ -6,13 +6,14 @@
 
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
-own text. What this does not understand is an error, never left out.
+own text. What this does not understand is an error, never left out. enclosed.py does the same for enclosed.h.
 """
 import hashlib
 import pathlib
 import re
 import sys
 
+import enclosed
 from cpp import TYPES, Array, Body, Index, Number, Run, Truth, chosen_bounds
 from source import Source, split
 
@@ -147,23 +148,26 @@ def scope_of(run, parameters, names):
     return scope
 
 
-def constants(source):
-    return (f"{HEAD}Definition relative (twice_c d u : R) := {source.relative}.\n")
+def digest(parts):
+    return hashlib.sha256("\n".join(" ".join(part.split()) for part in parts).encode()).hexdigest()[:16]
 
 
 def all_of(root):
-    """The constants' definitions, and for each filter its name, its definition and a digest of what it came from."""
-    source, found = Source(pathlib.Path(root)), []
+    """The files of definitions, and for each filter its name, its definition and a digest of what it came from."""
+    root = pathlib.Path(root)
+    source, found = Source(root), []
     for row in FILTERS:
         definition, used = extracted(source, *row)
-        text = "\n".join([source.relative] + [" ".join(used[k].split()) for k in sorted(used)])
-        found.append((row[0], definition, hashlib.sha256(text.encode()).hexdigest()[:16]))
-    return constants(source), found
+        found.append((row[0], definition, digest([source.relative] + [used[k] for k in sorted(used)])))
+    files = {
+        "constants": f"{HEAD}Definition relative (twice_c d u : R) := {source.relative}.\n",
+        "filters": HEAD.replace("Import model.", "Import model constants.") + "\n".join(d for _, d, _ in found) + "\n"}
+    files["enclosed"], others = enclosed.all_of(root)
+    return files, found + [(name, definition, digest(parts)) for name, definition, parts in others]
 
 
 def main():
-    defined, filters = all_of(sys.argv[1])
-    print(defined + "\n".join(definition for _, definition, _ in filters))
+    print("\n".join(all_of(sys.argv[1])[0].values()))
 
 
 if __name__ == "__main__":

@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """Headers with one constant that is smaller: does a run refuse them? See prove.py."""
+import math
 import pathlib
 import re
 import shutil
 import tempfile
 
+import enclosed
 import extract
 import source
 
 RELATIVE = re.compile(r"relative<(\d+), (\d+)>")
+TAKEN = re.compile(r"(?<=above\()(\d+(?:\.\d+)?)(?=[ )])|(?<=terms_ \+ )(\d+)")  # of enclosed.h
 ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 
 
 def mutants(root):
     """(what, header, text): each constant one unit smaller, in its last parameter and in its first."""
-    for name in source.HEADERS:
+    for name in source.HEADERS + enclosed.HEADERS:
         text = (root / name).read_text(encoding="utf-8")
         def other_text(found, other):
             where = text.count("\n", 0, found.start()) + 1
@@ -27,13 +30,16 @@ def mutants(root):
         for found in ABSOLUTE.finditer(text):
             other = f"power_of_two({int(found[1]) - 1} + Format::min_exponent"
             yield "half", *other_text(found, other)
+        for found in TAKEN.finditer(text if name in enclosed.HEADERS else ""):
+            if float(found[0]) > 1:
+                yield "taken", *other_text(found, str(math.ceil(float(found[0])) - 1))
 
 
 def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in source.HEADERS:
+        for name in source.HEADERS + enclosed.HEADERS:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):
