@@ -18,9 +18,13 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "proptests/machine/oracle"))
 sys.path.insert(0, str(ROOT / "coverage"))
+sys.path.insert(0, str(ROOT / "robust/proofs"))
+sys.dont_write_bytecode = True
 STAGES = ("filter", "enclosed", "lattice", "exact")
 KINDS = {"decision": "words are equal", "measure": "numbers in ulps", "set": "equal as sets",
          "checked": "a checker accepts it", "covering": "nothing is missing"}
+PARTS_OF_FILTERS = {"FloatFormat", "Sign", "Bounds", "by_sign", "power_of_two", "extent", "apart"}
+UNPROVED = re.compile(r"Not proved by\s(?:\s*/// )?machine")  # as the comment of such a bound says
 BEGIN, END = "<!-- made by proptests/status.py -->\n", "<!-- end -->\n"
 
 
@@ -48,6 +52,28 @@ def stages_of(chapter, name):
         return []
     text = text_of(path) + text_of(f"robust/{chapter}/{name}.h")
     return [stage for stage in STAGES if re.search(rf"static \S.* {stage}\(", text)]
+
+
+def sources_of(chapter, name):
+    """The text of an operation of robust and of all that it includes of robust, but for the filters themselves."""
+    filters = set(importlib.import_module("source").HEADERS)
+    texts, left = {}, [f"robust/{chapter}/{name}.h", f"robust/stages/{chapter}/{name}.h"]
+    while left:
+        path = left.pop()
+        if path in texts or path in filters or not (ROOT / path).is_file():
+            continue
+        texts[path] = text_of(path)
+        left += re.findall(r'^#include "(robust/[^"]+)"', texts[path], re.MULTILINE) + [path.replace(".h", ".cpp")]
+    return texts
+
+
+def filters_of(chapter, name):
+    """Those that it may ask, itself or by what it uses."""
+    proved = {row[1].partition(".")[0] for row in importlib.import_module("extract").FILTERS}
+    texts = sources_of(chapter, name).values()
+    used = {found for text in texts for found in re.findall(r"\bfilters::(\w+)", text)} - PARTS_OF_FILTERS
+    cells = [f"`{filter_}`" + ("" if filter_ in proved else " (derived)") for filter_ in sorted(used)]
+    return cells + ["a bound of its own (derived)"] * any(UNPROVED.search(text) for text in texts)
 
 
 def certificate_kinds(name):
@@ -98,8 +124,8 @@ def worlds(program, operation):
 def table(program, operations):
     opinions, without = second_opinions()
     asked = 0
-    columns = ["operation", "judged", "second opinion", "certificates", "worlds", "stages of robust", "mutants", "vectors",
-               "open"]
+    columns = ["operation", "judged", "second opinion", "certificates", "worlds", "stages of robust", "proved", "mutants",
+               "vectors", "open"]
     lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
     for operation in operations:
         name, chapter = operation["name"], operation["chapter"]
@@ -117,7 +143,8 @@ def table(program, operations):
         mutants = len(json.loads(text_of(f"proptests/selftests/mutants/{name}.json")))
         lines.append("| " + " | ".join([
             f"`{name}`", KINDS[operation["kind"]], "; ".join(opinion) or "-",
-            ", ".join(f"`{kind}`" for kind in certificate_kinds(name)), world, ", ".join(stages) or "-", str(mutants),
+            ", ".join(f"`{kind}`" for kind in certificate_kinds(name)), world, ", ".join(stages) or "-",
+            ", ".join(filters_of(chapter, name)) or "-", str(mutants),
             f"{lines_of(f'vectors/{name}.jsonl'):,}", "; ".join(doubts) or "-"]) + " |")
     return lines, asked
 
@@ -136,6 +163,8 @@ the chapters:
 - *stages of robust*: in the order in which they are asked, where they can be asked one by one. `filter`: double and a
   proved bound. `enclosed`: half as many digits more, and a rounding test. `lattice`: integers below 2^61, products in
   128 bits. `exact`: integers of any size; how many bits they reach is not recorded.
+- *proved*: the filters that it may ask, itself or by what it uses, that have [theorems](proofs.md). `(derived)`: the bound
+  is derived in a comment and tested. `-`: it has no such bound; it compares, or computes exactly.
 - *mutants*: planted bugs; property suite, vectors and fuzzing alone have to kill each.
 - *open*: what is missing, as far as the tree knows it.
 """

@@ -62,7 +62,7 @@ class CubeMap {
 
   /// Up to which distance on the axis of a cell's face a point is below all of the cell's facets. Along a ray of
   /// direction v, 1 on that axis, the plane is reached at depth / (n . v), and n . v is greatest in a corner of the
-  /// cell. Its rounding, 10^-14 |n|, is far less than 10^-6 of the depth.
+  /// cell. Its rounding, 10^-14 |n|, is far less than 10^-6 of the depth. Not proved by machine.
   std::vector<double> inside_of_cells() const {
     std::vector<double> inside(cells(), 0);
     for (std::size_t c = 0; c < cells(); ++c) {

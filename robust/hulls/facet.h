@@ -50,7 +50,7 @@ class Sides {
   /// |p_k - a_k| <= 2 R_k: 8 u in units of the sum of Q_k R_k. n . p and n . a lose 3 u each (a product, two sums),
   /// their difference, at most twice the sum, 2 u. Together 16 u; 20 u pays for terms of u^2 and for the bound's own
   /// roundings. Underflow costs less than 2^-1070 (1 + R_0 + R_1 + R_2). Where a term overflows the bound is infinite:
-  /// then nothing is certain. Below 1e37 nothing overflows, and the bound may be a float.
+  /// then nothing is certain. Below 1e37 nothing overflows, and the bound may be a float. Not proved by machine.
   ///
   /// On a narrow lattice n_k is below 2^35, n . p and d below 3 * 2^51 in units of 2^-45, and all of it is exact.
   /// Where u and v have no extent on an axis, n . p - d is the difference of two numbers on it, and has its sign.

@@ -16,7 +16,8 @@ using Way = Vector3<mpz_class>;
 constexpr double greatest_double = std::numeric_limits<double>::max();
 
 /// A computed squared distance D of two points lies within D 2^-50 + 2^-1070 of the exact one, which is off by five
-/// factors between 1 - 2^-53 and 1 + 2^-53 and by three squares that underflow, less than 2^-1074 each.
+/// factors between 1 - 2^-53 and 1 + 2^-53 and by three squares that underflow, less than 2^-1074 each. Not proved by
+/// machine.
 double squared_distance(const Point3d& p, const Point3d& q) {
   const Vector3d v = q - p;
   return dot(v, v);

@@ -37,7 +37,7 @@ std::array<AxisMotion<double>, 3> axes_of(const Aabb3d& a, const Aabb3d& b, cons
 /// off by less than 2.5 u |T| + 2^-1020, and so are the latest entry and the earliest exit.
 ///
 /// Both entries and exits are compared with the sign of entry - exit, rounded with u of it: where that is beyond 4 u
-/// (entry + |exit|) + 2^-1000, of which three roundings leave more than 3.7 u, it is certain.
+/// (entry + |exit|) + 2^-1000, of which three roundings leave more than 3.7 u, it is certain. Not proved by machine.
 class Times {
  public:
   void cut(const AxisMotion<double>& m) {

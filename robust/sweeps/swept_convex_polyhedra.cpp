@@ -56,7 +56,7 @@ struct TimeBounds {
 /// An error of 128 units, 2^-45 D k m, pays for all.
 ///
 /// Guards: D is at most 2^250, and k and m at least 2^-250. Then nothing overflows, and what underflows, or is read as
-/// zero, costs less than 2^-1022 (1 + D + k m D), which is below 2^-400 units.
+/// zero, costs less than 2^-1022 (1 + D + k m D), which is below 2^-400 units. Not proved by machine.
 class Projections {
  public:
   Projections(const std::vector<Point3d>& points, std::size_t count_of_a, const Vector3d& velocity)
