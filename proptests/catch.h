@@ -13,6 +13,7 @@
 namespace touchstone {
 
 #ifdef CATCH_ALL_HPP_INCLUDED
+using Catch::Approx;
 using Catch::Matchers::ContainsSubstring;
 using TestInvoker = Catch::Detail::unique_ptr<Catch::ITestInvoker>;
 #else

@@ -45,16 +45,15 @@ inline constexpr bool has_operation = answers_row<Engine, Row, rebound_t<typenam
 /// A struct, so that the compiler complains once.
 template <class Engine>
 struct NotFinal {
-  static constexpr bool value = !std::is_final_v<Engine>;
-  static_assert(value, "an engine's struct is not final: else its members cannot be told by name");
+  static_assert(!std::is_final_v<Engine>, "an engine's struct is not final: else its members cannot be told by name");
 };
 template <class Engine, class Row>
 struct EngineAndNamesake : Engine, Row::Namesake {};
 /// Whether the engine has a member of the operation's name, of whatever kind.
 template <class Engine, class Row>
 constexpr bool names_operation() {
-  if constexpr (NotFinal<Engine>::value) return Row::template is_ambiguous<EngineAndNamesake<Engine, Row>>;
-  return false;
+  if constexpr (std::is_final_v<Engine>) return sizeof(NotFinal<Engine>) == 0;
+  else return Row::template is_ambiguous<EngineAndNamesake<Engine, Row>>;
 }
 
 /// Does not compile where the engine has a member of the operation's name that does not take its arguments.
