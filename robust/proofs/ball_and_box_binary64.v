@@ -149,8 +149,8 @@ destruct (sub_distance _ _ _ 700 E ME eq_refl eq_refl) as (Fmax & Fmin & De). ap
 change (700 + 2)%Z with 702%Z in *. assert (B : bpow radix2 703 = 2 * bpow radix2 702).
 { change 703%Z with (1 + 702)%Z. now rewrite bpow_plus. }
 assert (S : 4 <= bpow radix2 702) by (change 4 with (bpow radix2 2); apply bpow_le; lia).
-assert (T : finite c -> Rabs (value min - value c) <= bpow radix2 703 -> Rabs (value c - value max) <= bpow radix2 703 ->
-  mag below 704 /\ mag above 704).
+assert (T : finite c -> Rabs (value min - value c) <= bpow radix2 703 ->
+  Rabs (value c - value max) <= bpow radix2 703 -> mag below 704 /\ mag above 704).
 { intros Fc X Y. split; [exact (distance_sub min c below 703 Lo Fmin Fc X eq_refl eq_refl)
   |exact (distance_sub c max above 703 Hi Fc Fmax Y eq_refl eq_refl)]. }
 destruct b1.
@@ -160,10 +160,12 @@ destruct b1.
   apply T; auto; apply le_abs; lra.
 - assert (MM : mag more 700) by (apply (reads_back more x 700 C1 (reads_finite _ _ C1 (proj1 MX)) (proj2 MX)); lia).
   destruct b.
-  + assert (MA : mag above 700) by (apply (reads_back above more 700 C (reads_finite _ _ C (proj1 MM)) (proj2 MM)); lia).
+  + assert (MA : mag above 700) by (apply (reads_back above more 700 C (reads_finite _ _ C (proj1 MM)) (proj2 MM));
+      lia).
     destruct (sub_distance _ _ _ 700 Hi MA eq_refl eq_refl) as (Fc & _ & D). change (700 + 2)%Z with 702%Z in *.
     apply abs_le in D. apply T; auto; apply le_abs; lra.
-  + assert (MA : mag below 700) by (apply (reads_back below more 700 C (reads_finite _ _ C (proj1 MM)) (proj2 MM)); lia).
+  + assert (MA : mag below 700) by (apply (reads_back below more 700 C (reads_finite _ _ C (proj1 MM)) (proj2 MM));
+      lia).
     destruct (sub_distance _ _ _ 700 Lo MA eq_refl eq_refl) as (_ & Fc & D). change (700 + 2)%Z with 702%Z in *.
     apply abs_le in D. apply T; auto; apply le_abs; lra.
 Qed.

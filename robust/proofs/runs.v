@@ -124,3 +124,40 @@ Proof. runs ray m. Qed.
 Theorem sweep_passage_runs (m : mode) a b c d e f g h i j k l o p : exists answer,
   sweep_passage binary64 float floats a b c d e f g h i j k l o p answer.
 Proof. runs sweep_passage m. Qed.
+Theorem point_in_obb_runs (m : mode) a b c d e f g h i j k l o p q : exists answer,
+  point_in_obb binary64 float floats a b c d e f g h i j k l o p q answer.
+Proof. runs point_in_obb m. Qed.
+
+Section Obb.
+Variables (m : mode) (x y z : nat -> float) (wx wy wz : float) (sizes : nat -> float) (sum : float).
+Lemma size_runs a b c : exists s t, add floats (Plain (Babs a)) (Plain (Babs b)) t /\
+  add floats (Plain t) (Plain (Babs c)) s.
+Proof.
+destruct (some_sum m (Plain (Babs a)) (Plain (Babs b))) as [t T].
+destruct (some_sum m (Plain t) (Plain (Babs c))) as [s S]. eauto.
+Qed.
+Theorem obb_axes_runs : exists sizes sum, obb_axes binary64 float floats x y z wx wy wz sizes sum.
+Proof.
+destruct (size_runs (x 0%nat) (y 0%nat) (z 0%nat)) as (s0 & t0 & T0 & S0).
+destruct (size_runs (x 1%nat) (y 1%nat) (z 1%nat)) as (s1 & t1 & T1 & S1).
+destruct (size_runs (x 2%nat) (y 2%nat) (z 2%nat)) as (s2 & t2 & T2 & S2).
+destruct (size_runs (x 3%nat) (y 3%nat) (z 3%nat)) as (s3 & t3 & T3 & S3).
+destruct (size_runs (x 4%nat) (y 4%nat) (z 4%nat)) as (s4 & t4 & T4 & S4).
+destruct (size_runs (x 5%nat) (y 5%nat) (z 5%nat)) as (s5 & t5 & T5 & S5).
+destruct (size_runs wx wy wz) as (sw & tw & TW & SW).
+destruct (some_sum m (Plain s0) (Plain s1)) as [a A]. destruct (some_sum m (Plain a) (Plain s2)) as [b B].
+destruct (some_sum m (Plain s3) (Plain s4)) as [c C]. destruct (some_sum m (Plain c) (Plain s5)) as [d D].
+destruct (some_sum m (Plain b) (Plain d)) as [e E]. destruct (some_sum m (Plain sw) (Plain e)) as [s S].
+exists (fun i => match i with 0 => s0 | 1 => s1 | 2 => s2 | 3 => s3 | 4 => s4 | _ => s5 end)%nat, s.
+unfold obb_axes. exists t0. split; [exact T0|]. split; [exact S0|]. exists t1. split; [exact T1|]. split; [exact S1|].
+exists t2. split; [exact T2|]. split; [exact S2|]. exists t3. split; [exact T3|]. split; [exact S3|].
+exists t4. split; [exact T4|]. split; [exact S4|]. exists t5. split; [exact T5|]. split; [exact S5|].
+exists tw. split; [exact TW|]. exists sw. split; [exact SW|]. exists a. split; [exact A|]. exists b. split; [exact B|].
+exists c. split; [exact C|]. exists d. split; [exact D|]. exists e. split; [exact E|exact S].
+Qed.
+Theorem obb_volume_runs i : exists answer, obb_volume binary64 float floats x y z wx wy wz sizes sum i answer.
+Proof. runs obb_volume m. Qed.
+Theorem obb_axis_runs v w others : exists answer,
+  obb_axis binary64 float floats x y z wx wy wz sizes sum v w others answer.
+Proof. runs obb_axis m. Qed.
+End Obb.
