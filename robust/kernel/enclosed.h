@@ -21,7 +21,8 @@
 ///
 /// Bounds. They are derived to first order in units of E; each constant leaves a sixth or more of itself for what that
 /// neglects, factors 1 + T and 1 + u: proptests/machine/robust/toy_enclosed.cpp tries formats with T up to 2^-5. An
-/// `error` of another number is carried over times 5/4, which pays for the roundings in computing it too.
+/// `error` of another number is carried over times 5/4, which pays for the roundings in computing it too. For double all
+/// of them are proved, with what they neglect (docs/proofs.md).
 namespace touchstone::robust::kernel {
 
 /// u and E of a format, as doubles.
@@ -162,7 +163,8 @@ Enclosed<Float> operator*(const Enclosed<Float>& x, const Enclosed<Float>& y) {
           Format::above(1.25) * carried + Format::above(10 * cut<Float>) * Format::magnitude(term.head)};
 }
 
-/// start + t v for a t that is off by so much, as Sum has it, and that error times |v|.
+/// start + t v for a t that is off by so much, as Sum has it, and that error times |v|. t's tail is at most T of its
+/// head, or beyond that by no more than the error.
 template <class Float>
 Enclosed<Float> along(const Float& start, const Factor<Float>& t, const Float& error, const Factor<Float>& v) {
   using Format = filters::FloatFormat<Float>;
@@ -189,12 +191,11 @@ struct Divisor {
 
 /// high is of k digits: the quotient's head, q.
 ///
-/// q is off by T and 3 u, so q times the divisor's head is within a factor of two of n.high and its subtraction is
-/// exact (Sterbenz) if n is settled. q times the divisor's tail costs E; its subtraction, from a number of at most 2 T
-/// |n| + |n.low|, 4 E and u |n.low|; adding n.low, which leaves little more than T |n|, E; the divisor's tail itself is
-/// off by E. What is left times the inverse, which is off by 2 u: E and 2 E. Together 10 E of the quotient, and u
-/// |n.low / d|. If n is not settled, n.high is below 16 (|n.low| + n.error), and its subtraction may cost u (2.1
-/// |n.high| + 1.1 |n.low|), less than 35 u |n.low| + 34 u n.error, more. 14 E and 40 u |n.low| are taken.
+/// q is off by T and 6 u; let S = |q d|. q times the divisor's head leaves at most 2 T S + |n.low| of n.high, which
+/// costs 2 E S and u |n.low|, and nothing if n is settled (Sterbenz). q times the divisor's tail costs E S; its
+/// subtraction, which leaves little more than T S + |n.low|, E S and u |n.low|; adding n.low, which leaves little more
+/// than T S, E S; the divisor's tail itself is off by E. What is left times the inverse, which is off by 3 u: 3 E S and
+/// E S. Together 10 E of the quotient, and 2 u |n.low / d|; 14 E and 40 u |n.low| are taken.
 ///
 /// For the errors: n / d is off by (n.error + |n / d| d.error) / (|d| - d.error), and d.error <= |d| / 16.
 template <class Float>
@@ -223,6 +224,8 @@ Enclosed<Float> square_root(const Enclosed<Float>& x) {
 }
 
 /// The nearest Float to the enclosed number, if every number of the enclosure has the same. Zero is +0.
+///
+/// A tie is never answered: the ends lie to either side of it, so it does not matter where it would be rounded.
 ///
 /// The ends are rounded twice: before they are added to high, low + margin and low - margin are off by u (|low| +
 /// margin), for which margin has 2 u |low| + error / 4 to spare.

@@ -71,8 +71,22 @@ destruct EX as (h & Hh & _ & _ & B). pose proof (exactly_value _ _ Hq) as <-. re
 apply B; apply seen_value.
 Qed.
 
-(* What is answered is X rounded. *)
-Theorem rounded_right x X a : encloses x X -> rounded rnd x (Some a) -> value a = rnd X.
+(* Two numbers that are both nearest to x lie to either side of it, as far. *)
+Lemma no_tie other x y z : y < x < z -> rnd y = rnd z -> nearest other x = rnd x.
+Proof.
+intros I E.
+assert (N : forall c t g, float g -> Rabs (nearest c t - t) <= Rabs (g - t)).
+{ intros c t g G. exact (proj2 (round_N_pt radix2 (FLX_exp 53) c t) g G). }
+pose proof (nearest_le choice y x ltac:(lra)) as Y. pose proof (nearest_le choice x z ltac:(lra)) as Z.
+pose proof (N choice y _ (nearest_digits other x)) as Ny. pose proof (N choice z _ (nearest_digits other x)) as Nz.
+pose proof (N choice x _ (nearest_digits other x)) as Nx. pose proof (N other x _ (nearest_digits choice x)) as No.
+replace (rnd y) with (rnd x) in * by lra. replace (rnd z) with (rnd x) in * by lra.
+set (a := rnd x) in *. set (b := nearest other x) in *. clearbody a b.
+unfold Rabs in *. repeat destruct Rcase_abs; lra.
+Qed.
+
+(* What is answered is X rounded to nearest, wherever ties go: a number between two is none that is answered. *)
+Theorem rounded_right x X a other : encloses x X -> rounded rnd x (Some a) -> value a = nearest other X.
 Proof.
 intros EX R. pose proof (error_nonneg choice _ _ _ EX (seen_value _)) as E0. destruct EX as (h & Hh & SL & SE & B).
 destruct R as (t & -> & t1 & -> & m & (x1 & x2 & S1 & S2 & ->) & t3 & (l & x4 & Sl & S4 & ->) & above &
@@ -93,8 +107,22 @@ assert (A1 : Rabs (l + m) <= (1 + u) * L + m) by (clear - Ll M0; bounds; apply l
 assert (A2 : Rabs (k - m) <= (1 + u) * L + m) by (clear - Lk M0; bounds; apply le_abs; numbers).
 pose proof (near choice _ _ A1) as N1. pose proof (near choice _ _ A2) as N2.
 set (up := rnd (l + m)) in *. set (down := rnd (k - m)) in *.
-assert (X <= h + up) by (clear - Bl N1 N S1 S2 L0 E0 M0; bounds; numbers).
-assert (h + down <= X) by (clear - Bk N2 N S1 S2 L0 E0 M0; bounds; numbers).
-pose proof (nearest_le choice X (h + up)). pose proof (nearest_le choice (h + down) X). lra.
+destruct (Rle_or_lt (e + L) 0) as [Z|P].
+- (* one number *)
+  assert (X = h) as -> by (clear - Bk Lk Z E0 L0; bounds; numbers). destruct Hh as [D _].
+  assert (U : 0 <= up) by (clear - N1 N S1 S2 Ll L0 E0 M0 Z; bounds; numbers).
+  assert (V : down <= 0) by (clear - N2 N S1 S2 Lk L0 E0 M0 Z; bounds; numbers).
+  pose proof (nearest_le choice h (h + up) ltac:(lra)). pose proof (nearest_le choice (h + down) h ltac:(lra)).
+  rewrite (nearest_exact other h) by exact D. pose proof (nearest_exact choice h D). lra.
+- assert (U : X < h + up) by (clear - Bl N1 N S1 S2 L0 E0 M0 P; bounds; numbers).
+  assert (V : h + down < X) by (clear - Bk N2 N S1 S2 L0 E0 M0 P; bounds; numbers).
+  pose proof (nearest_le choice (h + down) X ltac:(lra)). pose proof (nearest_le choice X (h + up) ltac:(lra)).
+  rewrite (no_tie other X (h + down) (h + up)) by lra. lra.
 Qed.
 End Along.
+
+(* The zero of that answer: a sum with +0 is never -0. *)
+From Flocq Require Import IEEE754.BinarySingleNaN IEEE754.Binary.
+Theorem zero_is_positive prec_ok emax_ok nan s :
+  Bplus 53 1024 prec_ok emax_ok nan mode_NE (B754_zero 53 1024 s) (B754_zero 53 1024 false) = B754_zero 53 1024 false.
+Proof. now destruct s. Qed.

@@ -31,7 +31,7 @@ import mutants
 SKIPPED = 77  # for CTest
 SHARE = {"cross_sign", "orientation", "elevation", "plane"}
 KINDS = ("right", "binary64", "runs")
-OTHERS = ["rounds_to_nearest_right", "gradual_computes", "flushed_computes"]
+OTHERS = ["zero_is_positive", "rounds_to_nearest_right", "gradual_computes", "flushed_computes"]
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 AXIOMS = {  # of the classical real numbers of Coq's standard library
