@@ -11,27 +11,25 @@ Hypothesis symmetric : forall x, choice x = negb (choice (- (x + 1))).
 Notation rnd := (nearest choice).
 Notation encloses := (encloses choice).
 
-(* t is X, but for e: its head, and a tail that may be beyond its bound by e *)
+(* t is X, but for e: a head, a tail rounded, which may be beyond its bound by e *)
 Theorem along_factor_right start s t error v c X V r : exactly start s -> 0 <= c <= 6 / 5 -> factors c v V ->
-  (exists h, exactly (factor_head t) h /\ digits kept h /\
-    let e := value error in let l := value (factor_tail t) in 0 <= e /\ Rabs (X - (h + l)) <= e /\
-    Rabs l <= (1 + / 2 ^ 20) * T * Rabs h + e) ->
+  (exists h X0, exactly (factor_head t) h /\ digits kept h /\
+    let e := value error in let l := value (factor_tail t) in 0 <= e /\ Rabs (X - X0) <= e /\
+    Rabs (X0 - (h + l)) <= (1 + / 2 ^ 20) * E * Rabs h /\ Rabs l <= (1 + / 2 ^ 20) * T * Rabs h + e) ->
   along_factor rnd start t error v r -> encloses r (s + X * V).
 Proof.
-intros Hs C (hv & Hv & Dv & V1 & V2 & V3) (h & Hh & Dh & E0 & BX & Bl) R.
+intros Hs C (hv & Hv & Dv & V1 & V2 & V3) (h & X0 & Hh & Dh & E0 & BX & B0 & Bl) R.
 destruct R as (p & (p1 & -> & p2 & -> & p3 & -> & p4 & (x1 & x2 & S1 & S2 & ->) & ->) & s1 & F & s2 & A & q & Q & t5 &
   -> & t6 & -> & t7 & (e0 & x6 & Se & S6 & ->) & ->).
 destruct A as (s3 & A & ->).
 rewrite (exactly_value _ _ Hh), (exactly_value _ _ Hv) in *. cbv zeta in *.
 cbn [value magnitude] in *. names (5 / 4) S6.
 set (l := value (factor_tail t)) in *. set (e := value error) in *. set (wv := value (factor_whole v)) in *.
-destruct (product_tail choice h l hv (value (factor_tail v)) wv (rnd (x1 + x2)) c e (h + l) V) as [P1 P2];
-  auto; try lra.
-{ rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. destruct (size h). numbers. }
+destruct (product_tail choice h l hv (value (factor_tail v)) wv (rnd (x1 + x2)) c e X0 V) as [P1 P2]; auto; try lra.
 { exists x1, x2. auto. }
 set (w := e * Rabs hv) in *. destruct (size hv) as [H0 H1], (size (h * hv)) as [M0 _].
 assert (w0 : 0 <= w) by now apply Rmult_le_pos.
-destruct (first_holds choice _ ((h + l) * V) _ w w0 F) as [M H].
+destruct (first_holds choice _ (X0 * V) _ w w0 F) as [M H].
 { exists (h * hv). cbn [term2_head term2_tail]. pose proof (head_product h hv Dh Dv) as D. split.
   - split; [exact D|]. intros y [-> | ->]; [now apply nearest_exact|reflexivity].
   - split; [easy|]. intros y ->. split; [|exact P2]. apply Rle_trans with (1 := P1). clear - C M0.
@@ -49,7 +47,7 @@ assert (WW : (1 - / 2 ^ 22) * w <= e * Rabs wv).
 { unfold w. replace ((1 - / 2 ^ 22) * (e * Rabs hv)) with (e * ((1 - / 2 ^ 22) * Rabs hv)) by ring.
   now apply Rmult_le_compat_l. }
 assert (BV : Rabs V <= (1 + / 2 ^ 23) * Rabs hv) by (clear - V1 V2 H0 H1; bounds; apply le_abs; numbers).
-assert (BX1 : Rabs (X - (h + l)) <= 1 * e) by lra. pose proof (prod_le _ _ _ _ _ _ BX1 BV) as BXV. fold w in BXV.
+assert (BX1 : Rabs (X - X0) <= 1 * e) by lra. pose proof (prod_le _ _ _ _ _ _ BX1 BV) as BXV. fold w in BXV.
 destruct (near_pos choice (5 / 4 * e)) as [N1 _]; [lra|]. set (t5 := rnd (5 / 4 * e)) in *.
 assert (T5 : 0 <= t5) by numbers. apply product_seen in S6; [|apply Rmult_le_pos; [exact T5|apply Rabs_pos]].
 assert (N2 : (1 - u) * (5 / 4 * (e * Rabs wv)) <= t5 * Rabs wv).
@@ -57,16 +55,17 @@ assert (N2 : (1 - u) * (5 / 4 * (e * Rabs wv)) <= t5 * Rabs wv).
   apply Rmult_le_compat_r; [apply Rabs_pos|exact N1]. }
 set (a := t5 * Rabs wv) in *. set (b := e * Rabs wv) in *. clearbody a b.
 destruct (near_pos choice (e0 + x6)) as [N3 _]; [clear - e00 S6 N2 WW w0; numbers|].
-replace (s + X * V - (k + y)) with (((h + l) * V + s - (k + y)) + (X - (h + l)) * V) by ring.
+replace (s + X * V - (k + y)) with ((X0 * V + s - (k + y)) + (X - X0) * V) by ring.
 apply Rle_trans with (1 := Rabs_triang _ _). clear - N3 e00 S6 N2 WW w0 Off BXV. numbers.
 Qed.
 Theorem along_right start s t v c X V r : exactly start s -> encloses t X -> quotient t -> 0 <= c <= 6 / 5 ->
   factors c v V -> along rnd start t v r -> encloses r (s + X * V).
 Proof.
 intros Hs EX (q & Hq & Dq & Bq) C FV (r' & R & ->).
-apply (along_factor_right start s _ _ v c X V r' Hs C FV) with (2 := R). exists q. cbv zeta.
-cbn [factor_head factor_tail]. split; [exact Hq|]. split; [exact Dq|].
-split; [exact (error_nonneg choice _ _ _ EX (seen_value _))|]. split; [|exact Bq].
+apply (along_factor_right start s _ _ v c X V r' Hs C FV) with (2 := R). exists q, (q + value (enclosed_low t)).
+cbv zeta. cbn [factor_head factor_tail]. split; [exact Hq|]. split; [exact Dq|].
+split; [exact (error_nonneg choice _ _ _ EX (seen_value _))|]. split.
+2: { split; [|exact Bq]. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. destruct (size q). numbers. }
 destruct EX as (h & Hh & _ & _ & B). pose proof (exactly_value _ _ Hq) as <-. rewrite (exactly_value _ _ Hh).
 apply B; apply seen_value.
 Qed.
