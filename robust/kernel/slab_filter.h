@@ -17,6 +17,12 @@ namespace touchstone::robust::filters {
 /// No slab is looked at on its own, so that nothing but the loop is a branch. What no slab may be shows in the least
 /// of the normals' sums (0: perhaps a zero normal), in the least width (0: perhaps flat, below: min > max), and in a
 /// sum over all slabs that NaN and infinities never leave; where finite numbers overflow, that only costs time.
+///
+/// Where DAZ makes comparisons see zeros, the least may be another than the true one, or be kept as zero (x86's minimum
+/// does that), but then both are below n, and A pays for that too. That every slab is valid, though, needs all
+/// operations of a call to see alike: if one comparison saw zeros for the sums 0 and n / 2 of two normals, and the last
+/// one did not, n / 2 could hide the 0. One control word for all of a call gives that. Proved, for any number of slabs,
+/// by slab_right.
 template <class Float, class Format = FloatFormat<Float>>
 class SlabDepths {
  public:

@@ -13,7 +13,7 @@ TYPES = {
 ANSWERS = {"Sign::unknown": "unknown", "Sign::positive": "positive", "Sign::negative": "negative",
            "std::nullopt": "None", "Location::inside": "Some Inside", "Location::outside": "Some Outside"}
 TOKEN = re.compile(
-    r"\s*(?:(\d+)|((?:[A-Za-z_]\w*|::)(?:::\w+)*)|(\+=|<=|>=|\+\+|&&|\|\||[-+*/(){}\[\],;<>=!&|?:.]))")
+    r"\s*(?:(\d+)|((?:[A-Za-z_]\w*|::)(?:::\w+)*)|(\+=|\^=|<=|>=|\+\+|&&|\|\||[-+*/(){}\[\],;<>=!&|?:.^~]))")
 
 
 class Number:
@@ -82,8 +82,7 @@ class Run:
 
     def number(self, value):
         if isinstance(value, Real):
-            result = self.step("constant", value, wish="c")
-            return result
+            return self.step("constant", value, wish="c")
         if not isinstance(value, Number):
             raise SystemExit(f"not a number: {value!r}")
         return value
@@ -99,8 +98,9 @@ class Run:
             return self.fieldwise(operator, left, right)
         if isinstance(left, Index) and isinstance(right, tuple) and operator == "+":
             return Index(f"({left} + {right[0]})%nat")
-        if isinstance(left, tuple) or isinstance(right, tuple):  # exponents
+        if isinstance(left, tuple) and isinstance(right, tuple):  # exponents
             return exponents(operator, left, right)
+        left, right = (Real(x[0]) if isinstance(x, tuple) and not x[1] else x for x in (left, right))
         if operator == "*":
             left, right = self.number(left), self.number(right)
             return self.step("mul", left, right, factors=(left, right))
@@ -131,7 +131,11 @@ class Run:
         name = last if of != "B" else name
         if name == "Float":
             return arguments[0] if arguments else Real("0")
-        if name == "magnitude":
+        if name == "infinity":  # no number of the machine
+            return Answer("None")
+        if name == "bits":  # of which one is read, the sign
+            return Truth(self.step("signed", self.number(arguments[0]), wish="b").name)
+        if name in ("magnitude", "fabs"):
             return Number(f"(magnitude M {self.number(arguments[0])})")
         if name == "relative":
             c, d = arguments
@@ -161,7 +165,8 @@ class Run:
         bounds, mine = self.bounds, self.owner
         self.owner = owner or self.owner
         self.bounds = chosen_bounds(body, bounds if owner in (None, mine) else owner)
-        result = Body(self, body, scope, re.match(r"\s*(?:inline )?(\w+)", whole)[1]).run()
+        kind = re.match(r"(?:static |constexpr |inline )*(\w+)", whole.strip())[1]
+        result = Body(self, body, scope, kind).run()
         self.owner, self.bounds = mine, bounds
         return result
 
@@ -204,8 +209,8 @@ def power(exponent):
 class Body:
     """Statements and expressions."""
 
-    def __init__(self, run, text, scope, returned=None):
-        self.r, self.scope, self.returned = run, scope, returned
+    def __init__(self, run, text, scope, kind=None):
+        self.r, self.scope, self.kind = run, scope, kind
         self.tokens, at = [], 0
         text = self.unfolded(text).rstrip()
         while at < len(text):
@@ -250,13 +255,15 @@ class Body:
             self.take("return")
             then = self.expression()
             self.take(";")
-            return Answer(f"if {condition} then {then} else {self.run()}")
+            otherwise = self.run()
+            some = "Some " if then == "None" and isinstance(otherwise, Number) else ""
+            return Answer(f"if {condition} then {then} else {some}{otherwise}")
         if token == "for":
             self.loop()
             return self.run()
         if token == "return":
             self.take()
-            value = self.initialiser(self.returned) if self.peek() == "{" else self.expression()
+            value = self.initialiser(self.kind) if self.peek() == "{" else self.expression()
             self.take(";")
             return value
         self.declaration()
@@ -269,28 +276,35 @@ class Body:
             kind = self.take()
             while self.peek() == "&":
                 self.take()
-        elif self.tokens[self.at + 1] not in ("=", "["):
+        elif self.tokens[self.at + 1] not in ("=", "+=", "^=", "["):
             raise SystemExit(f"statement not understood: {' '.join(self.tokens[self.at:self.at + 8])}")
         if kind == "auto" and self.peek() == "[":
             self.binding()
             return
         while True:
-            name, index = self.take(), None
+            names, index = [self.take()], None
             if self.peek() == "[":
                 self.take()
                 index = self.expression()
                 self.take("]")
-            if self.peek() == "=":
-                self.take()
+            changed = self.take() if self.peek() in ("=", "+=", "^=") else "="
+            while self.tokens[self.at + 1] == "=" != self.tokens[self.at + 2]:  # a = b = ...
+                names.append(self.take())
+                self.take("=")
             value = self.initialiser(kind) if self.peek() == "{" else self.expression()
+            if changed == "+=":
+                value = self.r.arithmetic("+", self.scope[names[0]], value)
+            if changed == "^=":
+                value = Truth(f"(xorb {self.scope[names[0]]} {value})")
             steps = self.r.steps
             if isinstance(value, Number) and steps and steps[-1][0] is value and re.fullmatch(r"t\d*", value.name):
-                value.name = self.r.fresh(name.rstrip("_")) if index is None else self.element(name, index)
+                value.name = (self.r.fresh(names[0].rstrip("_")) if index is None
+                              else self.element(names[0], index))
             if index is not None:
                 if not isinstance(value, Number) or value.factors or value.name not in self.r.elements:
                     raise SystemExit(f"no element: {value}")
-                value = Array(name.rstrip("_"), "Float")
-            self.scope[name] = value
+                value = Array(names[0].rstrip("_"), "Float")
+            self.scope.update(dict.fromkeys(names, value))
             if self.take() == ";":
                 return
 
@@ -339,11 +353,11 @@ class Body:
                 self.take()
         self.take("}")
         if all(isinstance(v, Number) for v in values):
-            return dict(zip(TYPES.get(kind, "x y z").split(), values))
+            return dict(zip(self.r.source.structs.get(kind) or TYPES.get(kind, "x y z").split(), values))
         raise SystemExit("braces around what is no vector")
 
     def expression(self, level=0):
-        levels = [("?",), ("|", "||"), ("&", "&&"), (">", "<", ">=", "<="), ("+", "-"), ("*", "/")]
+        levels = [("?",), ("|", "||"), ("^",), ("&", "&&"), (">", "<", ">=", "<="), ("+", "-"), ("*", "/")]
         if level == len(levels):
             return self.unary()
         left = self.expression(level + 1)
@@ -359,13 +373,15 @@ class Body:
             right = self.expression(level + 1)
             if operator in ("|", "||", "&", "&&"):
                 left = Truth(f"({left} {operator[0] * 2} {right})")
-            elif level == 3:
+            elif operator == "^":
+                left = Truth(f"(xorb {left} {right})")
+            elif level == 4:
                 if isinstance(left, Truth) and isinstance(right, tuple):
                     continue
                 left = self.r.compare(operator, left, right)
             else:
                 left = self.r.arithmetic(operator, left, right)
-        if level == 3 and self.peek() == "=" and self.tokens[self.at + 1] == "=":  # (known & guarded) == 0
+        if level == 4 and self.peek() == "=" and self.tokens[self.at + 1] == "=":  # (known & guarded) == 0
             self.take(), self.take(), self.take("0")
             left = Truth(f"(negb {left})")
         if level == 3 and self.peek() == "!" and isinstance(left, Truth):  # beyond != 0
@@ -373,7 +389,7 @@ class Body:
         return left
 
     def unary(self):
-        if self.peek() == "!":
+        if self.peek() in ("!", "~"):
             self.take()
             return Truth(f"(negb {self.unary()})")
         token = self.take()

@@ -23,7 +23,8 @@ From Filters Require Import model.
 Open Scope R_scope.
 """
 # Definition, function or class and method, how many axes a pack has. A class's "this" is its constructor, as a
-# definition of its own: it relates what it is made of to what it computes, and "kept" methods start from both.
+# definition of its own: it relates what it is made of to what it computes, and "kept" methods start from both. Of a
+# class alone, all of it (see folded). Several functions are one filter: its definitions are the name of it and theirs.
 FILTERS = [
     ("cross_sign", "cross_sign"),
     ("orientation", "orientation"),
@@ -46,6 +47,9 @@ FILTERS = [
     ("obb_volume", "ObbAxes.volume_is_certain", "kept"),
     ("obb_axis", "ObbAxes.on_axis", "kept"),
     ("point_in_obb", "point_in_obb"),
+    ("slab", "SlabDepths"),
+    ("crossings", "Crossings"),
+    ("kdop", ("height", "greater_extent", "lower", "higher", "doubt", "between")),
 ]
 
 
@@ -127,17 +131,30 @@ def extracted(source, name, function, *how):
     return shown(name, run, names, hidden, answer), run.used
 
 
+def several(source, name, functions):
+    texts, used = [], {}
+    for function in functions:
+        text, parts = extracted(source, f"{name}_{function}", function)
+        texts.append(text)
+        used.update(parts)
+    return "\n".join(texts), used
+
+
 def shown(name, run, names, hidden, answer):
-    kind = "bool" if isinstance(answer, Truth) else "option location" if "Some" in (answer or "") else "sign"
-    of_answer = f" (answer : {kind})" if answer else ""
-    lines = [f"Definition {name} (F : format) T (M : machine T) {bound(names)}{of_answer} :="]
-    for result, operation, operands in run.steps:
+    if answer is None:
+        return defined(run, name, names, "", "", hidden)
+    kind = ("T" if isinstance(answer, Number) else "bool" if isinstance(answer, Truth) else
+            "option location" if "Inside" in answer else "option T" if "None" in answer else "sign")
+    return defined(run, name, names, f" (answer : {kind})", f"answer = {answer}", hidden)
+
+
+def defined(run, name, names, result, last, hidden=()):
+    lines = [f"Definition {name} (F : format) T (M : machine T) {bound(names)}{result} :="]
+    for step, operation, operands in run.steps:
         them = " ".join(f"({' '.join(map(str, o))})" if isinstance(o, tuple) else str(o) for o in operands)
-        exists = "" if result.name in hidden or result.name in run.elements else f"exists {result}, "
-        lines.append(f"  {exists}{operation} M {them} {result} /\\")
-    if not answer:
-        return "\n".join(lines)[:-3] + "."
-    return "\n".join(lines + [f"  answer = {answer}."])
+        exists = "" if step.name in hidden or step.name in run.elements else f"exists {step}, "
+        lines.append(f"  {exists}{operation} M {them} {step} /\\")
+    return "\n".join([*lines, f"  {last}."]) if last else "\n".join(lines)[:-3] + "."
 
 
 def scope_of(run, parameters, names):
@@ -152,12 +169,70 @@ def digest(parts):
     return hashlib.sha256("\n".join(" ".join(part.split()) for part in parts).encode()).hexdigest()[:16]
 
 
+def folded(source, name, owner):
+    """A class that its constructor starts, that add goes on with and that sign ends. Of each a definition: from the
+    numbers of the class (the constructor has none yet) and its arguments to these numbers again, or to the answer."""
+    kept, used, texts = [n for kind, n in source.data[owner] if kind == "Float"], {}, []
+    for method in ("this", "add", "sign"):
+        run, names = Run(source, 0), []
+        run.owner, run.bounds = owner, "Bounds"
+        parameters, body, whole = source.classes[owner][method]
+        before = [(kind, n) for kind, n in source.data[owner] if method != "this"]
+        run.members = {n: parameter(run, kind, n.rstrip("_"), names) for kind, n in before}
+        given = scope_of(run, parameters, names)
+        scope = {**run.members, **given}
+        if method == "this":
+            run.members = scope
+        argued = {n: v for n, v in scope.items() if isinstance(v, dict)}
+        answer = Body(run, body, scope).run()
+        for n, value in scope.items():  # other than numbers, a class keeps what its constructor was given, as it was
+            if n.endswith("_") and n not in kept and not any(value is v for v in argued.values()):
+                raise SystemExit(f"{owner}.{method}: {n} is changed")
+        run.used[f"{owner}.{method}"] = whole
+        used.update(run.used)
+        if method == "sign":
+            texts.append(defined(run, f"{name}_sign", names, " (answer : sign)", f"answer = {answer}"))
+        else:
+            after = [run.fresh(f"{n}after") for n in kept]
+            result = " /\\ ".join(f"{a} = {scope[n]}" for a, n in zip(after, kept))
+            texts.append(defined(run, f"{name}_{'first' if method == 'this' else method}", names,
+                                 f" ({' '.join(after)} : T)", result))
+    return "\n".join(texts), used
+
+
+def crossings(source, name, owner):
+    """Of robust/polygons/point_in_polygon.cpp: what one lane adds, and what is answered of two."""
+    texts = []
+    for method, lanes in (("add", ("",)), ("location", ("0", "1"))):
+        run, names = Run(source, 0), []
+        run.owner, run.bounds = owner, "Bounds"
+        parameters, body, _ = source.classes[owner][method]
+        parities = [Truth(run.fresh(f"parity{lane}")) for lane in lanes]
+        kept = {n: [parameter(run, "Float", f"{n}{lane}", names) for lane in lanes]
+                for n in ("sum_x", "sum_y", "least")}
+        kept["parity"] = parities
+        scope = {f"{n}_": v if len(lanes) > 1 else v[0] for n, v in kept.items()}
+        scope.update(scope_of(run, parameters, names))
+        answer = Body(run, body, scope).run()
+        bools = f" ({' '.join(parities)} : bool)"
+        if method == "add":
+            after = [run.fresh(f"{n}_after") for n in kept]
+            bools += f" ({' '.join(after[:3])} : T) ({after[3]} : bool)"
+            answer = " /\\ ".join(f"{a} = {scope[n + '_']}" for a, n in zip(after, kept))
+        else:
+            bools, answer = bools + " (answer : option location)", f"answer = {answer}"
+        texts.append(defined(run, f"{name}_{method}", names, bools, answer))
+    return "\n".join(texts), {owner: source.crossings, **run.used}
+
+
 def all_of(root):
     """The files of definitions, and for each filter its name, its definition and a digest of what it came from."""
     root = pathlib.Path(root)
     source, found = Source(root), []
     for row in FILTERS:
-        definition, used = extracted(source, *row)
+        how = (several if isinstance(row[1], tuple) else crossings if row[1] == "Crossings" else
+               folded if source.data.get(row[1]) else extracted)
+        definition, used = how(source, *row)
         found.append((row[0], definition, digest([source.relative] + [used[k] for k in sorted(used)])))
     files = {
         "constants": f"{HEAD}Definition relative (twice_c d u : R) := {source.relative}.\n",

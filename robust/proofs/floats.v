@@ -38,7 +38,8 @@ Definition floats : machine float := {|
     b = match Bcompare x' y' with Some Gt => true | _ => false end;
   at_most x y b := exists x' y', reads x x' /\ reads y y' /\
     b = match Bcompare x' y' with Some Lt => true | Some Eq => true | _ => false end;
-  choose b x y z := reads (if b then x else y) z |}.
+  choose b x y z := reads (if b then x else y) z;
+  signed x b := is_nan x = false -> b = Bsign x |}.
 
 (* What an operation on finite numbers may give for the exact result r. *)
 Definition outcome r (z : float) := exists m,

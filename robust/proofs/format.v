@@ -53,7 +53,8 @@ Definition machine64 : machine R := {|
   sub p q z := exists x y, operands p q x y /\ result (x - y) z;
   greater x y b := exists x' y', read64 x x' /\ read64 y y' /\ (b = true <-> x' > y');
   at_most x y b := exists x' y', read64 x x' /\ read64 y y' /\ (b = true <-> x' <= y');
-  choose b x y z := read64 (if b then x else y) z |}.
+  choose b x y z := read64 (if b then x else y) z;
+  signed x b := (x < 0 -> b = true) /\ (0 < x -> b = false) |}.
 
 Lemma operands_model p q x y : operands p q x y -> uses binary64 p x /\ uses binary64 q y.
 Proof. destruct p, q; unfold operands, rounded_operand, exact_product, uses, read64; intuition. Qed.
@@ -75,6 +76,21 @@ split; [|split].
 - intros x y z (x' & y' & X & Y & Z). exists x', y'. auto using result_rounded.
 - intros p q z (x & y & O & Z). apply operands_model in O as [X Y]. exists x, y. auto using result_rounded.
 - intros p q z (x & y & O & Z). apply operands_model in O as [X Y]. exists x, y. auto using result_rounded.
+Qed.
+
+(* of numbers of the format *)
+Theorem growing_in_binary64 x y z : generic_format radix2 fexp x -> generic_format radix2 fexp y ->
+  add machine64 (Plain x) (Plain y) z -> add (growing binary64) (Plain x) (Plain y) z.
+Proof.
+intros X Y (x' & y' & O & Z). assert (R : forall v v', generic_format radix2 fexp v -> read64 v v' ->
+  generic_format radix2 fexp v') by (intros v v' W [->|[-> _]]; [exact W|apply generic_format_0]).
+assert (XY : generic_format radix2 fexp x' /\ generic_format radix2 fexp y')
+  by (destruct O as [[A B]|[[[] _]|[_ []]]]; split; eauto).
+destruct XY as [X' Y']. apply operands_model in O as [A B]. exists x', y'.
+split; [exact A|]. split; [exact B|]. split; [now apply result_rounded|]. intros Px Py.
+destruct Z as [->|[-> L]]; [left|right; split; [easy|apply Rle_lt_trans with (2 := L), Rle_abs]].
+split; [rewrite <- (round_generic radix2 fexp rnd x' X') at 1|rewrite <- (round_generic radix2 fexp rnd y' Y') at 1];
+  apply round_le; auto with typeclass_instances; lra.
 Qed.
 End Machine.
 

@@ -251,6 +251,7 @@ Ltac fine_powers u Hu :=
 
 (* the ghost of a bound, from below: in units of the exact differences, or (here) of the computed ones *)
 Ltac lows_here Hu := match goal with
+  | L : low _ _ ?x _ |- low _ _ ?x _ => exact L
   | |- low _ _ ((?x + ?y) * (1 + ?e)) _ => eapply low_add; [exact Hu| | |eassumption|reflexivity]; lows_here Hu
   | |- low _ _ (?x * ?y * (1 + ?e)) _ => eapply low_mul; [exact Hu| | |eassumption|reflexivity]; lows_here Hu
   | |- low _ _ (Rabs ?x) _ => apply low_self; apply Rabs_pos

@@ -17,7 +17,7 @@ ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 
 def mutants(root):
     """(what, header, text): each constant one unit smaller, in its last parameter and in its first."""
-    for name in source.HEADERS + enclosed.HEADERS:
+    for name in source.READ + enclosed.HEADERS:
         text = (root / name).read_text(encoding="utf-8")
         def other_text(found, other):
             where = text.count("\n", 0, found.start()) + 1
@@ -39,7 +39,7 @@ def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in source.HEADERS + enclosed.HEADERS:
+        for name in source.READ + enclosed.HEADERS:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):

@@ -5,8 +5,18 @@ import re
 HEADERS = ["geometry/points.h", "geometry/space.h"] + [
     f"robust/kernel/{name}.h"
     for name in "filters plane_filter slab_filter sphere_filter sphere_box_filter sweep_filter face_filter obb_filter "
-    "contact_filter".split()
+    "contact_filter extreme_filter".split()
 ]
+
+
+CROSSINGS = "robust/polygons/point_in_polygon.cpp"
+READ = [*HEADERS, CROSSINGS]
+
+
+def of_lanes(text):
+    """Crossings, which works on two doubles at a time, as what it does in each lane."""
+    text = re.sub(r"\b(Lanes|double)\b", "Float", text.replace("Perhaps<Location>", "Location"))
+    return text.replace("filters::Bounds", "Bounds")
 
 
 def cleaned(text):
@@ -22,7 +32,7 @@ class Source:
     """Functions, classes and their methods of all headers, as text."""
 
     def __init__(self, root):
-        self.functions, self.classes = {}, {}
+        self.functions, self.classes, self.structs, self.data = {}, {}, {}, {}
         filters = cleaned((root / "robust/kernel/filters.h").read_text(encoding="utf-8"))
         # Read as Coq just as it is.
         body = r"static Float relative\(\) \{\n    constexpr double c = ([-+*/ ()\w]+);\n"
@@ -38,6 +48,12 @@ class Source:
             functions = r"^(?:inline )?(\w+|Perhaps<\w+>) (operator[-+]|\w+)\(([^{;]*)\) \{\n(.*?)^\}"
             for found in re.finditer(functions, text, re.M | re.S):
                 self.add(found[2], found[3], found[4], found[0])
+        text = cleaned(of_lanes((root / CROSSINGS).read_text(encoding="utf-8")))
+        parts = r"^\w+ (?:bits|lesser)\([^\n]*\}$|^\w+ (?:magnitude|by_filter)\(.*?^\}$|^struct Crossings .*?^\};"
+        self.crossings = "\n".join(re.findall(parts, text, re.M | re.S))
+        self.add_class("Crossings", re.search(r"^struct Crossings \{\n(.*?)^\};", text, re.M | re.S)[1])
+        found = re.search(r"^Float (lesser)\((.*?)\) \{ (.*?) \}$", text, re.M)
+        self.add(*found.groups(), found[0])
 
     def add(self, name, parameters, body, whole):
         kinds = tuple(re.sub(r"const |&|\.\.\. ?", "", p).split() for p in split(parameters))
@@ -59,6 +75,10 @@ class Source:
         if found:
             members["B"] = ("", found[0], found[0])
         self.classes[name] = members
+        for found in re.finditer(r"^  struct (\w+) \{\n\s*Float ([\w, ]+);\n  \};", body, re.M):
+            self.structs[found[1]] = found[2].split(", ")
+        self.data[name] = [(kind, n) for kind, names in re.findall(r"^  (\w+) ((?:\w+_, )*\w+_);$", body, re.M)
+                           for n in names.split(", ")]
 
 
 def split(text):

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "robust/kernel/filters.h"
+#include "robust/kernel/extreme_filter.h"
 #include "robust/kernel/outward.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid_space.h"
@@ -21,26 +21,11 @@ std::array<kernel::Term, 3> height(const Vector3d& n, const Point3d& p) {
   return {kernel::term(n.x, p.x), kernel::term(n.y, p.y), kernel::term(n.z, p.z)};
 }
 
-double computed(const Vector3d& n, const Point3d& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
-
 /// The greatest sum of magnitudes of a point's coordinates.
 double greatest_extent(const std::vector<Point3d>& points) {
   double greatest = 0;
-  for (const Point3d& p : points) {
-    const double size = filters::extent(p.x, p.y, p.z);
-    greatest = size > greatest ? size : greatest;
-  }
+  for (const Point3d& p : points) greatest = filters::greater_extent(p, greatest);
   return greatest;
-}
-
-/// How far apart two computed N . P may be whose order is not that of the exact ones. As robust/kernel/plane_filter.h
-/// has it for one of them, 3 u + 48 u^2 times the product of the extents, and A; for two, and the rounding of their
-/// difference, three times that are taken. Infinite where the guard does not hold.
-double doubt(const Vector3d& n, double of_points) {
-  using B = filters::Bounds<double>;
-  const double of_normal = filters::extent(n.x, n.y, n.z);
-  if (!(of_normal + of_points <= B::high())) return infinity;
-  return B::relative<18, 144>() * (of_normal * of_points) + 4 * B::absolute();
 }
 
 /// visit(point) for every point that may have the least or the greatest N . P.
@@ -48,13 +33,12 @@ template <class Visit>
 bool for_each_candidate(const std::vector<Point3d>& points, const Vector3d& n, double of_points, const Visit& visit) {
   double low = infinity, high = -infinity;
   for (const Point3d& p : points) {
-    const double value = computed(n, p);
-    low = value < low ? value : low, high = value > high ? value : high;
+    const double value = filters::height(n, p);
+    low = filters::lower(value, low), high = filters::higher(value, high);
   }
-  const double apart = doubt(n, of_points);
+  const double apart = filters::doubt(n, of_points);
   for (const Point3d& p : points) {
-    const double value = computed(n, p);
-    if (value - low > apart && high - value > apart) continue;
+    if (filters::between(filters::height(n, p), low, high, apart)) continue;
     if (!visit(p)) return false;
   }
   return true;
