@@ -23,7 +23,8 @@ sys.dont_write_bytecode = True
 STAGES = ("filter", "enclosed", "lattice", "exact")
 KINDS = {"decision": "words are equal", "measure": "numbers in ulps", "set": "equal as sets",
          "checked": "a checker accepts it", "covering": "nothing is missing"}
-PARTS_OF_FILTERS = {"FloatFormat", "Sign", "Bounds", "by_sign", "power_of_two", "extent", "apart"}
+PARTS_OF_FILTERS = {"FloatFormat", "Sign", "Meeting", "Bounds", "by_sign", "power_of_two", "extent", "apart", "slab",
+                    "beyond_interval"}
 UNPROVED = re.compile(r"Not proved by\s(?:\s*/// )?machine")  # as the comment of such a bound says
 BEGIN, END = "<!-- made by proptests/status.py -->\n", "<!-- end -->\n"
 
@@ -69,10 +70,15 @@ def sources_of(chapter, name):
 
 def filters_of(chapter, name):
     """Those that it may ask, itself or by what it uses."""
-    proved = {row[1].partition(".")[0] for row in importlib.import_module("extract").FILTERS}
+    shown = {}  # of a function or class with a theorem, the name
+    for title, function, *_ in importlib.import_module("extract").FILTERS:
+        shown.update({part: title for part in function} if isinstance(function, tuple) else
+                     {function.partition(".")[0]: function.partition(".")[0]})
     texts = sources_of(chapter, name).values()
-    used = {found for text in texts for found in re.findall(r"\bfilters::(\w+)", text)} - PARTS_OF_FILTERS
-    cells = [f"`{filter_}`" + ("" if filter_ in proved else " (derived)") for filter_ in sorted(used)]
+    uses = r"\bfilters::(\w+)|^struct (Crossings) "
+    used = {of[0] or of[1] for text in texts for of in re.findall(uses, text, re.MULTILINE)} - PARTS_OF_FILTERS
+    cells = sorted({f"`{shown[part]}`" if part in shown else f"`{part}` (derived)" for part in used})
+    cells += ["`enclosed.h`"] * ("enclosed" in stages_of(chapter, name))
     return cells + ["a bound of its own (derived)"] * any(UNPROVED.search(text) for text in texts)
 
 
@@ -163,8 +169,8 @@ the chapters:
 - *stages of robust*: in the order in which they are asked, where they can be asked one by one. `filter`: double and a
   proved bound. `enclosed`: half as many digits more, and a rounding test. `lattice`: integers below 2^61, products in
   128 bits. `exact`: integers of any size; how many bits they reach is not recorded.
-- *proved*: the filters that it may ask, itself or by what it uses, that have [theorems](proofs.md). `(derived)`: the bound
-  is derived in a comment and tested. `-`: it has no such bound; it compares, or computes exactly.
+- *proved*: the filters and enclosures that it may ask, itself or by what it uses, and that have [theorems](proofs.md).
+  `(derived)`: the bound is derived in a comment and tested. `-`: it has no such bound; it compares, or computes exactly.
 - *mutants*: planted bugs; property suite, vectors and fuzzing alone have to kill each.
 - *open*: what is missing, as far as the tree knows it.
 """

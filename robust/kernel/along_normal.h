@@ -21,7 +21,7 @@
 /// - t n: q times the tail of n, and what is left times n, are off by 3, their sum by 3, adding it to what two_sum
 ///   leaves by 3 and u^2 |v|, and the ends of the enclosure round by 4 and u^2 |v| more: 13, and E |v| is plenty.
 /// Together 102; 144 are taken, eight times the error of Sum, |c| and i. A bound relative to S holds where the products
-/// cancel, too: nothing here has to be settled.
+/// cancel, too: nothing here has to be settled. Not proved by machine.
 namespace touchstone::robust::kernel {
 
 /// Two scalar products, lane by lane.

@@ -57,7 +57,7 @@ void validate(const Polygon3d& polygon) { validation::validate("polygon", polygo
 }  // namespace
 
 /// Two triangles of the fan round vertex 0 at a time: with a, b, c three vertices as seen from there, a x b + b x c = b
-/// x (c - a). Where the last triangle is alone, c is vertex 0.
+/// x (c - a). Where the last triangle is alone, c is vertex 0. Not proved by machine: what sum_of_squares carries over.
 Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d& polygon) {
   using namespace kernel;
   const std::size_t n = polygon.size();

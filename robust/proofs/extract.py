@@ -14,8 +14,9 @@ import re
 import sys
 
 import enclosed
-from cpp import TYPES, Array, Body, Index, Number, Run, Truth, chosen_bounds
+from cpp import Body, Run
 from source import Source, split
+from values import TYPES, Array, Index, Number, Truth, chosen_bounds
 
 HEAD = """(* Written by extract.py from the headers of robust/kernel. *)
 From Coq Require Import Reals Bool.
@@ -50,6 +51,7 @@ FILTERS = [
     ("slab", "SlabDepths"),
     ("crossings", "Crossings"),
     ("kdop", ("height", "greater_extent", "lower", "higher", "doubt", "between")),
+    ("heights_meeting", "Heights.meeting"),
 ]
 
 
@@ -69,7 +71,7 @@ def parameter(run, kind, name, names):
 COQ = {"Float": "T", "Vector3": "T", "std::size_t": "nat"}
 
 
-def made(run, owner, names):
+def made(run, owner, names, kept):
     """The constructor's run: its members, and those that it computed as parameters of others."""
     parameters, body, whole = run.source.classes[owner]["this"]
     run.used[f"{owner}.this"] = whole
@@ -77,15 +79,16 @@ def made(run, owner, names):
     run.members = scope_of(run, parameters, names)
     given = set(run.members)
     Body(run, body, run.members).run()
-    computed = []
+    computed, products = [], []
     for name, value in run.members.items():
         if isinstance(value, Array) and f"({value.name} 0%nat)" in run.elements:
             computed.append((value.name, "nat -> T"))
         elif isinstance(value, Number) and name not in given and value.name not in [n for n, _ in names]:
-            if value.factors:
-                raise SystemExit(f"a product is kept: {name}")
             computed.append((value.name, "T"))
+            products += [name] * bool(value.factors)
     run.owner = owner
+    if kept and products:
+        raise SystemExit(f"a product is kept: {products}")
     return computed
 
 
@@ -106,10 +109,11 @@ def extracted(source, name, function, *how):
     owner, _, method = function.rpartition(".")
     answer, hidden = None, []
     if owner:
-        computed = made(run, owner, names)
+        kept = "kept" in how or method == "this"
+        computed = made(run, owner, names, kept)
         if "kept" in how:
             run.steps = []
-        if "kept" in how or method == "this":
+        if kept:
             names += computed
             hidden = [n for n, _ in computed]
         if method == "this":
@@ -144,7 +148,8 @@ def shown(name, run, names, hidden, answer):
     if answer is None:
         return defined(run, name, names, "", "", hidden)
     kind = ("T" if isinstance(answer, Number) else "bool" if isinstance(answer, Truth) else
-            "option location" if "Inside" in answer else "option T" if "None" in answer else "sign")
+            "option location" if "Inside" in answer else "option T" if "None" in answer else
+            "meeting" if "meeting_" in answer else "sign")
     return defined(run, name, names, f" (answer : {kind})", f"answer = {answer}", hidden)
 
 

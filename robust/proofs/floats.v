@@ -25,6 +25,8 @@ Definition fused (p : operand float) (a b : float) :=
 Definition floats : machine float := {|
   constant r x := finite x /\ value x = r;
   magnitude := Babs;
+  opposite := Bopp;
+  square_root x z := exists m x', reads x x' /\ yields (sqrt (value x')) (Bsqrt m x') z;
   mul x y z := exists m x' y', reads x x' /\ reads y y' /\ yields (value x' * value y') (Bmult m x' y') z;
   add p q z := exists m,
     (exists x y, reads (plain p) x /\ reads (plain q) y /\ yields (value x + value y) (Bplus m x y) z) \/

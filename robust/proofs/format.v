@@ -48,6 +48,8 @@ Definition operands p q x y := (rounded_operand p x /\ rounded_operand q y) \/ (
 Definition machine64 : machine R := {|
   constant r x := x = r;
   magnitude := Rabs;
+  opposite := Ropp;
+  square_root x z := exists x', read64 x x' /\ result (sqrt x') z;
   mul x y z := exists x' y', read64 x x' /\ read64 y y' /\ result (x' * y') z;
   add p q z := exists x y, operands p q x y /\ result (x + y) z;
   sub p q z := exists x y, operands p q x y /\ result (x - y) z;
@@ -60,8 +62,10 @@ Lemma operands_model p q x y : operands p q x y -> uses binary64 p x /\ uses bin
 Proof. destruct p, q; unfold operands, rounded_operand, exact_product, uses, read64; intuition. Qed.
 
 Theorem in_binary64 : fits binary64 (third binary64) 1 1 /\ fits binary64 (quarter binary64) 1 1 /\
-  fits binary64 (sixth binary64) 1 1 /\
+  fits binary64 (sixth binary64) 1 1 /\ fits binary64 (two_to 500) 1 1 /\ n binary64 <= two_to (-1022) /\
+  two_to (-52) <= u binary64 /\
   (forall x y z, mul machine64 x y z -> mul (reals binary64) x y z) /\
+  (forall x z, square_root machine64 x z -> square_root (reals binary64) x z) /\
   (forall p q z, add machine64 p q z -> add (reals binary64) p q z) /\
   (forall p q z, sub machine64 p q z -> sub (reals binary64) p q z).
 Proof.
@@ -72,8 +76,11 @@ assert (A : forall k, (1 <= k)%Z -> fits binary64 (bpow radix2 k) 1 1).
   pose proof (bpow_gt_0 radix2 (-52)). pose proof (bpow_gt_0 radix2 (-1022)).
   split; cbn [u n binary64]; try lra; try lia. }
 split; [apply A; lia|]. split; [apply A; lia|]. split; [apply A; lia|].
-split; [|split].
+assert (T : forall e, two_to e = bpow radix2 e) by (intros e; symmetry; apply (bpow_powerRZ radix2)).
+rewrite !T. split; [apply A; lia|]. split; [apply Rle_refl|]. split; [apply Rle_refl|].
+split; [|split; [|split]].
 - intros x y z (x' & y' & X & Y & Z). exists x', y'. auto using result_rounded.
+- intros x z (x' & X & Z). exists x'. auto using result_rounded.
 - intros p q z (x & y & O & Z). apply operands_model in O as [X Y]. exists x, y. auto using result_rounded.
 - intros p q z (x & y & O & Z). apply operands_model in O as [X Y]. exists x, y. auto using result_rounded.
 Qed.

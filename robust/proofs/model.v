@@ -1,11 +1,14 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (* What a filter of robust/kernel runs on. filters.v, which extract.py writes from the C++ headers, says what each one
    computes on any such machine. *)
-From Coq Require Import Reals Bool.
+From Coq Require Import Reals ZArith Bool.
 Open Scope R_scope.
 
 Inductive sign := negative | unknown | positive.
 Inductive location := Inside | Outside.
+Inductive meeting := meeting_unknown | meets_at_start | meets_later | meets_never.
+Definition two_to (e : Z) := powerRZ 2 e.
+Arguments two_to : simpl never.
 
 (* What is added: a number, or one that is the product of a and b, which a compiler may contract to FMA. *)
 Inductive operand (T : Type) := Plain (x : T) | Product (a b t : T).
@@ -15,6 +18,8 @@ Arguments Plain {T}. Arguments Product {T}.
 Record machine (T : Type) := {
   constant : R -> T -> Prop;
   magnitude : T -> T;
+  opposite : T -> T;
+  square_root : T -> T -> Prop;
   mul : T -> T -> T -> Prop;
   add : operand T -> operand T -> T -> Prop;
   sub : operand T -> operand T -> T -> Prop;
@@ -22,7 +27,8 @@ Record machine (T : Type) := {
   at_most : T -> T -> bool -> Prop;
   choose : bool -> T -> T -> T -> Prop;
   signed : T -> bool -> Prop }.
-Arguments constant {T}. Arguments magnitude {T}. Arguments mul {T}. Arguments add {T}. Arguments sub {T}.
+Arguments constant {T}. Arguments magnitude {T}. Arguments opposite {T}. Arguments square_root {T}.
+Arguments mul {T}. Arguments add {T}. Arguments sub {T}.
 Arguments greater {T}. Arguments at_most {T}. Arguments choose {T}. Arguments signed {T}.
 
 (* u = 2^(1 - precision), n the least normal number, and 2^(max_exponent / k) for k = 3, 4, 6. *)
@@ -45,6 +51,8 @@ Definition uses (p : operand R) (x' : R) :=
 Definition reals : machine R := {|
   constant r x := x = r;
   magnitude := Rabs;
+  opposite := Ropp;
+  square_root x z := exists x', read x x' /\ rounded (sqrt x') z;
   mul x y z := exists x' y', read x x' /\ read y y' /\ rounded (x' * y') z;
   add p q z := exists x' y', uses p x' /\ uses q y' /\ rounded (x' + y') z;
   sub p q z := exists x' y', uses p x' /\ uses q y' /\ rounded (x' - y') z;
@@ -59,6 +67,8 @@ Definition grows x y z := 0 <= x -> 0 <= y -> (x <= z /\ y <= z) \/ (z = 0 /\ x 
 Definition growing : machine R := {|
   constant := constant reals;
   magnitude := Rabs;
+  opposite := Ropp;
+  square_root := square_root reals;
   mul := mul reals;
   add p q z := exists x' y', uses p x' /\ uses q y' /\ rounded (x' + y') z /\
     match p, q with Plain _, Plain _ => grows x' y' z | _, _ => True end;
@@ -76,6 +86,8 @@ Definition seen_of (p : operand R) (x' : R) :=
 Definition one_mode : machine R := {|
   constant r x := x = r;
   magnitude := Rabs;
+  opposite := Ropp;
+  square_root x z := rounded (sqrt (seen x)) z;
   mul x y z := rounded (seen x * seen y) z;
   add p q z := exists x' y', seen_of p x' /\ seen_of q y' /\ rounded (x' + y') z;
   sub p q z := exists x' y', seen_of p x' /\ seen_of q y' /\ rounded (x' - y') z;

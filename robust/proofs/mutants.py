@@ -14,6 +14,9 @@ RELATIVE = re.compile(r"relative<(\d+), (\d+)>")
 TAKEN = re.compile(r"(?<=above\()(\d+(?:\.\d+)?)(?=[ )])|(?<=terms_ \+ )(\d+)")  # of enclosed.h
 ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 
+MULTIPLE = re.compile(r"above\((\d+) \* B::u\)")
+LEAST = re.compile(r"least\(\) \{ return Format::above\(power_of_two\(-(\d+)")
+
 
 def mutants(root):
     """(what, header, text): each constant one unit smaller, in its last parameter and in its first."""
@@ -27,6 +30,10 @@ def mutants(root):
             c, d = int(found[1]), int(found[2])
             for kind, other in (("last", f"relative<{c}, {d - 1}>"), ("first", f"relative<{c - 1}, {d}>")):
                 yield kind, *other_text(found, other)
+        for found in MULTIPLE.finditer(text):
+            yield "first", *other_text(found, f"above({int(found[1]) - 1} * B::u)")
+        for found in LEAST.finditer(text):
+            yield "half", *other_text(found, f"least() {{ return Format::above(power_of_two(-{int(found[1]) + 1}")
         for found in ABSOLUTE.finditer(text):
             other = f"power_of_two({int(found[1]) - 1} + Format::min_exponent"
             yield "half", *other_text(found, other)

@@ -5,7 +5,7 @@ import re
 HEADERS = ["geometry/points.h", "geometry/space.h"] + [
     f"robust/kernel/{name}.h"
     for name in "filters plane_filter slab_filter sphere_filter sphere_box_filter sweep_filter face_filter obb_filter "
-    "contact_filter extreme_filter".split()
+    "contact_filter extreme_filter height_filter".split()
 ]
 
 
@@ -61,9 +61,9 @@ class Source:
 
     def add_class(self, name, body):
         members = {}
-        constructor = rf"^  (?:explicit )?{name}\(([^{{;]*?)\)\s*:\s*(.*?) \{{(\}}|\n(.*?)^  \}})"
+        constructor = rf"^  (?:explicit )?{name}\(([^{{;]*?)\)(?:\s*:\s*(.*?))? \{{(\}}|\n(.*?)^  \}})"
         for found in re.finditer(constructor, body, re.M | re.S):
-            members["this"] = (found[1], initialisers(found[2]) + (found[4] or ""), found[0])
+            members["this"] = (found[1], initialisers(found[2] or "") + (found[4] or ""), found[0])
         for found in re.finditer(r"^  (?:static |constexpr )*\w+ (\w+)\(([^{;]*)\) (?:const )?\{(.*?)\}$", body, re.M):
             members[found[1]] = (found[2], found[3], found[0])
         for found in re.finditer(r"^  (?:static )?\w+ (\w+)\(([^{;]*)\) (?:const )?\{\n(.*?)^  \}", body, re.M | re.S):

@@ -9,7 +9,7 @@ Ltac unpack := repeat match goal with
   | R : add _ _ _ _ /\ _ |- _ => let S := fresh "S" in destruct R as (S & R) end.
 Ltac constants := repeat match goal with S : constant (reals _) _ ?x |- _ => simpl in S; subst x end;
   repeat match goal with |- context [magnitude (reals _) ?x] => change (magnitude (reals _) x) with (Rabs x) end;
-  change @magnitude with @magnitude in *; cbn [magnitude reals] in *.
+  change @magnitude with @magnitude in *; cbn [magnitude opposite reals] in *.
 
 (* sums of magnitudes are not negative *)
 Ltac nonneg := repeat match goal with

@@ -2,6 +2,7 @@
 #include "robust/sweeps/swept_sphere_plane.h"
 
 #include "robust/kernel/enclosed_shapes.h"
+#include "robust/kernel/height_filter.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/quadratic_root.h"
 #include "robust/kernel/valid_space.h"
@@ -10,58 +11,8 @@
 namespace touchstone::robust {
 namespace {
 
-/// When a ball meets a plane first, as far as signs tell.
-enum class Meeting { unknown, at_start, later, never };
-
-double sum_of_sizes(double x, double y, double z) { return __builtin_fabs(x) + __builtin_fabs(y) + __builtin_fabs(z); }
-
-/// What a few operations on doubles say, with u = 2^-52, which bounds a rounding in every mode.
-///
-/// E0 is the height of the center at the start, S what it gains, and R = r sqrt(N . N). Let n, p, v be the sums of the
-/// magnitudes of the coordinates of N, of the center and of the velocity. E0 is off by less than 4 u (n p + |d|) (1 + 2
-/// u), S by 3 u n v (1 + 2 u). N . N is off by 3 u of itself, so that R is off by 1.5 u, by u for the root and u for the
-/// product: less than 4 u R. The start is decided by |E0| and R, whose difference cannot round to a wrong sign: 5 u (n p
-/// + |d| + R) leaves a fifth for the bound's own roundings. The end is decided by that difference, rounded with u (n p +
-/// |d| + R), and S, added or taken off: of 7 u (n (p + v) + |d| + R) two sevenths are left.
-///
-/// Guards: N . N in [2^-900, 2^900], so that what underflows in it is below 2^-100 u of it; n, p, v and r together at
-/// most 2^500. Then reading a subnormal as zero costs a term less than 2^-1022 2^500, and everything together less than
-/// 2^-510. An offset that makes a sum overflow leaves |E0| no greater than its bound: unknown. NaN fails each
-/// comparison.
-class Heights {
- public:
-  Heights(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
-    const Vector3d& n = plane.normal;
-    const Point3d& c = sphere.center;
-    squares_ = n.x * n.x + n.y * n.y + n.z * n.z;
-    height_ = n.x * c.x + n.y * c.y + n.z * c.z + plane.offset;
-    rise_ = n.x * velocity.x + n.y * velocity.y + n.z * velocity.z;
-    reach_ = sphere.radius * __builtin_sqrt(squares_);
-    const double of_normal = sum_of_sizes(n.x, n.y, n.z), of_center = sum_of_sizes(c.x, c.y, c.z),
-                 of_velocity = sum_of_sizes(velocity.x, velocity.y, velocity.z);
-    at_start_ = of_normal * of_center + __builtin_fabs(plane.offset) + reach_;
-    at_end_ = at_start_ + of_normal * of_velocity;
-    size_ = of_normal + of_center + of_velocity + sphere.radius;
-  }
-
-  Meeting meeting() const {
-    const bool guarded = squares_ >= 0x1p-900 && squares_ <= 0x1p900 && size_ <= 0x1p500;
-    if (!guarded) return Meeting::unknown;
-    const double gap = __builtin_fabs(height_) - reach_, error = 5 * u * at_start_ + least;
-    if (gap < -error) return Meeting::at_start;
-    if (!(gap > error)) return Meeting::unknown;
-    const double last = gap + (behind() ? -rise_ : rise_), error_at_end = 7 * u * at_end_ + least;
-    if (last > error_at_end) return Meeting::never;
-    return last < -error_at_end ? Meeting::later : Meeting::unknown;
-  }
-
-  /// Where the meeting is certain and not at the start.
-  bool behind() const { return height_ < 0; }
-
- private:
-  static constexpr double u = 0x1p-52, least = 0x1p-500;
-  double squares_, height_, rise_, reach_, at_start_, at_end_, size_;
-};
+using filters::Meeting;
+using Heights = filters::Heights<double>;
 
 /// E0 and S as integers times 2^exponent, and r^2 N . N as one times 2^(2 exponent).
 struct Integers {

@@ -145,7 +145,9 @@ TEST_CASE("options: defaults stand in the help") {
     INFO(help.out);
     const std::size_t line = help.out.find("\n  " + option + " ");
     REQUIRE(line != std::string::npos);
-    CHECK_THAT(help.out.substr(line + 1, help.out.find('\n', line + 1) - line), ContainsSubstring("=" + value));
+    // As CLI11 writes it before and after 2.5.
+    CHECK_THAT(help.out.substr(line + 1, help.out.find('\n', line + 1) - line),
+               ContainsSubstring("=" + value) || ContainsSubstring("[" + value + "]"));
   }
   CHECK_THAT(help.out, ContainsSubstring("nested at most 64 deep") && ContainsSubstring("Exit codes: 0 nothing found"));
 }
