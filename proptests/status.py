@@ -130,8 +130,8 @@ def worlds(program, operation):
 def table(program, operations):
     opinions, without = second_opinions()
     asked = 0
-    columns = ["operation", "judged", "second opinion", "certificates", "worlds", "stages of robust", "proved", "mutants",
-               "vectors", "open"]
+    columns = ["operation", "judged", "second opinion", "certificates", "worlds", "stages of robust", "proved",
+               "mutants", "vectors", "open"]
     lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
     for operation in operations:
         name, chapter = operation["name"], operation["chapter"]

@@ -15,10 +15,10 @@ enum class Meeting { unknown, at_start, later, never };
 ///
 /// E0 is the height of the center at the start, S what it gains, and R = r sqrt(N . N). Let n, p, v be the sums of the
 /// magnitudes of the coordinates of N, of the center and of the velocity. E0 is off by less than 4 u (n p + |d|) (1 + 2
-/// u), S by 3 u n v (1 + 2 u). N . N is off by 3 u of itself, so that R is off by 1.5 u, by u for the root and u for the
-/// product: less than 4 u R. The start is decided by |E0| and R, whose difference cannot round to a wrong sign: 5 u (n p
-/// + |d| + R) leaves a fifth for the bound's own roundings. The end is decided by that difference, rounded with u (n p +
-/// |d| + R), and S, added or taken off: of 7 u (n (p + v) + |d| + R) two sevenths are left.
+/// u), S by 3 u n v (1 + 2 u). N . N is off by 3 u of itself, so that R is off by 1.5 u, by u for the root and u for
+/// the product: less than 4 u R. The start is decided by |E0| and R, whose difference cannot round to a wrong sign: 5 u
+/// (n p + |d| + R) leaves a fifth for the bound's own roundings. The end is decided by that difference, rounded with u
+/// (n p + |d| + R), and S, added or taken off: of 7 u (n (p + v) + |d| + R) two sevenths are left.
 ///
 /// Guards: N . N in [2^-900, 2^900], so that what underflows in it is below 2^-100 u of it; n, p, v and r together at
 /// most 2^500. Then reading a subnormal as zero costs a term less than 2^-1022 2^500, and everything together less than

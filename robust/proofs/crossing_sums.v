@@ -27,7 +27,8 @@ Definition seen c := sub M (Plain (vx c)) (Plain px) (cx c) /\ sub M (Plain (vy 
 (* A zero has the sign bit that it has, at both of its edges. (Of two zeros with other bits the determinant is none that
    is trusted.) *)
 Definition of_edge d c : machine R := {| constant := constant M; magnitude := Rabs; opposite := Ropp;
-  square_root := square_root M; mul := mul M; add := add M; sub := sub M; greater := greater M; at_most := at_most M; choose := choose M;
+  square_root := square_root M; mul := mul M; add := add M; sub := sub M; greater := greater M;
+  at_most := at_most M; choose := choose M;
   signed x b := signed M x b /\ (x = cy d -> b = minus d) /\ (x = cy c -> b = minus c) |}.
 Definition added a d c a' := crossings_add F R (of_edge d c) (sum_x a) (sum_y a) (least a) (cx d) (cy d) (cx c) (cy c)
   (parity a) (sum_x a') (sum_y a') (least a') (parity a').

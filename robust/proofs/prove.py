@@ -207,8 +207,8 @@ def proof_of(theorem, files):
 
 
 def try_mutants(work, jobs, only):
-    """Coq's own word on each mutant, its text taken as looked at. A proof names the constants that it shows to be enough,
-    so it fails with any other."""
+    """Coq's own word on each mutant, its text taken as looked at. A proof names the constants that it shows to be
+    enough, so it fails with any other."""
     made, filters = extract.all_of(ROOT)
     files = {**sources(), **made}
     shutil.rmtree(work, ignore_errors=True)
