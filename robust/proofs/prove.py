@@ -217,15 +217,22 @@ def try_mutants(work, jobs, only):
     failed = proof.compile_all([name for name in closure(proved, files)], jobs)
     if failed:
         return [f"not proved: {failed[0]}.v", failed[1]]
+
+    def proved_from(definitions, file):
+        """With these files of definitions, and all compiled again that rests on those that differ."""
+        new = {name for name in made if (work / f"{name}.v").read_text(encoding="utf-8") != definitions[name]}
+        for name in new:
+            (work / f"{name}.v").write_text(definitions[name], encoding="utf-8")
+        return not proof.compile_all([n for n in closure({file}, files) if new & closure({n}, files)], jobs)
+
     for _, what, (other, others) in mutants.mutated(ROOT):
         names = [n for n in changed(filters, others) if only in (None, n)]
         held = []
         for file in sorted({proof_of(f"{n}_right", files) for n in names}):
-            for new in (name for name in made if made[name] != other[name]):
-                (work / f"{new}.v").write_text(other[new], encoding="utf-8")
-                again = [name for name in closure({file}, files) if new in closure({name}, files)]
-            if not proof.compile_all(again, jobs):
+            if proved_from(other, file):
                 held.append(file)
+            if not proved_from(made, file):  # else what fails with the mutant may fail for another reason
+                wrong.append(f"not proved without a mutant: {file}.v")
         if names:
             said = f"proved all the same: {', '.join(held)}" if held else "not proved"
             print(f"{what}: changed text; {said}", flush=True)
