@@ -22,8 +22,8 @@ enum class Meeting { unknown, at_start, later, never };
 ///
 /// Guards: N . N in [2^-900, 2^900], so that what underflows in it is below 2^-100 u of it; n, p, v and r together at
 /// most 2^500. Then reading a subnormal as zero costs a term less than 2^-1022 2^500, and everything together less than
-/// 2^-510. An offset that makes a sum overflow leaves |E0| no greater than its bound: unknown. NaN fails each
-/// comparison. Proved: heights_meeting.
+/// 2^-510. The offset needs no guard: where the bound overflows, nothing is greater; where E0 alone does, an infinity
+/// has its sign. NaN fails each comparison. Proved: heights_meeting.
 template <class Float, class Format = FloatFormat<Float>>
 class Heights {
   using B = Bounds<Float, Format>;

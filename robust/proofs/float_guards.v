@@ -24,6 +24,41 @@ intros X Y. destruct (finite_or x) as [A|A]; [destruct (finite_or y) as [B|B]|].
 - destruct x, y; simpl in *; subst; easy.
 - destruct x, y; simpl in *; subst; easy.
 Qed.
+(* a square root *)
+Lemma outcome_root m x : finite x -> up x -> outcome (sqrt (value x)) (Bsqrt m x).
+Proof.
+intros X U. destruct (Bsqrt_correct 53 1024 _ _ m x) as (E & Z & _). exists m. left.
+change (SpecFloat.fexp 53 1024) with fexp in E. change (@B2R 53 1024) with value in E. rewrite <- E.
+split; [apply abs_B2R_lt_emax|]. split; [|reflexivity]. unfold finite. rewrite Z.
+destruct x as [s|s| |s e k B]; simpl in U; try easy. now rewrite U.
+Qed.
+Lemma root_used x z : square_root floats x z -> finite x -> up x ->
+  exists x', reads x x' /\ outcome (sqrt (value x')) z.
+Proof.
+intros (m & x' & X & Z) F U. exists x'. split; [exact X|].
+apply outcome_yields with (2 := Z). apply outcome_root; eauto using finite_reads, reads_up.
+Qed.
+Lemma root_up x z : square_root floats x z -> up x -> up z.
+Proof.
+intros (m & x' & X & Z) U. apply (yields_up _ _ _ Z). apply (reads_up _ _ X) in U. destruct (finite_or x') as [F|F].
+- exact (outcome_up _ _ (outcome_root m x' F U) (sqrt_pos _)).
+- destruct x'; simpl in *; subst; easy.
+Qed.
+Lemma root_real x z k : square_root floats x z -> mag z k -> fair k -> finite x -> up x ->
+  square_root M (value x) (value z).
+Proof.
+intros S Z K F U. destruct (root_used x z S F U) as (x' & X & O). exists (value x').
+split; [now apply reads_read|]. now apply mag_rounded with k.
+Qed.
+Lemma root_mag x z k j : square_root floats x z -> mag x k -> up x -> (k <= 2 * j)%Z -> fair j -> mag z j.
+Proof.
+intros S X U J K. destruct (root_used x z S (proj1 X) U) as (x' & X' & O).
+apply (outcome_mag _ _ _ O); [|exact K]. rewrite Rabs_right by apply Rle_ge, sqrt_pos.
+apply (reads_mag _ _ _ X') in X as [_ L]. rewrite <- (sqrt_square (bpow radix2 j)) by apply bpow_ge_0.
+apply sqrt_le_1_alt. rewrite <- bpow_plus. apply Rle_trans with (1 := Rle_abs _), Rle_trans with (1 := L).
+apply bpow_le. lia.
+Qed.
+
 (* the factors of a product that is not negative: twice the same number, each time read as it is or as zero, or two
    numbers that are not negative *)
 Definition factors a b := (exists x, reads x a /\ reads x b) \/ (up a /\ up b).

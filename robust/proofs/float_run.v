@@ -37,20 +37,35 @@ intros C -> K%Z.leb_le. change (n binary64) with (bpow radix2 (-1022)). rewrite 
 assert (P : bpow radix2 (-1022 + k) <= bpow radix2 (-30)) by (apply bpow_le; lia). simpl (bpow radix2 (-30)) in P.
 pose proof (bpow_ge_0 radix2 (-1022 + k)). simpl (bpow radix2 (-10)). split; [apply Rmult_le_pos; lra|nra].
 Qed.
+Lemma units_small c : 0 <= c <= 1024 -> 0 <= c * u binary64 <= bpow radix2 (-10).
+Proof.
+intros C. cbn [u binary64]. pose proof (bpow_gt_0 radix2 (-52)).
+assert (L : bpow radix2 (-52) <= bpow radix2 (-30)) by (apply bpow_le; lia). simpl (bpow radix2 (-30)) in L.
+simpl (bpow radix2 (-10)). split; [apply Rmult_le_pos; lra|nra].
+Qed.
+Lemma two_to_small e : (e <=? -10)%Z = true -> 0 <= two_to e <= bpow radix2 (-10).
+Proof.
+intros E%Z.leb_le. assert (T : two_to e = bpow radix2 e) by (symmetry; apply (bpow_powerRZ radix2)). rewrite T.
+split; [apply bpow_ge_0|now apply bpow_le].
+Qed.
 Ltac power_of_two r := lazymatch r with
   | third binary64 => constr:(341%Z) | quarter binary64 => constr:(255%Z) | sixth binary64 => constr:(170%Z)
-  | n binary64 => constr:((-1022)%Z) | IZR ?z => eval vm_compute in (Z.log2 z)
+  | n binary64 => constr:((-1022)%Z) | two_to ?e => e | IZR ?z => eval vm_compute in (Z.log2 z)
   | ?a * ?b => let i := power_of_two a in let j := power_of_two b in eval vm_compute in (i + j)%Z end.
 Ltac is_power := lazymatch goal with
   | |- ?a * ?b = _ => let i := power_of_two a in let j := power_of_two b in
     apply (product_of_powers a b i j); [is_power|is_power|reflexivity]
+  | |- two_to _ = _ => symmetry; apply (bpow_powerRZ radix2)
   | |- _ => reflexivity end.
 Ltac small_constant := lazymatch goal with
   | |- 0 <= relative _ _ _ <= _ => apply relative_small; lra
   | |- 0 <= _ * (n binary64 * ?r) <= _ =>
     let k := power_of_two r in apply (absolute_small _ r k); [lra|is_power|reflexivity]
+  | |- 0 <= _ * u binary64 <= _ => apply units_small; lra
+  | |- 0 <= two_to _ <= _ => apply two_to_small; reflexivity
   | |- 0 <= 0 <= _ => split; [apply Rle_refl|apply bpow_ge_0] end.
 Ltac float_constants := change (@magnitude float floats) with (@Babs 53 1024) in *;
+  change (@opposite float floats) with (@Bopp 53 1024) in *;
   repeat match goal with S : constant floats ?r ?c |- _ =>
     lazymatch goal with _ : finite c |- _ => fail | _ => idtac end;
     pose proof (proj1 S : finite c);
@@ -92,7 +107,9 @@ Ltac back := repeat match goal with B : mag ?z ?k, S : add floats ?p ?q ?z |- _ 
 
 (* and on, operation by operation, in the order of the text *)
 Ltac know x := lazymatch goal with _ : mag x _ |- _ => idtac | _ =>
-  lazymatch x with Babs ?y => match goal with B : mag y ?k |- _ => pose proof (abs_mag y k B) end end end.
+  lazymatch x with
+  | Babs ?y => match goal with B : mag y ?k |- _ => pose proof (abs_mag y k B) end
+  | Bopp ?y => match goal with B : mag y ?k |- _ => pose proof (opp_mag y k B) end end end.
 Ltac mag_of x := lazymatch goal with B : mag x ?k |- _ => k end.
 Ltac bound_of x := lazymatch goal with B : mag x _ |- _ => B end.
 Ltac know_operand p := lazymatch p with Plain ?x => know x | Product ?a ?b ?t => know a; know b; know t end.
@@ -110,6 +127,9 @@ Ltac forward S := lazymatch type of S with
   | choose floats ?b ?x ?y ?z => lazymatch goal with _ : mag z _ |- _ => idtac | _ => know x; know y;
       let i := mag_of x in let j := mag_of y in let A := bound_of x in let B := bound_of y in
       let k := eval vm_compute in (Z.max i j) in pose proof (choose_mag b x y z i j k S A B eq_refl) end
+  | square_root floats ?x ?z => lazymatch goal with _ : mag z _ |- _ => idtac | U : up x |- _ =>
+      let i := mag_of x in let A := bound_of x in let j := eval vm_compute in ((i + 1) / 2)%Z in
+      pose proof (root_mag x z i j S A U ltac:(discriminate) eq_refl) end
   | ?op floats ?p ?q ?z => lazymatch goal with _ : mag z _ |- _ => idtac | _ => know_operand p; know_operand q;
       let A := within_of p in let B := within_of q in
       let i := exponent A in let j := exponent B in let k := eval vm_compute in (Z.max i j + 1)%Z in
@@ -119,7 +139,9 @@ Ltac is_finite x := lazymatch goal with
   | F : finite x |- _ => F
   | B : mag x _ |- _ => constr:(proj1 B) end.
 Ltac as_real := repeat match goal with |- context [magnitude M (value ?x)] =>
-  change (magnitude M (value x)) with (Rabs (value x)); rewrite <- (value_abs x) end.
+  change (magnitude M (value x)) with (Rabs (value x)); rewrite <- (value_abs x)
+  | |- context [opposite M (value ?x)] =>
+  change (opposite M (value x)) with (- value x); rewrite <- (value_opp x) end.
 Ltac result S z lemma := forward S; exists (value z);
   split; [as_real; let B := bound_of z in exact (lemma _ _ z _ S B eq_refl)|clear S].
 Ltac advance := lazymatch goal with
@@ -130,7 +152,10 @@ Ltac advance := lazymatch goal with
   | |- exists z, sub M _ _ z /\ _ =>
       lazymatch reverse goal with S : sub floats _ _ ?z |- _ => result S z sub_real end
   | |- exists z, choose M _ _ _ z /\ _ => lazymatch reverse goal with S : choose floats ?b ?x ?y ?z |- _ =>
-      forward S; exists (value z); split; [exact (choose_real b x y z S)|clear S] end
+      forward S; exists (value z); split; [as_real; exact (choose_real b x y z S)|clear S] end
+  | |- exists z, square_root M _ z /\ _ => lazymatch reverse goal with S : square_root floats ?x ?z, U : up ?x |- _ =>
+      forward S; exists (value z); let X := is_finite x in let B := bound_of z in
+      split; [exact (root_real x z _ S B eq_refl X U)|clear S] end
   | |- exists z, constant M _ z /\ _ =>
       lazymatch reverse goal with S : constant floats _ ?z |- _ =>
       exists (value z); split; [exact (proj2 S)|clear S] end

@@ -198,3 +198,5 @@ Lemma mag_abs x k : mag (Babs x) k -> mag x k.
 Proof.
 intros [X L]. unfold finite in X. rewrite is_finite_Babs in X. rewrite value_abs, Rabs_Rabsolu in L. now split.
 Qed.
+Lemma opp_mag x k : mag x k -> mag (Bopp x) k.
+Proof. intros [X L]. split; [now apply finite_opp|]. now rewrite value_opp, Rabs_Ropp. Qed.

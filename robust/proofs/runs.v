@@ -46,11 +46,23 @@ rewrite R. apply number.
   + rewrite <- bpow_plus. apply bpow_lt. lia.
 Qed.
 
+(* c u *)
+Lemma units_number c : (Z.abs c <? 2 ^ 53)%Z = true -> exists x, constant floats (IZR c * u binary64) x.
+Proof.
+intros L%Z.ltb_lt. change (IZR c * u binary64) with (F2R (Float radix2 c (-52))). apply number.
+- apply generic_format_FLT. exists (Float radix2 c (-52)); [reflexivity|exact L|simpl; lia].
+- rewrite <- F2R_Zabs. apply Rlt_trans with (bpow radix2 53 * bpow radix2 (-52)).
+  + unfold F2R. cbn [Fnum Fexp]. apply Rmult_lt_compat_r; [apply bpow_gt_0|].
+    change (bpow radix2 53) with (IZR (2 ^ 53)). now apply IZR_lt.
+  + rewrite <- bpow_plus. apply bpow_lt. lia.
+Qed.
+
 Ltac some_constant := lazymatch goal with
   | |- exists x, constant floats 0 x => exists (B754_zero false); now split
   | |- exists x, constant floats (relative (IZR ?c) (IZR ?d) _) x =>
     let s := eval vm_compute in (Z.max 0 (Z.log2 (c * 2 ^ 51) - 52)) in
     let m := eval vm_compute in ((c * 2 ^ 51 + d) / 2 ^ s)%Z in exact (relative_number c d m s eq_refl eq_refl)
+  | |- exists x, constant floats (IZR ?c * u binary64) x => exact (units_number c eq_refl)
   | |- exists x, constant floats ?r x =>
     let k := power_of_two r in apply (power_number r k); [is_power|reflexivity] end.
 (* to the end of the text, every operation in mode m *)
@@ -62,6 +74,8 @@ Lemma some_sum p q : exists z, add floats p q z.
 Proof. exists (Bplus m (plain p) (plain q)), m. left. exists (plain p), (plain q). repeat split; now left. Qed.
 Lemma some_difference p q : exists z, sub floats p q z.
 Proof. exists (Bminus m (plain p) (plain q)), m. left. exists (plain p), (plain q). repeat split; now left. Qed.
+Lemma some_root x : exists z, square_root floats x z.
+Proof. exists (Bsqrt m x), m, x. split; now left. Qed.
 Lemma some_greater x y : exists b, greater floats x y b.
 Proof. eexists. exists x, y. repeat split; now left. Qed.
 Lemma some_at_most x y : exists b, at_most floats x y b.
@@ -75,6 +89,7 @@ Ltac in_mode m := repeat (refine (step _ _ _ _ _ _);
    | |- exists z, mul _ ?x ?y z => exact (some_product m x y)
    | |- exists z, add _ ?p ?q z => exact (some_sum m p q)
    | |- exists z, sub _ ?p ?q z => exact (some_difference m p q)
+   | |- exists z, square_root _ ?x z => exact (some_root m x)
    | |- exists z, choose _ ?b ?x ?y z => exists (if b then x else y); now left
    | |- exists b, greater _ ?x ?y b => exact (some_greater x y)
    | |- exists b, at_most _ ?x ?y b => exact (some_at_most x y)
@@ -127,6 +142,9 @@ Proof. runs sweep_passage m. Qed.
 Theorem point_in_obb_runs (m : mode) a b c d e f g h i j k l o p q : exists answer,
   point_in_obb binary64 float floats a b c d e f g h i j k l o p q answer.
 Proof. runs point_in_obb m. Qed.
+Theorem heights_meeting_runs (m : mode) a b c d e f g h i j k : exists answer,
+  heights_meeting binary64 float floats a b c d e f g h i j k answer.
+Proof. runs heights_meeting m. Qed.
 
 Section Obb.
 Variables (m : mode) (x y z : nat -> float) (wx wy wz : float) (sizes : nat -> float) (sum : float).
