@@ -93,11 +93,6 @@ Lemma rounded_itself r : rounded binary64 r r.
 Proof.
 split; [|auto]. exists 0, 0. rewrite Rabs_R0. cbn [u n binary64]. repeat split; try apply bpow_ge_0. ring.
 Qed.
-Lemma some_real_sum p q : exists z, add M (real p) (real q) z.
-Proof.
-eexists. exists (value (plain p)), (value (plain q)). split; [apply uses_itself|]. split; [apply uses_itself|].
-apply rounded_itself.
-Qed.
 Lemma infinity_read s x' : reads (B754_infinity s) x' -> x' = B754_infinity s.
 Proof. now intros [->|[]]. Qed.
 Lemma stands_add k x q z x0 j : add floats (Plain x) q z -> stands k x x0 -> within q j -> low_enough j ->
@@ -183,4 +178,18 @@ Proof.
 intros S F W K. destruct (add_used _ _ _ S (or_introl F)) as (y & r & Y & Q & O). exists y, r.
 split; [exact (used_uses _ _ Y)|]. split; [now apply used_uses|].
 apply outcome_rounded; auto. right. rewrite Rplus_comm. exact (proj1 (wide_sum _ _ _ _ _ Q W K Y)).
+Qed.
+Lemma less_real x q z k : sub floats (Plain x) q z -> finite z -> within q k -> low_enough k ->
+  sub M (Plain (value x)) (real q) (value z).
+Proof.
+intros S F W K. destruct (sub_used _ _ _ S (or_introl F)) as (y & r & Y & Q & O). exists y, r.
+split; [exact (used_uses _ _ Y)|]. split; [now apply used_uses|].
+apply outcome_rounded; auto. right. exact (proj2 (wide_sum _ _ _ _ _ Q W K Y)).
+Qed.
+Lemma off_real p x z k : sub floats p (Plain x) z -> finite z -> within p k -> low_enough k ->
+  sub M (real p) (Plain (value x)) (value z).
+Proof.
+intros S F W K. destruct (sub_used _ _ _ S (or_introl F)) as (r & y & P & Y & O). exists r, y.
+split; [now apply used_uses|]. split; [exact (used_uses _ _ Y)|].
+apply outcome_rounded; auto. right. rewrite Rabs_minus_sym. exact (proj2 (wide_sum _ _ _ _ _ P W K Y)).
 Qed.

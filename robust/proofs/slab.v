@@ -6,23 +6,27 @@ From Filters Require Import model constants filters steps ghost tactics choices.
 Import ListNotations.
 Open Scope R_scope.
 
-Record slab := { nx : R; ny : R; nz : R; bottom : R; top : R }.
-Record state := { depth_ : R; width_ : R; least_ : R; greatest_ : R; sum_ : R }.
+Record slab T := { nx : T; ny : T; nz : T; bottom : T; top : T }.
+Record state T := { depth_ : T; width_ : T; least_ : T; greatest_ : T; sum_ : T }.
+Arguments nx {T}. Arguments ny {T}. Arguments nz {T}. Arguments bottom {T}. Arguments top {T}.
+Arguments depth_ {T}. Arguments width_ {T}. Arguments least_ {T}. Arguments greatest_ {T}. Arguments sum_ {T}.
 
 Section Run.
-Variables (F : format) (M : machine R) (px py pz : R).
+Variable F : format.
+Context {T : Type}.
+Variables (M : machine T) (px py pz : T).
 Definition first s t :=
-  slab_first F R M px py pz (nx s) (ny s) (nz s) (bottom s) (top s) (depth_ t) (width_ t) (least_ t) (greatest_ t)
+  slab_first F T M px py pz (nx s) (ny s) (nz s) (bottom s) (top s) (depth_ t) (width_ t) (least_ t) (greatest_ t)
     (sum_ t).
 Definition added t s t' :=
-  slab_add F R M px py pz (depth_ t) (width_ t) (least_ t) (greatest_ t) (sum_ t) (nx s) (ny s) (nz s) (bottom s)
+  slab_add F T M px py pz (depth_ t) (width_ t) (least_ t) (greatest_ t) (sum_ t) (nx s) (ny s) (nz s) (bottom s)
     (top s) (depth_ t') (width_ t') (least_ t') (greatest_ t') (sum_ t').
 (* the slab that was added last comes first *)
-Inductive folded : list slab -> state -> Prop :=
+Inductive folded : list (slab T) -> state T -> Prop :=
 | one s t : first s t -> folded [s] t
 | more s ss t t' : folded ss t -> added t s t' -> folded (s :: ss) t'.
 Definition depths ss answer := exists t, folded ss t /\
-  slab_sign F R M px py pz (depth_ t) (width_ t) (least_ t) (greatest_ t) (sum_ t) answer.
+  slab_sign F T M px py pz (depth_ t) (width_ t) (least_ t) (greatest_ t) (sum_ t) answer.
 
 (* what the constructor and add compute of a slab *)
 Definition found s over under depth width of_normal :=
@@ -35,20 +39,21 @@ Definition found s over under depth width of_normal :=
   exists t9, add M (Plain (magnitude M (nx s))) (Plain (magnitude M (ny s))) t9 /\
   add M (Plain t9) (Plain (magnitude M (nz s))) of_normal.
 Lemma first_found s t : first s t -> exists over under, found s over under (depth_ t) (width_ t) (least_ t) /\
-  greatest_ t = least_ t.
+  greatest_ t = least_ t /\ sub M (Plain over) (Plain under) (sum_ t).
 Proof.
-intros R. unfold first, slab_first in R. unpack. destruct R as (E1 & E2 & E3 & E4 & _).
-exists x4, x5. rewrite E1, E2, E3, E4. split; [|easy]. unfold found. repeat eexists; eassumption.
+intros R. unfold first, slab_first in R. unpack. destruct R as (E1 & E2 & E3 & E4 & E5).
+exists x4, x5. rewrite E1, E2, E3, E4, E5. split; [|easy]. unfold found. repeat eexists; eassumption.
 Qed.
 Lemma added_found t s t' : added t s t' -> exists over under depth width of_normal,
   found s over under depth width of_normal /\
   (exists b, greater M depth (depth_ t) b /\ choose M b (depth_ t) depth (depth_ t')) /\
   (exists b, greater M width (width_ t) b /\ choose M b (width_ t) width (width_ t')) /\
   (exists b, greater M of_normal (least_ t) b /\ choose M b (least_ t) of_normal (least_ t')) /\
-  (exists b, greater M of_normal (greatest_ t) b /\ choose M b of_normal (greatest_ t) (greatest_ t')).
+  (exists b, greater M of_normal (greatest_ t) b /\ choose M b of_normal (greatest_ t) (greatest_ t')) /\
+  (exists d, sub M (Plain over) (Plain under) d /\ add M (Plain (sum_ t)) (Plain d) (sum_ t')).
 Proof.
-intros R. unfold added, slab_add in R. unpack. destruct R as (E1 & E2 & E3 & E4 & _).
-exists x4, x5, x7, x8, x10. rewrite E1, E2, E3, E4. split; [|repeat split; eexists; split; eassumption].
+intros R. unfold added, slab_add in R. unpack. destruct R as (E1 & E2 & E3 & E4 & E5).
+exists x4, x5, x7, x8, x10. rewrite E1, E2, E3, E4, E5. split; [|repeat split; eexists; split; eassumption].
 unfold found. repeat eexists; eassumption.
 Qed.
 End Run.
@@ -75,14 +80,14 @@ Theorem folded_invariant ss t : folded F M px py pz ss t -> 0 <= greatest_ t /\ 
 Proof.
 assert (N0 : 0 < n) by apply G.
 induction 1 as [s t R|s ss t t' R [P [I [i [E D]]%Exists_exists]] A].
-- apply first_found in R as (over & under & Fo & EG). pose proof (of_normal_nonneg _ _ _ _ _ _ Fo) as P.
+- apply first_found in R as (over & under & Fo & EG & _). pose proof (of_normal_nonneg _ _ _ _ _ _ Fo) as P.
   split; [now rewrite EG|]. assert (C : exists b, greater M under over b /\ choose M b over under (depth_ t))
     by (unfold found in Fo; unpack; apply Fo).
   destruct C as (b & C & K). destruct (lesser_right F N0 _ _ _ _ C K) as (B1 & B2 & E).
   split; [apply Forall_cons; [|apply Forall_nil]|apply Exists_cons_hd].
   + exists over, under, (depth_ t), (width_ t), (least_ t). rewrite EG. auto using below_refl.
   + exists over, under, (depth_ t), (width_ t), (least_ t). rewrite EG. auto using below_refl.
-- apply added_found in A as (over & under & depth & width & o & Fo & (b1 & C1 & K1) & _ & _ & (b4 & C4 & K4)).
+- apply added_found in A as (over & under & depth & width & o & Fo & (b1 & C1 & K1) & _ & _ & (b4 & C4 & K4) & _).
   pose proof (of_normal_nonneg _ _ _ _ _ _ Fo) as P'.
   assert (C : exists b, greater M under over b /\ choose M b over under depth) by (unfold found in Fo; unpack; apply Fo).
   destruct C as (b & C & K). destruct (lesser_right F N0 _ _ _ _ C K) as (B1 & B2 & E').
@@ -163,11 +168,12 @@ normal G 6 48 4%Z. assert (L : (1 + u F) * ((1 + u F) ^ 3 - 1) * T <=
 clear U. unfold T in *. constant_is_enough G 48%nat.
 Qed.
 
-Lemma sign_right ss answer : depths F M px py pz ss answer ->
+Lemma sign_of ss t answer : 0 <= greatest_ t -> Forall (in_state t) ss -> Exists (deepest t) ss ->
+  slab_sign F R M px py pz (depth_ t) (width_ t) (least_ t) (greatest_ t) (sum_ t) answer ->
   (answer = positive -> Forall (fun s => bottom s < height s < top s) ss) /\
   (answer = negative -> Exists (fun s => height s < bottom s \/ top s < height s) ss).
 Proof.
-pose proof (fits_u _ _ _ _ G) as Hu. intros (t & R & S). destruct (folded_invariant _ _ R) as (P & All & Ex).
+pose proof (fits_u _ _ _ _ G) as Hu. intros P All Ex S.
 assert (U : answer <> unknown -> small 1028 (greatest_ t) /\ small 1036 px /\ small 1036 py /\ small 1032 pz)
   by (intros U; exact (guarded _ _ S P U)).
 split; intros A; destruct (U ltac:(now rewrite A)) as (Sg & Sx & Sy & Sz).
@@ -191,6 +197,12 @@ split; intros A; destruct (U ltac:(now rewrite A)) as (Sg & Sx & Sy & Sz).
     apply (beyond (u F) Hu _ _ _ _ E K0 K) in X. lra.
   + pose proof (proj2 (signs _ _ _ _ _ P C L (read_depth _ _ _ D C2) S) A) as X.
     apply (beyond (u F) Hu _ _ _ _ E' K0 K) in X. lra.
+Qed.
+Lemma sign_right ss answer : depths F M px py pz ss answer ->
+  (answer = positive -> Forall (fun s => bottom s < height s < top s) ss) /\
+  (answer = negative -> Exists (fun s => height s < bottom s \/ top s < height s) ss).
+Proof.
+intros (t & R & S). destruct (folded_invariant _ _ R) as (P & All & Ex). exact (sign_of ss t answer P All Ex S).
 Qed.
 
 (* Where all operations read alike, a sign is answered of valid slabs only. *)
