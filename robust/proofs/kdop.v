@@ -6,23 +6,26 @@ From Filters Require Import model constants filters steps ghost tactics choices.
 Import ListNotations.
 Open Scope R_scope.
 
-Record point := { x : R; y : R; z : R }.
+Record point T := { x : T; y : T; z : T }.
+Arguments x {T}. Arguments y {T}. Arguments z {T}.
 
 Section Run.
-Variables (F : format) (M : machine R) (nx ny nz : R).
+Variable F : format.
+Context {T : Type}.
+Variables (M : machine T) (nx ny nz : T).
 (* greatest_extent. The point that was looked at last comes first. *)
-Inductive extents : list point -> R -> Prop :=
-| no_extent : extents [] 0
-| one_extent p ps g g' : extents ps g -> kdop_greater_extent F R M (x p) (y p) (z p) g g' -> extents (p :: ps) g'.
-Definition height p v := kdop_height F R M nx ny nz (x p) (y p) (z p) v.
+Inductive extents : list (point T) -> T -> Prop :=
+| no_extent g : constant M 0 g -> extents [] g
+| one_extent p ps g g' : extents ps g -> kdop_greater_extent F T M (x p) (y p) (z p) g g' -> extents (p :: ps) g'.
+Definition height p v := kdop_height F T M nx ny nz (x p) (y p) (z p) v.
 (* The least and the greatest. They start from infinities: the first number is kept, for it is finite. *)
-Inductive extremes : list point -> R -> R -> Prop :=
+Inductive extremes : list (point T) -> T -> T -> Prop :=
 | first_extreme p v low high : height p v -> choose M true v v low -> choose M true v v high -> extremes [p] low high
 | more_extremes p ps v low high low' high' : extremes ps low high -> height p v ->
-    kdop_lower F R M v low low' -> kdop_higher F R M v high high' -> extremes (p :: ps) low' high'.
+    kdop_lower F T M v low low' -> kdop_higher F T M v high high' -> extremes (p :: ps) low' high'.
 (* p is no candidate. Where doubt is infinite (None), every point is. *)
 Definition passed_over ps p := exists of_points low high apart value, extents ps of_points /\ extremes ps low high /\
-  kdop_doubt F R M nx ny nz of_points (Some apart) /\ height p value /\ kdop_between F R M value low high apart true.
+  kdop_doubt F T M nx ny nz of_points (Some apart) /\ height p value /\ kdop_between F T M value low high apart true.
 (* the sum of a point's magnitudes *)
 Definition extent p size := exists t, add M (Plain (magnitude M (x p))) (Plain (magnitude M (y p))) t /\
   add M (Plain t) (Plain (magnitude M (z p))) size.
@@ -43,7 +46,8 @@ Definition within g p := exists s, extent p s /\ below F s g.
 
 Lemma extents_invariant ps g : extents F M ps g -> 0 <= g /\ Forall (within g) ps.
 Proof.
-assert (N0 : 0 < n) by apply G. induction 1 as [|p ps g g' R [P I] S]; [split; [lra|constructor]|].
+assert (N0 : 0 < n) by apply G. induction 1 as [g Z|p ps g g' R [P I] S].
+{ simpl in Z. subst. split; [lra|constructor]. }
 unfold kdop_greater_extent in S. unpack. subst. cbn [magnitude reals] in *. nonneg.
 destruct (greater_right F N0 _ _ _ _ S2 S3) as (B1 & B2 & E).
 split; [destruct E; eapply read_nonneg; eassumption|]. constructor.
