@@ -44,7 +44,8 @@ struct Share {
 
 /// numerator / d; size: |c| times the error of d . n.
 template <class Float>
-Share<Float> share(const Term2<Float>& numerator, const Float& size, const Factor<Float>& d, const Float& inverse) {
+[[gnu::always_inline]] inline Share<Float> share(const Term2<Float>& numerator, const Float& size,
+                                                 const Factor<Float>& d, const Float& inverse) {
   using Format = filters::FloatFormat<Float>;
   const Float q = Format::head((numerator.head + numerator.tail) * inverse);
   const Float rest = ((numerator.head - q * d.head) - q * d.tail) + numerator.tail;
@@ -53,7 +54,7 @@ Share<Float> share(const Term2<Float>& numerator, const Float& size, const Facto
 
 /// v + t n, as `along` of enclosed.h, but that the error holds for the ends of the enclosure as they are rounded, too.
 template <class Float>
-Enclosed<Float> along(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
+[[gnu::always_inline]] inline Enclosed<Float> along(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
   using Format = filters::FloatFormat<Float>;
   const Pair<Float> sum = two_sum(t.head * n.head, v);
   const Float low = sum.low + (t.head * n.tail + t.tail * n.whole);
@@ -63,7 +64,8 @@ Enclosed<Float> along(const Float& v, const Share<Float>& t, const Factor<Float>
 
 /// The same, rounded.
 template <class Float>
-std::optional<Float> enclosed_push(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
+[[gnu::always_inline]] inline std::optional<Float> enclosed_push(const Float& v, const Share<Float>& t,
+                                                                 const Factor<Float>& n) {
   const Enclosed<Float> x = along(v, t, n);
   const Float above = x.high + (x.low + x.error), below = x.high + (x.low - x.error);
   if (!(above <= below)) return std::nullopt;
@@ -73,8 +75,9 @@ std::optional<Float> enclosed_push(const Float& v, const Share<Float>& t, const 
 inline Perhaps<Vector3d> enclosed_push(const Vector3d& v, const Share<double>& t, const Vector3d& n) {
   const Share<Two> of_both{Two(t.head), Two(t.tail), Two(t.error)};
   const auto xy = enclosed_push(Two(v.x, v.y), of_both, factor(Two(n.x, n.y)));
+  if (!xy) return std::nullopt;
   const auto z = enclosed_push(v.z, t, factor(n.z));
-  if (!xy || !z) return std::nullopt;
+  if (!z) return std::nullopt;
   return {std::in_place, xy->first(), xy->second(), *z};
 }
 

@@ -166,7 +166,8 @@ Enclosed<Float> operator*(const Enclosed<Float>& x, const Enclosed<Float>& y) {
 /// start + t v for a t that is off by so much, as Sum has it, and that error times |v|. t's tail is at most T of its
 /// head, or beyond that by no more than the error.
 template <class Float>
-Enclosed<Float> along(const Float& start, const Factor<Float>& t, const Float& error, const Factor<Float>& v) {
+[[gnu::always_inline]] inline Enclosed<Float> along(const Float& start, const Factor<Float>& t, const Float& error,
+                                                    const Factor<Float>& v) {
   using Format = filters::FloatFormat<Float>;
   Sum sum(product(t, v));
   sum += start;
@@ -176,7 +177,8 @@ Enclosed<Float> along(const Float& start, const Factor<Float>& t, const Float& e
 }
 /// For a quotient t, whose high part is its head.
 template <class Float>
-Enclosed<Float> along(const Float& start, const Enclosed<Float>& t, const Factor<Float>& v) {
+[[gnu::always_inline]] inline Enclosed<Float> along(const Float& start, const Enclosed<Float>& t,
+                                                    const Factor<Float>& v) {
   return along(start, Factor<Float>{t.high, t.high, t.low}, t.error, v);
 }
 

@@ -79,8 +79,10 @@ struct Crossing {
   const Enclosed<Two> n = enclosed_crosses(between, s, r);
   if (!d.settled() || d.high == 0) return std::nullopt;
   const Enclosed<Two> t = n / Divisor(twice(d));
-  const auto numbers = rounded(t), point = rounded(along(start, twice(first(t)), r));
-  if (!numbers || !point) return std::nullopt;
+  const auto numbers = rounded(t);
+  if (!numbers) return std::nullopt;
+  const auto point = rounded(along(start, twice(first(t)), r));
+  if (!point) return std::nullopt;
   return Crossing{numbers->first(), numbers->second(), point_of(*point)};
 }
 

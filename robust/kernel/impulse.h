@@ -8,7 +8,7 @@
 /// v1 - (b m2 d . n) / ((m1 + m2) n . n) n and v2 + (b m1 d . n) / ((m1 + m2) n . n) n.
 namespace touchstone::robust::kernel {
 
-/// Whether numbers are 0, or of a magnitude in [2^-60, 2^60]: finite.
+/// Whether numbers are 0, or of a magnitude in [2^-60, 2^60], their sum too: finite.
 ///
 /// As robust/kernel/window.h, for quotients of degree 4 by degree 3. All numbers are multiples of 2^-112, so the
 /// numerator is a multiple of 2^-448 below 2^252; the denominator, a product of masses and squares, lies between 2^-180
@@ -20,21 +20,31 @@ template <class... Numbers>
 bool in_narrow_window(Numbers... numbers) {
   using Format = filters::FloatFormat<Two>;
   Two::Bits outside{};
-  const auto look = [&outside](Two x) {
+  Two sizes;
+  const auto look = [&](Two x) {
     const Two::Lanes size = Format::magnitude(x).lanes;
-    // A comparison may read a subnormal as zero, which is small too; whether it is zero is asked of its bits. NaN is
-    // not at most 2^60.
-    outside |= ((size < Two(0x1p-60).lanes) & reinterpret_cast<Two::Bits>(size)) | ~(size <= Two(0x1p60).lanes);
+    // A comparison may read a subnormal as zero, which is small too; whether it is zero is asked of its bits. With NaN
+    // the sum is not at most 2^60.
+    outside |= (size < Two(0x1p-60).lanes) & reinterpret_cast<Two::Bits>(size);
+    sizes = sizes + Two(size);
   };
   (look(numbers), ...);
-  return (outside[0] | outside[1]) == 0;
+  return (outside[0] | outside[1]) == 0 && sizes <= Two(0x1p60);
 }
+
+/// The velocities of both bodies, side by side: x, y, z.
+struct Impelled {
+  Two x, y, z;
+
+  Vector3d first() const { return {x.first(), y.first(), z.first()}; }
+  Vector3d second() const { return {x.second(), y.second(), z.second()}; }
+};
 
 /// c: -b m2 and b m1. in_narrow_window and rounds_to_nearest have been asked of all numbers, and masses are positive.
 /// Empty where n is 0, too.
-[[gnu::always_inline]] inline Perhaps<Velocitiesd> enclosed_impulse(const Massesd& masses,
-                                                                    const Velocitiesd& velocities, const Vector3d& n,
-                                                                    const Factor<Two>& c) {
+[[gnu::always_inline]] inline std::optional<Impelled> enclosed_impulse(const Massesd& masses,
+                                                                       const Velocitiesd& velocities, const Vector3d& n,
+                                                                       const Factor<Two>& c) {
   const auto& [v, w] = velocities;
   // d in the first lane, and n - 0 beside it.
   const Vector3<Factor<Two>> normal = factors(n), left{vector_between(Two(w.x, 0), Two(v.x, n.x)),
@@ -48,10 +58,13 @@ bool in_narrow_window(Numbers... numbers) {
   const Term2<Two> numerator = product(both(factor(approach), factor(approach)), c);
   const Two size = filters::FloatFormat<Two>::magnitude(c.whole) * Two(approach.error);
   const Share<Two> t = share(numerator, size, both(d.value, d.value), Two(d.inverse));
-  const auto x = enclosed_push(Two(v.x, w.x), t, normal.x), y = enclosed_push(Two(v.y, w.y), t, normal.y),
-             z = enclosed_push(Two(v.z, w.z), t, normal.z);
-  if (!x || !y || !z) return std::nullopt;
-  return Velocitiesd{{x->first(), y->first(), z->first()}, {x->second(), y->second(), z->second()}};
+  const auto x = enclosed_push(Two(v.x, w.x), t, normal.x);
+  if (!x) return std::nullopt;
+  const auto y = enclosed_push(Two(v.y, w.y), t, normal.y);
+  if (!y) return std::nullopt;
+  const auto z = enclosed_push(Two(v.z, w.z), t, normal.z);
+  if (!z) return std::nullopt;
+  return Impelled{*x, *y, *z};
 }
 
 /// For b = bounce / one.

@@ -54,11 +54,18 @@ PolygonNormal<double> answer_of(const kernel::ScaledPoints<Integer>& points) {
 
 void validate(const Polygon3d& polygon) { validation::validate("polygon", polygon); }
 
-}  // namespace
+struct Numbers {
+  kernel::Two normal_xy, unit_xy, zs;
 
+  Vector3d normal() const { return {normal_xy.first(), normal_xy.second(), zs.first()}; }
+  Vector3d unit() const { return {unit_xy.first(), unit_xy.second(), zs.second()}; }
+};
+
+/// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
+///
 /// Two triangles of the fan round vertex 0 at a time: with a, b, c three vertices as seen from there, a x b + b x c = b
 /// x (c - a). Where the last triangle is alone, c is vertex 0. Not proved by machine: what sum_of_squares carries over.
-Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d& polygon) {
+[[gnu::always_inline]] inline std::optional<Numbers> enclosed_numbers(const Polygon3d& polygon) {
   using namespace kernel;
   const std::size_t n = polygon.size();
   if (n < 3 || n > 1 << 12 || !rounds_to_nearest()) return std::nullopt;
@@ -66,19 +73,27 @@ Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d&
   const auto xy = [](const Point3d& p) { return Two(p.x, p.y); };
   Window window(xy(hub));
   window.add(xy(polygon[1])).add(Two(hub.z, polygon[1].z));
-  Sum<Two> sum_xy(Term2<Two>{Two(), Two()});
-  Sum<double> sum_z(Term2<double>{0, 0});
-  for (std::size_t i = 1; i + 1 < n; i += 2) {
+  struct Terms {
+    Term2<Two> plus_xy, minus_xy, z;
+  };
+  const auto terms = [&](std::size_t i) __attribute__((always_inline)) {
     const Point3d &a = polygon[i], &b = polygon[i + 1], &c = polygon.next(i + 1);
     const Two of_b = xy(b), of_c = xy(c), zs(b.z, c.z);
     window.add(of_b).add(of_c).add(zs);
     const Factor<Two> p = vector_between(xy(hub), of_b), q = vector_between(xy(a), of_c),
                       z = vector_between(Two(hub.z, a.z), zs);
     // p and q as three lanes each: (x, y) and z, the latter beside each other.
-    sum_xy += product(both(second(p), first(z)), both(second(z), first(q)));
-    sum_xy -= product(both(first(z), first(p)), both(second(q), second(z)));
-    const Term2<Two> of_z = product(p, swapped(q));
-    sum_z += first(of_z), sum_z -= second(of_z);
+    return Terms{product(both(second(p), first(z)), both(second(z), first(q))),
+                 product(both(first(z), first(p)), both(second(q), second(z))), product(p, swapped(q))};
+  };
+  const Terms start = terms(1);
+  Sum<Two> sum_xy(start.plus_xy);
+  Sum<double> sum_z(first(start.z));
+  sum_xy -= start.minus_xy, sum_z -= second(start.z);
+  for (std::size_t i = 3; i + 1 < n; i += 2) {
+    const Terms next = terms(i);
+    sum_xy += next.plus_xy, sum_xy -= next.minus_xy;
+    sum_z += first(next.z), sum_z -= second(next.z);
   }
   if (!window.holds()) return std::nullopt;
   const Enclosed<Two> nxy = sum_xy.value();
@@ -90,8 +105,15 @@ Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d&
   const auto normal_xy = rounded(nxy), unit_xy = rounded(nxy / Divisor(twice(length)));
   const auto zs = rounded(both(nz, nz / Divisor(length)));
   if (!normal_xy || !unit_xy || !zs) return std::nullopt;
-  return {std::in_place, NormalClass::proper, Vector3d{normal_xy->first(), normal_xy->second(), zs->first()},
-          Vector3d{unit_xy->first(), unit_xy->second(), zs->second()}};
+  return Numbers{*normal_xy, *unit_xy, *zs};
+}
+
+}  // namespace
+
+Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d& polygon) {
+  const auto numbers = enclosed_numbers(polygon);
+  if (!numbers) return std::nullopt;
+  return {std::in_place, NormalClass::proper, numbers->normal(), numbers->unit()};
 }
 
 Perhaps<PolygonNormal<double>> stages::polygon_normal::lattice(const Polygon3d& polygon) {
@@ -108,6 +130,9 @@ Decided<PolygonNormal<double>> stages::polygon_normal::ask(const Polygon3d& poly
   return in_turn<polygon_normal, Stage::enclosed, validate, Stage::lattice, Stage::exact>(polygon);
 }
 
-PolygonNormal<double> polygon_normal(const Polygon3d& polygon) { return stages::polygon_normal::ask(polygon).answer; }
+PolygonNormal<double> polygon_normal(const Polygon3d& polygon) {
+  if (const auto numbers = enclosed_numbers(polygon)) return {NormalClass::proper, numbers->normal(), numbers->unit()};
+  return answer_in_turn<stages::polygon_normal, validate, Stage::lattice, Stage::exact>(polygon);
+}
 
 }  // namespace touchstone::robust

@@ -13,7 +13,9 @@ class Kernel:
 
     def __init__(self, root):
         text, form, self.window = (cleaned((root / name).read_text(encoding="utf-8")) for name in HEADERS)
-        text = text.replace("filters::", "").replace("FloatFormat::", "Format::")
+        for left_out in ("[[gnu::always_inline]] inline ", "filters::"):
+            text = text.replace(left_out, "")
+        text = text.replace("FloatFormat::", "Format::")
         whole = re.search(r"^struct FloatFormat<double> \{\n(.*?)^\};", form, re.M | re.S)[1]
         self.precision = int(re.search(r"precision = (\d+),", whole)[1])
         cut = re.search(r"return std::bit_cast<double>\(std::bit_cast<std::uint64_t>\(x\) & "

@@ -14,10 +14,10 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
   validation::validate_normal("normal", normal);
 }
 
-}  // namespace
-
-Perhaps<Velocitiesd> stages::elastic_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
-                                                         const Vector3d& n) {
+/// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
+[[gnu::always_inline]] inline std::optional<kernel::Impelled> enclosed_velocities(const Massesd& masses,
+                                                                                  const Velocitiesd& velocities,
+                                                                                  const Vector3d& n) {
   using namespace kernel;
   const auto& [v, w] = velocities;
   const Two both_masses(masses.first, masses.second);
@@ -25,6 +25,15 @@ Perhaps<Velocitiesd> stages::elastic_collision::enclosed(const Massesd& masses, 
       !(both_masses >= Two(0x1p-60)) || !rounds_to_nearest())
     return std::nullopt;
   return enclosed_impulse(masses, velocities, n, factor(Two(-2 * masses.second, 2 * masses.first)));
+}
+
+}  // namespace
+
+Perhaps<Velocitiesd> stages::elastic_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
+                                                         const Vector3d& n) {
+  const auto after = enclosed_velocities(masses, velocities, n);
+  if (!after) return std::nullopt;
+  return {std::in_place, after->first(), after->second()};
 }
 
 Velocitiesd stages::elastic_collision::exact(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& n) {
@@ -37,7 +46,8 @@ Decided<Velocitiesd> stages::elastic_collision::ask(const Massesd& masses, const
 }
 
 Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
-  return answer_in_turn<stages::elastic_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities, normal);
+  if (const auto after = enclosed_velocities(masses, velocities, normal)) return {after->first(), after->second()};
+  return answer_in_turn<stages::elastic_collision, validate, Stage::exact>(masses, velocities, normal);
 }
 
 }  // namespace touchstone::robust

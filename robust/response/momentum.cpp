@@ -24,9 +24,10 @@ Perhaps<Vector3d> stages::momentum::enclosed(const std::vector<Bodyd>& bodies) {
   if (!window.holds()) return std::nullopt;
   const Enclosed<Two> of_x = x.value(), of_y = y.value(), of_z = z.value();
   const auto xy = rounded(both(first(of_x), first(of_y)) + both(second(of_x), second(of_y)));
+  if (!xy) return std::nullopt;
   const auto of_both = rounded(first(of_z) + second(of_z));
-  if (!xy || !of_both) return std::nullopt;
-  return Vector3d{xy->first(), xy->second(), *of_both};
+  if (!of_both) return std::nullopt;
+  return {std::in_place, xy->first(), xy->second(), *of_both};
 }
 
 Vector3d stages::momentum::exact(const std::vector<Bodyd>& bodies) {
@@ -42,6 +43,8 @@ Decided<Vector3d> stages::momentum::ask(const std::vector<Bodyd>& bodies) {
   return in_turn<momentum, Stage::enclosed, kernel::validate_bodies, Stage::exact>(bodies);
 }
 
-Vector3d momentum(const std::vector<Bodyd>& bodies) { return stages::momentum::ask(bodies).answer; }
+Vector3d momentum(const std::vector<Bodyd>& bodies) {
+  return answer_in_turn<stages::momentum, Stage::enclosed, kernel::validate_bodies, Stage::exact>(bodies);
+}
 
 }  // namespace touchstone::robust

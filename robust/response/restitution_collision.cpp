@@ -16,10 +16,10 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
   validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
 }
 
-}  // namespace
-
-Perhaps<Velocitiesd> stages::restitution_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
-                                                             const Vector3d& n, double e) {
+/// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
+[[gnu::always_inline]] inline std::optional<kernel::Impelled> enclosed_velocities(const Massesd& masses,
+                                                                                  const Velocitiesd& velocities,
+                                                                                  const Vector3d& n, double e) {
   using namespace kernel;
   const auto& [v, w] = velocities;
   const Two both_masses(masses.first, masses.second);
@@ -30,6 +30,15 @@ Perhaps<Velocitiesd> stages::restitution_collision::enclosed(const Massesd& mass
   const Factor<double> one_and_e = factor(bounce);
   const Term2<Two> c = product(both(one_and_e, one_and_e), factor(Two(-masses.second, masses.first)));
   return enclosed_impulse(masses, velocities, n, factor(Enclosed<Two>{c.head, c.tail, Two()}));
+}
+
+}  // namespace
+
+Perhaps<Velocitiesd> stages::restitution_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
+                                                             const Vector3d& n, double e) {
+  const auto after = enclosed_velocities(masses, velocities, n, e);
+  if (!after) return std::nullopt;
+  return {std::in_place, after->first(), after->second()};
 }
 
 Velocitiesd stages::restitution_collision::exact(const Massesd& masses, const Velocitiesd& velocities,
@@ -45,8 +54,8 @@ Decided<Velocitiesd> stages::restitution_collision::ask(const Massesd& masses, c
 
 Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                   double e) {
-  return answer_in_turn<stages::restitution_collision, Stage::enclosed, validate, Stage::exact>(masses, velocities,
-                                                                                                normal, e);
+  if (const auto after = enclosed_velocities(masses, velocities, normal, e)) return {after->first(), after->second()};
+  return answer_in_turn<stages::restitution_collision, validate, Stage::exact>(masses, velocities, normal, e);
 }
 
 }  // namespace touchstone::robust
