@@ -155,7 +155,8 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
     try {
-      write_report(tally, command.report_directory, options.jobs, for_maps.get(), {"", before ? &*before : nullptr});
+      write_report(tally, command.report_directory, options.jobs, for_maps.get(),
+                   {"", before ? &*before : nullptr, command.gate.decides() ? gate_in_words(tally, result) : ""});
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--report ") + failed.what());
     }

@@ -47,7 +47,7 @@ GateResult finish_gate(const GateCommand& command, Gate gate, const Tally& tally
   const Baseline found = baseline_of(tally, gate.causes);
   if (!gate.baseline && !command.write_baseline.empty()) gate.baseline = found;
   GateResult result = held_against(tally, gate);
-  if (command.decides()) out << gate_in_words(result) << std::flush;
+  if (command.decides()) out << gate_in_words(tally, result) << std::flush;
   // Of an interrupted audit nothing would be known of what it had not come to.
   if (!tally.interrupted) write_file("--write-baseline", command.write_baseline, baseline_json(found));
   write_file("--junit", command.junit_file, junit_xml(tally, result));

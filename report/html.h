@@ -13,6 +13,7 @@ namespace touchstone::audit {
 struct ReportNotes {
   std::string command;            ///< the line that was called; empty: one that gives the same tally
   const Tally* before = nullptr;  ///< an earlier audit to be shown beside this one, as before and after a fix
+  std::string gate{};             ///< what the gate says (audit/gate/gate.h); empty where none decides
 };
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there.

@@ -250,6 +250,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps, const Repo
   std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(headline(tally, sum)) +
                      "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) + "</p><p class=\"quiet\">" +
                      escaped(conditions(tally, sum)) + "</p></header><main>" + tiles(sum);
+  if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"card\"><pre>" + escaped(notes.gate) + "</pre></div>";
   if (notes.before != nullptr) body += comparison(*notes.before, tally);
   body += "<h2>By operation</h2>" + operations_table(tally, sum) + gallery(tally, maps);
   body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration)) + conventions(tally);

@@ -95,6 +95,7 @@ table.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}
 table.stack th,table.stack td{display:block;border:0;padding:1px 0;text-align:left;white-space:normal;background:none;box-shadow:none}
 table.stack td[data-label]{display:flex;justify-content:flex-end;align-items:baseline;gap:8px;text-align:right}
 table.stack td[data-label]::before{content:attr(data-label);color:var(--quiet);font-weight:400;text-align:left;margin-right:auto}
+table.stack.confusion td{padding:2px 8px;margin-bottom:1px}
 table.stack td.none{display:none}table.stack td.bar-cell{padding:4px 0;width:auto}table.stack td:empty{display:none}
 .said tr{display:block;border-bottom:1px solid var(--line);padding:5px 0}.said th,.said td{display:block;border:0;padding:1px 0;text-align:left}
 .walk{display:block}.lenses{grid-template-columns:1fr 1fr}

@@ -7,6 +7,7 @@
 
 #include "audit/counted.h"
 #include "audit/gate/shown.h"
+#include "audit/repeat.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "geometry/invalid_input.h"
 
@@ -39,6 +40,13 @@ bool same_place(const Found& a, const Found& b) {
 std::uint64_t cases_of(const OperationTally& operation) {
   const Cell total = operation.total();
   return total.cases() + total.not_asked;
+}
+
+/// The shell line that repeats an entry's example, where it has one.
+std::string repeated(const Tally& tally, const Found& found) {
+  const Finding* example = example_of(tally, found);
+  if (example == nullptr) return "";
+  return "    " + repeat_command(*find_operation(found.operation), example->question, tally, false) + "\n";
 }
 
 }  // namespace
@@ -141,7 +149,7 @@ GateResult held_against(const Tally& tally, const Gate& gate) {
   return result;
 }
 
-std::string gate_in_words(const GateResult& result) {
+std::string gate_in_words(const Tally& tally, const GateResult& result) {
   std::uint64_t known = 0, failing = 0, tolerated = 0;
   std::string lines;
   std::size_t count = 0;
@@ -151,7 +159,7 @@ std::string gate_in_words(const GateResult& result) {
     (entry.fails ? failing : tolerated) += fresh;
     if (!entry.fails || ++count > most_lines) continue;
     lines += "  " + entry.found.operation + (entry.found.family.empty() ? "" : ", " + entry.found.family) + ": " +
-             in_words(entry) + "\n";
+             in_words(entry) + "\n" + repeated(tally, entry.found);
   }
   if (count > most_lines) lines += "  and " + std::to_string(count - most_lines) + " more\n";
   std::string text = result.passed() ? "gate: passed" : "gate: failed";

@@ -81,7 +81,8 @@ struct GateResult {
 };
 GateResult held_against(const Tally& tally, const Gate& gate);
 
-/// "gate: passed; 12 findings are known\n", or what fails it, an entry a line.
-std::string gate_in_words(const GateResult& result);
+/// "gate: passed; 12 findings are known\n", or what fails it, an entry a line and the shell line that repeats its
+/// example.
+std::string gate_in_words(const Tally& tally, const GateResult& result);
 
 }  // namespace touchstone::audit
