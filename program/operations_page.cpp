@@ -12,7 +12,7 @@ namespace {
 constexpr const char* introduction = R"(# Operations: C++ signatures, JSON fields, words
 
 This page is printed by `touchstone ops --markdown`, from the catalogue; do not edit it. What an operation means - closed sets,
-degenerate inputs, errors - is its contract in [reference/](../reference/lines).
+degenerate inputs, errors - is its contract, the comment at its name in a header of [reference/](../reference).
 
 - **C++**: the member function of an engine ([engines.md](engines.md)) and the arguments that `robust`, `reference` and the generators of
   [testing.md](testing.md) have. Shapes are in [geometry/](../geometry); `Segment2d` is short for `Segment2<double>`. Arguments may be taken by
@@ -50,7 +50,9 @@ std::string spaced(const Json& json) {
 
 template <class Row>
 void print_operation(const Operation& operation, std::ostream& out) {
-  out << "\n### `" << operation.name() << "`\n\n" << operation.card().question << "\n\n```cpp\n";
+  out << "\n### `" << operation.name() << "`\n\n"
+      << operation.card().question << " ([contract](../reference/" << operation.card().chapter << '/'
+      << operation.name() << ".h))\n\n```cpp\n";
   for (const Signature& signature : signature_texts<Row>()) {
     out << signature.text << ";";
     for (const std::string& shorter : signature.instead)

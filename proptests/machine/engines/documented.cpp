@@ -101,7 +101,7 @@ TEST_CASE("documented: docs/operations.md gives signature, JSON and words of eac
   const std::vector<std::string> sections = {
       R"(### `segment_segment`
 
-What do the two closed segments have in common?
+What do the two closed segments have in common? ([contract](../reference/lines/segment_segment.h))
 
 ```cpp
 SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b);  // or SegmentRelation, bool
