@@ -36,8 +36,7 @@ bool in_narrow_window(Numbers... numbers) {
 struct Impelled {
   Two x, y, z;
 
-  Vector3d first() const { return {x.first(), y.first(), z.first()}; }
-  Vector3d second() const { return {x.second(), y.second(), z.second()}; }
+  Velocitiesd answer() const { return {{x.first(), y.first(), z.first()}, {x.second(), y.second(), z.second()}}; }
 };
 
 /// c: -b m2 and b m1. in_narrow_window and rounds_to_nearest have been asked of all numbers, and masses are positive.

@@ -7,8 +7,8 @@
 /// Where enclosed.h may be asked.
 namespace touchstone::robust::kernel {
 
-/// Whether the processor rounds to nearest: no other mode gives 1 for both. The numbers are normal, so that neither
-/// FTZ nor DAZ has a say.
+/// Whether the processor rounds to nearest, 1 for both: in any other mode the sum is above 1 or the difference below.
+/// The numbers are normal, so that neither FTZ nor DAZ has a say.
 inline bool rounds_to_nearest() {
   double tiny = 0x1p-60;
 #if defined(__SSE2__)
@@ -17,7 +17,7 @@ inline bool rounds_to_nearest() {
   volatile double kept = tiny;
   tiny = kept;
 #endif
-  return 1 + tiny == 1 - tiny;
+  return 1 + tiny <= 1 - tiny;
 }
 
 /// Whether numbers are 0, or of a magnitude in [2^-100, 2^100]: finite.
@@ -39,7 +39,9 @@ class Window {
     return *this;
   }
   /// Of a list 2^100 bounds the sum of magnitudes.
-  bool holds() const { return (small_[0] | small_[1]) == 0 && sizes_ <= Two(0x1p100); }
+  bool holds() const { return none_small() && sizes_ <= Two(0x1p100); }
+  /// Of the lower bound alone; of NaN, too.
+  bool none_small() const { return (small_[0] | small_[1]) == 0; }
 
  private:
   static Two magnitude(Two x) { return filters::FloatFormat<Two>::magnitude(x); }
@@ -59,6 +61,14 @@ bool in_window(Two first, Numbers... others) {
   Window window(first);
   (window.add(others), ...);
   return window.holds();
+}
+
+/// The lower bound alone.
+template <class... Numbers>
+bool none_small(Two first, Numbers... others) {
+  Window window(first);
+  (window.add(others), ...);
+  return window.none_small();
 }
 
 }  // namespace touchstone::robust::kernel

@@ -50,6 +50,10 @@ void validate(const Line2d& a, const Line2d& b) {
   validation::validate("a", a), validation::validate("b", b);
 }
 
+LineLine<double> answer_of(const kernel::Crossing& crossing) {
+  return {LineRelation::crossing, crossing.ta, crossing.tb, crossing.point};
+}
+
 /// The stage `enclosed`, where there is an answer made of its crossing. Inlined into both that make one: an answer of
 /// several numbers that is made elsewhere and copied costs a tenth of the whole (Perhaps says why).
 [[gnu::always_inline]] inline std::optional<kernel::Crossing> enclosed_crossing(const Line2d& a, const Line2d& b) {
@@ -72,9 +76,8 @@ LineRelation stages::line_line::decision::exact(const Line2d& a, const Line2d& b
 }
 
 Perhaps<LineLine<double>> stages::line_line::enclosed(const Line2d& a, const Line2d& b) {
-  const auto crossing = enclosed_crossing(a, b);
-  if (!crossing) return std::nullopt;
-  return {std::in_place, LineRelation::crossing, crossing->ta, crossing->tb, crossing->point};
+  if (const auto crossing = enclosed_crossing(a, b)) return answer_of(*crossing);
+  return std::nullopt;
 }
 
 Perhaps<LineLine<double>> stages::line_line::lattice(const Line2d& a, const Line2d& b) {
@@ -93,8 +96,7 @@ Decided<LineRelation> detail::line_line_relation::past_filter(const Line2d& a, c
 }
 
 LineLine<double> line_line(const Line2d& a, const Line2d& b) {
-  if (const auto crossing = enclosed_crossing(a, b))
-    return {LineRelation::crossing, crossing->ta, crossing->tb, crossing->point};
+  if (const auto crossing = enclosed_crossing(a, b)) return answer_of(*crossing);
   return answer_in_turn<stages::line_line, validate, Stage::lattice, Stage::exact>(a, b);
 }
 

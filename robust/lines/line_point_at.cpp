@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/line_point_at.h"
 
+#include "robust/kernel/push.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
@@ -31,17 +32,21 @@ void validate(const ParametricLine2d& line, double t) {
   validation::validate("line", line), validation::validate("t", t);
 }
 
+/// Of the window only the lower bound is asked. What is too large makes an infinity of the product or of the sum, of
+/// which two_sum makes NaN, and that is not enclosed.
+[[gnu::always_inline]] inline std::optional<kernel::Two> enclosed_point(const ParametricLine2d& line, double t) {
+  using namespace kernel;
+  if (validation::zero(line.direction.x) && validation::zero(line.direction.y)) return std::nullopt;  // refused
+  const Two origin(line.origin), direction(line.direction), parameter(t);
+  if (!none_small(origin, direction, parameter) || !rounds_to_nearest()) return std::nullopt;
+  return enclosed_push(origin, share(parameter), factor(direction));
+}
+
 }  // namespace
 
 Perhaps<Point2d> stages::line_point_at::enclosed(const ParametricLine2d& line, double t) {
-  using kernel::Two;
-  if (validation::zero(line.direction.x) && validation::zero(line.direction.y)) return std::nullopt;  // refused
-  const Two origin(line.origin), direction(line.direction), parameter(t);
-  if (!kernel::in_window(origin, direction, parameter) || !kernel::rounds_to_nearest()) return std::nullopt;
-  kernel::Sum sum(kernel::product(kernel::factor(parameter), kernel::factor(direction)));
-  const auto point = kernel::rounded((sum += origin).value());
-  if (!point) return std::nullopt;
-  return Point2d{point->first(), point->second()};
+  if (const auto point = enclosed_point(line, t)) return Point2d{point->first(), point->second()};
+  return std::nullopt;
 }
 
 Perhaps<Point2d> stages::line_point_at::lattice(const ParametricLine2d& line, double t) {
@@ -54,20 +59,22 @@ Point2d stages::line_point_at::exact(const ParametricLine2d& line, double t) {
   return {on_integers(line.origin.x, line.direction.x, t), on_integers(line.origin.y, line.direction.y, t)};
 }
 
+Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
+  return in_turn<line_point_at, Stage::enclosed, validate, Stage::lattice, Stage::exact>(line, t);
+}
+
 namespace {
 
 /// Apart from the usual way, which then has no registers to save.
-[[gnu::noinline]] Decided<Point2d> past_enclosure(const ParametricLine2d& line, double t) {
-  return in_turn<stages::line_point_at, validate, Stage::lattice, Stage::exact>(line, t);
+[[gnu::noinline]] Point2d past_enclosure(const ParametricLine2d& line, double t) {
+  return answer_in_turn<stages::line_point_at, validate, Stage::lattice, Stage::exact>(line, t);
 }
 
 }  // namespace
 
-Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
-  if (const auto answer = enclosed(line, t)) return {*answer, Stage::enclosed};
+Point2d line_point_at(const ParametricLine2d& line, double t) {
+  if (const auto point = enclosed_point(line, t)) return Point2d{point->first(), point->second()};
   return past_enclosure(line, t);
 }
-
-Point2d line_point_at(const ParametricLine2d& line, double t) { return stages::line_point_at::ask(line, t).answer; }
 
 }  // namespace touchstone::robust

@@ -57,8 +57,10 @@ void validate(const Polygon3d& polygon) { validation::validate("polygon", polygo
 struct Numbers {
   kernel::Two normal_xy, unit_xy, zs;
 
-  Vector3d normal() const { return {normal_xy.first(), normal_xy.second(), zs.first()}; }
-  Vector3d unit() const { return {unit_xy.first(), unit_xy.second(), zs.second()}; }
+  PolygonNormal<double> answer() const {
+    return {NormalClass::proper, Vector3d{normal_xy.first(), normal_xy.second(), zs.first()},
+            Vector3d{unit_xy.first(), unit_xy.second(), zs.second()}};
+  }
 };
 
 /// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
@@ -101,9 +103,9 @@ struct Numbers {
   if (!nxy.settled() || !nz.settled()) return std::nullopt;
   const Enclosed<double> square = sum_of_squares(nxy, nz);
   if (!square.settled() || square.high == 0) return std::nullopt;
-  const Enclosed<double> length = square_root(square);
-  const auto normal_xy = rounded(nxy), unit_xy = rounded(nxy / Divisor(twice(length)));
-  const auto zs = rounded(both(nz, nz / Divisor(length)));
+  const Divisor length(square_root(twice(square)));
+  const auto normal_xy = rounded(nxy), unit_xy = rounded(nxy / length);
+  const auto zs = rounded(both(nz, first(twice(nz) / length)));
   if (!normal_xy || !unit_xy || !zs) return std::nullopt;
   return Numbers{*normal_xy, *unit_xy, *zs};
 }
@@ -111,9 +113,8 @@ struct Numbers {
 }  // namespace
 
 Perhaps<PolygonNormal<double>> stages::polygon_normal::enclosed(const Polygon3d& polygon) {
-  const auto numbers = enclosed_numbers(polygon);
-  if (!numbers) return std::nullopt;
-  return {std::in_place, NormalClass::proper, numbers->normal(), numbers->unit()};
+  if (const auto numbers = enclosed_numbers(polygon)) return numbers->answer();
+  return std::nullopt;
 }
 
 Perhaps<PolygonNormal<double>> stages::polygon_normal::lattice(const Polygon3d& polygon) {
@@ -131,7 +132,7 @@ Decided<PolygonNormal<double>> stages::polygon_normal::ask(const Polygon3d& poly
 }
 
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon) {
-  if (const auto numbers = enclosed_numbers(polygon)) return {NormalClass::proper, numbers->normal(), numbers->unit()};
+  if (const auto numbers = enclosed_numbers(polygon)) return numbers->answer();
   return answer_in_turn<stages::polygon_normal, validate, Stage::lattice, Stage::exact>(polygon);
 }
 

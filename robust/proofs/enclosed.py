@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""robust/kernel/enclosed.h as Coq definitions: each function from its own text, operation by operation, a call of
-another function by that one's definition. What this does not understand is an error. See extract.py."""
+"""robust/kernel/enclosed.h and push.h as Coq definitions: each function from its own text, operation by operation, a
+call of another function by that one's definition. What this does not understand is an error. See extract.py."""
 import re
 from fractions import Fraction
 
 from enclosed_text import HEADERS, Kernel, coq, field_name  # HEADERS: for others
 
-HEAD = """(* Written by extract.py from robust/kernel/enclosed.h, float_format.h and window.h. *)
+HEAD = """(* Written by extract.py from robust/kernel/enclosed.h, push.h, float_format.h and window.h. *)
 From Coq Require Import Reals ZArith Bool.
 From Filters Require Import arithmetic.
 Open Scope R_scope.
@@ -24,13 +24,14 @@ NAMES = {
     "multiply": ("operator*", "Enclosed Enclosed"), "along_factor": ("along", "Float Factor Float Factor"),
     "along": ("along", "Float Enclosed Factor"), "divisor_of": ("Divisor.this", "Enclosed"),
     "divide": ("operator/", "Enclosed Divisor"), "square_root": ("square_root", "Enclosed"),
-    "rounded": ("rounded", "Enclosed"),
+    "rounded": ("rounded", "Enclosed"), "share_of_number": ("share", "Float"),
+    "push": ("along", "Float Share Factor"), "enclosed_push": ("enclosed_push", "Float Share Factor"),
 }
 # What has a theorem: the definitions that it is about. The others are parts of these.
 PROVED = {name: [name] for name in "two_sum difference add subtract multiply along rounded".split()} | {
     "product": ["factor_of_pair", "factor_of_number", "product"], "divide": ["divisor_of", "divide"],
     "sum": ["sum_first", "sum_plus", "sum_minus", "sum_plus_number", "sum_value"],
-    "square_root": ["settled", "square_root"]}
+    "square_root": ["settled", "square_root"], "enclosed_push": ["share_of_number", "push", "enclosed_push"]}
 THEOREMS = {*PROVED, "window"}
 OPERATIONS = {"+": "added", "-": "subtracted", "*": "multiplied", "/": "divided"}
 TOKEN = re.compile(r"\s*(?:(\d+\.\d+|\d+)|((?:[A-Za-z_]\w*)(?:::\w+)*)|(\+=|-=|<=|>=|[-+*/(){},;!=.]))")

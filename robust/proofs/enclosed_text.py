@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The text of robust/kernel/enclosed.h, float_format.h and window.h: constants, structs, functions. See enclosed.py."""
+"""The text of robust/kernel/enclosed.h, push.h, float_format.h and window.h: constants, structs, functions. See
+enclosed.py."""
 import re
 
 from source import cleaned, initialisers, split
 
-HEADERS = [f"robust/kernel/{name}.h" for name in ("enclosed", "float_format", "window")]
+HEADERS = [f"robust/kernel/{name}.h" for name in ("enclosed", "push", "float_format", "window")]
 KINDS = {"Float": "number", "int": "Z", "bool": "bool", "std::optional": "option number"}
 
 
@@ -12,14 +13,15 @@ class Kernel:
     """The text, and the definitions that come out of it."""
 
     def __init__(self, root):
-        text, form, self.window = (cleaned((root / name).read_text(encoding="utf-8")) for name in HEADERS)
+        text, push, form, self.window = (cleaned((root / name).read_text(encoding="utf-8")) for name in HEADERS)
+        text += push
         for left_out in ("[[gnu::always_inline]] inline ", "filters::"):
             text = text.replace(left_out, "")
         text = text.replace("FloatFormat::", "Format::")
         whole = re.search(r"^struct FloatFormat<double> \{\n(.*?)^\};", form, re.M | re.S)[1]
         self.precision = int(re.search(r"precision = (\d+),", whole)[1])
-        cut = re.search(r"return std::bit_cast<double>\(std::bit_cast<std::uint64_t>\(x\) & "
-                        r"~\(\(std::uint64_t\{1\} << (\d+)\) - 1\)\);", whole)
+        cut = re.search(r"const Bits kept = reinterpret_cast<Bits>\(Lanes\{x, 0\}\) & ~\(\(1LL << (\d+)\) - 1\);\s+"
+                        r"return reinterpret_cast<Lanes>\(kept\)\[0\];", whole)
         self.kept = self.precision - int(cut[1])
         self.form = whole
         self.structs, self.functions, self.constants = {}, {}, []

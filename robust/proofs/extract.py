@@ -6,7 +6,8 @@
 
 A function of the headers is run on names instead of numbers. An operation becomes one conjunct of the definition, in
 the order of the text; functions that it calls (extent, dot, cross, certain, ...) are run in the same way, from their
-own text. What this does not understand is an error, never left out. enclosed.py does the same for enclosed.h.
+own text. What this does not understand is an error, never left out. enclosed.py does the same for enclosed.h and
+push.h.
 """
 import hashlib
 import pathlib

@@ -9,7 +9,8 @@
   prove.py --self-check          changed constants, open steps, axioms and caches are refused, without a run of Coq
 
 A filter NAME has three theorems: NAME_right about real numbers where nothing overflows, NAME_binary64 about all numbers
-of binary64, NAME_runs that there is such a run; a part NAME of enclosed.h, and a filter of OF_REALS, has NAME_right.
+of binary64, NAME_runs that there is such a run; a part NAME of enclosed.h or push.h, and a filter of OF_REALS, has
+NAME_right.
 Refused are: a filter whose text is not the one that looked_at.txt has, a filter without these theorems, a step left
 open, an axiom but those of Coq's real numbers, compiled files beside the sources.
 """

@@ -14,25 +14,30 @@ void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
   validation::validate("k", k);
 }
 
-}  // namespace
-
-/// v - (1 + k) (v . n / n . n) n.
+/// v - (1 + k) (v . n / n . n) n. A normal of 0 makes NaN, as in reflect_plane.
 ///
 /// A quotient of degree 3 by degree 2, one more than where lines cross (robust/kernel/window.h): it is 0 or lies
 /// between 2^-668 and 2^512, its head is a multiple of 2^-694, and what is left of the numerator one of 2^-998, above
 /// 2^-1022. What may underflow afterwards is below 2^-1022, or 2^-922 after a product with a number of the input, and E
 /// 2^-768 holds it.
-Perhaps<Vector3d> stages::damped_reflection::enclosed(const Vector3d& v, const Vector3d& n, double k) {
+[[gnu::always_inline]] inline std::optional<kernel::Pushed> enclosed_velocity(const Vector3d& v, const Vector3d& n,
+                                                                              double k) {
   using namespace kernel;
   if (!in_window(Two(v.x, n.x), Two(v.y, n.y), Two(v.z, n.z), Two(k, 0)) || !rounds_to_nearest()) return std::nullopt;
   const Enclosed<Two> dots = approach_and_square(v, n);
-  const Enclosed<double> approach = first(dots), square = second(dots);
-  if (square.high == 0) return std::nullopt;  // refused
-  const Pair<double> gain = two_sum(1.0, k);
-  const Term2<double> back = product(factor(approach), factor(Pair<double>{-gain.high, -gain.low}));
-  const double size = filters::FloatFormat<double>::magnitude(gain.high) * approach.error;
+  const Enclosed<Two> approach = twice(first(dots)), square = twice(second(dots));
+  const Pair<Two> gain = two_sum(Two(1), Two(k));
+  const Term2<Two> back = product(factor(approach), factor(Pair<Two>{-gain.high, -gain.low}));
+  const Two size = filters::FloatFormat<Two>::magnitude(gain.high) * approach.error;
   const Divisor d(square);
   return enclosed_push(v, share(back, size, d.value, d.inverse), n);
+}
+
+}  // namespace
+
+Perhaps<Vector3d> stages::damped_reflection::enclosed(const Vector3d& v, const Vector3d& n, double k) {
+  if (const auto after = enclosed_velocity(v, n, k)) return after->answer();
+  return std::nullopt;
 }
 
 Vector3d stages::damped_reflection::exact(const Vector3d& v, const Vector3d& n, double k) {
@@ -49,7 +54,8 @@ Decided<Vector3d> stages::damped_reflection::ask(const Vector3d& v, const Vector
 }
 
 Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k) {
-  return answer_in_turn<stages::damped_reflection, Stage::enclosed, validate, Stage::exact>(velocity, normal, k);
+  if (const auto after = enclosed_velocity(velocity, normal, k)) return after->answer();
+  return answer_in_turn<stages::damped_reflection, validate, Stage::exact>(velocity, normal, k);
 }
 
 }  // namespace touchstone::robust

@@ -31,9 +31,8 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
 
 Perhaps<Velocitiesd> stages::elastic_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
                                                          const Vector3d& n) {
-  const auto after = enclosed_velocities(masses, velocities, n);
-  if (!after) return std::nullopt;
-  return {std::in_place, after->first(), after->second()};
+  if (const auto after = enclosed_velocities(masses, velocities, n)) return after->answer();
+  return std::nullopt;
 }
 
 Velocitiesd stages::elastic_collision::exact(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& n) {
@@ -46,7 +45,7 @@ Decided<Velocitiesd> stages::elastic_collision::ask(const Massesd& masses, const
 }
 
 Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
-  if (const auto after = enclosed_velocities(masses, velocities, normal)) return {after->first(), after->second()};
+  if (const auto after = enclosed_velocities(masses, velocities, normal)) return after->answer();
   return answer_in_turn<stages::elastic_collision, validate, Stage::exact>(masses, velocities, normal);
 }
 

@@ -24,7 +24,7 @@ void validate(const Point3d& point, const Vector3d& velocity, const Plane3d& pla
 /// robust/kernel/along_normal.h, whose letters these are. Let s = |k| S of E and |c| S of v . N together, and i the
 /// inverse of N . N. In units of E s i: E and v . N are off by 20 as Sum has it of four terms, as factors by 4.3 more,
 /// their products by 5.4; the sum of both rounds their tails twice, 2.2 each; N . N is off by 18, and by 4.3 as a
-/// factor; of the quotient 17, of its product with N 13, as there. Together 87, and 160 are taken, eight times the
+/// factor; of the quotient 17, of its product with N 14.6, as there. Together 89, and 160 are taken, eight times the
 /// error of Sum.
 ///
 /// A quotient of degree 3 by degree 2, which lies between 2^-658 and 2^512, as in damped_reflection. What may underflow
@@ -44,10 +44,12 @@ Perhaps<Vector3d> stages::penalty_force::enclosed(const Point3d& p, const Vector
   const Term2<Two> forces = product(factor(along), factor(back));
   const Pair<double> force = two_sum(forces.head.first(), forces.head.second());
   const Two errors = Format::magnitude(back) * along.error;
-  const Divisor d(square);
-  const Share<double> t = share(Term2<double>{force.high, force.low + (forces.tail.first() + forces.tail.second())},
-                                errors.first() + errors.second(), d.value, d.inverse);
-  return enclosed_push({0, 0, 0}, t, n);
+  const double force_low = force.low + (forces.tail.first() + forces.tail.second());
+  const Divisor d(twice(square));
+  const Share<Two> t =
+      share(Term2<Two>{Two(force.high), Two(force_low)}, Two(errors.first() + errors.second()), d.value, d.inverse);
+  if (const auto force_along = enclosed_push({0, 0, 0}, t, n)) return force_along->answer();
+  return std::nullopt;
 }
 
 Vector3d stages::penalty_force::exact(const Point3d& p, const Vector3d& v, const Plane3d& plane, double stiffness,

@@ -13,18 +13,23 @@ void validate(const Vector3d& velocity, const Vector3d& normal) {
   validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
 }
 
-}  // namespace
-
-/// v - 2 (v . n / n . n) n: the window is that of where lines cross.
-Perhaps<Vector3d> stages::reflect_plane::enclosed(const Vector3d& v, const Vector3d& n) {
+/// v - 2 (v . n / n . n) n: the window is that of where lines cross. A normal of 0, which is refused, makes NaN, which
+/// nothing encloses.
+[[gnu::always_inline]] inline std::optional<kernel::Pushed> enclosed_velocity(const Vector3d& v, const Vector3d& n) {
   using namespace kernel;
   if (!in_window(Two(v.x, n.x), Two(v.y, n.y), Two(v.z, n.z)) || !rounds_to_nearest()) return std::nullopt;
   const Enclosed<Two> dots = approach_and_square(v, n);
-  const Enclosed<double> approach = first(dots), square = second(dots);
-  if (square.high == 0) return std::nullopt;  // refused
-  const Term2<double> twice_back{-2 * approach.high, -2 * approach.low};
+  const Enclosed<Two> approach = twice(first(dots)), square = twice(second(dots));
+  const Term2<Two> twice_back{Two(-2) * approach.high, Two(-2) * approach.low};
   const Divisor d(square);
-  return enclosed_push(v, share(twice_back, 2 * approach.error, d.value, d.inverse), n);
+  return enclosed_push(v, share(twice_back, Two(2) * approach.error, d.value, d.inverse), n);
+}
+
+}  // namespace
+
+Perhaps<Vector3d> stages::reflect_plane::enclosed(const Vector3d& v, const Vector3d& n) {
+  if (const auto after = enclosed_velocity(v, n)) return after->answer();
+  return std::nullopt;
 }
 
 Vector3d stages::reflect_plane::exact(const Vector3d& v, const Vector3d& n) {
@@ -40,7 +45,8 @@ Decided<Vector3d> stages::reflect_plane::ask(const Vector3d& v, const Vector3d& 
 }
 
 Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal) {
-  return answer_in_turn<stages::reflect_plane, Stage::enclosed, validate, Stage::exact>(velocity, normal);
+  if (const auto after = enclosed_velocity(velocity, normal)) return after->answer();
+  return answer_in_turn<stages::reflect_plane, validate, Stage::exact>(velocity, normal);
 }
 
 }  // namespace touchstone::robust

@@ -36,9 +36,8 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
 
 Perhaps<Velocitiesd> stages::restitution_collision::enclosed(const Massesd& masses, const Velocitiesd& velocities,
                                                              const Vector3d& n, double e) {
-  const auto after = enclosed_velocities(masses, velocities, n, e);
-  if (!after) return std::nullopt;
-  return {std::in_place, after->first(), after->second()};
+  if (const auto after = enclosed_velocities(masses, velocities, n, e)) return after->answer();
+  return std::nullopt;
 }
 
 Velocitiesd stages::restitution_collision::exact(const Massesd& masses, const Velocitiesd& velocities,
@@ -54,7 +53,7 @@ Decided<Velocitiesd> stages::restitution_collision::ask(const Massesd& masses, c
 
 Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                   double e) {
-  if (const auto after = enclosed_velocities(masses, velocities, normal, e)) return {after->first(), after->second()};
+  if (const auto after = enclosed_velocities(masses, velocities, normal, e)) return after->answer();
   return answer_in_turn<stages::restitution_collision, validate, Stage::exact>(masses, velocities, normal, e);
 }
 

@@ -6,8 +6,9 @@
 #include "proptests/machine/robust/narrow_float.h"
 #include "robust/kernel/along_normal.h"
 
-// The one bound of robust/kernel/along_normal.h on formats of 12, 13 and 20 digits: a velocity v that changes by
-// t n, t = (1 + e) m (d . n) / ((m + l) n . n), d a difference that may cancel, along n or before.
+// The one bound of robust/kernel/along_normal.h and push.h on formats of 12, 13 and 20 digits: a velocity v that changes
+// by t n, t = (1 + e) m (d . n) / ((m + l) n . n), d a difference that may cancel, along n or before; and a t that is
+// exact.
 namespace touchstone::proptests {
 namespace {
 
@@ -22,13 +23,28 @@ Narrow<p> drawn(Choices& choices, std::uint64_t binades = 6) {
   return Narrow<p>(choices.below(2) == 0 ? x : -x);
 }
 
+template <int p>
 struct Count {
   std::uint64_t asked = 0, found = 0, missed = 0, misrounded = 0;
   double farthest = 0;  ///< in units of the error: above 1 the truth is missed
+
+  /// v + t n.
+  void judge(const mpq_class& truth, const Narrow<p>& v, const Share<Narrow<p>>& t, const Narrow<p>& n) {
+    const Enclosed<Narrow<p>> x = along(v, t, factor(n));
+    const mpq_class distance = abs(truth - x.high.value() - x.low.value()), error = x.error.value();
+    asked += 1;
+    missed += distance > error;
+    farthest = std::max(farthest, mpq_class(distance / error).get_d());
+    if (const auto said = enclosed_push(v, t, factor(n))) {
+      const double unit = std::ldexp(1.0, std::ilogb(said->value()) + 1 - p);
+      found += 1;
+      misrounded += abs(truth - said->value()) * 2 > unit;
+    }
+  }
 };
 
 template <int p>
-void push_one(Choices& choices, Count& count) {
+void push_one(Choices& choices, Count<p>& count) {
   using Float = Narrow<p>;
   std::array<Float, 3> v, w, n;
   for (int i = 0; i < 3; ++i) v[i] = drawn<p>(choices), w[i] = drawn<p>(choices), n[i] = drawn<p>(choices);
@@ -60,26 +76,26 @@ void push_one(Choices& choices, Count& count) {
       (1 + mpq_class(e.value())) * m.value() * dot / ((mpq_class(m.value()) + l.value()) * squares);
   for (int i = 0; i < 3; ++i) {
     const mpq_class truth = v[i].value() + exact_t * n[i].value();
-    const Enclosed<Float> x = along(v[i], t, factor(n[i]));
-    const mpq_class distance = abs(truth - x.high.value() - x.low.value()), error = x.error.value();
-    count.asked += 1;
-    count.missed += distance > error;
-    count.farthest = std::max(count.farthest, mpq_class(distance / error).get_d());
-    if (const auto said = enclosed_push(v[i], t, factor(n[i]))) {
-      const double unit = std::ldexp(1.0, std::ilogb(said->value()) + 1 - p);
-      count.found += 1;
-      count.misrounded += abs(truth - said->value()) * 2 > unit;
-    }
+    count.judge(truth, v[i], t, n[i]);
   }
+}
+
+/// A t that is exact; half of the points nearly 0.
+template <int p>
+void step_one(Choices& choices, Count<p>& count) {
+  using Float = Narrow<p>;
+  const Float t = drawn<p>(choices), n = drawn<p>(choices);
+  const Float v = choices.below(2) == 0 ? drawn<p>(choices) : Float(-(t.value() * n.value()));
+  count.judge(v.value() + mpq_class(t.value()) * n.value(), v, share(t), n);
 }
 
 /// No truth is missed; and the constant is not idle: a thirty-second of it would be too small.
 template <int p>
-void pushes() {
-  Count count;
+void pushes(void (*one)(Choices&, Count<p>&)) {
+  Count<p> count;
   for (std::uint64_t i = 0; i < 60000; ++i) {
     Choices choices = Choices::seeded(audit::seed_of(p, "pushes", i));
-    push_one<p>(choices, count);
+    one(choices, count);
   }
   INFO(p << " digits: " << count.asked << " asked, " << count.found << " found, farthest " << count.farthest);
   CHECK(count.missed == 0);
@@ -90,6 +106,9 @@ void pushes() {
 
 }  // namespace
 
-TEST_CASE("along_normal: velocities that change along a normal") { pushes<12>(), pushes<13>(), pushes<20>(); }
+TEST_CASE("along_normal: velocities that change along a normal") {
+  pushes<12>(push_one<12>), pushes<13>(push_one<13>), pushes<20>(push_one<20>);
+}
+TEST_CASE("push: points along a line") { pushes<12>(step_one<12>), pushes<13>(step_one<13>), pushes<20>(step_one<20>); }
 
 }  // namespace touchstone::proptests
