@@ -115,6 +115,14 @@ struct swept_sphere_sphere {
            }
            return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
          }},
+        {"rounded_touch",
+         [](Choices& c) -> Question {
+           // The reach is the distance at the start or at the end, rounded.
+           const auto tenth = [&c] { return small_integer(c, 40) / 10; };
+           const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
+           const Vector3d p{x, y, z}, v{vx, vy, vz}, end = p + v, touch = c.below(2) == 0 ? p : end;
+           return {{{x, y, z}, std::sqrt(dot(touch, touch))}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
+         }},
         {"least_beside_greatest",
          [](Choices& c) -> Question {
            const double tiny = std::ldexp(small_integer(c), -1074),
