@@ -52,12 +52,14 @@ class Bounded {
 inline EnclosedPair enclosed_dot(const EnclosedVectors& v, const EnclosedVectors& w) {
   return v.x * w.x + v.y * w.y + v.z * w.z;
 }
+/// p q - r s
+inline EnclosedPair enclosed_minor(const Factor<Two>& p, const Factor<Two>& q, const Factor<Two>& r,
+                                   const Factor<Two>& s) {
+  return (Sum(product(p, q)) -= product(r, s)).value();
+}
 /// v x w
 inline EnclosedVectors enclosed_cross(const Vector3<Factor<Two>>& v, const Vector3<Factor<Two>>& w) {
-  const auto minor = [](const Factor<Two>& p, const Factor<Two>& q, const Factor<Two>& r, const Factor<Two>& s) {
-    return (Sum(product(p, q)) -= product(r, s)).value();
-  };
-  return {minor(v.y, w.z, v.z, w.y), minor(v.z, w.x, v.x, w.z), minor(v.x, w.y, v.y, w.x)};
+  return {enclosed_minor(v.y, w.z, v.z, w.y), enclosed_minor(v.z, w.x, v.x, w.z), enclosed_minor(v.x, w.y, v.y, w.x)};
 }
 
 inline bool symmetric(const Inertiad& i) {
@@ -75,10 +77,11 @@ class EnclosedInertia {
         yz_(a.y.z, b.y.z),
         zz_(a.z.z, b.z.z) {
     bounded.inputs(xx_, xy_, xz_, yy_, yz_, zz_);
-    const Vector3<Factor<Two>> x = factors(xx_, xy_, xz_), y = factors(xy_, yy_, yz_), z = factors(xz_, yz_, zz_);
-    of_x_ = bounded(enclosed_cross(y, z));
-    of_y_ = bounded(enclosed_cross(z, x));
-    of_z_ = bounded(enclosed_cross(x, y));
+    const Factor<Two> xx = factor(xx_), xy = factor(xy_), xz = factor(xz_), yy = factor(yy_), yz = factor(yz_),
+                      zz = factor(zz_);
+    of_x_ = bounded({enclosed_minor(yy, zz, yz, yz), enclosed_minor(yz, xz, xy, zz), enclosed_minor(xy, yz, yy, xz)});
+    of_y_ = {of_x_.y, bounded(enclosed_minor(zz, xx, xz, xz)), bounded(enclosed_minor(xz, xy, yz, xx))};
+    of_z_ = {of_x_.z, of_y_.z, bounded(enclosed_minor(xx, yy, xy, xy))};
     determinant_ = bounded(enclosed_dot(of_x_, {enclosed(xx_), enclosed(xy_), enclosed(xz_)}));
   }
 

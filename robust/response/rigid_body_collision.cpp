@@ -64,9 +64,10 @@ Vector3d moved(const Vector3<Dyadic>& start, const Dyadic& of, const Vector3<Dya
 }  // namespace
 
 /// The slide's formula, body beside body, each step with its bound. A bound holds whatever the steps before: there is
-/// no sum of bounds to be proved here.
-Perhaps<Motions<double>> stages::rigid_body_collision::enclosed(const RigidBodyd& a, const RigidBodyd& b,
-                                                                const Point3d& p, const Vector3d& n, double e) {
+/// no sum of bounds to be proved here. Flattened, as enclosures that are handed over in memory cost more than a product.
+[[gnu::flatten]] Perhaps<Motions<double>> stages::rigid_body_collision::enclosed(const RigidBodyd& a,
+                                                                                 const RigidBodyd& b, const Point3d& p,
+                                                                                 const Vector3d& n, double e) {
   using namespace kernel;
   Bounded bounded;
   const Two mass(a.mass, b.mass);
