@@ -64,7 +64,7 @@ Vector3d moved(const Vector3<Dyadic>& start, const Dyadic& of, const Vector3<Dya
 }  // namespace
 
 /// The slide's formula, body beside body, each step with its bound. A bound holds whatever the steps before: there is
-/// no sum of bounds to be proved here. Flattened, as enclosures that are handed over in memory cost more than a product.
+/// no sum of bounds to be proved here. Flattened: an enclosure that is handed over in memory costs more than a product.
 [[gnu::flatten]] Perhaps<Motions<double>> stages::rigid_body_collision::enclosed(const RigidBodyd& a,
                                                                                  const RigidBodyd& b, const Point3d& p,
                                                                                  const Vector3d& n, double e) {
