@@ -80,12 +80,12 @@ void push_one(Choices& choices, Count<p>& count) {
   }
 }
 
-/// A t that is exact; half of the points nearly 0.
+/// A t that is exact; a quarter of the points nearly 0, which mostly are not found.
 template <int p>
 void step_one(Choices& choices, Count<p>& count) {
   using Float = Narrow<p>;
   const Float t = drawn<p>(choices), n = drawn<p>(choices);
-  const Float v = choices.below(2) == 0 ? drawn<p>(choices) : Float(-(t.value() * n.value()));
+  const Float v = choices.below(4) == 0 ? Float(-(t.value() * n.value())) : drawn<p>(choices);
   count.judge(v.value() + mpq_class(t.value()) * n.value(), v, share(t), n);
 }
 
