@@ -25,6 +25,7 @@ template <class Float>
   return {x.head, x.tail, Format::above(16 * cut<Float>) * Format::magnitude(t)};
 }
 
+/// v + t n. Other than that of enclosed.h, the error holds for the ends of the enclosure as they are rounded, too.
 template <class Float>
 [[gnu::always_inline]] inline Enclosed<Float> along(const Float& v, const Share<Float>& t, const Factor<Float>& n) {
   using Format = filters::FloatFormat<Float>;

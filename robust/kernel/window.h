@@ -63,7 +63,8 @@ bool in_window(Two first, Numbers... others) {
   return window.holds();
 }
 
-/// The lower bound alone.
+/// The lower bound alone, where overflow is seen in the answer. Against underflow it is enough: it makes all numbers
+/// multiples of 2^-152.
 template <class... Numbers>
 bool none_small(Two first, Numbers... others) {
   Window window(first);
