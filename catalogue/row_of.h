@@ -26,12 +26,6 @@ Asked zeros(std::size_t length) {
   return asked;
 }
 
-/// stages::X of a row X: `type`, in the unit that CMake writes, for every X that has a file in robust/stages/.
-template <class Row>
-struct StagesOf {
-  using type = void;
-};
-
 /// Whether a function of `Stages` takes the arguments of a question.
 template <class Ask, class Asked>
 inline constexpr bool takes = false;
@@ -257,10 +251,9 @@ RowFunctions RowOf<Row>::functions() {
     f.decide_by_integers = decide_by_integers;
     f.count_decisions = count_decisions;
   }
-  using Stages = typename StagesOf<Row>::type;
-  if constexpr (!std::is_void_v<Stages>) f.stages = stage_functions<Stages, Asked>();
-  if constexpr (requires { typename Stages::decision; })
-    f.decision_stages = stage_functions<typename Stages::decision, Asked>();
+  if constexpr (requires { typename Row::stages; }) f.stages = stage_functions<typename Row::stages, Asked>();
+  if constexpr (requires { typename Row::stages::decision; })
+    f.decision_stages = stage_functions<typename Row::stages::decision, Asked>();
   for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back({hard.name, hard.as_drawn});
   f.draw_hard_case = draw_hard_case;
   const auto given = hooks();

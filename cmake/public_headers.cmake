@@ -12,7 +12,7 @@ set(touchstone_public_of_testing testing/*.h)
 # Folders that hold no operations; of these a header is copied only where a public one includes it.
 set(touchstone_inner_folders "^(robust/(kernel|rings|hulls)|oracle/(exact|rings|certificates))/")
 # No public header may reach these.
-set(touchstone_never_public "^(report|program/engines|robust/(stages|rings|hulls))/")
+set(touchstone_never_public "^(report|program/engines|robust/(rings|hulls))/")
 
 # touchstone_public_headers(RESULT SOURCE component...): the headers of these components and all that they include, as paths below SOURCE.
 function(touchstone_public_headers result source)

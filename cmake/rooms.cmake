@@ -112,8 +112,7 @@ constexpr Checks (*checks_of_all_files[])() = {@listed@};
 list(FILTER audit_sources EXCLUDE REGEX "/program/main\\.cpp|/program/engines/")
 
 # catalogue/CHAPTER/*.h -> one translation unit that makes the operations of the chapter's rows: one for each row would take five times as
-# long, because it is the headers that cost. Stages of the same name are the row's.
-file(GLOB stages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/robust/stages/*/*.h)  # to look again
+# long, because it is the headers that cost.
 file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/catalogue/*/*.h)
 list(FILTER rows EXCLUDE REGEX "^catalogue/(codec|families|judge)/")
 set(row_chapters "")
@@ -123,10 +122,6 @@ foreach(row ${rows})
   cmake_path(GET chapter FILENAME chapter)
   list(APPEND row_chapters ${chapter})
   string(APPEND includes_of_${chapter} "#include \"${row}\"\n")
-  if(EXISTS ${PROJECT_SOURCE_DIR}/robust/stages/${chapter}/${name}.h)
-    string(APPEND includes_of_${chapter} "#include \"robust/stages/${chapter}/${name}.h\"\n")
-    string(APPEND operations_of_${chapter} "template <>\nstruct StagesOf<rows::${name}> {\n  using type = robust::stages::${name};\n};\n")
-  endif()
   string(APPEND operations_of_${chapter} "template const Operation& operation_of_row<rows::${name}>();\n")
 endforeach()
 list(REMOVE_DUPLICATES row_chapters)

@@ -37,14 +37,12 @@ PLACES = {
     "catalogue": (".h",),
     "proptests/operations": (".cpp",),
 }
-# Stages of robust, for those operations that have some: nothing else of an operation needs them, and users do not get them.
-STAGES = "robust/stages"
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "stages", "proofs"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/public_headers.cmake refuses to install these.
-NOT_INSTALLED = (f"{STAGES}/", "robust/rings/", "robust/hulls/")
+NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".mjs"}
 LONGEST = 400
@@ -91,10 +89,6 @@ def operation_files(tree, operations):
             for folder in folders:
                 if name.startswith(f"{place}/{folder}/") and name not in wanted:
                     yield f"{name}: stray, no operation of that chapter has this name"
-    staged = {f"{STAGES}/{o['chapter']}/{o['name']}.h" for o in operations if "method_of" not in o}
-    for name in sorted(tree.text):
-        if name.startswith(f"{STAGES}/") and name not in staged:
-            yield f"{name}: stray, no operation of that chapter has this name"
 
 
 def claimed(tree, file):
@@ -118,6 +112,8 @@ def evidence(tree, operations):
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
             if f"robust::{alone}(" not in row:
                 yield f"catalogue/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
+        if "namespace stages {" in header and f"using stages = ::touchstone::robust::stages::{name};" not in row:
+            yield f"catalogue/{operation['chapter']}/{name}.h: nobody asks robust::stages::{name}, each stage alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
@@ -249,7 +245,6 @@ def right_tree():
     files["robust/kernel/filter.h"] = "#include <CGAL/version.h>\n#include <gmpxx.h>\nmpq_class exact();\n"
     files["robust/lines/touch.cpp"] = '#include "robust/lines/touch.h"\n#include "robust/kernel/filter.h"\n'
     files["reference/lines/touch.h"] = '#include "geometry/points.h"\n// not even mpq_class in a comment\n'
-    files["robust/stages/lines/touch.h"] = '#include "robust/lines/touch.h"\n'
     files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
@@ -290,10 +285,10 @@ PLANTED = [
     ("robust/lines/touch.h", "inline Side touch_side(int);\n", "nobody asks robust::touch_side"),
     ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
     ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
-    ("robust/lines/touch.h", '#include "robust/stages/lines/touch.h"\n', "stages/lines/touch.h, which is not installed"),
+    ("robust/lines/touch.h", "namespace stages {\nstruct touch;\n}\n", "nobody asks robust::stages::touch"),
+    ("robust/lines/touch.h", '#include "robust/rings/simple.h"\n', "rings/simple.h, which is not installed"),
     ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
     ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
-    ("robust/stages/lines/cross.h", "", "robust/stages/lines/cross.h: stray"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
     ("catalogue/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/lines/touch.h:1: two draws in one call"),
     ("catalogue/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),

@@ -47,18 +47,15 @@ def method_of_oracle(chapter, name):
 
 
 def stages_of(chapter, name):
-    """Those that can be asked one by one; a filter that is inlined stands in the header of the operation itself."""
-    path = f"robust/stages/{chapter}/{name}.h"
-    if not (ROOT / path).is_file():
-        return []
-    text = text_of(path) + text_of(f"robust/{chapter}/{name}.h")
-    return [stage for stage in STAGES if re.search(rf"static \S.* {stage}\(", text)]
+    """Those that can be asked one by one."""
+    text = text_of(f"robust/{chapter}/{name}.h").partition("namespace stages {")[2]
+    return [stage for stage in STAGES if re.search(rf"static [^(;]* {stage}[(,;]", text)]
 
 
 def sources_of(chapter, name):
     """The text of an operation of robust and of all that it includes of robust, but for the filters themselves."""
     filters = set(importlib.import_module("source").HEADERS)
-    texts, left = {}, [f"robust/{chapter}/{name}.h", f"robust/stages/{chapter}/{name}.h"]
+    texts, left = {}, [f"robust/{chapter}/{name}.h"]
     while left:
         path = left.pop()
         if path in texts or path in filters or not (ROOT / path).is_file():

@@ -15,6 +15,7 @@ namespace touchstone::audit::rows {
 
 struct all_pairs {
   TOUCHSTONE_MODULES(all_pairs)
+  using stages = ::touchstone::robust::stages::all_pairs;
   using Spheres = std::vector<Sphere3d>;
   using Boxes = std::vector<Aabb3d>;
   using Question = std::variant<std::tuple<Spheres>, std::tuple<Boxes>>;

@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct explicit_line {
   TOUCHSTONE_MODULES(explicit_line)
+  using stages = ::touchstone::robust::stages::explicit_line;
   using Question = std::tuple<double, double, Point2d>;
 
   using decision = NoDecision;

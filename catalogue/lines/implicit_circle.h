@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct implicit_circle {
   TOUCHSTONE_MODULES(implicit_circle)
+  using stages = ::touchstone::robust::stages::implicit_circle;
   using Question = std::tuple<Circle2d, Point2d>;
 
   using decision = NoDecision;

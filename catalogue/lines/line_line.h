@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct line_line {
   TOUCHSTONE_MODULES(line_line)
+  using stages = ::touchstone::robust::stages::line_line;
   using Question = std::tuple<Line2d, Line2d>;
 
   static const Card& card() {

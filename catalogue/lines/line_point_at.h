@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct line_point_at {
   TOUCHSTONE_MODULES(line_point_at)
+  using stages = ::touchstone::robust::stages::line_point_at;
   using Question = std::tuple<ParametricLine2d, double>;
 
   using decision = NoDecision;

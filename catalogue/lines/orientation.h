@@ -15,6 +15,7 @@ namespace touchstone::audit::rows {
 
 struct orientation {
   TOUCHSTONE_MODULES(orientation)
+  using stages = ::touchstone::robust::stages::orientation;
   using Question = std::tuple<Point2d, Point2d, Point2d>;
 
   static const Card& card() {

@@ -10,6 +10,7 @@ namespace touchstone::audit::rows {
 
 struct parametric_circle {
   TOUCHSTONE_MODULES(parametric_circle)
+  using stages = ::touchstone::robust::stages::parametric_circle;
   using Question = std::tuple<Circle2d, double>;
 
   using decision = NoDecision;

@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct point_on_segment {
   TOUCHSTONE_MODULES(point_on_segment)
+  using stages = ::touchstone::robust::stages::point_on_segment;
   using Question = std::tuple<Point2d, Segment2d>;
 
   static const Card& card() {

@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct ray_segment {
   TOUCHSTONE_MODULES(ray_segment)
+  using stages = ::touchstone::robust::stages::ray_segment;
   using Question = std::tuple<Ray2d, Segment2d>;
 
   static const Card& card() {

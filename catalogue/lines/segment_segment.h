@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct segment_segment {
   TOUCHSTONE_MODULES(segment_segment)
+  using stages = ::touchstone::robust::stages::segment_segment;
   using Question = std::tuple<Segment2d, Segment2d>;
 
   static const Card& card() {

@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct point_plane {
   TOUCHSTONE_MODULES(point_plane)
+  using stages = ::touchstone::robust::stages::point_plane;
   using Question = std::tuple<Plane3d, Point3d>;
 
   struct decision {

@@ -14,6 +14,7 @@ namespace touchstone::audit::rows {
 
 struct point_plane_toi {
   TOUCHSTONE_MODULES(point_plane_toi)
+  using stages = ::touchstone::robust::stages::point_plane_toi;
   using Question = std::tuple<Plane3d, Point3d, Point3d>;
 
   using decision = NoDecision;

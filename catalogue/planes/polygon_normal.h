@@ -15,6 +15,7 @@ namespace touchstone::audit::rows {
 
 struct polygon_normal {
   TOUCHSTONE_MODULES(polygon_normal)
+  using stages = ::touchstone::robust::stages::polygon_normal;
   using Question = std::tuple<Polygon3d>;
 
   using decision = NoDecision;

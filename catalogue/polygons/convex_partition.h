@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct convex_partition {
   TOUCHSTONE_MODULES(convex_partition)
+  using stages = ::touchstone::robust::stages::convex_partition;
   using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;

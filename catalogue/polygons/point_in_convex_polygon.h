@@ -15,6 +15,7 @@ namespace touchstone::audit::rows {
 
 struct point_in_convex_polygon {
   TOUCHSTONE_MODULES(point_in_convex_polygon)
+  using stages = ::touchstone::robust::stages::point_in_convex_polygon;
   using Question = std::tuple<Polygon2d, Point2d>;
 
   using decision = NoDecision;

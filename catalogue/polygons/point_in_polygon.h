@@ -14,6 +14,7 @@ namespace touchstone::audit::rows {
 
 struct point_in_polygon {
   TOUCHSTONE_MODULES(point_in_polygon)
+  using stages = ::touchstone::robust::stages::point_in_polygon;
   using Question = std::tuple<Polygon2d, Point2d>;
 
   static const Card& card() {

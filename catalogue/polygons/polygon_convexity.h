@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct polygon_convexity {
   TOUCHSTONE_MODULES(polygon_convexity)
+  using stages = ::touchstone::robust::stages::polygon_convexity;
   using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;

@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct polygon_polygon {
   TOUCHSTONE_MODULES(polygon_polygon)
+  using stages = ::touchstone::robust::stages::polygon_polygon;
   using Question = std::tuple<Polygon2d, Polygon2d>;
 
   using decision = NoDecision;

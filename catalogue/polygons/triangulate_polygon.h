@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct triangulate_polygon {
   TOUCHSTONE_MODULES(triangulate_polygon)
+  using stages = ::touchstone::robust::stages::triangulate_polygon;
   using Question = std::tuple<Polygon2d>;
 
   using decision = NoDecision;

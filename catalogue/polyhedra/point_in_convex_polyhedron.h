@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct point_in_convex_polyhedron {
   TOUCHSTONE_MODULES(point_in_convex_polyhedron)
+  using stages = ::touchstone::robust::stages::point_in_convex_polyhedron;
   using Question = std::tuple<Meshd, Point3d>;
   using decision = NoDecision;
 

@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct contact_state {
   TOUCHSTONE_MODULES(contact_state)
+  using stages = ::touchstone::robust::stages::contact_state;
   using Question = std::tuple<MovingBodyd, MovingBodyd, Point3d, Vector3d>;
   using decision = NoDecision;
 

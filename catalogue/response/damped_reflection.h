@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct damped_reflection {
   TOUCHSTONE_MODULES(damped_reflection)
+  using stages = ::touchstone::robust::stages::damped_reflection;
   using Question = std::tuple<Vector3d, Vector3d, double>;
   using decision = NoDecision;
 

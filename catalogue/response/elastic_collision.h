@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct elastic_collision {
   TOUCHSTONE_MODULES(elastic_collision)
+  using stages = ::touchstone::robust::stages::elastic_collision;
   using Question = std::tuple<Massesd, Velocitiesd, Vector3d>;
   using decision = NoDecision;
 

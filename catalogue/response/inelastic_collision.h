@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct inelastic_collision {
   TOUCHSTONE_MODULES(inelastic_collision)
+  using stages = ::touchstone::robust::stages::inelastic_collision;
   using Question = std::tuple<Massesd, Velocitiesd>;
   using decision = NoDecision;
 

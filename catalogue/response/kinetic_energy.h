@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct kinetic_energy {
   TOUCHSTONE_MODULES(kinetic_energy)
+  using stages = ::touchstone::robust::stages::kinetic_energy;
   using Question = std::tuple<Bodies>;
   using decision = NoDecision;
 

@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct momentum {
   TOUCHSTONE_MODULES(momentum)
+  using stages = ::touchstone::robust::stages::momentum;
   using Question = std::tuple<Bodies>;
   using decision = NoDecision;
 

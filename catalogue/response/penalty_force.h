@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct penalty_force {
   TOUCHSTONE_MODULES(penalty_force)
+  using stages = ::touchstone::robust::stages::penalty_force;
   using Question = std::tuple<Point3d, Vector3d, Plane3d, double, double>;
   using decision = NoDecision;
 

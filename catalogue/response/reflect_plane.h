@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct reflect_plane {
   TOUCHSTONE_MODULES(reflect_plane)
+  using stages = ::touchstone::robust::stages::reflect_plane;
   using Question = std::tuple<Vector3d, Vector3d>;
   using decision = NoDecision;
 

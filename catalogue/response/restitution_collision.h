@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct restitution_collision {
   TOUCHSTONE_MODULES(restitution_collision)
+  using stages = ::touchstone::robust::stages::restitution_collision;
   using Question = std::tuple<Massesd, Velocitiesd, Vector3d, double>;
   using decision = NoDecision;
 

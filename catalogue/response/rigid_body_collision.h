@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct rigid_body_collision {
   TOUCHSTONE_MODULES(rigid_body_collision)
+  using stages = ::touchstone::robust::stages::rigid_body_collision;
   using Question = std::tuple<RigidBodyd, RigidBodyd, Point3d, Vector3d, double>;
   using decision = NoDecision;
 

@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct swept_aabb_aabb {
   TOUCHSTONE_MODULES(swept_aabb_aabb)
+  using stages = ::touchstone::robust::stages::swept_aabb_aabb;
   using InPlane = std::tuple<Aabb2d, Aabb2d, Vector2d>;
   using InSpace = std::tuple<Aabb3d, Aabb3d, Vector3d>;
   using Question = std::variant<InPlane, InSpace>;

@@ -16,6 +16,7 @@ namespace touchstone::audit::rows {
 
 struct swept_convex_polyhedra {
   TOUCHSTONE_MODULES(swept_convex_polyhedra)
+  using stages = ::touchstone::robust::stages::swept_convex_polyhedra;
   using Question = std::tuple<Meshd, Meshd, Vector3d>;
   using decision = NoDecision;
 

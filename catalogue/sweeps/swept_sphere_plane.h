@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct swept_sphere_plane {
   TOUCHSTONE_MODULES(swept_sphere_plane)
+  using stages = ::touchstone::robust::stages::swept_sphere_plane;
   using Question = std::tuple<Sphere3d, Vector3d, Plane3d>;
   using decision = NoDecision;
 

@@ -14,6 +14,7 @@ namespace touchstone::audit::rows {
 
 struct swept_sphere_sphere {
   TOUCHSTONE_MODULES(swept_sphere_sphere)
+  using stages = ::touchstone::robust::stages::swept_sphere_sphere;
   using Question = std::tuple<Sphere3d, Sphere3d, Vector3d, Vector3d>;
 
   static const Card& card() {

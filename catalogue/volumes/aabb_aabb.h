@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct aabb_aabb {
   TOUCHSTONE_MODULES(aabb_aabb)
+  using stages = ::touchstone::robust::stages::aabb_aabb;
   using InPlane = std::tuple<Aabb2d, Aabb2d>;
   using InSpace = std::tuple<Aabb3d, Aabb3d>;
   using Question = std::variant<InPlane, InSpace>;

@@ -13,6 +13,7 @@ struct aabb_of_points {
   template <class Real>
   using Answers = std::variant<Aabb2<Real>, Aabb3<Real>>;
   TOUCHSTONE_MODULES_EITHER(aabb_of_points)
+  using stages = ::touchstone::robust::stages::aabb_of_points;
   using InPlane = std::vector<Point2d>;
   using InSpace = std::vector<Point3d>;
   using Question = std::variant<std::tuple<InPlane>, std::tuple<InSpace>>;

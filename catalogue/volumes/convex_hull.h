@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct convex_hull {
   TOUCHSTONE_MODULES(convex_hull)
+  using stages = ::touchstone::robust::stages::convex_hull;
   using Points = std::vector<Point3d>;
   using Question = std::tuple<Points>;
   using decision = NoDecision;

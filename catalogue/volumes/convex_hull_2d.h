@@ -16,6 +16,7 @@ namespace touchstone::audit::rows {
 
 struct convex_hull_2d {
   TOUCHSTONE_MODULES(convex_hull_2d)
+  using stages = ::touchstone::robust::stages::convex_hull_2d;
   using Points = std::vector<Point2d>;
   using Question = std::tuple<Points>;
   using decision = NoDecision;

@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct kdop_kdop {
   TOUCHSTONE_MODULES(kdop_kdop)
+  using stages = ::touchstone::robust::stages::kdop_kdop;
   using Question = std::tuple<Kdop3d, Kdop3d>;
   using decision = NoDecision;
 

@@ -11,6 +11,7 @@ namespace touchstone::audit::rows {
 
 struct kdop_of_points {
   TOUCHSTONE_MODULES(kdop_of_points)
+  using stages = ::touchstone::robust::stages::kdop_of_points;
   using Points = std::vector<Point3d>;
   using Normals = std::vector<Vector3d>;
   using Question = std::tuple<Points, Normals>;

@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct obb_obb {
   TOUCHSTONE_MODULES(obb_obb)
+  using stages = ::touchstone::robust::stages::obb_obb;
   using Question = std::tuple<Obb3d, Obb3d>;
   using decision = NoDecision;
 

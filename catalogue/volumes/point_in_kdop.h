@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct point_in_kdop {
   TOUCHSTONE_MODULES(point_in_kdop)
+  using stages = ::touchstone::robust::stages::point_in_kdop;
   using Question = std::tuple<Kdop3d, Point3d>;
   using decision = NoDecision;
 

@@ -12,6 +12,7 @@ namespace touchstone::audit::rows {
 
 struct point_in_obb {
   TOUCHSTONE_MODULES(point_in_obb)
+  using stages = ::touchstone::robust::stages::point_in_obb;
   using Question = std::tuple<Obb3d, Point3d>;
   using decision = NoDecision;
 

@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct sphere_aabb {
   TOUCHSTONE_MODULES(sphere_aabb)
+  using stages = ::touchstone::robust::stages::sphere_aabb;
   using InPlane = std::tuple<Circle2d, Aabb2d>;
   using InSpace = std::tuple<Sphere3d, Aabb3d>;
   using Question = std::variant<InPlane, InSpace>;

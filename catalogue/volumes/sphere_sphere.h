@@ -13,6 +13,7 @@ namespace touchstone::audit::rows {
 
 struct sphere_sphere {
   TOUCHSTONE_MODULES(sphere_sphere)
+  using stages = ::touchstone::robust::stages::sphere_sphere;
   using InPlane = std::tuple<Circle2d, Circle2d>;
   using InSpace = std::tuple<Sphere3d, Sphere3d>;
   using Question = std::variant<InPlane, InSpace>;

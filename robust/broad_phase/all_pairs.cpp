@@ -12,7 +12,6 @@
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/spheres.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/broad_phase/all_pairs.h"
 
 namespace touchstone::robust {
 namespace {

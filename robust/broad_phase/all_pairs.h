@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -17,5 +17,16 @@ namespace touchstone::robust {
 /// and min > max ("min <= max"). Contract: reference/broad_phase/all_pairs.h.
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed. Boxes are compared only: always the first.
+struct all_pairs {
+  static Decided<std::vector<IndexPair>> ask(const std::vector<Sphere3d>& spheres);
+  static Decided<std::vector<IndexPair>> ask(const std::vector<Aabb3d>& boxes);
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

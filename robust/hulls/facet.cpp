@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "robust/kernel/lattice.h"
-#include "robust/stages/lines/orientation.h"
+#include "robust/lines/orientation.h"
 
 namespace touchstone::robust::hulls {
 namespace {

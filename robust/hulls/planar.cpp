@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "robust/stages/lines/orientation.h"
+#include "robust/lines/orientation.h"
 
 namespace touchstone::robust {
 namespace {

@@ -20,8 +20,8 @@ namespace touchstone::robust {
 /// lattice:  the input as integers below 2^61 on one common power of two, products in 128 bits; may not fit.
 /// exact:    the input as integers of any size; CGAL over GMP integers. Always knows.
 ///
-/// stages::X (robust/stages/CHAPTER/X.h, which is not installed) has what tests and other operations want of X beside
-/// its answer:
+/// stages::X, declared with the operation X and defined in its .cpp in the order in which stages are asked, is for tests
+/// and other operations, and no promise to users:
 ///   X::filter, X::enclosed, X::lattice, X::exact
 ///                                     the stages that X has, of valid arguments. `exact` returns the answer, the
 ///                                     others Perhaps<Answer>, empty for "ask the next".
@@ -62,6 +62,16 @@ struct Decided {
     latest = std::max(latest, stage);
     return answer;
   }
+};
+
+/// The types of stages::X, of the type of the function X: static Partial enclosed, lattice; static Total exact;
+template <class Function>
+struct Signatures;
+template <class Answer, class... Q>
+struct Signatures<Answer(Q...)> {
+  using Partial = Perhaps<Answer>(Q...);  ///< a stage that may not know
+  using Total = Answer(Q...);             ///< the stage that always knows
+  using Staged = Decided<Answer>(Q...);   ///< the stages in turn: ask
 };
 
 /// A stage as the function of that name.
@@ -114,13 +124,13 @@ auto answer_in_turn(const Q&... q) {
   return in_turn_telling<Stages, steps...>([](const auto& answer, Stage) { return answer; }, q...);
 }
 
-/// Base of an operation's part that is inlined where it is called: its filter. Part::past_filter asks the others.
-template <class Part, class Answer>
-struct Filtered {
+/// Base of stages::X whose filter is inlined where X is called; past_filter, out of line, asks the other stages.
+template <class X, class... Functions>
+struct Filtered : Signatures<Functions>... {
   template <class... Q>
-  static Decided<Answer> ask(const Q&... q) {
-    if (const auto answer = Part::filter(q...)) return {*answer, Stage::filter};
-    return Part::past_filter(q...);
+  static auto ask(const Q&... q) -> decltype(X::past_filter(q...)) {
+    if (const auto answer = X::filter(q...)) return {*answer, Stage::filter};
+    return X::past_filter(q...);
   }
 };
 

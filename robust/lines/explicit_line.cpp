@@ -4,7 +4,6 @@
 #include "robust/kernel/plane.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/explicit_line.h"
 
 namespace touchstone::robust {
 namespace {
@@ -34,7 +33,7 @@ Height stages::explicit_line::exact(double slope, double intercept, const Point2
   return height(kernel::sign_by_cgal(kernel::exact_sum(elevation(slope, intercept, point)).n));
 }
 
-Decided<Height> detail::explicit_line::past_filter(double slope, double intercept, const Point2d& point) {
+Decided<Height> stages::explicit_line::past_filter(double slope, double intercept, const Point2d& point) {
   return in_turn<stages::explicit_line, validate, Stage::lattice, Stage::exact>(slope, intercept, point);
 }
 

@@ -14,19 +14,22 @@ namespace touchstone::robust {
 /// the field and "finite number". Contract: reference/lines/explicit_line.h.
 inline Height explicit_line(double slope, double intercept, const Point2d& point);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct explicit_line : Filtered<explicit_line, Height> {
+struct explicit_line : Filtered<explicit_line, decltype(robust::explicit_line)> {
   static Perhaps<Height> filter(double slope, double intercept, const Point2d& point) {
     return filters::by_sign(filters::elevation(slope, intercept, point), Height::above, Height::below);
   }
-  static Decided<Height> past_filter(double slope, double intercept, const Point2d& point);
+  static Partial lattice;
+  static Total exact;
+  static Staged past_filter;
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline Height explicit_line(double slope, double intercept, const Point2d& point) {
-  return detail::explicit_line::ask(slope, intercept, point).answer;
+  return stages::explicit_line::ask(slope, intercept, point).answer;
 }
 
 }  // namespace touchstone::robust

@@ -3,7 +3,6 @@
 
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/implicit_circle.h"
 
 namespace touchstone::robust {
 namespace {
@@ -31,7 +30,7 @@ Location stages::implicit_circle::exact(const Circle2d& circle, const Point2d& p
   return location(kernel::side_of_circle({{n[0], n[1]}, n[2]}, {n[3], n[4]}));
 }
 
-Decided<Location> detail::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {
+Decided<Location> stages::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {
   return in_turn<stages::implicit_circle, validate, Stage::lattice, Stage::exact>(circle, point);
 }
 

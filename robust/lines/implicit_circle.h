@@ -15,20 +15,23 @@ namespace touchstone::robust {
 /// "finite number"; so does a negative radius ("radius >= 0"). Contract: reference/lines/implicit_circle.h.
 inline Location implicit_circle(const Circle2d& circle, const Point2d& point);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct implicit_circle : Filtered<implicit_circle, Location> {
+struct implicit_circle : Filtered<implicit_circle, decltype(robust::implicit_circle)> {
   static Perhaps<Location> filter(const Circle2d& circle, const Point2d& point) {
     if (kernel::sign_bit(circle.radius)) return std::nullopt;  // -0.0, or for validation to refuse
     return filters::by_sign(filters::circle(point - circle.center, circle.radius), Location::inside, Location::outside);
   }
-  static Decided<Location> past_filter(const Circle2d& circle, const Point2d& point);
+  static Partial lattice;
+  static Total exact;
+  static Staged past_filter;
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline Location implicit_circle(const Circle2d& circle, const Point2d& point) {
-  return detail::implicit_circle::ask(circle, point).answer;
+  return stages::implicit_circle::ask(circle, point).answer;
 }
 
 }  // namespace touchstone::robust

@@ -4,29 +4,14 @@
 #include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/line_line.h"
 
 namespace touchstone::robust {
 namespace {
-
-using kernel::Two;
 
 template <class Integer>
 LineRelation relation_of(const Line2<Integer>& a, const Line2<Integer>& b) {
   if (kernel::turn(a.q - a.p, b.q - b.p) != 0) return LineRelation::crossing;
   return kernel::turn(a.p, a.q, b.p) == 0 ? LineRelation::same : LineRelation::parallel;
-}
-
-/// a.p + ta r = b.p + tb s: crossing both sides with s, and with r, leaves one unknown each.
-template <class Integer>
-LineLine<double> answer_of(const Line2<Integer>& a, const Line2<Integer>& b, int exponent) {
-  const LineRelation relation = relation_of(a, b);
-  if (relation != LineRelation::crossing) return {relation, {}, {}, {}};
-  const Vector2<Integer> r = a.q - a.p, s = b.q - b.p, between = b.p - a.p;
-  const kernel::Second<Integer> d = kernel::determinant(r, s), na = kernel::determinant(between, s),
-                                nb = kernel::determinant(between, r);
-  return {relation, kernel::round_quotient(na, d), kernel::round_quotient(nb, d),
-          kernel::point_along(a.p, r, na, d, exponent)};
 }
 
 template <class Integer, class Numbers>
@@ -50,18 +35,6 @@ void validate(const Line2d& a, const Line2d& b) {
   validation::validate("a", a), validation::validate("b", b);
 }
 
-LineLine<double> answer_of(const kernel::Crossing& crossing) {
-  return {LineRelation::crossing, crossing.ta, crossing.tb, crossing.point};
-}
-
-/// The stage `enclosed`, where there is an answer made of its crossing. Inlined into both that make one: an answer of
-/// several numbers that is made elsewhere and copied costs a tenth of the whole (Perhaps says why).
-[[gnu::always_inline]] inline std::optional<kernel::Crossing> enclosed_crossing(const Line2d& a, const Line2d& b) {
-  if (!kernel::in_window(Two(a.p), Two(a.q), Two(b.p), Two(b.q))) return std::nullopt;
-  if (!kernel::rounds_to_nearest()) return std::nullopt;
-  return kernel::crossing_of({a.p, a.q}, {b.p, b.q});
-}
-
 }  // namespace
 
 Perhaps<LineRelation> stages::line_line::decision::lattice(const Line2d& a, const Line2d& b) {
@@ -74,6 +47,40 @@ LineRelation stages::line_line::decision::exact(const Line2d& a, const Line2d& b
   const auto n = as_integers(a, b).at;
   return relation_of(first_in<mpz_class>(n), second_in<mpz_class>(n));
 }
+
+Decided<LineRelation> stages::line_line::decision::past_filter(const Line2d& a, const Line2d& b) {
+  return in_turn<stages::line_line::decision, validate, Stage::lattice, Stage::exact>(a, b);
+}
+
+namespace {
+
+using kernel::Two;
+
+LineLine<double> answer_of(const kernel::Crossing& crossing) {
+  return {LineRelation::crossing, crossing.ta, crossing.tb, crossing.point};
+}
+
+/// The stage `enclosed`, where there is an answer made of its crossing. Inlined into both that make one: an answer of
+/// several numbers that is made elsewhere and copied costs a tenth of the whole (Perhaps says why).
+[[gnu::always_inline]] inline std::optional<kernel::Crossing> enclosed_crossing(const Line2d& a, const Line2d& b) {
+  if (!kernel::in_window(Two(a.p), Two(a.q), Two(b.p), Two(b.q))) return std::nullopt;
+  if (!kernel::rounds_to_nearest()) return std::nullopt;
+  return kernel::crossing_of({a.p, a.q}, {b.p, b.q});
+}
+
+/// a.p + ta r = b.p + tb s: crossing both sides with s, and with r, leaves one unknown each.
+template <class Integer>
+LineLine<double> answer_of(const Line2<Integer>& a, const Line2<Integer>& b, int exponent) {
+  const LineRelation relation = relation_of(a, b);
+  if (relation != LineRelation::crossing) return {relation, {}, {}, {}};
+  const Vector2<Integer> r = a.q - a.p, s = b.q - b.p, between = b.p - a.p;
+  const kernel::Second<Integer> d = kernel::determinant(r, s), na = kernel::determinant(between, s),
+                                nb = kernel::determinant(between, r);
+  return {relation, kernel::round_quotient(na, d), kernel::round_quotient(nb, d),
+          kernel::point_along(a.p, r, na, d, exponent)};
+}
+
+}  // namespace
 
 Perhaps<LineLine<double>> stages::line_line::enclosed(const Line2d& a, const Line2d& b) {
   if (const auto crossing = enclosed_crossing(a, b)) return answer_of(*crossing);
@@ -89,10 +96,6 @@ Perhaps<LineLine<double>> stages::line_line::lattice(const Line2d& a, const Line
 LineLine<double> stages::line_line::exact(const Line2d& a, const Line2d& b) {
   const auto n = as_integers(a, b);
   return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
-}
-
-Decided<LineRelation> detail::line_line_relation::past_filter(const Line2d& a, const Line2d& b) {
-  return in_turn<stages::line_line::decision, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 LineLine<double> line_line(const Line2d& a, const Line2d& b) {

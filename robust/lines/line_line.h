@@ -18,20 +18,29 @@ LineLine<double> line_line(const Line2d& a, const Line2d& b);
 /// The decision alone, which costs less.
 inline LineRelation line_line_relation(const Line2d& a, const Line2d& b);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-/// The filter knows only of lines that certainly cross.
-struct line_line_relation : Filtered<line_line_relation, LineRelation> {
-  static Perhaps<LineRelation> filter(const Line2d& a, const Line2d& b) {
-    return filters::by_sign(filters::cross_sign(a.q - a.p, b.q - b.p), LineRelation::crossing, LineRelation::crossing);
-  }
-  static Decided<LineRelation> past_filter(const Line2d& a, const Line2d& b);
+struct line_line : Signatures<decltype(robust::line_line)> {
+  static Partial enclosed, lattice;
+  static Total exact;
+
+  /// The filter knows only of lines that certainly cross.
+  struct decision : Filtered<decision, decltype(robust::line_line_relation)> {
+    static Perhaps<LineRelation> filter(const Line2d& a, const Line2d& b) {
+      return filters::by_sign(filters::cross_sign(a.q - a.p, b.q - b.p), LineRelation::crossing,
+                              LineRelation::crossing);
+    }
+    static Partial lattice;
+    static Total exact;
+    static Staged past_filter;
+  };
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline LineRelation line_line_relation(const Line2d& a, const Line2d& b) {
-  return detail::line_line_relation::ask(a, b).answer;
+  return stages::line_line::decision::ask(a, b).answer;
 }
 
 }  // namespace touchstone::robust

@@ -6,31 +6,9 @@
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
 #include "robust/kernel/window.h"
-#include "robust/stages/lines/line_point_at.h"
 
 namespace touchstone::robust {
 namespace {
-
-/// origin + t direction, along one axis
-std::array<kernel::Term, 2> coordinate(double origin, double direction, double t) {
-  return {kernel::term(origin), kernel::term(t, direction)};
-}
-
-std::optional<double> on_lattice(double origin, double direction, double t) {
-  const auto sum = kernel::lattice_sum(coordinate(origin, direction, t));
-  if (!sum) return std::nullopt;
-  return kernel::round_scaled(sum->n, sum->exponent);
-}
-
-double on_integers(double origin, double direction, double t) {
-  const auto sum = kernel::exact_sum(coordinate(origin, direction, t));
-  return kernel::round_scaled(sum.n, sum.exponent);
-}
-
-void validate(const ParametricLine2d& line, double t) {
-  if (kernel::valid(line) && kernel::all_finite(t)) return;
-  validation::validate("line", line), validation::validate("t", t);
-}
 
 /// Of the window only the lower bound is asked. What is too large makes an infinity of the product or of the sum, of
 /// which two_sum makes NaN, and that is not enclosed.
@@ -49,6 +27,26 @@ Perhaps<Point2d> stages::line_point_at::enclosed(const ParametricLine2d& line, d
   return std::nullopt;
 }
 
+namespace {
+
+/// origin + t direction, along one axis
+std::array<kernel::Term, 2> coordinate(double origin, double direction, double t) {
+  return {kernel::term(origin), kernel::term(t, direction)};
+}
+
+std::optional<double> on_lattice(double origin, double direction, double t) {
+  const auto sum = kernel::lattice_sum(coordinate(origin, direction, t));
+  if (!sum) return std::nullopt;
+  return kernel::round_scaled(sum->n, sum->exponent);
+}
+
+double on_integers(double origin, double direction, double t) {
+  const auto sum = kernel::exact_sum(coordinate(origin, direction, t));
+  return kernel::round_scaled(sum.n, sum.exponent);
+}
+
+}  // namespace
+
 Perhaps<Point2d> stages::line_point_at::lattice(const ParametricLine2d& line, double t) {
   const auto x = on_lattice(line.origin.x, line.direction.x, t), y = on_lattice(line.origin.y, line.direction.y, t);
   if (!x || !y) return std::nullopt;
@@ -59,11 +57,12 @@ Point2d stages::line_point_at::exact(const ParametricLine2d& line, double t) {
   return {on_integers(line.origin.x, line.direction.x, t), on_integers(line.origin.y, line.direction.y, t)};
 }
 
-Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
-  return in_turn<line_point_at, Stage::enclosed, validate, Stage::lattice, Stage::exact>(line, t);
-}
-
 namespace {
+
+void validate(const ParametricLine2d& line, double t) {
+  if (kernel::valid(line) && kernel::all_finite(t)) return;
+  validation::validate("line", line), validation::validate("t", t);
+}
 
 /// Apart from the usual way, which then has no registers to save.
 [[gnu::noinline]] Point2d past_enclosure(const ParametricLine2d& line, double t) {
@@ -71,6 +70,10 @@ namespace {
 }
 
 }  // namespace
+
+Decided<Point2d> stages::line_point_at::ask(const ParametricLine2d& line, double t) {
+  return in_turn<line_point_at, Stage::enclosed, validate, Stage::lattice, Stage::exact>(line, t);
+}
 
 Point2d line_point_at(const ParametricLine2d& line, double t) {
   if (const auto point = enclosed_point(line, t)) return Point2d{point->first(), point->second()};

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -12,5 +12,17 @@ namespace touchstone::robust {
 /// they are infinite. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a
 /// direction of length 0 ("nonzero direction"). Contract: reference/lines/line_point_at.h.
 Point2d line_point_at(const ParametricLine2d& line, double t);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: a number has to be found.
+struct line_point_at : Signatures<decltype(robust::line_point_at)> {
+  static Partial enclosed, lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

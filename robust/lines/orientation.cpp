@@ -3,7 +3,6 @@
 
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/orientation.h"
 
 namespace touchstone::robust {
 namespace {
@@ -39,7 +38,7 @@ Side stages::orientation::exact(const Point2d& p0, const Point2d& p1, const Poin
 
 /// The lattice by hand: called as a stage it costs 5 to 10 percent more. Numbers on a lattice are finite: nothing to
 /// validate before.
-Decided<Side> detail::orientation::past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
+Decided<Side> stages::orientation::past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y))
     return {side_of(lattice->at), Stage::lattice};
   return in_turn<stages::orientation, validate, Stage::exact>(p0, p1, p);

@@ -14,19 +14,22 @@ namespace touchstone::robust {
 /// "finite number". Contract: reference/lines/orientation.h.
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct orientation : Filtered<orientation, Side> {
+struct orientation : Filtered<orientation, decltype(robust::orientation)> {
   static Perhaps<Side> filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
     return filters::by_sign(filters::orientation(p0, p1, p), Side::left, Side::right);
   }
-  static Decided<Side> past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p);
+  static Partial lattice;
+  static Total exact;
+  static Staged past_filter;
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline Side orientation(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  return detail::orientation::ask(p0, p1, p).answer;
+  return stages::orientation::ask(p0, p1, p).answer;
 }
 
 }  // namespace touchstone::robust

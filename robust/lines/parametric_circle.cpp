@@ -7,9 +7,20 @@
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
 #include "robust/kernel/window.h"
-#include "robust/stages/lines/parametric_circle.h"
 
 namespace touchstone::robust {
+
+Perhaps<Point2d> stages::parametric_circle::enclosed(const Circle2d& circle, double u) {
+  using namespace kernel;
+  const Two center(circle.center), radius(circle.radius);
+  if (!in_window(center, Two(circle.radius, u)) || !rounds_to_nearest()) return std::nullopt;
+  const auto direction = enclosed_cosine_sine(u);
+  if (!direction || !direction->settled()) return std::nullopt;
+  const auto point = rounded(along(center, factor(*direction), direction->error, factor(radius)));
+  if (!point) return std::nullopt;
+  return Point2d{point->first(), point->second()};
+}
+
 namespace {
 
 using kernel::Scaled;
@@ -46,17 +57,6 @@ void validate(const Circle2d& circle, double u) {
 }
 
 }  // namespace
-
-Perhaps<Point2d> stages::parametric_circle::enclosed(const Circle2d& circle, double u) {
-  using namespace kernel;
-  const Two center(circle.center), radius(circle.radius);
-  if (!in_window(center, Two(circle.radius, u)) || !rounds_to_nearest()) return std::nullopt;
-  const auto direction = enclosed_cosine_sine(u);
-  if (!direction || !direction->settled()) return std::nullopt;
-  const auto point = rounded(along(center, factor(*direction), direction->error, factor(radius)));
-  if (!point) return std::nullopt;
-  return Point2d{point->first(), point->second()};
-}
 
 Point2d stages::parametric_circle::exact(const Circle2d& circle, double u) {
   const Point2d& c = circle.center;

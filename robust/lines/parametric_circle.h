@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -14,5 +14,17 @@ namespace touchstone::robust {
 /// gives the center. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a
 /// negative radius ("radius >= 0"). Contract: reference/lines/parametric_circle.h.
 Point2d parametric_circle(const Circle2d& circle, double u);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: a number has to be found.
+struct parametric_circle : Signatures<decltype(robust::parametric_circle)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

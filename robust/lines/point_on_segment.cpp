@@ -3,7 +3,6 @@
 
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/point_on_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -17,12 +16,6 @@ Incidence relation_of(const Point2<Integer>& p, const Segment2<Integer>& s) {
   const Point2<Integer>&first = reversed ? s.b : s.a, &last = reversed ? s.a : s.b;
   if (before(p, first) || before(last, p)) return Incidence::off;
   return kernel::turn(s.a, s.b, p) == 0 ? Incidence::on : Incidence::off;
-}
-
-template <class Integer>
-PointOnSegment<double> answer_of(const Point2<Integer>& p, const Segment2<Integer>& s) {
-  if (relation_of(p, s) == Incidence::off) return {Incidence::off, std::nullopt};
-  return {Incidence::on, kernel::parameter_on(p, s)};
 }
 
 template <class Integer, class Numbers>
@@ -59,6 +52,21 @@ Incidence stages::point_on_segment::decision::exact(const Point2d& point, const 
   return relation_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
 }
 
+/// Numbers on a lattice are finite: nothing to validate before.
+Decided<Incidence> stages::point_on_segment::decision::past_filter(const Point2d& point, const Segment2d& segment) {
+  return in_turn<stages::point_on_segment::decision, Stage::lattice, validate, Stage::exact>(point, segment);
+}
+
+namespace {
+
+template <class Integer>
+PointOnSegment<double> answer_of(const Point2<Integer>& p, const Segment2<Integer>& s) {
+  if (relation_of(p, s) == Incidence::off) return {Incidence::off, std::nullopt};
+  return {Incidence::on, kernel::parameter_on(p, s)};
+}
+
+}  // namespace
+
 Perhaps<PointOnSegment<double>> stages::point_on_segment::lattice(const Point2d& point, const Segment2d& segment) {
   const auto lattice = on_lattice(point, segment);
   if (!lattice) return std::nullopt;
@@ -68,11 +76,6 @@ Perhaps<PointOnSegment<double>> stages::point_on_segment::lattice(const Point2d&
 PointOnSegment<double> stages::point_on_segment::exact(const Point2d& point, const Segment2d& segment) {
   const auto n = as_integers(point, segment);
   return answer_of(point_in<mpz_class>(n), segment_in<mpz_class>(n));
-}
-
-/// Numbers on a lattice are finite: nothing to validate before.
-Decided<Incidence> detail::point_on_segment_relation::past_filter(const Point2d& point, const Segment2d& segment) {
-  return in_turn<stages::point_on_segment::decision, Stage::lattice, validate, Stage::exact>(point, segment);
 }
 
 /// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.

@@ -18,20 +18,28 @@ PointOnSegment<double> point_on_segment(const Point2d& point, const Segment2d& s
 /// The decision alone, which costs less.
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-/// The filter knows only of points that are certainly off the line of the segment.
-struct point_on_segment_relation : Filtered<point_on_segment_relation, Incidence> {
-  static Perhaps<Incidence> filter(const Point2d& point, const Segment2d& segment) {
-    return filters::by_sign(filters::orientation(segment.a, segment.b, point), Incidence::off, Incidence::off);
-  }
-  static Decided<Incidence> past_filter(const Point2d& point, const Segment2d& segment);
+struct point_on_segment : Signatures<decltype(robust::point_on_segment)> {
+  static Partial lattice;
+  static Total exact;
+
+  /// The filter knows only of points that are certainly off the line of the segment.
+  struct decision : Filtered<decision, decltype(robust::point_on_segment_relation)> {
+    static Perhaps<Incidence> filter(const Point2d& point, const Segment2d& segment) {
+      return filters::by_sign(filters::orientation(segment.a, segment.b, point), Incidence::off, Incidence::off);
+    }
+    static Partial lattice;
+    static Total exact;
+    static Staged past_filter;
+  };
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline Incidence point_on_segment_relation(const Point2d& point, const Segment2d& segment) {
-  return detail::point_on_segment_relation::ask(point, segment).answer;
+  return stages::point_on_segment::decision::ask(point, segment).answer;
 }
 
 }  // namespace touchstone::robust

@@ -4,7 +4,6 @@
 #include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/ray_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -53,38 +52,6 @@ Meeting<Integer> meeting_of(const Question<Integer>& q) {
   return {ahead * (b - a) >= 0 ? RayRelation::point : RayRelation::none, false, {}};
 }
 
-template <class Integer>
-double parameter_of(const Point2<Integer>& p, const Question<Integer>& q) {
-  using Wide = kernel::Second<Integer>;
-  const int exponent = q.position - q.direction;
-  if (kernel::sign_of(q.v.x) != 0) return kernel::round_quotient(Wide(p.x - q.origin.x), Wide(q.v.x), exponent);
-  return kernel::round_quotient(Wide(p.y - q.origin.y), Wide(q.v.y), exponent);
-}
-
-template <class Integer>
-Point2d rounded(const Point2<Integer>& p, int exponent) {
-  return {kernel::round_scaled(p.x, exponent), kernel::round_scaled(p.y, exponent)};
-}
-
-template <class Integer>
-RaySegment<double> answer_of(const Question<Integer>& q) {
-  const Meeting<Integer> meeting = meeting_of(q);
-  RaySegment<double> answer{meeting.relation, {}, {}, {}};
-  if (meeting.relation == RayRelation::none) return answer;
-  if (meeting.on_one_line) {
-    answer.t = parameter_of(meeting.common.a, q);
-    if (meeting.relation == RayRelation::point) answer.point = rounded(meeting.common.a, q.position);
-    else answer.overlap = Segment2d{rounded(meeting.common.a, q.position), rounded(meeting.common.b, q.position)};
-    return answer;
-  }
-  const Vector2<Integer> s = q.segment.b - q.segment.a, to_segment = q.segment.a - q.origin;
-  const kernel::Second<Integer> d = kernel::determinant(q.v, s);
-  answer.t = kernel::round_quotient(kernel::determinant(to_segment, s), d, q.position - q.direction);
-  // Along the segment, whose numbers share one power of two: a + ((a - origin) x v / (v x s)) s.
-  answer.point = kernel::point_along<Integer>(q.segment.a, s, kernel::determinant(to_segment, q.v), d, q.position);
-  return answer;
-}
-
 std::optional<Question<std::int64_t>> on_lattice(const Ray2d& ray, const Segment2d& s) {
   const auto p = kernel::lattice_of(ray.origin.x, ray.origin.y, s.a.x, s.a.y, s.b.x, s.b.y);
   const auto v = kernel::lattice_of(ray.direction.x, ray.direction.y);
@@ -118,6 +85,10 @@ RayRelation stages::ray_segment::decision::exact(const Ray2d& ray, const Segment
   return meeting_of(as_integers(ray, segment)).relation;
 }
 
+Decided<RayRelation> stages::ray_segment::decision::past_filter(const Ray2d& ray, const Segment2d& segment) {
+  return in_turn<stages::ray_segment::decision, validate, Stage::lattice, Stage::exact>(ray, segment);
+}
+
 /// The numbers where the filter says that they meet in a point.
 Perhaps<RaySegment<double>> stages::ray_segment::enclosed(const Ray2d& ray, const Segment2d& segment) {
   if (filters::ray(ray.origin, ray.direction, segment) != filters::Sign::negative) return std::nullopt;
@@ -135,6 +106,42 @@ Perhaps<RaySegment<double>> stages::ray_segment::enclosed(const Ray2d& ray, cons
   return {std::in_place, RayRelation::point, *parameter, point_of(*point), std::nullopt};
 }
 
+namespace {
+
+template <class Integer>
+double parameter_of(const Point2<Integer>& p, const Question<Integer>& q) {
+  using Wide = kernel::Second<Integer>;
+  const int exponent = q.position - q.direction;
+  if (kernel::sign_of(q.v.x) != 0) return kernel::round_quotient(Wide(p.x - q.origin.x), Wide(q.v.x), exponent);
+  return kernel::round_quotient(Wide(p.y - q.origin.y), Wide(q.v.y), exponent);
+}
+
+template <class Integer>
+Point2d rounded(const Point2<Integer>& p, int exponent) {
+  return {kernel::round_scaled(p.x, exponent), kernel::round_scaled(p.y, exponent)};
+}
+
+template <class Integer>
+RaySegment<double> answer_of(const Question<Integer>& q) {
+  const Meeting<Integer> meeting = meeting_of(q);
+  RaySegment<double> answer{meeting.relation, {}, {}, {}};
+  if (meeting.relation == RayRelation::none) return answer;
+  if (meeting.on_one_line) {
+    answer.t = parameter_of(meeting.common.a, q);
+    if (meeting.relation == RayRelation::point) answer.point = rounded(meeting.common.a, q.position);
+    else answer.overlap = Segment2d{rounded(meeting.common.a, q.position), rounded(meeting.common.b, q.position)};
+    return answer;
+  }
+  const Vector2<Integer> s = q.segment.b - q.segment.a, to_segment = q.segment.a - q.origin;
+  const kernel::Second<Integer> d = kernel::determinant(q.v, s);
+  answer.t = kernel::round_quotient(kernel::determinant(to_segment, s), d, q.position - q.direction);
+  // Along the segment, whose numbers share one power of two: a + ((a - origin) x v / (v x s)) s.
+  answer.point = kernel::point_along<Integer>(q.segment.a, s, kernel::determinant(to_segment, q.v), d, q.position);
+  return answer;
+}
+
+}  // namespace
+
 Perhaps<RaySegment<double>> stages::ray_segment::lattice(const Ray2d& ray, const Segment2d& segment) {
   const auto question = on_lattice(ray, segment);
   if (!question) return std::nullopt;
@@ -143,10 +150,6 @@ Perhaps<RaySegment<double>> stages::ray_segment::lattice(const Ray2d& ray, const
 
 RaySegment<double> stages::ray_segment::exact(const Ray2d& ray, const Segment2d& segment) {
   return answer_of(as_integers(ray, segment));
-}
-
-Decided<RayRelation> detail::ray_segment_relation::past_filter(const Ray2d& ray, const Segment2d& segment) {
-  return in_turn<stages::ray_segment::decision, validate, Stage::lattice, Stage::exact>(ray, segment);
 }
 
 /// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.

@@ -19,19 +19,27 @@ RaySegment<double> ray_segment(const Ray2d& ray, const Segment2d& segment);
 /// The decision alone, which costs less.
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct ray_segment_relation : Filtered<ray_segment_relation, RayRelation> {
-  static Perhaps<RayRelation> filter(const Ray2d& ray, const Segment2d& segment) {
-    return filters::by_sign(filters::ray(ray.origin, ray.direction, segment), RayRelation::none, RayRelation::point);
-  }
-  static Decided<RayRelation> past_filter(const Ray2d& ray, const Segment2d& segment);
+struct ray_segment : Signatures<decltype(robust::ray_segment)> {
+  static Partial enclosed, lattice;
+  static Total exact;
+
+  struct decision : Filtered<decision, decltype(robust::ray_segment_relation)> {
+    static Perhaps<RayRelation> filter(const Ray2d& ray, const Segment2d& segment) {
+      return filters::by_sign(filters::ray(ray.origin, ray.direction, segment), RayRelation::none, RayRelation::point);
+    }
+    static Partial lattice;
+    static Total exact;
+    static Staged past_filter;
+  };
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline RayRelation ray_segment_relation(const Ray2d& ray, const Segment2d& segment) {
-  return detail::ray_segment_relation::ask(ray, segment).answer;
+  return stages::ray_segment::decision::ask(ray, segment).answer;
 }
 
 }  // namespace touchstone::robust

@@ -4,7 +4,6 @@
 #include "robust/kernel/enclosed_shapes.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/lines/segment_segment.h"
 
 namespace touchstone::robust {
 namespace {
@@ -43,33 +42,6 @@ Meeting meeting_of(const Segment2<Integer>& a, const Segment2<Integer>& b) {
   const Segment2<Integer> common = common_part(a, b);
   if (before(common.b, common.a)) return {SegmentRelation::disjoint, true};
   return {before(common.a, common.b) ? SegmentRelation::overlap : SegmentRelation::point, true};
-}
-
-template <class Integer>
-SegmentSegment<double> answer_of(const Segment2<Integer>& a, const Segment2<Integer>& b, int exponent) {
-  const auto [relation, on_one_line] = meeting_of(a, b);
-  SegmentSegment<double> answer{relation, {}, {}, {}, {}};
-  if (relation == SegmentRelation::disjoint) return answer;
-  if (!on_one_line) {
-    const Vector2<Integer> r = a.b - a.a, s = b.b - b.a, between = b.a - a.a;
-    const kernel::Second<Integer> d = kernel::determinant(r, s), na = kernel::determinant(between, s),
-                                  nb = kernel::determinant(between, r);
-    answer.ta = kernel::round_quotient(na, d);
-    answer.tb = kernel::round_quotient(nb, d);
-    answer.point = kernel::point_along(a.a, r, na, d, exponent);
-    return answer;
-  }
-  const Segment2<Integer> common = common_part(a, b);
-  if (relation == SegmentRelation::point) {
-    answer.ta = kernel::parameter_on(common.a, a);
-    answer.tb = kernel::parameter_on(common.a, b);
-    answer.point = Point2d{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)};
-  } else {
-    answer.overlap =
-        Segment2d{{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)},
-                  {kernel::round_scaled(common.b.x, exponent), kernel::round_scaled(common.b.y, exponent)}};
-  }
-  return answer;
 }
 
 template <class Integer, class Numbers>
@@ -113,6 +85,12 @@ SegmentRelation stages::segment_segment::decision::exact(const Segment2d& a, con
   return meeting_of(first_in<mpz_class>(n), second_in<mpz_class>(n)).relation;
 }
 
+/// Numbers on a lattice are finite: nothing to validate before.
+Decided<SegmentRelation> stages::segment_segment::decision::past_filter(const Segment2d& a, const Segment2d& b) {
+  if (apart(a, b)) return {SegmentRelation::disjoint, Stage::filter};
+  return in_turn<stages::segment_segment::decision, Stage::lattice, validate, Stage::exact>(a, b);
+}
+
 /// The numbers where the filter says that the segments cross.
 Perhaps<SegmentSegment<double>> stages::segment_segment::enclosed(const Segment2d& a, const Segment2d& b) {
   if (filters::segments(a, b) != filters::Sign::negative) return std::nullopt;
@@ -123,6 +101,37 @@ Perhaps<SegmentSegment<double>> stages::segment_segment::enclosed(const Segment2
   if (!crossing) return std::nullopt;
   return {std::in_place, SegmentRelation::point, crossing->ta, crossing->tb, crossing->point, std::nullopt};
 }
+
+namespace {
+
+template <class Integer>
+SegmentSegment<double> answer_of(const Segment2<Integer>& a, const Segment2<Integer>& b, int exponent) {
+  const auto [relation, on_one_line] = meeting_of(a, b);
+  SegmentSegment<double> answer{relation, {}, {}, {}, {}};
+  if (relation == SegmentRelation::disjoint) return answer;
+  if (!on_one_line) {
+    const Vector2<Integer> r = a.b - a.a, s = b.b - b.a, between = b.a - a.a;
+    const kernel::Second<Integer> d = kernel::determinant(r, s), na = kernel::determinant(between, s),
+                                  nb = kernel::determinant(between, r);
+    answer.ta = kernel::round_quotient(na, d);
+    answer.tb = kernel::round_quotient(nb, d);
+    answer.point = kernel::point_along(a.a, r, na, d, exponent);
+    return answer;
+  }
+  const Segment2<Integer> common = common_part(a, b);
+  if (relation == SegmentRelation::point) {
+    answer.ta = kernel::parameter_on(common.a, a);
+    answer.tb = kernel::parameter_on(common.a, b);
+    answer.point = Point2d{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)};
+  } else {
+    answer.overlap =
+        Segment2d{{kernel::round_scaled(common.a.x, exponent), kernel::round_scaled(common.a.y, exponent)},
+                  {kernel::round_scaled(common.b.x, exponent), kernel::round_scaled(common.b.y, exponent)}};
+  }
+  return answer;
+}
+
+}  // namespace
 
 Perhaps<SegmentSegment<double>> stages::segment_segment::lattice(const Segment2d& a, const Segment2d& b) {
   const auto lattice = on_lattice(a, b);
@@ -135,23 +144,12 @@ SegmentSegment<double> stages::segment_segment::exact(const Segment2d& a, const 
   return answer_of(first_in<mpz_class>(n.at), second_in<mpz_class>(n.at), n.exponent);
 }
 
-Perhaps<SegmentRelation> stages::segment_segment::decision::filter(const Segment2d& a, const Segment2d& b) {
-  if (const auto relation = detail::segment_segment_relation::filter(a, b)) return relation;
-  if (apart(a, b)) return SegmentRelation::disjoint;
-  return std::nullopt;
-}
-
-/// Numbers on a lattice are finite: nothing to validate before.
-Decided<SegmentRelation> detail::segment_segment_relation::past_filter(const Segment2d& a, const Segment2d& b) {
-  if (apart(a, b)) return {SegmentRelation::disjoint, Stage::filter};
-  return in_turn<stages::segment_segment::decision, Stage::lattice, validate, Stage::exact>(a, b);
-}
-
 /// Where the filter answers, the numbers are put together here: to copy them costs more than to decide.
 SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b) {
   using decision = stages::segment_segment::decision;
   const auto relation = decision::filter(a, b);
-  if (relation && *relation == SegmentRelation::disjoint) return {SegmentRelation::disjoint, {}, {}, {}, {}};
+  if (relation ? *relation == SegmentRelation::disjoint : apart(a, b))
+    return {SegmentRelation::disjoint, {}, {}, {}, {}};
   if (relation)
     return answer_in_turn<stages::segment_segment, Stage::enclosed, Stage::lattice, validate, Stage::exact>(a, b);
   return answer_in_turn<stages::segment_segment, Stage::lattice, validate, Stage::exact>(a, b);

@@ -19,20 +19,28 @@ SegmentSegment<double> segment_segment(const Segment2d& a, const Segment2d& b);
 /// The decision alone, which costs less.
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-/// Past this filter the boxes of the segments are compared, before the other stages.
-struct segment_segment_relation : Filtered<segment_segment_relation, SegmentRelation> {
-  static Perhaps<SegmentRelation> filter(const Segment2d& a, const Segment2d& b) {
-    return filters::by_sign(filters::segments(a, b), SegmentRelation::disjoint, SegmentRelation::point);
-  }
-  static Decided<SegmentRelation> past_filter(const Segment2d& a, const Segment2d& b);
+struct segment_segment : Signatures<decltype(robust::segment_segment)> {
+  static Partial enclosed, lattice;
+  static Total exact;
+
+  /// Past this filter the boxes of the segments are compared, before the other stages.
+  struct decision : Filtered<decision, decltype(robust::segment_segment_relation)> {
+    static Perhaps<SegmentRelation> filter(const Segment2d& a, const Segment2d& b) {
+      return filters::by_sign(filters::segments(a, b), SegmentRelation::disjoint, SegmentRelation::point);
+    }
+    static Partial lattice;
+    static Total exact;
+    static Staged past_filter;
+  };
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
-  return detail::segment_segment_relation::ask(a, b).answer;
+  return stages::segment_segment::decision::ask(a, b).answer;
 }
 
 }  // namespace touchstone::robust

@@ -6,21 +6,11 @@
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/planes/point_plane.h"
 
 namespace touchstone::robust {
 namespace {
 
-using kernel::Scaled;
-
 PlaneSide side(int sign) { return sign > 0 ? PlaneSide::front : sign < 0 ? PlaneSide::back : PlaneSide::on; }
-
-/// height / |N|, by the root of its square.
-double distance(const Scaled<mpz_class>& height, const Plane3d& plane) {
-  const Scaled<mpz_class> length = kernel::exact_sum(kernel::squared_normal(plane));
-  const double size = kernel::round_square_root(height.n * height.n, length.n, 2L * height.exponent - length.exponent);
-  return kernel::with_sign(size, sgn(height.n));
-}
 
 void validate(const Plane3d& plane, const Point3d& point) {
   if (kernel::valid(plane) && kernel::valid(point)) return;
@@ -39,7 +29,7 @@ PlaneSide stages::point_plane::decision::exact(const Plane3d& plane, const Point
   return side(kernel::sign_by_cgal(kernel::exact_sum(kernel::height_over(plane, point)).n));
 }
 
-Decided<PlaneSide> detail::point_plane_side::past_filter(const Plane3d& plane, const Point3d& point) {
+Decided<PlaneSide> stages::point_plane::decision::past_filter(const Plane3d& plane, const Point3d& point) {
   return in_turn<stages::point_plane::decision, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
@@ -56,6 +46,19 @@ Perhaps<PointPlane<double>> stages::point_plane::enclosed(const Plane3d& plane, 
   if (!distance) return std::nullopt;
   return {std::in_place, height.high > 0 ? PlaneSide::front : PlaneSide::back, *distance};
 }
+
+namespace {
+
+using kernel::Scaled;
+
+/// height / |N|, by the root of its square.
+double distance(const Scaled<mpz_class>& height, const Plane3d& plane) {
+  const Scaled<mpz_class> length = kernel::exact_sum(kernel::squared_normal(plane));
+  const double size = kernel::round_square_root(height.n * height.n, length.n, 2L * height.exponent - length.exponent);
+  return kernel::with_sign(size, sgn(height.n));
+}
+
+}  // namespace
 
 Perhaps<PointPlane<double>> stages::point_plane::lattice(const Plane3d& plane, const Point3d& point) {
   const auto height = kernel::lattice_sum(kernel::height_over(plane, point));

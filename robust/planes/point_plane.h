@@ -19,19 +19,27 @@ PointPlane<double> point_plane(const Plane3d& plane, const Point3d& point);
 /// The decision alone, which costs less.
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct point_plane_side : Filtered<point_plane_side, PlaneSide> {
-  static Perhaps<PlaneSide> filter(const Plane3d& plane, const Point3d& point) {
-    return filters::by_sign(filters::plane(plane, point), PlaneSide::front, PlaneSide::back);
-  }
-  static Decided<PlaneSide> past_filter(const Plane3d& plane, const Point3d& point);
+struct point_plane : Signatures<decltype(robust::point_plane)> {
+  static Partial enclosed, lattice;
+  static Total exact;
+
+  struct decision : Filtered<decision, decltype(robust::point_plane_side)> {
+    static Perhaps<PlaneSide> filter(const Plane3d& plane, const Point3d& point) {
+      return filters::by_sign(filters::plane(plane, point), PlaneSide::front, PlaneSide::back);
+    }
+    static Partial lattice;
+    static Total exact;
+    static Staged past_filter;
+  };
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline PlaneSide point_plane_side(const Plane3d& plane, const Point3d& point) {
-  return detail::point_plane_side::ask(plane, point).answer;
+  return stages::point_plane::decision::ask(plane, point).answer;
 }
 
 }  // namespace touchstone::robust

@@ -6,12 +6,9 @@
 #include "robust/kernel/plane_filter.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/planes/point_plane_toi.h"
 
 namespace touchstone::robust {
 namespace {
-
-using kernel::Int128;
 
 /// -0.0 is 0, whatever the environment makes of it.
 double positive_zero(double x) { return validation::zero(x) ? 0.0 : x; }
@@ -23,6 +20,41 @@ FirstHit<double> at_start(const Point3d& start) {
 const FirstHit<double> no_hit{HitRelation::never, std::nullopt, std::nullopt};
 
 StepTest at_end(int sign) { return {sign <= 0 ? HitRelation::hit : HitRelation::never}; }
+
+}  // namespace
+
+Perhaps<PointPlaneToi<double>> stages::point_plane_toi::filter(const Plane3d& plane, const Point3d& start,
+                                                               const Point3d& end) {
+  const filters::Sign first = filters::plane(plane, start), last = filters::plane(plane, end);
+  if (first == filters::Sign::unknown || last == filters::Sign::unknown) return std::nullopt;
+  const int sign = last == filters::Sign::positive ? 1 : -1;
+  if (first == filters::Sign::negative) return PointPlaneToi<double>{at_end(sign), at_start(start)};
+  if (last == filters::Sign::positive) return PointPlaneToi<double>{at_end(sign), no_hit};
+  return std::nullopt;
+}
+
+Perhaps<PointPlaneToi<double>> stages::point_plane_toi::enclosed(const Plane3d& plane, const Point3d& start,
+                                                                 const Point3d& end) {
+  using namespace kernel;
+  const Vector3d& n = plane.normal;
+  const Two x(start.x, end.x), y(start.y, end.y), z(start.z, end.z);
+  if (!in_window(Two(n.x, n.y), Two(n.z, plane.offset), x, y, z) || !rounds_to_nearest()) return std::nullopt;
+  const Enclosed<Two> heights = enclosed_heights(factors(n), Two(plane.offset), factors(x, y, z));
+  const Enclosed<double> e0 = first(heights), e1 = second(heights), descent = e0 - e1;
+  if (!heights.settled() || !descent.settled() || !(e0.high > 0 && e1.high < 0)) return std::nullopt;
+  const Enclosed<double> t = e0 / Divisor(descent);
+  const Two xy(start.x, start.y);
+  const auto parameter = rounded(t);
+  const auto there = rounded(along(xy, twice(t), vector_between(xy, Two(end.x, end.y))));
+  const auto up = rounded(along(start.z, t, factor(difference(end.z, start.z))));
+  if (!parameter || !there || !up) return std::nullopt;
+  return PointPlaneToi<double>{at_end(-1),
+                               {HitRelation::hit, parameter, Point3d{there->first(), there->second(), *up}}};
+}
+
+namespace {
+
+using kernel::Int128;
 
 /// (e0 end - e1 start) / (e0 - e1): the weights of both ends.
 template <class Second, class Integer>
@@ -58,35 +90,6 @@ void validate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
 }
 
 }  // namespace
-
-Perhaps<PointPlaneToi<double>> stages::point_plane_toi::filter(const Plane3d& plane, const Point3d& start,
-                                                               const Point3d& end) {
-  const filters::Sign first = filters::plane(plane, start), last = filters::plane(plane, end);
-  if (first == filters::Sign::unknown || last == filters::Sign::unknown) return std::nullopt;
-  const int sign = last == filters::Sign::positive ? 1 : -1;
-  if (first == filters::Sign::negative) return PointPlaneToi<double>{at_end(sign), at_start(start)};
-  if (last == filters::Sign::positive) return PointPlaneToi<double>{at_end(sign), no_hit};
-  return std::nullopt;
-}
-
-Perhaps<PointPlaneToi<double>> stages::point_plane_toi::enclosed(const Plane3d& plane, const Point3d& start,
-                                                                 const Point3d& end) {
-  using namespace kernel;
-  const Vector3d& n = plane.normal;
-  const Two x(start.x, end.x), y(start.y, end.y), z(start.z, end.z);
-  if (!in_window(Two(n.x, n.y), Two(n.z, plane.offset), x, y, z) || !rounds_to_nearest()) return std::nullopt;
-  const Enclosed<Two> heights = enclosed_heights(factors(n), Two(plane.offset), factors(x, y, z));
-  const Enclosed<double> e0 = first(heights), e1 = second(heights), descent = e0 - e1;
-  if (!heights.settled() || !descent.settled() || !(e0.high > 0 && e1.high < 0)) return std::nullopt;
-  const Enclosed<double> t = e0 / Divisor(descent);
-  const Two xy(start.x, start.y);
-  const auto parameter = rounded(t);
-  const auto there = rounded(along(xy, twice(t), vector_between(xy, Two(end.x, end.y))));
-  const auto up = rounded(along(start.z, t, factor(difference(end.z, start.z))));
-  if (!parameter || !there || !up) return std::nullopt;
-  return PointPlaneToi<double>{at_end(-1),
-                               {HitRelation::hit, parameter, Point3d{there->first(), there->second(), *up}}};
-}
 
 Perhaps<PointPlaneToi<double>> stages::point_plane_toi::lattice(const Plane3d& plane, const Point3d& start,
                                                                 const Point3d& end) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// which names the field and "finite number"; so does a normal of length 0 ("nonzero normal"). Contract:
 /// reference/planes/point_plane_toi.h.
 PointPlaneToi<double> point_plane_toi(const Plane3d& plane, const Point3d& start, const Point3d& end);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter knows the steps that stay on one side of the plane, or start behind it: no number has to be found.
+struct point_plane_toi : Signatures<decltype(robust::point_plane_toi)> {
+  static Partial filter, enclosed, lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -14,5 +14,17 @@ namespace touchstone::robust {
 /// NaN and infinities throw InvalidInput, which names the field and "finite number"; so do fewer than three vertices
 /// ("at least 3 vertices"). Contract: reference/planes/polygon_normal.h.
 PolygonNormal<double> polygon_normal(const Polygon3d& polygon);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found.
+struct polygon_normal : Signatures<decltype(robust::polygon_normal)> {
+  static Partial enclosed, lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

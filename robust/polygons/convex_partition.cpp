@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "robust/stages/lines/orientation.h"
-#include "robust/stages/polygons/convex_partition.h"
-#include "robust/stages/polygons/triangulate_polygon.h"
+#include "robust/lines/orientation.h"
+#include "robust/polygons/triangulate_polygon.h"
 
 namespace touchstone::robust {
 namespace {

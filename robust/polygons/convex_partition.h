@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -16,5 +16,15 @@ namespace touchstone::robust {
 /// field and "finite number"; so do fewer than 3 vertices and a polygon that is not simple (with the vertex). Contract:
 /// reference/polygons/convex_partition.h.
 std::vector<std::vector<Index>> convex_partition(const Polygon2d& polygon);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct convex_partition : Signatures<decltype(robust::convex_partition)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -2,10 +2,9 @@
 #include "robust/polygons/point_in_convex_polygon.h"
 
 #include "geometry/validation.h"
+#include "robust/lines/orientation.h"
+#include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
-#include "robust/stages/lines/orientation.h"
-#include "robust/stages/polygons/point_in_convex_polygon.h"
-#include "robust/stages/polygons/polygon_convexity.h"
 
 namespace touchstone::robust {
 namespace {

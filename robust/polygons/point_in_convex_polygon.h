@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -13,5 +13,15 @@ namespace touchstone::robust {
 /// and "finite number"; so do fewer than 3 vertices, and a polygon that is flat, not simple or not convex (with the
 /// vertex). Contract: reference/polygons/point_in_convex_polygon.h.
 Location point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct point_in_convex_polygon : Signatures<decltype(robust::point_in_convex_polygon)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -10,7 +10,6 @@
 #include "robust/kernel/plane.h"
 #include "robust/kernel/valid.h"
 #include "robust/lines/orientation.h"
-#include "robust/stages/polygons/point_in_polygon.h"
 
 namespace touchstone::robust {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -13,5 +13,18 @@ namespace touchstone::robust {
 /// all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field
 /// and "finite number"; so do fewer than 3 vertices. Contract: reference/polygons/point_in_polygon.h.
 Location point_in_polygon(const Polygon2d& polygon, const Point2d& point);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter knows only of points that are near to no line through an edge. `ask` goes on past it part by part of the
+/// ring: the latest stage that a part needed.
+struct point_in_polygon : Signatures<decltype(robust::point_in_polygon)> {
+  static Partial filter, lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -3,9 +3,8 @@
 
 #include "robust/kernel/control_word.h"
 #include "robust/kernel/valid.h"
+#include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
-#include "robust/stages/lines/orientation.h"
-#include "robust/stages/polygons/polygon_convexity.h"
 
 namespace touchstone::robust {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,15 @@ namespace touchstone::robust {
 /// searched for edges that meet. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
 /// do fewer than 3 vertices. Contract: reference/polygons/polygon_convexity.h.
 PolygonConvexity polygon_convexity(const Polygon2d& polygon);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct polygon_convexity : Signatures<decltype(robust::polygon_convexity)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -7,9 +7,8 @@
 
 #include "geometry/validation.h"
 #include "robust/kernel/control_word.h"
+#include "robust/lines/orientation.h"
 #include "robust/rings/simple.h"
-#include "robust/stages/lines/orientation.h"
-#include "robust/stages/polygons/polygon_polygon.h"
 
 namespace touchstone::robust {
 namespace {

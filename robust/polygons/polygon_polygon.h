@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -13,5 +13,15 @@ namespace touchstone::robust {
 /// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do fewer than 3
 /// vertices and a polygon that is not simple (with the vertex). Contract: reference/polygons/polygon_polygon.h.
 Contact polygon_polygon(const Polygon2d& a, const Polygon2d& b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct polygon_polygon : Signatures<decltype(robust::polygon_polygon)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -5,7 +5,6 @@
 #include "robust/kernel/control_word.h"
 #include "robust/rings/simple.h"
 #include "robust/rings/sweep.h"
-#include "robust/stages/polygons/triangulate_polygon.h"
 
 namespace touchstone::robust {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -17,5 +17,15 @@ namespace touchstone::robust {
 /// so do fewer than 3 vertices and a polygon that is not simple (with the vertex). Contract:
 /// reference/polygons/triangulate_polygon.h.
 std::vector<std::vector<Index>> triangulate_polygon(const Polygon2d& polygon);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct triangulate_polygon : Signatures<decltype(robust::triangulate_polygon)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

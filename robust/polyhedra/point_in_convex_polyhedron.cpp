@@ -4,7 +4,6 @@
 #include "geometry/validation.h"
 #include "robust/kernel/convex_mesh.h"
 #include "robust/kernel/face_side.h"
-#include "robust/stages/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::robust {
 

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/polyhedra.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,15 @@ namespace touchstone::robust {
 /// the field and "finite number"; so does every mesh that is not the surface of a convex solid (with the face).
 /// Contract: reference/polyhedra/point_in_convex_polyhedron.h.
 Location point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct point_in_convex_polyhedron : Signatures<decltype(robust::point_in_convex_polyhedron)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -5,18 +5,11 @@
 
 #include "robust/kernel/parallelepiped.h"
 #include "robust/kernel/valid_bodies.h"
-#include "robust/stages/response/contact_state.h"
 
 namespace touchstone::robust {
 namespace {
 
 using kernel::Int128;
-
-void validate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point, const Vector3d& normal) {
-  if (kernel::valid(a) && kernel::valid(b) && kernel::valid(point) && kernel::valid_normal(normal)) return;
-  validation::validate("a", a), validation::validate("b", b), validation::validate("point", point);
-  validation::validate_normal("normal", normal);
-}
 
 ContactState state(int sign) {
   return sign > 0 ? ContactState::separating : sign < 0 ? ContactState::colliding : ContactState::resting;
@@ -74,6 +67,12 @@ std::optional<Vector3<Int128>> shifted(const Vector3<Int128>& v, int shift) {
   return Vector3<Int128>{*x, *y, *z};
 }
 
+void validate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point, const Vector3d& normal) {
+  if (kernel::valid(a) && kernel::valid(b) && kernel::valid(point) && kernel::valid_normal(normal)) return;
+  validation::validate("a", a), validation::validate("b", b), validation::validate("point", point);
+  validation::validate_normal("normal", normal);
+}
+
 }  // namespace
 
 /// Both parts of the relative velocity are below 2^125, their sum is below 2^126, and its product with the normal below
@@ -109,7 +108,7 @@ ContactState stages::contact_state::exact(const MovingBodyd& a, const MovingBody
   return state(sgn(mpz_class(straight + turning)));
 }
 
-Decided<ContactState> detail::contact_state::past_filter(const MovingBodyd& a, const MovingBodyd& b,
+Decided<ContactState> stages::contact_state::past_filter(const MovingBodyd& a, const MovingBodyd& b,
                                                          const Point3d& point, const Vector3d& normal) {
   return in_turn<stages::contact_state, validate, Stage::lattice, Stage::exact>(a, b, point, normal);
 }

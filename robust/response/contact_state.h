@@ -17,23 +17,25 @@ namespace touchstone::robust {
 inline ContactState contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                   const Vector3d& normal);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct contact_state : Filtered<contact_state, ContactState> {
+struct contact_state : Filtered<contact_state, decltype(robust::contact_state)> {
   static Perhaps<ContactState> filter(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                       const Vector3d& normal) {
     return filters::by_sign(filters::velocity_apart(a, b, point, normal), ContactState::separating,
                             ContactState::colliding);
   }
-  static Decided<ContactState> past_filter(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
-                                           const Vector3d& normal);
+  static Partial lattice;
+  static Total exact;
+  static Staged past_filter;
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline ContactState contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                   const Vector3d& normal) {
-  return detail::contact_state::ask(a, b, point, normal).answer;
+  return stages::contact_state::ask(a, b, point, normal).answer;
 }
 
 }  // namespace touchstone::robust

@@ -3,16 +3,9 @@
 
 #include "robust/kernel/along_normal.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/response/damped_reflection.h"
 
 namespace touchstone::robust {
 namespace {
-
-void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
-  if (kernel::valid(velocity) && kernel::valid_normal(normal) && kernel::all_finite(k)) return;
-  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
-  validation::validate("k", k);
-}
 
 /// v - (1 + k) (v . n / n . n) n. A normal of 0 makes NaN, as in reflect_plane.
 ///
@@ -31,6 +24,12 @@ void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
   const Two size = filters::FloatFormat<Two>::magnitude(gain.high) * approach.error;
   const Divisor d(square);
   return enclosed_push(v, share(back, size, d.value, d.inverse), n);
+}
+
+void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
+  if (kernel::valid(velocity) && kernel::valid_normal(normal) && kernel::all_finite(k)) return;
+  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
+  validation::validate("k", k);
 }
 
 }  // namespace

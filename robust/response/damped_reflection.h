@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// infinities throw InvalidInput, which names the field and "finite number"; so does a normal of length 0 ("nonzero
 /// normal"). Contract: reference/response/damped_reflection.h.
 Vector3d damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found. Of degree 6, they fit no lattice.
+struct damped_reflection : Signatures<decltype(robust::damped_reflection)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

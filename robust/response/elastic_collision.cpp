@@ -3,16 +3,9 @@
 
 #include "robust/kernel/impulse.h"
 #include "robust/kernel/valid_bodies.h"
-#include "robust/stages/response/elastic_collision.h"
 
 namespace touchstone::robust {
 namespace {
-
-void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
-  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal)) return;
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
-  validation::validate_normal("normal", normal);
-}
 
 /// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
 [[gnu::always_inline]] inline std::optional<kernel::Impelled> enclosed_velocities(const Massesd& masses,
@@ -25,6 +18,12 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
       !(both_masses >= Two(0x1p-60)) || !rounds_to_nearest())
     return std::nullopt;
   return enclosed_impulse(masses, velocities, n, factor(Two(-2 * masses.second, 2 * masses.first)));
+}
+
+void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
+  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal)) return;
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_normal("normal", normal);
 }
 
 }  // namespace

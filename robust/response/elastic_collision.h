@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// number"; so do a mass that is not positive ("mass > 0") and a normal of length 0 ("nonzero normal"). Contract:
 /// reference/response/elastic_collision.h.
 Velocitiesd elastic_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found. Of degree 7, they fit no lattice.
+struct elastic_collision : Signatures<decltype(robust::elastic_collision)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -5,15 +5,9 @@
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_bodies.h"
-#include "robust/stages/response/inelastic_collision.h"
 
 namespace touchstone::robust {
 namespace {
-
-void validate(const Massesd& masses, const Velocitiesd& velocities) {
-  if (kernel::valid(masses) && kernel::valid(velocities)) return;
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
-}
 
 /// m1 v + m2 w, a factor of either mass in both.
 template <class Float>
@@ -21,6 +15,11 @@ kernel::Enclosed<Float> momentum(const kernel::Factor<Float>& m1, const Float& v
                                  const Float& w) {
   kernel::Sum sum(kernel::product(m1, kernel::factor(v)));
   return (sum += kernel::product(m2, kernel::factor(w))).value();
+}
+
+void validate(const Massesd& masses, const Velocitiesd& velocities) {
+  if (kernel::valid(masses) && kernel::valid(velocities)) return;
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -13,5 +13,17 @@ namespace touchstone::robust {
 /// the field and "finite number"; so does a mass that is not positive ("mass > 0"). Contract:
 /// reference/response/inelastic_collision.h.
 Vector3d inelastic_collision(const Massesd& masses, const Velocitiesd& velocities);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found.
+struct inelastic_collision : Signatures<decltype(robust::inelastic_collision)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

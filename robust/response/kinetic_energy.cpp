@@ -4,7 +4,6 @@
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_bodies.h"
 #include "robust/kernel/whole_bodies.h"
-#include "robust/stages/response/kinetic_energy.h"
 
 namespace touchstone::robust {
 /// Of degree 3, less than the window is for. A sum of squares is settled, so each term is a product as Sum has it, but

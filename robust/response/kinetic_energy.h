@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/bodies.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// the field and "finite number"; so does a mass that is not positive ("mass > 0"). Contract:
 /// reference/response/kinetic_energy.h.
 double kinetic_energy(const std::vector<Bodyd>& bodies);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found.
+struct kinetic_energy : Signatures<decltype(robust::kinetic_energy)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

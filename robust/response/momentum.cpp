@@ -4,7 +4,6 @@
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_bodies.h"
 #include "robust/kernel/whole_bodies.h"
-#include "robust/stages/response/momentum.h"
 
 namespace touchstone::robust {
 /// Of degree 2, less than the window is for.

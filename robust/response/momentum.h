@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/bodies.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// InvalidInput, which names the field and "finite number"; so does a mass that is not positive ("mass > 0"). Contract:
 /// reference/response/momentum.h.
 Vector3d momentum(const std::vector<Bodyd>& bodies);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found.
+struct momentum : Signatures<decltype(robust::momentum)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

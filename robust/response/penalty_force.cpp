@@ -5,21 +5,8 @@
 #include "robust/kernel/dyadic.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/response/penalty_force.h"
 
 namespace touchstone::robust {
-namespace {
-
-void validate(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness, double damping) {
-  if (kernel::valid(point) && kernel::valid(velocity) && kernel::valid(plane) && kernel::all_finite(stiffness, damping))
-    return;
-  validation::validate("point", point), validation::validate("velocity", velocity);
-  validation::validate("plane", plane);
-  validation::validate("stiffness", stiffness), validation::validate("damping", damping);
-}
-
-}  // namespace
-
 /// t N with t = -(k E + c v . N) / N . N: a velocity of 0 that is pushed along the normal, see
 /// robust/kernel/along_normal.h, whose letters these are. Let s = |k| S of E and |c| S of v . N together, and i the
 /// inverse of N . N. In units of E s i: E and v . N are off by 20 as Sum has it of four terms, as factors by 4.3 more,
@@ -65,6 +52,18 @@ Vector3d stages::penalty_force::exact(const Point3d& p, const Vector3d& v, const
   };
   return {component(n.x), component(n.y), component(n.z)};
 }
+
+namespace {
+
+void validate(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness, double damping) {
+  if (kernel::valid(point) && kernel::valid(velocity) && kernel::valid(plane) && kernel::all_finite(stiffness, damping))
+    return;
+  validation::validate("point", point), validation::validate("velocity", velocity);
+  validation::validate("plane", plane);
+  validation::validate("stiffness", stiffness), validation::validate("damping", damping);
+}
+
+}  // namespace
 
 Decided<Vector3d> stages::penalty_force::ask(const Point3d& p, const Vector3d& v, const Plane3d& plane,
                                              double stiffness, double damping) {

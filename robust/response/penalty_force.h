@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// a normal of length 0 ("nonzero normal"). Contract: reference/response/penalty_force.h.
 Vector3d penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane, double stiffness,
                        double damping);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found. Of degree 4 and more, they fit no lattice.
+struct penalty_force : Signatures<decltype(robust::penalty_force)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -3,15 +3,9 @@
 
 #include "robust/kernel/along_normal.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/response/reflect_plane.h"
 
 namespace touchstone::robust {
 namespace {
-
-void validate(const Vector3d& velocity, const Vector3d& normal) {
-  if (kernel::valid(velocity) && kernel::valid_normal(normal)) return;
-  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
-}
 
 /// v - 2 (v . n / n . n) n: the window is that of where lines cross. A normal of 0, which is refused, makes NaN, which
 /// nothing encloses.
@@ -23,6 +17,11 @@ void validate(const Vector3d& velocity, const Vector3d& normal) {
   const Term2<Two> twice_back{Two(-2) * approach.high, Two(-2) * approach.low};
   const Divisor d(square);
   return enclosed_push(v, share(twice_back, Two(2) * approach.error, d.value, d.inverse), n);
+}
+
+void validate(const Vector3d& velocity, const Vector3d& normal) {
+  if (kernel::valid(velocity) && kernel::valid_normal(normal)) return;
+  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -14,5 +14,17 @@ namespace touchstone::robust {
 /// NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a normal of length 0
 /// ("nonzero normal"). Contract: reference/response/reflect_plane.h.
 Vector3d reflect_plane(const Vector3d& velocity, const Vector3d& normal);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found. Of degree 5, they fit no lattice.
+struct reflect_plane : Signatures<decltype(robust::reflect_plane)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -3,18 +3,9 @@
 
 #include "robust/kernel/impulse.h"
 #include "robust/kernel/valid_bodies.h"
-#include "robust/stages/response/restitution_collision.h"
 
 namespace touchstone::robust {
 namespace {
-
-void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal, double e) {
-  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal) &&
-      kernel::valid_restitution(e))
-    return;
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
-  validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
-}
 
 /// The stage `enclosed`, inlined where an answer is made of its numbers: made elsewhere and copied it would cost more.
 [[gnu::always_inline]] inline std::optional<kernel::Impelled> enclosed_velocities(const Massesd& masses,
@@ -30,6 +21,14 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
   const Factor<double> one_and_e = factor(bounce);
   const Term2<Two> c = product(both(one_and_e, one_and_e), factor(Two(-masses.second, masses.first)));
   return enclosed_impulse(masses, velocities, n, factor(Enclosed<Two>{c.head, c.tail, Two()}));
+}
+
+void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal, double e) {
+  if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal) &&
+      kernel::valid_restitution(e))
+    return;
+  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
 }
 
 }  // namespace

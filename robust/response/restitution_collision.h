@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -17,5 +17,17 @@ namespace touchstone::robust {
 /// bounds ("between 0 and 1"). Contract: reference/response/restitution_collision.h.
 Velocitiesd restitution_collision(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
                                   double e);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found. Of degree 8, they fit no lattice.
+struct restitution_collision : Signatures<decltype(robust::restitution_collision)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

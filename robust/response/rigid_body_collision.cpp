@@ -5,7 +5,6 @@
 #include "robust/kernel/dyadic.h"
 #include "robust/kernel/enclosed_inertia.h"
 #include "robust/kernel/valid_bodies.h"
-#include "robust/stages/response/rigid_body_collision.h"
 
 namespace touchstone::robust {
 namespace {

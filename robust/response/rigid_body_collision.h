@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -18,5 +18,17 @@ namespace touchstone::robust {
 /// normal") and an e out of bounds ("between 0 and 1"). Contract: reference/response/rigid_body_collision.h.
 Motions<double> rigid_body_collision(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
                                      const Vector3d& normal, double e);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// There is no filter: numbers have to be found. They fit no lattice.
+struct rigid_body_collision : Signatures<decltype(robust::rigid_body_collision)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

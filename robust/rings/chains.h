@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/polygons.h"
-#include "robust/stages/lines/orientation.h"
+#include "robust/lines/orientation.h"
 
 namespace touchstone::robust {
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "robust/lines/orientation.h"
+#include "robust/lines/segment_segment.h"
 #include "robust/rings/chains.h"
-#include "robust/stages/lines/segment_segment.h"
 
 namespace touchstone::robust {
 namespace {

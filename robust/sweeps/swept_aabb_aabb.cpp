@@ -7,7 +7,6 @@
 #include "robust/kernel/box_differences.h"
 #include "robust/kernel/valid_space.h"
 #include "robust/kernel/window.h"
-#include "robust/stages/sweeps/swept_aabb_aabb.h"
 
 namespace touchstone::robust {
 namespace {
@@ -66,10 +65,12 @@ class Times {
   double least_ = 0x1p1000, entry_ = -2, exit_ = 2;
 };
 
-template <class Axes>
-Perhaps<FirstContact<double>> by_filter(const Axes& axes) {
+}  // namespace
+
+template <class Box, class Vector>
+Perhaps<FirstContact<double>> stages::swept_aabb_aabb::filter(const Box& a, const Box& b, const Vector& velocity) {
   Times times;
-  for (const auto& axis : axes) times.cut(axis);
+  for (const auto& axis : axes_of(a, b, velocity)) times.cut(axis);
   if (!times.guarded()) return std::nullopt;
   if (times.never()) return FirstContact<double>{HitRelation::never, std::nullopt};
   if (times.meets() && times.starts_within()) return FirstContact<double>{HitRelation::hit, 0.0};
@@ -78,9 +79,10 @@ Perhaps<FirstContact<double>> by_filter(const Axes& axes) {
 
 /// The latest entry, of a step that the filter knows to hit on the way. Rounding is monotone: the greatest of times is
 /// the greatest of them rounded.
-template <class Axes>
-Perhaps<FirstContact<double>> by_enclosure(const Axes& axes) {
+template <class Box, class Vector>
+Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Box& a, const Box& b, const Vector& velocity) {
   using namespace kernel;
+  const auto axes = axes_of(a, b, velocity);
   Times times;
   for (const auto& axis : axes) times.cut(axis);
   if (!times.guarded() || !times.meets() || !rounds_to_nearest()) return std::nullopt;
@@ -99,6 +101,8 @@ Perhaps<FirstContact<double>> by_enclosure(const Axes& axes) {
   if (!(latest > 0)) return std::nullopt;
   return FirstContact<double>{HitRelation::hit, latest};
 }
+
+namespace {
 
 template <class Numbers>
 FirstContact<double> contact_of(const Numbers& n) {
@@ -119,24 +123,6 @@ auto of_numbers(const Call& call, const AxisMotion<double>& x, const AxisMotion<
               z.a_max, z.b_min, z.b_max, z.velocity);
 }
 
-template <class Axes>
-Perhaps<FirstContact<double>> by_lattice(const Axes& axes) {
-  const auto lattice = std::apply(
-      [](const auto&... axis) { return of_numbers([](auto... n) { return kernel::lattice_of(n...); }, axis...); },
-      axes);
-  if (!lattice) return std::nullopt;
-  return contact_of(lattice->at);
-}
-
-template <class Axes>
-FirstContact<double> by_integers(const Axes& axes) {
-  return std::apply(
-      [](const auto&... axis) {
-        return of_numbers([](auto... n) { return contact_of(kernel::integers_of(n...).at); }, axis...);
-      },
-      axes);
-}
-
 bool valid(const Vector2d& v) { return kernel::all_finite(v.x, v.y); }
 bool valid(const Vector3d& v) { return kernel::valid(v); }
 
@@ -146,55 +132,49 @@ void validate(const Box& a, const Box& b, const Vector& velocity) {
   validation::validate("a", a), validation::validate("b", b), validation::validate("velocity", velocity);
 }
 
-/// The filter does not see which end of an interval is the lesser: boxes are validated first.
-template <class Box, class Vector>
-Decided<FirstContact<double>> asked_of(const Box& a, const Box& b, const Vector& velocity) {
-  return in_turn<stages::swept_aabb_aabb, validate<Box, Vector>, Stage::filter, Stage::enclosed, Stage::lattice,
-                 Stage::exact>(a, b, velocity);
-}
-
 }  // namespace
 
-Perhaps<FirstContact<double>> stages::swept_aabb_aabb::filter(const Aabb2d& a, const Aabb2d& b, const Vector2d& v) {
-  return by_filter(axes_of(a, b, v));
-}
-Perhaps<FirstContact<double>> stages::swept_aabb_aabb::filter(const Aabb3d& a, const Aabb3d& b, const Vector3d& v) {
-  return by_filter(axes_of(a, b, v));
-}
-
-Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Aabb2d& a, const Aabb2d& b, const Vector2d& v) {
-  return by_enclosure(axes_of(a, b, v));
-}
-Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Aabb3d& a, const Aabb3d& b, const Vector3d& v) {
-  return by_enclosure(axes_of(a, b, v));
+template <class Box, class Vector>
+Perhaps<FirstContact<double>> stages::swept_aabb_aabb::lattice(const Box& a, const Box& b, const Vector& velocity) {
+  const auto lattice = std::apply(
+      [](const auto&... axis) { return of_numbers([](auto... n) { return kernel::lattice_of(n...); }, axis...); },
+      axes_of(a, b, velocity));
+  if (!lattice) return std::nullopt;
+  return contact_of(lattice->at);
 }
 
-Perhaps<FirstContact<double>> stages::swept_aabb_aabb::lattice(const Aabb2d& a, const Aabb2d& b, const Vector2d& v) {
-  return by_lattice(axes_of(a, b, v));
-}
-Perhaps<FirstContact<double>> stages::swept_aabb_aabb::lattice(const Aabb3d& a, const Aabb3d& b, const Vector3d& v) {
-  return by_lattice(axes_of(a, b, v));
-}
-
-FirstContact<double> stages::swept_aabb_aabb::exact(const Aabb2d& a, const Aabb2d& b, const Vector2d& v) {
-  return by_integers(axes_of(a, b, v));
-}
-FirstContact<double> stages::swept_aabb_aabb::exact(const Aabb3d& a, const Aabb3d& b, const Vector3d& v) {
-  return by_integers(axes_of(a, b, v));
+template <class Box, class Vector>
+FirstContact<double> stages::swept_aabb_aabb::exact(const Box& a, const Box& b, const Vector& velocity) {
+  return std::apply(
+      [](const auto&... axis) {
+        return of_numbers([](auto... n) { return contact_of(kernel::integers_of(n...).at); }, axis...);
+      },
+      axes_of(a, b, velocity));
 }
 
-Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Aabb2d& a, const Aabb2d& b, const Vector2d& v) {
-  return asked_of(a, b, v);
-}
-Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Aabb3d& a, const Aabb3d& b, const Vector3d& v) {
-  return asked_of(a, b, v);
+/// The filter does not see which end of an interval is the lesser: boxes are validated first.
+template <class Box, class Vector>
+Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Box& a, const Box& b, const Vector& velocity) {
+  return in_turn<swept_aabb_aabb, validate<Box, Vector>, Stage::filter, Stage::enclosed, Stage::lattice, Stage::exact>(
+      a, b, velocity);
 }
 
 FirstContact<double> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity) {
-  return asked_of(a, b, velocity).answer;
+  return stages::swept_aabb_aabb::ask(a, b, velocity).answer;
 }
 FirstContact<double> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity) {
-  return asked_of(a, b, velocity).answer;
+  return stages::swept_aabb_aabb::ask(a, b, velocity).answer;
 }
+
+template Perhaps<FirstContact<double>> stages::swept_aabb_aabb::filter(const Aabb2d&, const Aabb2d&, const Vector2d&);
+template Perhaps<FirstContact<double>> stages::swept_aabb_aabb::filter(const Aabb3d&, const Aabb3d&, const Vector3d&);
+template Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Aabb2d&, const Aabb2d&, const Vector2d&);
+template Perhaps<FirstContact<double>> stages::swept_aabb_aabb::enclosed(const Aabb3d&, const Aabb3d&, const Vector3d&);
+template Perhaps<FirstContact<double>> stages::swept_aabb_aabb::lattice(const Aabb2d&, const Aabb2d&, const Vector2d&);
+template Perhaps<FirstContact<double>> stages::swept_aabb_aabb::lattice(const Aabb3d&, const Aabb3d&, const Vector3d&);
+template FirstContact<double> stages::swept_aabb_aabb::exact(const Aabb2d&, const Aabb2d&, const Vector2d&);
+template FirstContact<double> stages::swept_aabb_aabb::exact(const Aabb3d&, const Aabb3d&, const Vector3d&);
+template Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Aabb2d&, const Aabb2d&, const Vector2d&);
+template Decided<FirstContact<double>> stages::swept_aabb_aabb::ask(const Aabb3d&, const Aabb3d&, const Vector3d&);
 
 }  // namespace touchstone::robust

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -16,5 +16,25 @@ namespace touchstone::robust {
 /// max ("min <= max"). Contract: reference/sweeps/swept_aabb_aabb.h.
 FirstContact<double> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
 FirstContact<double> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter knows the steps that hit at the start, and those that never do: no number has to be found.
+struct swept_aabb_aabb {
+  using Answer = FirstContact<double>;
+  template <class Box, class Vector>
+  static Perhaps<Answer> filter(const Box& a, const Box& b, const Vector& velocity);
+  template <class Box, class Vector>
+  static Perhaps<Answer> enclosed(const Box& a, const Box& b, const Vector& velocity);
+  template <class Box, class Vector>
+  static Perhaps<Answer> lattice(const Box& a, const Box& b, const Vector& velocity);
+  template <class Box, class Vector>
+  static Answer exact(const Box& a, const Box& b, const Vector& velocity);
+  template <class Box, class Vector>
+  static Decided<Answer> ask(const Box& a, const Box& b, const Vector& velocity);
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

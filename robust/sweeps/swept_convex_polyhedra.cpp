@@ -8,7 +8,6 @@
 #include "robust/kernel/axis_times.h"
 #include "robust/kernel/convex_mesh.h"
 #include "robust/kernel/points_in_space.h"
-#include "robust/stages/sweeps/swept_convex_polyhedra.h"
 
 namespace touchstone::robust {
 namespace {

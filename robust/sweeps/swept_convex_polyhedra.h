@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/polyhedra.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -18,5 +18,15 @@ namespace touchstone::robust {
 /// and "finite number"; so does every mesh that is not the surface of a convex solid (with the face). Contract:
 /// reference/sweeps/swept_convex_polyhedra.h.
 FirstContact<double> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed; a t on the way is always found by `exact`.
+struct swept_convex_polyhedra : Signatures<decltype(robust::swept_convex_polyhedra)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

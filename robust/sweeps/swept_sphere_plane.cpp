@@ -6,7 +6,6 @@
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/quadratic_root.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/sweeps/swept_sphere_plane.h"
 
 namespace touchstone::robust {
 namespace {
@@ -14,37 +13,8 @@ namespace {
 using filters::Meeting;
 using Heights = filters::Heights<double>;
 
-/// E0 and S as integers times 2^exponent, and r^2 N . N as one times 2^(2 exponent).
-struct Integers {
-  mpz_class height, rise, squared_reach;
-
-  Integers(const Sphere3d& sphere, const Vector3d& v, const Plane3d& plane) {
-    using namespace kernel;
-    const Vector3d& n = plane.normal;
-    const Scaled<mpz_class> e = exact_sum(height_over(plane, sphere.center)),
-                            s = exact_sum(std::array{term(n.x, v.x), term(n.y, v.y), term(n.z, v.z)}),
-                            q = exact_sum(squared_normal(plane));
-    const Term radius = term(sphere.radius);
-    const mpz_class r = scaled(radius, 0);
-    const int of_reach = q.exponent + 2 * radius.exponent,
-              halved = of_reach >= 0 ? of_reach / 2 : -((1 - of_reach) / 2);
-    const int exponent = std::min({e.exponent, s.exponent, halved});
-    const auto in_units = [](const mpz_class& number, int shift) {
-      return mpz_class(number << static_cast<unsigned long>(shift));
-    };
-    height = in_units(e.n, e.exponent - exponent), rise = in_units(s.n, s.exponent - exponent);
-    squared_reach = in_units(q.n * r * r, of_reach - 2 * exponent);
-  }
-};
-
 FirstContact<double> hit(double t) { return {HitRelation::hit, t}; }
 const FirstContact<double> no_hit{HitRelation::never, std::nullopt};
-
-void validate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
-  if (kernel::valid(sphere) && kernel::valid(velocity) && kernel::valid(plane)) return;
-  validation::validate("sphere", sphere), validation::validate("velocity", velocity);
-  validation::validate("plane", plane);
-}
 
 }  // namespace
 
@@ -80,6 +50,39 @@ Perhaps<FirstContact<double>> stages::swept_sphere_plane::enclosed(const Sphere3
   if (!t) return std::nullopt;
   return hit(*t);
 }
+
+namespace {
+
+/// E0 and S as integers times 2^exponent, and r^2 N . N as one times 2^(2 exponent).
+struct Integers {
+  mpz_class height, rise, squared_reach;
+
+  Integers(const Sphere3d& sphere, const Vector3d& v, const Plane3d& plane) {
+    using namespace kernel;
+    const Vector3d& n = plane.normal;
+    const Scaled<mpz_class> e = exact_sum(height_over(plane, sphere.center)),
+                            s = exact_sum(std::array{term(n.x, v.x), term(n.y, v.y), term(n.z, v.z)}),
+                            q = exact_sum(squared_normal(plane));
+    const Term radius = term(sphere.radius);
+    const mpz_class r = scaled(radius, 0);
+    const int of_reach = q.exponent + 2 * radius.exponent,
+              halved = of_reach >= 0 ? of_reach / 2 : -((1 - of_reach) / 2);
+    const int exponent = std::min({e.exponent, s.exponent, halved});
+    const auto in_units = [](const mpz_class& number, int shift) {
+      return mpz_class(number << static_cast<unsigned long>(shift));
+    };
+    height = in_units(e.n, e.exponent - exponent), rise = in_units(s.n, s.exponent - exponent);
+    squared_reach = in_units(q.n * r * r, of_reach - 2 * exponent);
+  }
+};
+
+void validate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
+  if (kernel::valid(sphere) && kernel::valid(velocity) && kernel::valid(plane)) return;
+  validation::validate("sphere", sphere), validation::validate("velocity", velocity);
+  validation::validate("plane", plane);
+}
+
+}  // namespace
 
 /// With a center in front, E falls by -S: it is at the reach at (E0 - R) / -S. From behind the signs are turned.
 FirstContact<double> stages::swept_sphere_plane::exact(const Sphere3d& sphere, const Vector3d& velocity,

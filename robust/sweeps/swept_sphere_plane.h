@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -16,5 +16,18 @@ namespace touchstone::robust {
 /// which names the field and "finite number"; so do a negative radius ("radius >= 0") and a normal of length 0
 /// ("nonzero normal"). Contract: reference/sweeps/swept_sphere_plane.h.
 FirstContact<double> swept_sphere_plane(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter knows the steps that hit at the start, and those that never do: no number has to be found. There is no
+/// lattice: squares of heights go beyond it.
+struct swept_sphere_plane : Signatures<decltype(robust::swept_sphere_plane)> {
+  static Partial filter, enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

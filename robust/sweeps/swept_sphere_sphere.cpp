@@ -7,17 +7,82 @@
 #include "robust/kernel/sweep_filter.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::robust {
 namespace {
 
 using filters::Sign;
-using kernel::Int128;
-using kernel::UInt128;
 
 /// When two moving spheres meet first, as far as signs tell.
 enum class Meeting { at_start, later, never };
+
+/// What the filter is sure of, `later` by its end or by the line of the sweep.
+std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
+                                         const Vector3d& velocity_b) {
+  if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius))
+    return std::nullopt;  // -0.0, or for validation to refuse
+  const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
+  const Sign start = sweep.start();
+  if (start == Sign::negative) return Meeting::at_start;
+  if (start == Sign::unknown) return std::nullopt;
+  const Sign slope = sweep.slope_at_start();
+  if (slope == Sign::positive) return Meeting::never;
+  const Sign end = sweep.end();
+  if (end == Sign::negative) return Meeting::later;
+  const Sign slope_at_end = sweep.slope_at_end();
+  if (end == Sign::positive && slope_at_end == Sign::negative) return Meeting::never;
+  const Sign passage = sweep.passage();
+  if (passage == Sign::positive) return Meeting::never;
+  const bool turns = slope == Sign::negative && slope_at_end == Sign::positive;
+  if (turns && passage == Sign::negative) return Meeting::later;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Perhaps<FirstContact<double>> stages::swept_sphere_sphere::filter(const Sphere3d& a, const Sphere3d& b,
+                                                                  const Vector3d& va, const Vector3d& vb) {
+  const auto meeting = meeting_by_filter(a, b, va, vb);
+  if (meeting == Meeting::never) return FirstContact<double>{HitRelation::never, std::nullopt};
+  if (meeting == Meeting::at_start) return FirstContact<double>{HitRelation::hit, 0.0};
+  return std::nullopt;
+}
+
+/// The smaller zero of f where the filter says that the spheres meet on the way: the root is taken to where it adds.
+Perhaps<FirstContact<double>> stages::swept_sphere_sphere::enclosed(const Sphere3d& a, const Sphere3d& b,
+                                                                    const Vector3d& va, const Vector3d& vb) {
+  if (meeting_by_filter(a, b, va, vb) != Meeting::later) return std::nullopt;
+  using namespace kernel;
+  const Point3d &ca = a.center, &cb = b.center;
+  // Position and velocity beside each other.
+  const Vector3<Two> of_a{Two(ca.x, va.x), Two(ca.y, va.y), Two(ca.z, va.z)},
+      of_b{Two(cb.x, vb.x), Two(cb.y, vb.y), Two(cb.z, vb.z)};
+  const Two radii(a.radius, b.radius);
+  if (!in_window(of_a.x, of_a.y, of_a.z, of_b.x, of_b.y, of_b.z, radii) || !rounds_to_nearest()) return std::nullopt;
+  const Factor<Two> x = vector_between(of_b.x, of_a.x), y = vector_between(of_b.y, of_a.y),
+                    z = vector_between(of_b.z, of_a.z);
+  const Factor<double> reach = factor(two_sum(a.radius, b.radius));
+  Sum<Two> squares(kernel::product(x, x));
+  squares += kernel::product(y, y), squares += kernel::product(z, z);
+  Sum<double> slope(kernel::product(first(x), second(x)));
+  slope += kernel::product(first(y), second(y)), slope += kernel::product(first(z), second(z));
+  const Enclosed<Two> distance_and_speed = squares.value();
+  const Enclosed<double> half_slope = slope.value(), speed = second(distance_and_speed),
+                         gap = first(distance_and_speed) - Sum(kernel::product(reach, reach)).value();
+  if (!half_slope.settled() || !speed.settled() || !gap.settled()) return std::nullopt;
+  const Enclosed<double> discriminant = half_slope * half_slope - speed * gap;
+  if (!discriminant.settled() || !(half_slope.high < 0 && discriminant.high > 0)) return std::nullopt;
+  const Enclosed<double> below = square_root(discriminant) - half_slope;
+  if (!below.settled()) return std::nullopt;
+  const auto t = rounded(gap / Divisor(below));
+  if (!t) return std::nullopt;
+  return FirstContact<double>{HitRelation::hit, t};
+}
+
+namespace {
+
+using kernel::Int128;
+using kernel::UInt128;
 
 /// The square of a length, which on a lattice is below 3 2^126.
 UInt128 square(std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -93,8 +158,6 @@ class Motion {
   decltype(square(Integer(), Integer(), Integer())) radii_;
 };
 
-HitRelation relation_of(Meeting meeting) { return meeting == Meeting::never ? HitRelation::never : HitRelation::hit; }
-
 std::optional<Motion<std::int64_t>> on_lattice(const Sphere3d& a, const Sphere3d& b, const Vector3d& va,
                                                const Vector3d& vb) {
   const auto lattice = kernel::lattice_of(a.center.x, a.center.y, a.center.z, a.radius, b.center.x, b.center.y,
@@ -115,68 +178,7 @@ void validate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a, 
   validation::validate("velocity_a", velocity_a), validation::validate("velocity_b", velocity_b);
 }
 
-/// What the filter is sure of, `later` by its end or by the line of the sweep.
-std::optional<Meeting> meeting_by_filter(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                         const Vector3d& velocity_b) {
-  if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius))
-    return std::nullopt;  // -0.0, or for validation to refuse
-  const filters::Sweep<double> sweep(a, b, velocity_a, velocity_b);
-  const Sign start = sweep.start();
-  if (start == Sign::negative) return Meeting::at_start;
-  if (start == Sign::unknown) return std::nullopt;
-  const Sign slope = sweep.slope_at_start();
-  if (slope == Sign::positive) return Meeting::never;
-  const Sign end = sweep.end();
-  if (end == Sign::negative) return Meeting::later;
-  const Sign slope_at_end = sweep.slope_at_end();
-  if (end == Sign::positive && slope_at_end == Sign::negative) return Meeting::never;
-  const Sign passage = sweep.passage();
-  if (passage == Sign::positive) return Meeting::never;
-  const bool turns = slope == Sign::negative && slope_at_end == Sign::positive;
-  if (turns && passage == Sign::negative) return Meeting::later;
-  return std::nullopt;
-}
-
 }  // namespace
-
-Perhaps<FirstContact<double>> stages::swept_sphere_sphere::filter(const Sphere3d& a, const Sphere3d& b,
-                                                                  const Vector3d& va, const Vector3d& vb) {
-  const auto meeting = meeting_by_filter(a, b, va, vb);
-  if (meeting == Meeting::never) return FirstContact<double>{HitRelation::never, std::nullopt};
-  if (meeting == Meeting::at_start) return FirstContact<double>{HitRelation::hit, 0.0};
-  return std::nullopt;
-}
-
-/// The smaller zero of f where the filter says that the spheres meet on the way: the root is taken to where it adds.
-Perhaps<FirstContact<double>> stages::swept_sphere_sphere::enclosed(const Sphere3d& a, const Sphere3d& b,
-                                                                    const Vector3d& va, const Vector3d& vb) {
-  if (meeting_by_filter(a, b, va, vb) != Meeting::later) return std::nullopt;
-  using namespace kernel;
-  const Point3d &ca = a.center, &cb = b.center;
-  // Position and velocity beside each other.
-  const Vector3<Two> of_a{Two(ca.x, va.x), Two(ca.y, va.y), Two(ca.z, va.z)},
-      of_b{Two(cb.x, vb.x), Two(cb.y, vb.y), Two(cb.z, vb.z)};
-  const Two radii(a.radius, b.radius);
-  if (!in_window(of_a.x, of_a.y, of_a.z, of_b.x, of_b.y, of_b.z, radii) || !rounds_to_nearest()) return std::nullopt;
-  const Factor<Two> x = vector_between(of_b.x, of_a.x), y = vector_between(of_b.y, of_a.y),
-                    z = vector_between(of_b.z, of_a.z);
-  const Factor<double> reach = factor(two_sum(a.radius, b.radius));
-  Sum<Two> squares(kernel::product(x, x));
-  squares += kernel::product(y, y), squares += kernel::product(z, z);
-  Sum<double> slope(kernel::product(first(x), second(x)));
-  slope += kernel::product(first(y), second(y)), slope += kernel::product(first(z), second(z));
-  const Enclosed<Two> distance_and_speed = squares.value();
-  const Enclosed<double> half_slope = slope.value(), speed = second(distance_and_speed),
-                         gap = first(distance_and_speed) - Sum(kernel::product(reach, reach)).value();
-  if (!half_slope.settled() || !speed.settled() || !gap.settled()) return std::nullopt;
-  const Enclosed<double> discriminant = half_slope * half_slope - speed * gap;
-  if (!discriminant.settled() || !(half_slope.high < 0 && discriminant.high > 0)) return std::nullopt;
-  const Enclosed<double> below = square_root(discriminant) - half_slope;
-  if (!below.settled()) return std::nullopt;
-  const auto t = rounded(gap / Divisor(below));
-  if (!t) return std::nullopt;
-  return FirstContact<double>{HitRelation::hit, t};
-}
 
 Perhaps<FirstContact<double>> stages::swept_sphere_sphere::lattice(const Sphere3d& a, const Sphere3d& b,
                                                                    const Vector3d& va, const Vector3d& vb) {
@@ -200,6 +202,12 @@ FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, c
                                          const Vector3d& velocity_b) {
   return stages::swept_sphere_sphere::ask(a, b, velocity_a, velocity_b).answer;
 }
+
+namespace {
+
+HitRelation relation_of(Meeting meeting) { return meeting == Meeting::never ? HitRelation::never : HitRelation::hit; }
+
+}  // namespace
 
 Perhaps<HitRelation> stages::swept_sphere_sphere::decision::filter(const Sphere3d& a, const Sphere3d& b,
                                                                    const Vector3d& va, const Vector3d& vb) {

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -20,5 +20,24 @@ FirstContact<double> swept_sphere_sphere(const Sphere3d& a, const Sphere3d& b, c
 /// The decision alone, which costs less.
 HitRelation swept_sphere_sphere_relation(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
                                          const Vector3d& velocity_b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter of the whole answer knows the sweeps that hit at the start, and those that never do: no number has to be
+/// found.
+struct swept_sphere_sphere : Signatures<decltype(robust::swept_sphere_sphere)> {
+  static Partial filter, enclosed, lattice;
+  static Total exact;
+  static Staged ask;
+
+  struct decision : Signatures<decltype(robust::swept_sphere_sphere_relation)> {
+    static Partial filter, lattice;
+    static Total exact;
+    static Staged ask;
+  };
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -6,7 +6,6 @@
 #include "geometry/validation.h"
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/aabb_aabb.h"
 
 namespace touchstone::robust {
 namespace {
@@ -52,10 +51,10 @@ void validate(const Box& a, const Box& b) {
 Contact stages::aabb_aabb::exact(const Aabb2d& a, const Aabb2d& b) { return contact_of(on_all_axes(a, b)); }
 Contact stages::aabb_aabb::exact(const Aabb3d& a, const Aabb3d& b) { return contact_of(on_all_axes(a, b)); }
 
-Decided<Contact> detail::aabb_aabb::past_filter(const Aabb2d& a, const Aabb2d& b) {
+Decided<Contact> stages::aabb_aabb::past_filter(const Aabb2d& a, const Aabb2d& b) {
   return in_turn<stages::aabb_aabb, validate<Aabb2d>, Stage::exact>(a, b);
 }
-Decided<Contact> detail::aabb_aabb::past_filter(const Aabb3d& a, const Aabb3d& b) {
+Decided<Contact> stages::aabb_aabb::past_filter(const Aabb3d& a, const Aabb3d& b) {
   return in_turn<stages::aabb_aabb, validate<Aabb3d>, Stage::exact>(a, b);
 }
 

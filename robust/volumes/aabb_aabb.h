@@ -16,10 +16,11 @@ namespace touchstone::robust {
 inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b);
 inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-/// The filter knows boxes that have an interior and do not touch.
-struct aabb_aabb : Filtered<aabb_aabb, Contact> {
+/// The filter knows boxes that have an interior and do not touch; the exact stage compares the bits as integers.
+struct aabb_aabb : Filtered<aabb_aabb> {
   template <class Box>
   static Perhaps<Contact> filter(const Box& a, const Box& b) {
     const kernel::BoxDifferences found = kernel::differences(a, b);
@@ -27,13 +28,15 @@ struct aabb_aabb : Filtered<aabb_aabb, Contact> {
       return std::nullopt;
     return found.contact();
   }
+  static Contact exact(const Aabb2d& a, const Aabb2d& b);
+  static Contact exact(const Aabb3d& a, const Aabb3d& b);
   static Decided<Contact> past_filter(const Aabb2d& a, const Aabb2d& b);
   static Decided<Contact> past_filter(const Aabb3d& a, const Aabb3d& b);
 };
 
-}  // namespace detail
+}  // namespace stages
 
-inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return detail::aabb_aabb::ask(a, b).answer; }
-inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return detail::aabb_aabb::ask(a, b).answer; }
+inline Contact aabb_aabb(const Aabb2d& a, const Aabb2d& b) { return stages::aabb_aabb::ask(a, b).answer; }
+inline Contact aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return stages::aabb_aabb::ask(a, b).answer; }
 
 }  // namespace touchstone::robust

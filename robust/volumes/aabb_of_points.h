@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -16,5 +17,21 @@ namespace touchstone::robust {
 /// field and "finite number". Contract: reference/volumes/aabb_of_points.h.
 Aabb2d aabb_of_points(const std::vector<Point2d>& points);
 Aabb3d aabb_of_points(const std::vector<Point3d>& points);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter compares doubles, the exact stage their bits as integers.
+struct aabb_of_points {
+  using Box = std::variant<Aabb2d, Aabb3d>;
+  static Perhaps<Box> filter(const std::vector<Point2d>& points);
+  static Perhaps<Box> filter(const std::vector<Point3d>& points);
+  static Box exact(const std::vector<Point2d>& points);
+  static Box exact(const std::vector<Point3d>& points);
+  static Decided<Box> ask(const std::vector<Point2d>& points);
+  static Decided<Box> ask(const std::vector<Point3d>& points);
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

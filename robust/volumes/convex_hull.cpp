@@ -7,8 +7,7 @@
 #include "robust/hulls/planar.h"
 #include "robust/hulls/solid.h"
 #include "robust/kernel/control_word.h"
-#include "robust/stages/lines/orientation.h"
-#include "robust/stages/volumes/convex_hull.h"
+#include "robust/lines/orientation.h"
 
 namespace touchstone::robust {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -20,5 +20,15 @@ namespace touchstone::robust {
 /// infinities throw InvalidInput, which names the field and "finite number"; so does an empty list. Contract:
 /// reference/volumes/convex_hull.h.
 ConvexHull convex_hull(const std::vector<Point3d>& points);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct convex_hull : Signatures<decltype(robust::convex_hull)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

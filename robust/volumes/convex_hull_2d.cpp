@@ -6,7 +6,6 @@
 #include "robust/hulls/planar.h"
 #include "robust/kernel/control_word.h"
 #include "robust/kernel/valid.h"
-#include "robust/stages/volumes/convex_hull_2d.h"
 
 namespace touchstone::robust {
 

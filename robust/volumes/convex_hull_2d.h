@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/answers.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -17,5 +17,15 @@ namespace touchstone::robust {
 /// eight directions are not sorted. NaN and infinities throw InvalidInput, which names the field and "finite number";
 /// so does an empty list. Contract: reference/volumes/convex_hull_2d.h.
 ConvexHull2 convex_hull_2d(const std::vector<Point2d>& points);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct convex_hull_2d : Signatures<decltype(robust::convex_hull_2d)> {
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

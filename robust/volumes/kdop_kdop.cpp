@@ -8,7 +8,6 @@
 #include "robust/kernel/box_differences.h"
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/kdop_kdop.h"
 
 namespace touchstone::robust {
 namespace {

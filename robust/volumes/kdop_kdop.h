@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -14,5 +14,17 @@ namespace touchstone::robust {
 /// the field and "finite number"; so do all that point_in_kdop refuses of a k-DOP, and normals of b that are not those
 /// of a ("the same normals as a", "the same normal as in a"). Contract: reference/volumes/kdop_kdop.h.
 Contact kdop_kdop(const Kdop3d& a, const Kdop3d& b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter looks at differences of all slabs, the exact stage compares the bits as integers; there is no lattice.
+struct kdop_kdop : Signatures<decltype(robust::kdop_kdop)> {
+  static Partial filter;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

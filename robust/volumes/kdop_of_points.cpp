@@ -10,7 +10,6 @@
 #include "robust/kernel/outward.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/kdop_of_points.h"
 
 namespace touchstone::robust {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -16,5 +16,17 @@ namespace touchstone::robust {
 /// names the field and "finite number"; so do an empty list of points ("at least 1 point") or normals ("at least 1
 /// normal") and a normal of length 0 ("nonzero normal"). Contract: reference/volumes/kdop_of_points.h.
 std::vector<Slabd> kdop_of_points(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The lattice takes the points of which doubles do not show that others lie beyond them; exact takes all.
+struct kdop_of_points : Signatures<decltype(robust::kdop_of_points)> {
+  static Partial lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

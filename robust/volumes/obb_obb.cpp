@@ -6,7 +6,6 @@
 #include "geometry/validation.h"
 #include "robust/kernel/obb_filter.h"
 #include "robust/kernel/parallelepiped.h"
-#include "robust/stages/volumes/obb_obb.h"
 
 namespace touchstone::robust {
 namespace {
@@ -44,6 +43,29 @@ bool parallel(const Vector3d& v, const Vector3d& w) {
          no_product(v.x, w.y) && no_product(v.y, w.x);
 }
 
+}  // namespace
+
+Perhaps<Contact> stages::obb_obb::filter(const Obb3d& a, const Obb3d& b) {
+  const auto& [u, v, w] = a.half_axes;
+  const auto& [x, y, z] = b.half_axes;
+  const std::array<Vector3d, 6> edges{u, v, w, x, y, z};
+  const filters::ObbAxes<double> pair(edges, b.center - a.center);
+  if (!pair.independent()) [[unlikely]]
+    return std::nullopt;
+  bool unknown = false;
+  for (const Spanned& axis : axes) {
+    const filters::Sign apart = pair.on_axis(axis.v, axis.w, axis.others);
+    if (apart == filters::Sign::positive) return Contact::disjoint;
+    if (apart == filters::Sign::unknown) [[unlikely]]
+      unknown = unknown || !parallel(edges[axis.v], edges[axis.w]);
+  }
+  if (unknown) [[unlikely]]
+    return std::nullopt;
+  return Contact::overlapping;
+}
+
+namespace {
+
 /// On each axis that is not zero the distance of the centers is compared with how far both boxes reach.
 template <class Integer>
 Contact contact(const std::array<Integer, 24>& n) {
@@ -76,25 +98,6 @@ auto numbers_of(const Obb3d& a, const Obb3d& b, const Numbers& numbers) {
 void validate(const Obb3d& a, const Obb3d& b) { kernel::validate_obb("a", a), kernel::validate_obb("b", b); }
 
 }  // namespace
-
-Perhaps<Contact> stages::obb_obb::filter(const Obb3d& a, const Obb3d& b) {
-  const auto& [u, v, w] = a.half_axes;
-  const auto& [x, y, z] = b.half_axes;
-  const std::array<Vector3d, 6> edges{u, v, w, x, y, z};
-  const filters::ObbAxes<double> pair(edges, b.center - a.center);
-  if (!pair.independent()) [[unlikely]]
-    return std::nullopt;
-  bool unknown = false;
-  for (const Spanned& axis : axes) {
-    const filters::Sign apart = pair.on_axis(axis.v, axis.w, axis.others);
-    if (apart == filters::Sign::positive) return Contact::disjoint;
-    if (apart == filters::Sign::unknown) [[unlikely]]
-      unknown = unknown || !parallel(edges[axis.v], edges[axis.w]);
-  }
-  if (unknown) [[unlikely]]
-    return std::nullopt;
-  return Contact::overlapping;
-}
 
 Perhaps<Contact> stages::obb_obb::lattice(const Obb3d& a, const Obb3d& b) {
   const auto lattice = numbers_of(a, b, [](auto... n) { return kernel::lattice_of(n...); });

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -14,5 +14,16 @@ namespace touchstone::robust {
 /// the field and "finite number"; so do half axes that are linearly dependent ("a.half_axes", "linearly independent").
 /// Contract: reference/volumes/obb_obb.h.
 Contact obb_obb(const Obb3d& a, const Obb3d& b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+struct obb_obb : Signatures<decltype(robust::obb_obb)> {
+  static Partial filter, lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -6,9 +6,18 @@
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/slab_filter.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/point_in_kdop.h"
 
 namespace touchstone::robust {
+
+/// All slabs, also past one that excludes the point: each of them has to be valid.
+Perhaps<Location> stages::point_in_kdop::filter(const Kdop3d& kdop, const Point3d& point) {
+  const std::size_t count = kdop.normals.size();
+  if (count == 0 || kdop.slabs.size() != count) return std::nullopt;
+  filters::SlabDepths<double> depths(point, kdop.normals[0], kdop.slabs[0]);
+  for (std::size_t i = 1; i < count; ++i) depths.add(kdop.normals[i], kdop.slabs[i]);
+  return filters::by_sign(depths.sign(), Location::inside, Location::outside);
+}
+
 namespace {
 
 using filters::Sign;
@@ -43,15 +52,6 @@ void validate(const Kdop3d& kdop, const Point3d& point) {
 }
 
 }  // namespace
-
-/// All slabs, also past one that excludes the point: each of them has to be valid.
-Perhaps<Location> stages::point_in_kdop::filter(const Kdop3d& kdop, const Point3d& point) {
-  const std::size_t count = kdop.normals.size();
-  if (count == 0 || kdop.slabs.size() != count) return std::nullopt;
-  filters::SlabDepths<double> depths(point, kdop.normals[0], kdop.slabs[0]);
-  for (std::size_t i = 1; i < count; ++i) depths.add(kdop.normals[i], kdop.slabs[i]);
-  return filters::by_sign(depths.sign(), Location::inside, Location::outside);
-}
 
 Perhaps<Location> stages::point_in_kdop::lattice(const Kdop3d& kdop, const Point3d& point) {
   return location(kdop, [&](const Vector3d& normal, const Slabd& slab) -> std::optional<int> {

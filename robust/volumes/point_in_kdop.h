@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,17 @@ namespace touchstone::robust {
 /// InvalidInput, which names the field and "finite number"; so do a normal of length 0 ("nonzero normal"), d1 > d2
 /// ("min <= max"), a list without normals and lists of different lengths. Contract: reference/volumes/point_in_kdop.h.
 Location point_in_kdop(const Kdop3d& kdop, const Point3d& point);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// Each stage for all slabs together; a slab that excludes the point decides alone.
+struct point_in_kdop : Signatures<decltype(robust::point_in_kdop)> {
+  static Partial filter, lattice;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

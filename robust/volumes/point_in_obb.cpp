@@ -5,15 +5,9 @@
 
 #include "robust/kernel/parallelepiped.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/point_in_obb.h"
 
 namespace touchstone::robust {
 namespace {
-
-void validate(const Obb3d& obb, const Point3d& point) {
-  kernel::validate_obb("obb", obb);
-  if (!kernel::valid(point)) validation::validate("point", point);
-}
 
 /// With center, half axes and point on one power of two. point - center = r u + s v + t w, where by Cramer's rule r is
 /// the quotient of two determinants, of point - center with v and w and of u with them; |r| is compared with 1.
@@ -38,6 +32,11 @@ auto numbers_of(const Obb3d& obb, const Point3d& p, const Numbers& numbers) {
   return numbers(c.x, c.y, c.z, u.x, u.y, u.z, v.x, v.y, v.z, w.x, w.y, w.z, p.x, p.y, p.z);
 }
 
+void validate(const Obb3d& obb, const Point3d& point) {
+  kernel::validate_obb("obb", obb);
+  if (!kernel::valid(point)) validation::validate("point", point);
+}
+
 }  // namespace
 
 Perhaps<Location> stages::point_in_obb::lattice(const Obb3d& obb, const Point3d& point) {
@@ -50,7 +49,7 @@ Location stages::point_in_obb::exact(const Obb3d& obb, const Point3d& point) {
   return located(numbers_of(obb, point, [](auto... n) { return kernel::integers_of(n...); }).at);
 }
 
-Decided<Location> detail::point_in_obb::past_filter(const Obb3d& obb, const Point3d& point) {
+Decided<Location> stages::point_in_obb::past_filter(const Obb3d& obb, const Point3d& point) {
   return in_turn<stages::point_in_obb, validate, Stage::lattice, Stage::exact>(obb, point);
 }
 

@@ -16,19 +16,22 @@ namespace touchstone::robust {
 /// independent"). Contract: reference/volumes/point_in_obb.h.
 inline Location point_in_obb(const Obb3d& obb, const Point3d& point);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct point_in_obb : Filtered<point_in_obb, Location> {
+struct point_in_obb : Filtered<point_in_obb, decltype(robust::point_in_obb)> {
   static Perhaps<Location> filter(const Obb3d& obb, const Point3d& point) {
     return filters::point_in_obb<double>(obb, point);
   }
-  static Decided<Location> past_filter(const Obb3d& obb, const Point3d& point);
+  static Partial lattice;
+  static Total exact;
+  static Staged past_filter;
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline Location point_in_obb(const Obb3d& obb, const Point3d& point) {
-  return detail::point_in_obb::ask(obb, point).answer;
+  return stages::point_in_obb::ask(obb, point).answer;
 }
 
 }  // namespace touchstone::robust

@@ -4,7 +4,6 @@
 #include "geometry/validation.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/sphere_aabb.h"
 
 namespace touchstone::robust {
 namespace {
@@ -41,14 +40,6 @@ auto integers_of(const Sphere3d& s, const Aabb3d& b) {
                              b.max.z);
 }
 
-/// Squares below 2^124, and three of them with a fourth, below 2^122, fit.
-template <class Ball, class Box>
-Perhaps<Contact> on_lattice(const Ball& sphere, const Box& aabb) {
-  const auto lattice = lattice_of(sphere, aabb);
-  if (!lattice) return std::nullopt;
-  return contact<kernel::Int128>(lattice->at);
-}
-
 template <class Ball, class Box>
 void validate(const Ball& sphere, const Box& aabb) {
   if (!kernel::valid(sphere) || !kernel::valid(aabb))
@@ -57,24 +48,29 @@ void validate(const Ball& sphere, const Box& aabb) {
 
 }  // namespace
 
-Perhaps<Contact> stages::sphere_aabb::lattice(const Circle2d& sphere, const Aabb2d& aabb) {
-  return on_lattice(sphere, aabb);
+/// Squares below 2^124, and three of them with a fourth, below 2^122, fit.
+template <class Ball, class Box>
+Perhaps<Contact> stages::sphere_aabb::lattice(const Ball& sphere, const Box& aabb) {
+  const auto lattice = lattice_of(sphere, aabb);
+  if (!lattice) return std::nullopt;
+  return contact<kernel::Int128>(lattice->at);
 }
-Perhaps<Contact> stages::sphere_aabb::lattice(const Sphere3d& sphere, const Aabb3d& aabb) {
-  return on_lattice(sphere, aabb);
-}
-Contact stages::sphere_aabb::exact(const Circle2d& sphere, const Aabb2d& aabb) {
-  return contact<mpz_class>(integers_of(sphere, aabb).at);
-}
-Contact stages::sphere_aabb::exact(const Sphere3d& sphere, const Aabb3d& aabb) {
+
+template <class Ball, class Box>
+Contact stages::sphere_aabb::exact(const Ball& sphere, const Box& aabb) {
   return contact<mpz_class>(integers_of(sphere, aabb).at);
 }
 
-Decided<Contact> detail::sphere_aabb::past_filter(const Circle2d& sphere, const Aabb2d& aabb) {
-  return in_turn<stages::sphere_aabb, validate<Circle2d, Aabb2d>, Stage::lattice, Stage::exact>(sphere, aabb);
+template <class Ball, class Box>
+Decided<Contact> stages::sphere_aabb::past_filter(const Ball& sphere, const Box& aabb) {
+  return in_turn<sphere_aabb, validate<Ball, Box>, Stage::lattice, Stage::exact>(sphere, aabb);
 }
-Decided<Contact> detail::sphere_aabb::past_filter(const Sphere3d& sphere, const Aabb3d& aabb) {
-  return in_turn<stages::sphere_aabb, validate<Sphere3d, Aabb3d>, Stage::lattice, Stage::exact>(sphere, aabb);
-}
+
+template Perhaps<Contact> stages::sphere_aabb::lattice(const Circle2d&, const Aabb2d&);
+template Perhaps<Contact> stages::sphere_aabb::lattice(const Sphere3d&, const Aabb3d&);
+template Contact stages::sphere_aabb::exact(const Circle2d&, const Aabb2d&);
+template Contact stages::sphere_aabb::exact(const Sphere3d&, const Aabb3d&);
+template Decided<Contact> stages::sphere_aabb::past_filter(const Circle2d&, const Aabb2d&);
+template Decided<Contact> stages::sphere_aabb::past_filter(const Sphere3d&, const Aabb3d&);
 
 }  // namespace touchstone::robust

@@ -21,10 +21,11 @@ namespace touchstone::robust {
 inline Contact sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb);
 inline Contact sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
 /// The filter knows boxes that have an interior and a distance that is not the radius.
-struct sphere_aabb : Filtered<sphere_aabb, Contact> {
+struct sphere_aabb : Filtered<sphere_aabb> {
   static filters::Sign sign(const Circle2d& s, const Aabb2d& b) {
     using filters::beyond_interval;
     return filters::ball_and_box<double>(s.radius, beyond_interval(s.center.x, b.min.x, b.max.x),
@@ -42,17 +43,21 @@ struct sphere_aabb : Filtered<sphere_aabb, Contact> {
     // A square that is certainly greater than another is not 0: the ball has an interior too.
     return filters::by_sign(sign(sphere, aabb), Contact::overlapping, Contact::disjoint);
   }
-  static Decided<Contact> past_filter(const Circle2d& sphere, const Aabb2d& aabb);
-  static Decided<Contact> past_filter(const Sphere3d& sphere, const Aabb3d& aabb);
+  template <class Ball, class Box>
+  static Perhaps<Contact> lattice(const Ball& sphere, const Box& aabb);
+  template <class Ball, class Box>
+  static Contact exact(const Ball& sphere, const Box& aabb);
+  template <class Ball, class Box>
+  static Decided<Contact> past_filter(const Ball& sphere, const Box& aabb);
 };
 
-}  // namespace detail
+}  // namespace stages
 
 inline Contact sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb) {
-  return detail::sphere_aabb::ask(sphere, aabb).answer;
+  return stages::sphere_aabb::ask(sphere, aabb).answer;
 }
 inline Contact sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb) {
-  return detail::sphere_aabb::ask(sphere, aabb).answer;
+  return stages::sphere_aabb::ask(sphere, aabb).answer;
 }
 
 }  // namespace touchstone::robust

@@ -3,9 +3,16 @@
 
 #include "robust/kernel/spheres.h"
 #include "robust/kernel/valid_space.h"
-#include "robust/stages/volumes/sphere_sphere.h"
 
 namespace touchstone::robust {
+Perhaps<Contact> stages::sphere_sphere::lattice(const Ball& a, const Ball& b) {
+  const Perhaps<int> reach = kernel::Reach::lattice(a, b);
+  if (!reach) return std::nullopt;
+  return contact(*reach, a, b);
+}
+
+Contact stages::sphere_sphere::exact(const Ball& a, const Ball& b) { return contact(kernel::Reach::exact(a, b), a, b); }
+
 namespace {
 
 /// A disc's ball has the disc's field names, and a third coordinate that is always valid.
@@ -15,17 +22,7 @@ void validate(const Sphere3d& a, const Sphere3d& b) {
 
 }  // namespace
 
-Perhaps<Contact> stages::sphere_sphere::lattice(const Ball& a, const Ball& b) {
-  const Perhaps<int> reach = kernel::Reach::lattice(a, b);
-  if (!reach) return std::nullopt;
-  return contact(*reach, a, b);
-}
-
-Contact stages::sphere_sphere::exact(const Ball& a, const Ball& b) {
-  return contact(kernel::Reach::exact(a, b), a, b);
-}
-
-Decided<Contact> detail::sphere_sphere::past_filter(const Ball& a, const Ball& b) {
+Decided<Contact> stages::sphere_sphere::past_filter(const Ball& a, const Ball& b) {
   return in_turn<stages::sphere_sphere, validate, Stage::lattice, Stage::exact>(a, b);
 }
 

@@ -19,9 +19,10 @@ namespace touchstone::robust {
 inline Contact sphere_sphere(const Circle2d& a, const Circle2d& b);
 inline Contact sphere_sphere(const Sphere3d& a, const Sphere3d& b);
 
-namespace detail {
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
 
-struct sphere_sphere : Filtered<sphere_sphere, Contact> {
+struct sphere_sphere : Filtered<sphere_sphere> {
   /// A ball, or that of which a disc is the section z = 0. Two of these have the contact of the discs: their centers
   /// are as far apart, and both or neither have an interior.
   struct Ball : Sphere3d {
@@ -34,6 +35,8 @@ struct sphere_sphere : Filtered<sphere_sphere, Contact> {
     if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius)) return std::nullopt;
     return filters::by_sign(filters::spheres<double>(a, b), contact(1, a, b), Contact::disjoint);
   }
+  static Perhaps<Contact> lattice(const Ball& a, const Ball& b);
+  static Contact exact(const Ball& a, const Ball& b);
   static Decided<Contact> past_filter(const Ball& a, const Ball& b);
 
   /// Of the sign of the radii's sum minus the distance of the centers: a ball of radius 0 has no interior. Looked at as
@@ -45,9 +48,9 @@ struct sphere_sphere : Filtered<sphere_sphere, Contact> {
   }
 };
 
-}  // namespace detail
+}  // namespace stages
 
-inline Contact sphere_sphere(const Circle2d& a, const Circle2d& b) { return detail::sphere_sphere::ask(a, b).answer; }
-inline Contact sphere_sphere(const Sphere3d& a, const Sphere3d& b) { return detail::sphere_sphere::ask(a, b).answer; }
+inline Contact sphere_sphere(const Circle2d& a, const Circle2d& b) { return stages::sphere_sphere::ask(a, b).answer; }
+inline Contact sphere_sphere(const Sphere3d& a, const Sphere3d& b) { return stages::sphere_sphere::ask(a, b).answer; }
 
 }  // namespace touchstone::robust

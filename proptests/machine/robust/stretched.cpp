@@ -8,11 +8,11 @@
 #include "geometry/invalid_input.h"
 #include "proptests/property.h"
 #include "robust/lines/explicit_line.h"
+#include "robust/lines/line_line.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
 #include "robust/lines/ray_segment.h"
 #include "robust/lines/segment_segment.h"
-#include "robust/stages/lines/line_line.h"
 
 // Decisions about small integers, asked again with one axis stretched to one end of the range of the doubles and the
 // other to any end: no decision changes, whatever the environment does to subnormal numbers. What it takes away from a

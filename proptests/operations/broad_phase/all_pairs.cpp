@@ -2,8 +2,8 @@
 #include "catalogue/broad_phase/all_pairs.h"
 
 #include "proptests/space_laws.h"
+#include "robust/broad_phase/all_pairs.h"
 #include "robust/kernel/spheres.h"
-#include "robust/stages/broad_phase/all_pairs.h"
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests {

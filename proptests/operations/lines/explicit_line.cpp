@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "proptests/laws.h"
+#include "robust/lines/explicit_line.h"
 #include "robust/lines/orientation.h"
-#include "robust/stages/lines/explicit_line.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,7 +2,7 @@
 #include "catalogue/lines/implicit_circle.h"
 
 #include "proptests/laws.h"
-#include "robust/stages/lines/implicit_circle.h"
+#include "robust/lines/implicit_circle.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,7 +2,7 @@
 #include "catalogue/lines/line_line.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/lines/line_line.h"
+#include "robust/lines/line_line.h"
 
 namespace touchstone::proptests {
 namespace {

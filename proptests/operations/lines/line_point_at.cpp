@@ -2,7 +2,7 @@
 #include "catalogue/lines/line_point_at.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/lines/line_point_at.h"
+#include "robust/lines/line_point_at.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,7 +2,7 @@
 #include "catalogue/lines/orientation.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/lines/orientation.h"
+#include "robust/lines/orientation.h"
 
 namespace touchstone::proptests {
 namespace {

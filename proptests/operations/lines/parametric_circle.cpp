@@ -2,7 +2,7 @@
 #include "catalogue/lines/parametric_circle.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/lines/parametric_circle.h"
+#include "robust/lines/parametric_circle.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
+#include "robust/lines/point_on_segment.h"
 #include "robust/lines/segment_segment.h"
-#include "robust/stages/lines/point_on_segment.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,8 +2,8 @@
 #include "catalogue/lines/ray_segment.h"
 
 #include "proptests/forward_error.h"
+#include "robust/lines/ray_segment.h"
 #include "robust/lines/segment_segment.h"
-#include "robust/stages/lines/ray_segment.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
-#include "robust/stages/lines/segment_segment.h"
+#include "robust/lines/segment_segment.h"
 
 namespace touchstone::proptests {
 namespace {

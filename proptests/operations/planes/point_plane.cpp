@@ -3,7 +3,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
-#include "robust/stages/planes/point_plane.h"
+#include "robust/planes/point_plane.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/stages/planes/point_plane_toi.h"
+#include "robust/planes/point_plane_toi.h"
 
 namespace touchstone::proptests {
 namespace {

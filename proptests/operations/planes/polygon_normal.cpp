@@ -3,7 +3,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/stages/planes/polygon_normal.h"
+#include "robust/planes/polygon_normal.h"
 
 namespace touchstone::proptests {
 namespace {

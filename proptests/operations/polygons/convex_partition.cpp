@@ -2,7 +2,7 @@
 #include "catalogue/polygons/convex_partition.h"
 
 #include "proptests/partition_laws.h"
-#include "robust/stages/polygons/convex_partition.h"
+#include "robust/polygons/convex_partition.h"
 
 namespace touchstone::proptests {
 namespace {

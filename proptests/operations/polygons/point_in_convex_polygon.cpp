@@ -2,9 +2,9 @@
 #include "catalogue/polygons/point_in_convex_polygon.h"
 
 #include "proptests/forward_error.h"
+#include "robust/polygons/point_in_convex_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/polygons/polygon_convexity.h"
-#include "robust/stages/polygons/point_in_convex_polygon.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
-#include "robust/stages/polygons/point_in_polygon.h"
+#include "robust/polygons/point_in_polygon.h"
 
 namespace touchstone::proptests {
 namespace {

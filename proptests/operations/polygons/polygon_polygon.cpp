@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "proptests/laws.h"
-#include "robust/stages/polygons/polygon_polygon.h"
+#include "robust/polygons/polygon_polygon.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,7 +2,7 @@
 #include "catalogue/polygons/triangulate_polygon.h"
 
 #include "proptests/partition_laws.h"
-#include "robust/stages/polygons/triangulate_polygon.h"
+#include "robust/polygons/triangulate_polygon.h"
 
 namespace touchstone::proptests {
 namespace {

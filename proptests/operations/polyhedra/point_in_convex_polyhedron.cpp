@@ -5,7 +5,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
-#include "robust/stages/polyhedra/point_in_convex_polyhedron.h"
+#include "robust/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::proptests {
 namespace {

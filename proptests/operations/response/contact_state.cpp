@@ -2,7 +2,7 @@
 #include "catalogue/response/contact_state.h"
 
 #include "proptests/contact_laws.h"
-#include "robust/stages/response/contact_state.h"
+#include "robust/response/contact_state.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "oracle/response/reflect_plane.h"
 #include "proptests/response_laws.h"
+#include "robust/response/damped_reflection.h"
 #include "robust/response/reflect_plane.h"
-#include "robust/stages/response/damped_reflection.h"
 
 namespace touchstone::proptests {
 namespace {

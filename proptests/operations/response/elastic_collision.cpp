@@ -2,7 +2,7 @@
 #include "catalogue/response/elastic_collision.h"
 
 #include "proptests/impact_laws.h"
-#include "robust/stages/response/elastic_collision.h"
+#include "robust/response/elastic_collision.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,7 +2,7 @@
 #include "catalogue/response/inelastic_collision.h"
 
 #include "proptests/impact_laws.h"
-#include "robust/stages/response/inelastic_collision.h"
+#include "robust/response/inelastic_collision.h"
 
 namespace touchstone::proptests {
 namespace {

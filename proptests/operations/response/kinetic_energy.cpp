@@ -3,7 +3,7 @@
 
 #include "oracle/response/momentum.h"
 #include "proptests/body_laws.h"
-#include "robust/stages/response/kinetic_energy.h"
+#include "robust/response/kinetic_energy.h"
 
 namespace touchstone::proptests {
 namespace {

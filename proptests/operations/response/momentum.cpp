@@ -2,7 +2,7 @@
 #include "catalogue/response/momentum.h"
 
 #include "proptests/body_laws.h"
-#include "robust/stages/response/momentum.h"
+#include "robust/response/momentum.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/response_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/stages/response/penalty_force.h"
+#include "robust/response/penalty_force.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,8 +2,8 @@
 #include "catalogue/response/reflect_plane.h"
 
 #include "proptests/response_laws.h"
+#include "robust/response/reflect_plane.h"
 #include "robust/response/reflect_wall.h"
-#include "robust/stages/response/reflect_plane.h"
 
 namespace touchstone::proptests {
 namespace {

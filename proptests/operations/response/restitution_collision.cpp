@@ -4,7 +4,7 @@
 #include "oracle/response/elastic_collision.h"
 #include "proptests/impact_laws.h"
 #include "robust/response/elastic_collision.h"
-#include "robust/stages/response/restitution_collision.h"
+#include "robust/response/restitution_collision.h"
 
 namespace touchstone::proptests {
 namespace {

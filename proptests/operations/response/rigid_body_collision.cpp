@@ -3,7 +3,7 @@
 
 #include "proptests/contact_laws.h"
 #include "robust/response/restitution_collision.h"
-#include "robust/stages/response/rigid_body_collision.h"
+#include "robust/response/rigid_body_collision.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/sweeps/swept_aabb_aabb.h"
+#include "robust/sweeps/swept_aabb_aabb.h"
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests {

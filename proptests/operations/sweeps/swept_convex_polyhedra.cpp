@@ -3,8 +3,8 @@
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/sweeps/swept_convex_polyhedra.h"
 #include "robust/sweeps/swept_aabb_aabb.h"
+#include "robust/sweeps/swept_convex_polyhedra.h"
 
 namespace touchstone::proptests {
 namespace {

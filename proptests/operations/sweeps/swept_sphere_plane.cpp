@@ -3,7 +3,7 @@
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/sweeps/swept_sphere_plane.h"
+#include "robust/sweeps/swept_sphere_plane.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/sweeps/swept_sphere_sphere.h"
+#include "robust/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/volumes/aabb_aabb.h"
+#include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,7 +2,7 @@
 #include "catalogue/volumes/aabb_of_points.h"
 
 #include "proptests/space_laws.h"
-#include "robust/stages/volumes/aabb_of_points.h"
+#include "robust/volumes/aabb_of_points.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -6,7 +6,7 @@
 #include "proptests/space_laws.h"
 #include "robust/hulls/solid.h"
 #include "robust/kernel/control_word.h"
-#include "robust/stages/volumes/convex_hull.h"
+#include "robust/volumes/convex_hull.h"
 #include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests {

@@ -3,7 +3,7 @@
 
 #include "proptests/hull_laws.h"
 #include "proptests/polygons_from_elsewhere.h"
-#include "robust/stages/volumes/convex_hull_2d.h"
+#include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests {
 namespace {

@@ -2,8 +2,8 @@
 #include "catalogue/volumes/kdop_kdop.h"
 
 #include "proptests/space_laws.h"
-#include "robust/stages/volumes/kdop_kdop.h"
 #include "robust/volumes/aabb_aabb.h"
+#include "robust/volumes/kdop_kdop.h"
 #include "robust/volumes/point_in_kdop.h"
 
 namespace touchstone::proptests {

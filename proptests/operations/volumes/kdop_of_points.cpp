@@ -2,8 +2,8 @@
 #include "catalogue/volumes/kdop_of_points.h"
 
 #include "proptests/space_laws.h"
-#include "robust/stages/volumes/kdop_of_points.h"
 #include "robust/volumes/aabb_of_points.h"
+#include "robust/volumes/kdop_of_points.h"
 #include "robust/volumes/point_in_kdop.h"
 
 namespace touchstone::proptests {

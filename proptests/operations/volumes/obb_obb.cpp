@@ -3,8 +3,8 @@
 
 #include "proptests/forward_error.h"
 #include "proptests/laws.h"
-#include "robust/stages/volumes/obb_obb.h"
 #include "robust/volumes/aabb_aabb.h"
+#include "robust/volumes/obb_obb.h"
 #include "robust/volumes/point_in_obb.h"
 
 namespace touchstone::proptests {

@@ -3,7 +3,7 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/stages/volumes/point_in_kdop.h"
+#include "robust/volumes/point_in_kdop.h"
 
 namespace touchstone::proptests {
 namespace {

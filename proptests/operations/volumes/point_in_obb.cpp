@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "proptests/laws.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
-#include "robust/stages/volumes/point_in_obb.h"
+#include "robust/volumes/point_in_obb.h"
 
 namespace touchstone::proptests {
 namespace {

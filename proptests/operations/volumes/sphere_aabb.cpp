@@ -2,8 +2,8 @@
 #include "catalogue/volumes/sphere_aabb.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/volumes/sphere_aabb.h"
 #include "robust/volumes/closest_point_on_aabb.h"
+#include "robust/volumes/sphere_aabb.h"
 #include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::proptests {

@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/volumes/sphere_sphere.h"
+#include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::proptests {
 namespace {
