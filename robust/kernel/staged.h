@@ -128,8 +128,9 @@ auto answer_in_turn(const Q&... q) {
 template <class X, class... Functions>
 struct Filtered : Signatures<Functions>... {
   template <class... Q>
-  static auto ask(const Q&... q) -> decltype(X::past_filter(q...)) {
-    if (const auto answer = X::filter(q...)) return {*answer, Stage::filter};
+  static auto ask(const Q&... q) {
+    using Found = decltype(X::past_filter(q...));
+    if (const auto answer = X::filter(q...)) return Found{*answer, Stage::filter};
     return X::past_filter(q...);
   }
 };
