@@ -16,7 +16,7 @@
 ///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where a question's alternatives have
 ///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op), and before it
 ///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
-///   using stages = ::touchstone::robust::stages::op;   each stage of robust alone (robust/kernel/staged.h), if it has some
+///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
 ///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
 ///   static const Card& card();               names, pages, kind of judgement
 ///   static std::vector<HardCase<Question>> hard_cases();

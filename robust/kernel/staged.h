@@ -20,8 +20,8 @@ namespace touchstone::robust {
 /// lattice:  the input as integers below 2^61 on one common power of two, products in 128 bits; may not fit.
 /// exact:    the input as integers of any size; CGAL over GMP integers. Always knows.
 ///
-/// stages::X, declared with the operation X and defined in its .cpp in the order in which stages are asked, is for tests
-/// and other operations, and no promise to users:
+/// stages::X, declared with the operation X and defined in its .cpp in the order in which stages are asked, is for
+/// tests and other operations, and no promise to users:
 ///   X::filter, X::enclosed, X::lattice, X::exact
 ///                                     the stages that X has, of valid arguments. `exact` returns the answer, the
 ///                                     others Perhaps<Answer>, empty for "ask the next".

@@ -6,6 +6,7 @@
 #include "robust/kernel/whole_bodies.h"
 
 namespace touchstone::robust {
+
 /// Of degree 3, less than the window is for. A sum of squares is settled, so each term is a product as Sum has it, but
 /// for mass times the error of the square, which is carried apart.
 Perhaps<double> stages::kinetic_energy::enclosed(const std::vector<Bodyd>& bodies) {

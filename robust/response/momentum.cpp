@@ -6,6 +6,7 @@
 #include "robust/kernel/whole_bodies.h"
 
 namespace touchstone::robust {
+
 /// Of degree 2, less than the window is for.
 Perhaps<Vector3d> stages::momentum::enclosed(const std::vector<Bodyd>& bodies) {
   using namespace kernel;

@@ -7,6 +7,7 @@
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
+
 /// t N with t = -(k E + c v . N) / N . N: a velocity of 0 that is pushed along the normal, see
 /// robust/kernel/along_normal.h, whose letters these are. Let s = |k| S of E and |c| S of v . N together, and i the
 /// inverse of N . N. In units of E s i: E and v . N are off by 20 as Sum has it of four terms, as factors by 4.3 more,

@@ -7,60 +7,6 @@
 #include "robust/kernel/valid_bodies.h"
 
 namespace touchstone::robust {
-namespace {
-
-using kernel::Dyadic;
-
-Inertia<Dyadic> exactly(const Inertiad& i) { return {kernel::dyadic(i.x), kernel::dyadic(i.y), kernel::dyadic(i.z)}; }
-
-bool positive_definite(const Inertiad& inertia) {
-  const Inertia<Dyadic> i = exactly(inertia);
-  const Vector3<Dyadic> xy = cross(i.x, i.y);
-  return sgn(i.x.x.n) > 0 && sgn(xy.z.n) > 0 && sgn(dot(xy, i.z).n) > 0;
-}
-
-void validate_body(const std::string& field, const RigidBodyd& body) {
-  validation::validate(field, body);
-  if (!positive_definite(body.inertia)) validation::refuse_indefinite(field + ".inertia");
-}
-
-void validate(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point, const Vector3d& normal, double e) {
-  validate_body("a", a), validate_body("b", b);
-  if (kernel::valid(point) && kernel::valid_normal(normal) && kernel::valid_restitution(e)) return;
-  validation::validate("point", point), validation::validate_normal("normal", normal);
-  validation::validate_restitution("e", e);
-}
-
-/// A body, and what a moment of impulse turns it by, times the determinant of its inertia.
-struct Struck {
-  Dyadic mass, determinant, bend;
-  Vector3<Dyadic> velocity, angular_velocity, turn, at_contact;
-
-  Struck(const RigidBodyd& body, const Vector3<Dyadic>& point, const Vector3<Dyadic>& n)
-      : mass(kernel::dyadic(body.mass)),
-        velocity(kernel::dyadic(body.velocity)),
-        angular_velocity(kernel::dyadic(body.angular_velocity)) {
-    const auto [x, y, z] = exactly(body.inertia);
-    const Point3d& p = body.position;
-    const Vector3<Dyadic> arm = point - kernel::dyadic(Vector3d{p.x, p.y, p.z}), moment = cross(arm, n),
-                          yz = cross(y, z);
-    determinant = dot(x, yz);
-    turn = {dot(yz, moment), dot(cross(z, x), moment), dot(cross(x, y), moment)};
-    bend = dot(moment, turn);
-    at_contact = velocity + cross(angular_velocity, arm);
-  }
-};
-
-/// start + (of / below) v, rounded.
-Vector3d moved(const Vector3<Dyadic>& start, const Dyadic& of, const Vector3<Dyadic>& v, const Dyadic& below) {
-  const auto component = [&](const Dyadic& from, const Dyadic& along) {
-    const Dyadic n = from * below + of * along;
-    return kernel::round_quotient(n.n, below.n, static_cast<long>(n.exponent) - below.exponent);
-  };
-  return {component(start.x, v.x), component(start.y, v.y), component(start.z, v.z)};
-}
-
-}  // namespace
 
 /// The slide's formula, body beside body, each step with its bound. A bound holds whatever the steps before: there is
 /// no sum of bounds to be proved here. Flattened: an enclosure that is handed over in memory costs more than a product.
@@ -110,6 +56,61 @@ Vector3d moved(const Vector3<Dyadic>& start, const Dyadic& of, const Vector3<Dya
   return Motions<double>{{{x->first(), y->first(), z->first()}, {wx->first(), wy->first(), wz->first()}},
                          {{x->second(), y->second(), z->second()}, {wx->second(), wy->second(), wz->second()}}};
 }
+
+namespace {
+
+using kernel::Dyadic;
+
+Inertia<Dyadic> exactly(const Inertiad& i) { return {kernel::dyadic(i.x), kernel::dyadic(i.y), kernel::dyadic(i.z)}; }
+
+/// A body, and what a moment of impulse turns it by, times the determinant of its inertia.
+struct Struck {
+  Dyadic mass, determinant, bend;
+  Vector3<Dyadic> velocity, angular_velocity, turn, at_contact;
+
+  Struck(const RigidBodyd& body, const Vector3<Dyadic>& point, const Vector3<Dyadic>& n)
+      : mass(kernel::dyadic(body.mass)),
+        velocity(kernel::dyadic(body.velocity)),
+        angular_velocity(kernel::dyadic(body.angular_velocity)) {
+    const auto [x, y, z] = exactly(body.inertia);
+    const Point3d& p = body.position;
+    const Vector3<Dyadic> arm = point - kernel::dyadic(Vector3d{p.x, p.y, p.z}), moment = cross(arm, n),
+                          yz = cross(y, z);
+    determinant = dot(x, yz);
+    turn = {dot(yz, moment), dot(cross(z, x), moment), dot(cross(x, y), moment)};
+    bend = dot(moment, turn);
+    at_contact = velocity + cross(angular_velocity, arm);
+  }
+};
+
+/// start + (of / below) v, rounded.
+Vector3d moved(const Vector3<Dyadic>& start, const Dyadic& of, const Vector3<Dyadic>& v, const Dyadic& below) {
+  const auto component = [&](const Dyadic& from, const Dyadic& along) {
+    const Dyadic n = from * below + of * along;
+    return kernel::round_quotient(n.n, below.n, static_cast<long>(n.exponent) - below.exponent);
+  };
+  return {component(start.x, v.x), component(start.y, v.y), component(start.z, v.z)};
+}
+
+bool positive_definite(const Inertiad& inertia) {
+  const Inertia<Dyadic> i = exactly(inertia);
+  const Vector3<Dyadic> xy = cross(i.x, i.y);
+  return sgn(i.x.x.n) > 0 && sgn(xy.z.n) > 0 && sgn(dot(xy, i.z).n) > 0;
+}
+
+void validate_body(const std::string& field, const RigidBodyd& body) {
+  validation::validate(field, body);
+  if (!positive_definite(body.inertia)) validation::refuse_indefinite(field + ".inertia");
+}
+
+void validate(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point, const Vector3d& normal, double e) {
+  validate_body("a", a), validate_body("b", b);
+  if (kernel::valid(point) && kernel::valid_normal(normal) && kernel::valid_restitution(e)) return;
+  validation::validate("point", point), validation::validate_normal("normal", normal);
+  validation::validate_restitution("e", e);
+}
+
+}  // namespace
 
 /// All over the product of both masses, both determinants, and what an impulse meets.
 Motions<double> stages::rigid_body_collision::exact(const RigidBodyd& a, const RigidBodyd& b, const Point3d& p,

@@ -5,6 +5,7 @@
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
+
 Perhaps<Contact> stages::sphere_sphere::lattice(const Ball& a, const Ball& b) {
   const Perhaps<int> reach = kernel::Reach::lattice(a, b);
   if (!reach) return std::nullopt;
