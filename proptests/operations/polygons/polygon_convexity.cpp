@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "catalogue/explained.h"
-#include "catalogue/families/rings.h"
 #include "catalogue/polygons/polygon_convexity_interior_angles.h"
+#include "catalogue/families/rings.h"
 #include "proptests/forward_error.h"
 #include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
@@ -234,21 +234,20 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
     return !certain || answer.orientation == truth.answer.orientation;
   });
   std::uint64_t promised = 0;
-  contract<ByAngles>(
-      "the margin of the interior angles",
-      [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
-        if (truth.answer.orientation == Winding::none) return true;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-          const auto corner = moderate_corner(ring, i);
-          if (!corner) return true;
-          const auto& [v, w] = *corner;
-          const Rational sine = cross(v, w);
-          if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
-        }
-        ++promised;
-        return equal(answer, truth.answer);
-      },
-      96);
+  contract<ByAngles>("the margin of the interior angles",
+                     [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
+                       if (truth.answer.orientation == Winding::none) return true;
+                       for (std::size_t i = 0; i < ring.size(); ++i) {
+                         const auto corner = moderate_corner(ring, i);
+                         if (!corner) return true;
+                         const auto& [v, w] = *corner;
+                         const Rational sine = cross(v, w);
+                         if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
+                       }
+                       ++promised;
+                       return equal(answer, truth.answer);
+                     },
+                     96);
   CHECK(promised > 100);
 }
 
