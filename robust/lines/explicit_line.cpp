@@ -34,7 +34,7 @@ Height stages::explicit_line::exact(double slope, double intercept, const Point2
 }
 
 Decided<Height> stages::explicit_line::past_filter(double slope, double intercept, const Point2d& point) {
-  return in_turn<stages::explicit_line, validate, Stage::lattice, Stage::exact>(slope, intercept, point);
+  return in_turn<explicit_line, validate, Stage::lattice, Stage::exact>(slope, intercept, point);
 }
 
 }  // namespace touchstone::robust

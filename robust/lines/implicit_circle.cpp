@@ -31,7 +31,7 @@ Location stages::implicit_circle::exact(const Circle2d& circle, const Point2d& p
 }
 
 Decided<Location> stages::implicit_circle::past_filter(const Circle2d& circle, const Point2d& point) {
-  return in_turn<stages::implicit_circle, validate, Stage::lattice, Stage::exact>(circle, point);
+  return in_turn<implicit_circle, validate, Stage::lattice, Stage::exact>(circle, point);
 }
 
 }  // namespace touchstone::robust

@@ -49,7 +49,7 @@ LineRelation stages::line_line::decision::exact(const Line2d& a, const Line2d& b
 }
 
 Decided<LineRelation> stages::line_line::decision::past_filter(const Line2d& a, const Line2d& b) {
-  return in_turn<stages::line_line::decision, validate, Stage::lattice, Stage::exact>(a, b);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 namespace {

@@ -41,7 +41,7 @@ Side stages::orientation::exact(const Point2d& p0, const Point2d& p1, const Poin
 Decided<Side> stages::orientation::past_filter(const Point2d& p0, const Point2d& p1, const Point2d& p) {
   if (const auto lattice = kernel::lattice_of(p0.x, p0.y, p1.x, p1.y, p.x, p.y))
     return {side_of(lattice->at), Stage::lattice};
-  return in_turn<stages::orientation, validate, Stage::exact>(p0, p1, p);
+  return in_turn<orientation, validate, Stage::exact>(p0, p1, p);
 }
 
 }  // namespace touchstone::robust

@@ -54,7 +54,7 @@ Incidence stages::point_on_segment::decision::exact(const Point2d& point, const 
 
 /// Numbers on a lattice are finite: nothing to validate before.
 Decided<Incidence> stages::point_on_segment::decision::past_filter(const Point2d& point, const Segment2d& segment) {
-  return in_turn<stages::point_on_segment::decision, Stage::lattice, validate, Stage::exact>(point, segment);
+  return in_turn<decision, Stage::lattice, validate, Stage::exact>(point, segment);
 }
 
 namespace {

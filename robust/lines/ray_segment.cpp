@@ -86,7 +86,7 @@ RayRelation stages::ray_segment::decision::exact(const Ray2d& ray, const Segment
 }
 
 Decided<RayRelation> stages::ray_segment::decision::past_filter(const Ray2d& ray, const Segment2d& segment) {
-  return in_turn<stages::ray_segment::decision, validate, Stage::lattice, Stage::exact>(ray, segment);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(ray, segment);
 }
 
 /// The numbers where the filter says that they meet in a point.

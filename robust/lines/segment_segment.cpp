@@ -88,7 +88,7 @@ SegmentRelation stages::segment_segment::decision::exact(const Segment2d& a, con
 /// Numbers on a lattice are finite: nothing to validate before.
 Decided<SegmentRelation> stages::segment_segment::decision::past_filter(const Segment2d& a, const Segment2d& b) {
   if (apart(a, b)) return {SegmentRelation::disjoint, Stage::filter};
-  return in_turn<stages::segment_segment::decision, Stage::lattice, validate, Stage::exact>(a, b);
+  return in_turn<decision, Stage::lattice, validate, Stage::exact>(a, b);
 }
 
 /// The numbers where the filter says that the segments cross.

@@ -30,7 +30,7 @@ PlaneSide stages::point_plane::decision::exact(const Plane3d& plane, const Point
 }
 
 Decided<PlaneSide> stages::point_plane::decision::past_filter(const Plane3d& plane, const Point3d& point) {
-  return in_turn<stages::point_plane::decision, validate, Stage::lattice, Stage::exact>(plane, point);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
 Perhaps<PointPlane<double>> stages::point_plane::enclosed(const Plane3d& plane, const Point3d& p) {

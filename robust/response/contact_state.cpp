@@ -110,7 +110,7 @@ ContactState stages::contact_state::exact(const MovingBodyd& a, const MovingBody
 
 Decided<ContactState> stages::contact_state::past_filter(const MovingBodyd& a, const MovingBodyd& b,
                                                          const Point3d& point, const Vector3d& normal) {
-  return in_turn<stages::contact_state, validate, Stage::lattice, Stage::exact>(a, b, point, normal);
+  return in_turn<contact_state, validate, Stage::lattice, Stage::exact>(a, b, point, normal);
 }
 
 }  // namespace touchstone::robust

@@ -52,10 +52,10 @@ Contact stages::aabb_aabb::exact(const Aabb2d& a, const Aabb2d& b) { return cont
 Contact stages::aabb_aabb::exact(const Aabb3d& a, const Aabb3d& b) { return contact_of(on_all_axes(a, b)); }
 
 Decided<Contact> stages::aabb_aabb::past_filter(const Aabb2d& a, const Aabb2d& b) {
-  return in_turn<stages::aabb_aabb, validate<Aabb2d>, Stage::exact>(a, b);
+  return in_turn<aabb_aabb, validate<Aabb2d>, Stage::exact>(a, b);
 }
 Decided<Contact> stages::aabb_aabb::past_filter(const Aabb3d& a, const Aabb3d& b) {
-  return in_turn<stages::aabb_aabb, validate<Aabb3d>, Stage::exact>(a, b);
+  return in_turn<aabb_aabb, validate<Aabb3d>, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

@@ -110,7 +110,7 @@ Contact stages::obb_obb::exact(const Obb3d& a, const Obb3d& b) {
 }
 
 Decided<Contact> stages::obb_obb::ask(const Obb3d& a, const Obb3d& b) {
-  return in_turn<stages::obb_obb, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b);
+  return in_turn<obb_obb, Stage::filter, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 Contact obb_obb(const Obb3d& a, const Obb3d& b) { return stages::obb_obb::ask(a, b).answer; }

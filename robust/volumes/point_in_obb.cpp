@@ -50,7 +50,7 @@ Location stages::point_in_obb::exact(const Obb3d& obb, const Point3d& point) {
 }
 
 Decided<Location> stages::point_in_obb::past_filter(const Obb3d& obb, const Point3d& point) {
-  return in_turn<stages::point_in_obb, validate, Stage::lattice, Stage::exact>(obb, point);
+  return in_turn<point_in_obb, validate, Stage::lattice, Stage::exact>(obb, point);
 }
 
 }  // namespace touchstone::robust

@@ -24,7 +24,7 @@ void validate(const Sphere3d& a, const Sphere3d& b) {
 }  // namespace
 
 Decided<Contact> stages::sphere_sphere::past_filter(const Ball& a, const Ball& b) {
-  return in_turn<stages::sphere_sphere, validate, Stage::lattice, Stage::exact>(a, b);
+  return in_turn<sphere_sphere, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust
