@@ -23,17 +23,16 @@
 ///   struct decision { ... };                 decisions alone (below), or using decision = NoDecision;
 ///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
-#define TOUCHSTONE_MODULES(op)                                                                       \
-  TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                   \
-  static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); }              \
-  static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }                    \
-  static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {                   \
-    return ::touchstone::oracle::op(q...);                                                           \
-  }                                                                                                  \
-  static auto certificate(const auto&... q) { return ::touchstone::oracle::op##_certificate(q...); } \
-  template <class E>                                                                                 \
-  static auto ask(E& engine, const auto&... q)->decltype(engine.op(q...)) {                          \
-    return engine.op(q...);                                                                          \
+#define TOUCHSTONE_MODULES(op)                                                          \
+  TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                      \
+  static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); } \
+  static auto robust(const auto&... q) { return ::touchstone::robust::op(q...); }       \
+  static auto oracle(const auto&... q)->decltype(::touchstone::oracle::op(q...)) {      \
+    return ::touchstone::oracle::op(q...);                                              \
+  }                                                                                     \
+  template <class E>                                                                    \
+  static auto ask(E& engine, const auto&... q)->decltype(engine.op(q...)) {             \
+    return engine.op(q...);                                                             \
   }
 #define TOUCHSTONE_MODULES_EITHER(op)                                                                    \
   TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                                       \
@@ -42,7 +41,6 @@
   static auto oracle(const auto&... q)->decltype(either<Answers>(::touchstone::oracle::op(q...))) {      \
     return either<Answers>(::touchstone::oracle::op(q...));                                              \
   }                                                                                                      \
-  static auto certificate(const auto&... q) { return ::touchstone::oracle::op##_certificate(q...); }     \
   template <class E>                                                                                     \
   static auto ask(E& engine, const auto&... q)->decltype(either<Answers>(engine.op(q...))) {             \
     return either<Answers>(engine.op(q...));                                                             \
@@ -75,8 +73,8 @@ Answers<number_of_t<Answer>> either(const Answer& answer) {
   return answer;
 }
 template <template <class> class Answers, class Answer>
-::touchstone::oracle::Truth<Answers<number_of_t<Answer>>> either(const ::touchstone::oracle::Truth<Answer>& truth) {
-  return {truth.answer, truth.margin};
+::touchstone::oracle::Truth<Answers<number_of_t<Answer>>> either(::touchstone::oracle::Truth<Answer> truth) {
+  return {std::move(truth.answer), std::move(truth.margin), std::move(truth.certificate)};
 }
 template <template <class> class Answers, class Answer>
 std::optional<Answers<number_of_t<Answer>>> either(const std::optional<Answer>& answer) {
@@ -119,10 +117,6 @@ auto ask_robust(const Question& q) {
 template <class Row, class Question>
 auto ask_oracle(const Question& q) {
   return applied([](const auto&... value) { return Row::oracle(value...); }, q);
-}
-template <class Row>
-auto ask_certificate(const typename Row::Question& q) {
-  return applied([](const auto&... value) { return Row::certificate(value...); }, q);
 }
 
 /// Whether the oracle also takes exact rationals, for numbers as they were typed.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@
 #include "catalogue/laws.h"
 #include "catalogue/scene.h"
 #include "catalogue/shape.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 #include "robust/kernel/staged.h"
 
 namespace touchstone::audit {
@@ -24,6 +25,7 @@ namespace touchstone::audit {
 struct Solution {
   TrueTape answer;
   std::optional<mpq_class> margin;  ///< where the operation decides something
+  std::function<oracle::Certificate()> certificate{};
 };
 
 /// Every decision on a range of a grid: robust against the oracle's integers, without numbers and certificates.
@@ -66,7 +68,6 @@ struct RowFunctions {
   /// In that floating-point environment (catalogue/judge/environment.h).
   Tape<double> (*robust)(const Question&, std::size_t environment);
   Solution (*solve)(const Question&);
-  oracle::Certificate (*certify)(const Question&);
   Solution (*solve_as_typed)(const Tape<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
 
   /// Decisions alone; `decision` is the shape of the enumerator, nullptr where robust has no function for it.

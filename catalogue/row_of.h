@@ -115,10 +115,7 @@ struct RowOf {
   }
   static Solution solve(const Question& question) {
     auto truth = ask_oracle<Row>(unpacked<Asked>(question));
-    return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
-  }
-  static oracle::Certificate certify(const Question& question) {
-    return ask_certificate<Row>(unpacked<Asked>(question));
+    return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin), std::move(truth.certificate)};
   }
   static Solution solve_as_typed(const Tape<mpq_class>& question) {
     using Typed = rebound_t<Asked, mpq_class>;
@@ -238,7 +235,6 @@ RowFunctions RowOf<Row>::functions() {
   f.track_in_float = track_in_float;
   f.robust = robust;
   f.solve = solve;
-  f.certify = certify;
   if constexpr (oracle_takes<Row, rebound_t<Asked, mpq_class>>) f.solve_as_typed = solve_as_typed;
   if constexpr (decides) {
     f.decision = &shape_of<decltype(Row::decision::robust(std::declval<const Asked&>()))>();

@@ -4,7 +4,11 @@
 #include <gmpxx.h>
 
 #include <concepts>
+#include <functional>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace touchstone::oracle {
 
@@ -15,6 +19,16 @@ using Rational = mpq_class;
 template <class Number>
 concept Exact = std::same_as<Number, Rational>;
 
+/// A proof of one answer in named lists of rationals, for a checker that knows no geometry algorithm: it only
+/// multiplies, adds and compares. `kind` says which inequalities are to hold; each kind is described where it is
+/// checked.
+struct Certificate {
+  std::string kind;
+  std::vector<std::pair<std::string, std::vector<Rational>>> facts;
+  /// Proofs of parts of the claim, by name: a certificate is a tree.
+  std::vector<std::pair<std::string, std::vector<Certificate>>> parts{};
+};
+
 /// The one right answer and the margin: how far the input is, along the deciding quantity of the operation (named in
 /// the operation's own header), from the nearest change of answer. 0 for a degenerate input, never negative; none where
 /// no other answer exists, or nothing is decided.
@@ -22,6 +36,9 @@ template <class Answer>
 struct Truth {
   Answer answer;
   std::optional<Rational> margin;
+  /// Makes the certificate from what solving has found, which it keeps. Overloads for rationals may leave it empty:
+  /// certificates are of doubles.
+  std::function<Certificate()> certificate{};
 };
 
 }  // namespace touchstone::oracle

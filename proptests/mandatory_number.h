@@ -3,7 +3,7 @@
 
 #include "catalogue/judge/exact.h"
 #include "catalogue/row_of.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::proptests {
 
@@ -28,7 +28,6 @@ struct mandatory_number {
     const mpq_class height = audit::exact_value(p.y);
     return {reference(Point2<mpq_class>{0, height}), abs(height)};
   }
-  static ::touchstone::oracle::Certificate certificate(const Point2d&) { return {}; }
 };
 
 }  // namespace touchstone::proptests

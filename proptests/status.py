@@ -38,12 +38,13 @@ def lines_of(path):
 
 
 def method_of_oracle(chapter, name):
-    """What its header says after "Truth:", up to the margin."""
-    comment = " ".join(re.findall(r"^/// ?(.*)$", text_of(f"oracle/{chapter}/{name}.h"), re.MULTILINE))
-    found = re.search(r"Truth[:,] (.*?) *(?=Margin|No margin|$)", comment)
-    if not found:
-        sys.exit(f"oracle/{chapter}/{name}.h: no sentence 'Truth: ...'")
-    return found.group(1)
+    """What its header says after "Truth:", up to the margin, and of the certificate."""
+    comments = re.findall(r"(?:^///.*\n)+", text_of(f"oracle/{chapter}/{name}.h"), re.MULTILINE)
+    for comment in (re.sub(r"\s*^/// ?", " ", comment, flags=re.MULTILINE).strip() for comment in comments):
+        found = re.search(r"Truth[:,] (.*?) *(?=Margin|No margin|Certificate:|$)", comment)
+        if found:
+            return " ".join([found.group(1), *re.findall("Certificate: .*", comment)])
+    sys.exit(f"oracle/{chapter}/{name}.h: no sentence 'Truth: ...'")
 
 
 def stages_of(chapter, name):

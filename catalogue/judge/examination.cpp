@@ -42,7 +42,7 @@ Json Examination::rounded_truth() const {
 }
 std::string Examination::outcome() const { return outcome_of(*row_.answer, solution_->answer.words); }
 bool Examination::touch() const { return open().has_value(); }
-oracle::Certificate Examination::certificate() const { return row_.certify(question_); }
+oracle::Certificate Examination::certificate() const { return solution_->certificate(); }
 
 Tape<double> Examination::formula(bool binary32) const {
   return binary32 ? row_.reference_in_float(question_) : row_.reference(question_);

@@ -31,9 +31,6 @@ struct bounding_sphere {
   static auto oracle(const std::vector<Point3<Real>>& points, const Method& method) {
     return ::touchstone::oracle::bounding_sphere(points, method_of(method));
   }
-  static auto certificate(const std::vector<Point3d>& points, const Method& method) {
-    return ::touchstone::oracle::bounding_sphere_certificate(points, method_of(method));
-  }
   TOUCHSTONE_MEMBER_OF_ENGINES(bounding_sphere)
   template <class E>
   static auto ask(E& engine, const auto&... q) -> decltype(engine.bounding_sphere(q...)) {

@@ -42,7 +42,6 @@ struct obb_of_points {
   static auto oracle(const auto& points) -> decltype(::touchstone::oracle::obb_of_points(points)) {
     return ::touchstone::oracle::obb_of_points(points);
   }
-  static auto certificate(const Points& points) { return ::touchstone::oracle::obb_of_points_certificate(points); }
   TOUCHSTONE_MEMBER_OF_ENGINES(obb_of_points)
   template <class E>
   static auto ask(E& engine, const auto&... q) -> decltype(engine.obb_of_points(q...)) {

@@ -81,25 +81,6 @@ Integer spare(const Box& a, const Box& b) {
 constexpr int degree(const Ball*) { return 2; }
 constexpr int degree(const Box*) { return 1; }
 
-template <class Solid>
-Truth<std::vector<IndexPair>> truth(const Scaled<Solid>& scaled) {
-  const auto& [solids, numbers] = scaled;
-  std::vector<IndexPair> pairs;
-  std::optional<Integer> least;
-  for (Index i = 0; i < solids.size(); ++i) {
-    for (Index j = i + 1; j < solids.size(); ++j) {
-      Integer room = spare(solids[i], solids[j]);
-      if (sgn(room) >= 0) pairs.push_back({i, j});
-      room = abs(room);
-      if (!least || room < *least) least = std::move(room);
-    }
-  }
-  const Solid* kind = nullptr;
-  if (!least) return {std::move(pairs), std::nullopt};
-  if (degree(kind) == 1) *least *= *least;
-  return {std::move(pairs), numbers.actual(Rational(*least), 2)};
-}
-
 std::vector<Rational> actual_point(const WholeList& numbers, const Point3<Rational>& p) {
   return {numbers.actual(p.x, 1), numbers.actual(p.y, 1), numbers.actual(p.z, 1)};
 }
@@ -186,8 +167,27 @@ Certificate certificate(const Scaled<Solid>& scaled) {
           {{"meet", std::move(meet)}, {"apart", std::move(asunder)}}};
 }
 
-}  // namespace
+template <class Solid>
+Truth<std::vector<IndexPair>> truth(Scaled<Solid> scaled) {
+  const auto& solids = scaled.solids;
+  Truth<std::vector<IndexPair>> found;
+  std::optional<Integer> least;
+  for (Index i = 0; i < solids.size(); ++i) {
+    for (Index j = i + 1; j < solids.size(); ++j) {
+      Integer room = spare(solids[i], solids[j]);
+      if (sgn(room) >= 0) found.answer.push_back({i, j});
+      room = abs(room);
+      if (!least || room < *least) least = std::move(room);
+    }
+  }
+  const Solid* kind = nullptr;
+  if (least && degree(kind) == 1) *least *= *least;
+  if (least) found.margin = scaled.numbers.actual(Rational(*least), 2);
+  found.certificate = [scaled = std::move(scaled)] { return certificate(scaled); };
+  return found;
+}
 
+}  // namespace
 
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3d>& spheres) { return truth(validated(spheres)); }
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3d>& boxes) { return truth(validated(boxes)); }
@@ -202,8 +202,5 @@ Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes)
 }
 template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Rational>>&);
 template Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Rational>>&);
-
-Certificate all_pairs_certificate(const std::vector<Sphere3d>& spheres) { return certificate(validated(spheres)); }
-Certificate all_pairs_certificate(const std::vector<Aabb3d>& boxes) { return certificate(validated(boxes)); }
 
 }  // namespace touchstone::oracle

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -20,7 +20,5 @@ template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Sphere3<Number>>& spheres);
 template <Exact Number>
 Truth<std::vector<IndexPair>> all_pairs(const std::vector<Aabb3<Number>>& boxes);
-Certificate all_pairs_certificate(const std::vector<Sphere3d>& spheres);
-Certificate all_pairs_certificate(const std::vector<Aabb3d>& boxes);
 
 }  // namespace touchstone::oracle

@@ -115,13 +115,15 @@ Point2<Rational> point_at(const Segment2<Value>& shape, const Rational& t) {
   return {coordinate(shape.a.x, shape.b.x), coordinate(shape.a.y, shape.b.y)};
 }
 
-Rational halfway(const Vector2<Integer>& normal, const Segment2<Integer>& first, Extent extent,
-                 const Segment2<Integer>& second) {
-  const auto level = [&](const Point2<Integer>& p) { return Integer(normal.x * p.x + normal.y * p.y); };
-  Integer below = level(first.a);
+template <class Value>
+Rational halfway(const Vector2<Value>& normal, const Segment2<Value>& first, Extent extent,
+                 const Segment2<Value>& second) {
+  const Rational x = rational(normal.x), y = rational(normal.y);
+  const auto level = [&](const Point2<Value>& p) { return Rational(x * rational(p.x) + y * rational(p.y)); };
+  Rational below = level(first.a);
   if (extent == Extent::segment) below = std::max(below, level(first.b));
-  const Integer above = std::min(level(second.a), level(second.b));
-  return quotient(Integer(below + above), Integer(2));
+  const Rational above = std::min(level(second.a), level(second.b));
+  return Rational((below + above) / 2);
 }
 
 template struct CommonPoints<Int128>;
@@ -130,6 +132,8 @@ template SquaredLength<Int128> squared_distance(const Point2<Int128>&, const Seg
 template SquaredLength<Integer> squared_distance(const Point2<Integer>&, const Segment2<Integer>&, Extent);
 template Rational least_end_distance(const Segment2<Int128>&, Extent, const Segment2<Int128>&);
 template Rational least_end_distance(const Segment2<Integer>&, Extent, const Segment2<Integer>&);
+template Rational halfway(const Vector2<Int128>&, const Segment2<Int128>&, Extent, const Segment2<Int128>&);
+template Rational halfway(const Vector2<Integer>&, const Segment2<Integer>&, Extent, const Segment2<Integer>&);
 template Point2<Rational> point_at(const Segment2<Int128>&, const Rational&);
 template Point2<Rational> point_at(const Segment2<Integer>&, const Rational&);
 

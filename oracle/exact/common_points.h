@@ -59,7 +59,8 @@ Point2<Rational> point_at(const Segment2<Value>& shape, const Rational& t);
 
 /// The number halfway between the greatest of normal . p over the first shape and the least over the second; the first
 /// shape's direction as in CommonPoints.
-Rational halfway(const Vector2<Integer>& normal, const Segment2<Integer>& first, Extent extent,
-                 const Segment2<Integer>& second);
+template <class Value>
+Rational halfway(const Vector2<Value>& normal, const Segment2<Value>& first, Extent extent,
+                 const Segment2<Value>& second);
 
 }  // namespace touchstone::oracle

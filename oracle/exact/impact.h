@@ -2,9 +2,9 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/rational_validation_of_bodies.h"
+#include "oracle/truth.h"
 
 /// What a bounce changes, on integers: velocities in one unit, the normal in another, and the same in doubles and
 /// rationals.
@@ -34,15 +34,17 @@ inline std::vector<Rational> listed(const Vector3<Rational>& v) { return {v.x, v
 template <class Number>
 Vector3<Rational> after_bounce(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Rational& k);
 
+/// The same as the truth of an operation, with the certificate "decomposition": the parts of the velocity, `along` the
+/// normal and `across` it.
+template <class Number>
+Truth<Vector3<Rational>> bounced(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Rational& k);
+
 /// The velocities of two bodies after a bounce: momentum along the normal and the relative velocity along it, -e times
 /// what it was, are two linear equations for their products with the normal; products with vectors across it stay.
-/// Valid arguments.
+/// Valid arguments. Certificate: "impulse": the number j with m1 (v1' - v1) = j n, and twice the kinetic energy before
+/// and after.
 template <class Number>
-Velocities<Rational> after_impact(const Masses<Number>& masses, const Velocities<Number>& velocities,
-                                  const Vector3<Number>& normal, const Rational& e);
-
-/// "impulse": the number j with m1 (v1' - v1) = j n, and twice the kinetic energy before and after.
-Certificate impulse_certificate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal,
-                                const Velocities<Rational>& after);
+Truth<Velocities<Rational>> after_impact(const Masses<Number>& masses, const Velocities<Number>& velocities,
+                                         const Vector3<Number>& normal, const Rational& e);
 
 }  // namespace touchstone::oracle

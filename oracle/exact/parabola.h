@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/surd.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 

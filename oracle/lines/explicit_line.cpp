@@ -8,30 +8,28 @@ namespace touchstone::oracle {
 namespace {
 
 template <class Number>
-Rational height(const Number& slope, const Number& intercept, const Point2<Number>& point) {
+Truth<Height> truth(const Number& slope, const Number& intercept, const Point2<Number>& point) {
   validation::validate("slope", slope), validation::validate("intercept", intercept),
       validation::validate("point", point);
-  return Rational(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
-}
-
-Truth<Height> truth(const Rational& e) {
-  return {sgn(e) > 0 ? Height::above : sgn(e) < 0 ? Height::below : Height::on, Rational(abs(e))};
+  const Rational e(exact(point.y) - (exact(slope) * exact(point.x) + exact(intercept)));
+  return {sgn(e) > 0   ? Height::above
+          : sgn(e) < 0 ? Height::below
+                       : Height::on,
+          Rational(abs(e)), [e] {
+            return Certificate{"height", {{"height", {e}}}};
+          }};
 }
 
 }  // namespace
 
 Truth<Height> explicit_line(double slope, double intercept, const Point2d& point) {
-  return truth(height(slope, intercept, point));
+  return truth(slope, intercept, point);
 }
 
 template <Exact Number>
 Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point) {
-  return truth(height(slope, intercept, point));
+  return truth(slope, intercept, point);
 }
 template Truth<Height> explicit_line(const Rational&, const Rational&, const Point2<Rational>&);
-
-Certificate explicit_line_certificate(double slope, double intercept, const Point2d& point) {
-  return {"height", {{"height", {height(slope, intercept, point)}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -10,6 +10,5 @@ namespace touchstone::oracle {
 Truth<Height> explicit_line(double slope, double intercept, const Point2d& point);
 template <Exact Number>
 Truth<Height> explicit_line(const Number& slope, const Number& intercept, const Point2<Number>& point);
-Certificate explicit_line_certificate(double slope, double intercept, const Point2d& point);
 
 }  // namespace touchstone::oracle

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/implicit_circle.h"
 
-#include <utility>
-
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/rational_validation.h"
 
@@ -20,22 +18,19 @@ Scale<Number> validated(const Circle2<Number>& circle, const Point2<Number>& poi
   return n;
 }
 
-/// Squared distance from the center and squared radius, in squares of the unit.
-template <class Value, class Number>
-std::pair<Value, Value> squares(const Scale<Number>& n) {
-  const Vector2<Value> from_center = whole_point<Value>(n, 3) - whole_point<Value>(n, 0);
-  const Value radius = whole<Value>(n, 2);
-  return {dot(from_center, from_center), Value(radius * radius)};
-}
-
 template <class Value, class Number>
 Truth<Location> truth(const Scale<Number>& n) {
-  const auto [distance, radius] = squares<Value>(n);
-  const Value e(distance - radius);
+  const Vector2<Value> from_center = whole_point<Value>(n, 3) - whole_point<Value>(n, 0);
+  const Value radius = whole<Value>(n, 2), distance = dot(from_center, from_center), square(radius * radius);
+  const Value e(distance - square);
   return {sgn(e) < 0   ? Location::inside
           : sgn(e) > 0 ? Location::outside
                        : Location::boundary,
-          n.actual(absolute(e), 2)};
+          n.actual(absolute(e), 2), [n, distance, square] {
+            return Certificate{"squares",
+                               {{"squared_distance", {n.actual(rational(distance), 2)}},
+                                {"squared_radius", {n.actual(rational(square), 2)}}}};
+          }};
 }
 
 template <class Number>
@@ -53,13 +48,5 @@ Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Numb
   return truth_of(circle, point);
 }
 template Truth<Location> implicit_circle(const Circle2<Rational>&, const Point2<Rational>&);
-
-Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point) {
-  const Scale<double> n = validated(circle, point);
-  const auto [distance, radius] = squares<Integer>(n);
-  return {
-      "squares",
-      {{"squared_distance", {n.actual(rational(distance), 2)}}, {"squared_radius", {n.actual(rational(radius), 2)}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,6 +11,5 @@ namespace touchstone::oracle {
 Truth<Location> implicit_circle(const Circle2d& circle, const Point2d& point);
 template <Exact Number>
 Truth<Location> implicit_circle(const Circle2<Number>& circle, const Point2<Number>& point);
-Certificate implicit_circle_certificate(const Circle2d& circle, const Point2d& point);
 
 }  // namespace touchstone::oracle

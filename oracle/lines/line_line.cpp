@@ -73,8 +73,21 @@ Rational parameter(const Lines<Value>& s, const Line2<Value>& line) {
 }
 
 template <class Value, class Number>
-Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
-  const Lines<Value> s = intersect<Value>(n);
+Certificate certificate(const Scale<Number>& n, const Lines<Value>& s) {
+  const Vector2<Value> direction = s.a.q - s.a.p;
+  if (sgn(s.meet.w) != 0)
+    return {"transversal", {{"determinant", {n.actual(rational(cross(direction, s.b.q - s.b.p)), 2)}}}};
+  if (sgn(s.meet.x) != 0 || sgn(s.meet.y) != 0)
+    return {"level_lines", {{"normal", {rational(Value(-direction.y)), rational(direction.x)}}}};
+  const auto on_a = [&s, &direction](const Point2<Value>& p) {
+    const Vector2<Value> from = p - s.a.p;
+    return sgn(direction.x) != 0 ? quotient(from.x, direction.x) : quotient(from.y, direction.y);
+  };
+  return {"same_line", {{"on_a", {on_a(s.b.p), on_a(s.b.q)}}}};
+}
+
+template <class Value, class Number>
+Truth<LineLine<Rational>> solved(const Scale<Number>& n, const Lines<Value>& s) {
   if (sgn(s.meet.w) == 0) {
     const bool same = sgn(s.meet.x) == 0 && sgn(s.meet.y) == 0;
     return {{same ? LineRelation::same : LineRelation::parallel, {}, {}, {}}, Rational(0)};
@@ -83,6 +96,14 @@ Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
   Point2<Rational> point = actual_point(n, point_at(Segment2<Value>{s.a.p, s.a.q}, ta));
   return {{LineRelation::crossing, std::move(ta), parameter(s, s.b), std::move(point)},
           n.actual(absolute(s.meet.w), 2)};
+}
+
+template <class Value, class Number>
+Truth<LineLine<Rational>> truth(const Scale<Number>& n) {
+  Lines<Value> s = intersect<Value>(n);
+  Truth<LineLine<Rational>> found = solved(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+  return found;
 }
 
 template <class Number>
@@ -100,23 +121,5 @@ Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>&
   return truth_of(a, b);
 }
 template Truth<LineLine<Rational>> line_line(const Line2<Rational>&, const Line2<Rational>&);
-
-Certificate line_line_certificate(const Line2d& a, const Line2d& b) {
-  const Scale<double> n = validated(a, b);
-  const auto [whole_a, whole_b, meet] = intersect<Integer>(n);
-  const Point2<Integer>& start = whole_a.p;
-  const Vector2<Integer> direction = whole_a.q - start;
-  if (sgn(meet.w) != 0) {
-    return {"transversal", {{"determinant", {n.actual(rational(cross(direction, whole_b.q - whole_b.p)), 2)}}}};
-  }
-  if (sgn(meet.x) != 0 || sgn(meet.y) != 0) {
-    return {"level_lines", {{"normal", {Rational(-direction.y), Rational(direction.x)}}}};
-  }
-  const auto on_a = [&start, &direction](const Point2<Integer>& p) {
-    const Vector2<Integer> from = p - start;
-    return sgn(direction.x) != 0 ? quotient(from.x, direction.x) : quotient(from.y, direction.y);
-  };
-  return {"same_line", {{"on_a", {on_a(whole_b.p), on_a(whole_b.q)}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,6 +12,5 @@ namespace touchstone::oracle {
 Truth<LineLine<Rational>> line_line(const Line2d& a, const Line2d& b);
 template <Exact Number>
 Truth<LineLine<Rational>> line_line(const Line2<Number>& a, const Line2<Number>& b);
-Certificate line_line_certificate(const Line2d& a, const Line2d& b);
 
 }  // namespace touchstone::oracle

@@ -30,13 +30,16 @@ struct Travelled {
 
 template <class Number>
 Truth<Point2<Rational>> truth(Travelled<Number> s) {
+  std::function<Certificate()> certificate = [s] {
+    return Certificate{"displacement", {{"displacement", {s.lengths.actual(s.x, 1), s.lengths.actual(s.y, 1)}}}};
+  };
   const auto add = [](const Integer& whole, Rational& step) {  // no common factor comes in
     mpz_addmul(step.get_num_mpz_t(), whole.get_mpz_t(), step.get_den_mpz_t());
   };
   add(s.lengths.whole(0), s.x), add(s.lengths.whole(1), s.y);
   Point2<Rational> point = actual_point(s.lengths, {std::move(s.x), std::move(s.y)});
   Rational margin = std::min(rounding_margin(point.x), rounding_margin(point.y));
-  return {std::move(point), std::move(margin)};
+  return {std::move(point), std::move(margin), std::move(certificate)};
 }
 
 }  // namespace
@@ -50,10 +53,5 @@ Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const
   return truth(Travelled<Number>(line, t));
 }
 template Truth<Point2<Rational>> line_point_at(const ParametricLine2<Rational>&, const Rational&);
-
-Certificate line_point_at_certificate(const ParametricLine2d& line, double t) {
-  const Travelled<double> s(line, t);
-  return {"displacement", {{"displacement", {s.lengths.actual(s.x, 1), s.lengths.actual(s.y, 1)}}}};
-}
 
 }  // namespace touchstone::oracle

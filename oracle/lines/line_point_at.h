@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,6 +11,5 @@ namespace touchstone::oracle {
 Truth<Point2<Rational>> line_point_at(const ParametricLine2d& line, double t);
 template <Exact Number>
 Truth<Point2<Rational>> line_point_at(const ParametricLine2<Number>& line, const Number& t);
-Certificate line_point_at_certificate(const ParametricLine2d& line, double t);
 
 }  // namespace touchstone::oracle

@@ -18,15 +18,15 @@ CommonScale<Number, 6> validated(const Point2<Number>& p0, const Point2<Number>&
 
 /// | x0 y0 1 | x1 y1 1 | x y 1 | by cofactors of the last column, in squares of the unit.
 template <class Value, class Number>
-Value determinant(const CommonScale<Number, 6>& n) {
-  const Point2<Value> a = whole_point<Value>(n, 0), b = whole_point<Value>(n, 2), c = whole_point<Value>(n, 4);
-  return Value((b.x * c.y - b.y * c.x) - (a.x * c.y - a.y * c.x) + (a.x * b.y - a.y * b.x));
-}
-
-template <class Value, class Number>
 Truth<Side> truth(const CommonScale<Number, 6>& n) {
-  const Value e = determinant<Value>(n);
-  return {sgn(e) > 0 ? Side::left : sgn(e) < 0 ? Side::right : Side::on, n.actual(absolute(e), 2)};
+  const Point2<Value> a = whole_point<Value>(n, 0), b = whole_point<Value>(n, 2), c = whole_point<Value>(n, 4);
+  const Value e((b.x * c.y - b.y * c.x) - (a.x * c.y - a.y * c.x) + (a.x * b.y - a.y * b.x));
+  return {sgn(e) > 0   ? Side::left
+          : sgn(e) < 0 ? Side::right
+                       : Side::on,
+          n.actual(absolute(e), 2), [n, e] {
+            return Certificate{"determinant", {{"determinant", {n.actual(rational(e), 2)}}}};
+          }};
 }
 
 template <class Number>
@@ -52,11 +52,6 @@ Side orientation_side(const Point2d& p0, const Point2d& p1, const Point2d& p) {
     return orientation_side<Int128>(Word{n.word(0), n.word(1)}, Word{n.word(2), n.word(3)}, Word{n.word(4), n.word(5)});
   }
   return orientation_side<Integer>(whole_point(n, 0), whole_point(n, 2), whole_point(n, 4));
-}
-
-Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  const CommonScale<double, 6> n = validated(p0, p1, p);
-  return {"determinant", {{"determinant", {n.actual(rational(determinant<Integer>(n)), 2)}}}};
 }
 
 }  // namespace touchstone::oracle

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/elimination.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,7 +12,6 @@ namespace touchstone::oracle {
 Truth<Side> orientation(const Point2d& p0, const Point2d& p1, const Point2d& p);
 template <Exact Number>
 Truth<Side> orientation(const Point2<Number>& p0, const Point2<Number>& p1, const Point2<Number>& p);
-Certificate orientation_certificate(const Point2d& p0, const Point2d& p1, const Point2d& p);
 
 /// The answer of `orientation` alone by elimination (oracle/exact/elimination.h), in 128-bit integers where the
 /// coordinates allow it.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "oracle/exact/circular.h"
 #include "oracle/exact/common_scale.h"
@@ -64,18 +66,34 @@ CommonScale<Number, 3> validated(const Circle2<Number>& circle, const Number& u)
   return CommonScale<Number, 3>({circle.center.x, circle.center.y, circle.radius});
 }
 
-template <class Number>
-bool rational_point(const Circle2<Number>& circle, const Number& u) {
-  return validation::zero(u) || validation::zero(circle.radius);
+Certificate certificate(double u, const CosineAndSine& turn) {
+  const auto ends = [](const Enclosure& x) {
+    const Integer low(x.nearest - x.width), high(x.nearest + x.width);
+    return std::vector<Rational>{scaled(low, x.exponent), scaled(high, x.exponent)};
+  };
+  const int bits = 32 - std::min(turn.cosine.exponent, turn.sine.exponent);  // for the checker, finer than these
+  return {"enclosure",
+          {{"cosine", ends(turn.cosine)},
+           {"sine", ends(turn.sine)},
+           {"quarter_turns", {Rational(quarter_turns(u))}},
+           {"bits", {Rational(bits)}}}};
 }
 
 template <class Number>
 Truth<Point2<Rational>> truth(const Circle2<Number>& circle, const Number& u) {
   const CommonScale<Number, 3> n = validated(circle, u);
-  const Point2<Rational> point =
-      rational_point(circle, u) ? actual_point(n, {rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))})
-                                : find(n, u).point;
-  return {point, std::min(rounding_margin(point.x), rounding_margin(point.y))};
+  Truth<Point2<Rational>> result;
+  if (validation::zero(u) || validation::zero(circle.radius)) {
+    result.answer = actual_point(n, {rational(Integer(n.whole(0) + n.whole(2))), Rational(n.whole(1))});
+    result.certificate = [] { return Certificate{"exact", {}}; };
+  } else {
+    Found found = find(n, u);
+    result.answer = std::move(found.point);
+    if constexpr (std::is_same_v<Number, double>)
+      result.certificate = [u, turn = std::move(found.enclosures)] { return certificate(u, turn); };
+  }
+  result.margin = std::min(rounding_margin(result.answer.x), rounding_margin(result.answer.y));
+  return result;
 }
 
 }  // namespace
@@ -87,21 +105,5 @@ Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const N
   return truth(circle, u);
 }
 template Truth<Point2<Rational>> parametric_circle(const Circle2<Rational>&, const Rational&);
-
-Certificate parametric_circle_certificate(const Circle2d& circle, double u) {
-  const CommonScale<double, 3> n = validated(circle, u);
-  if (rational_point(circle, u)) return {"exact", {}};
-  const auto [cosine, sine] = find(n, u).enclosures;
-  const auto ends = [](const Enclosure& x) {
-    const Integer low(x.nearest - x.width), high(x.nearest + x.width);
-    return std::vector<Rational>{scaled(low, x.exponent), scaled(high, x.exponent)};
-  };
-  const int bits = 32 - std::min(cosine.exponent, sine.exponent);  // fixed point for the checker, finer than these
-  return {"enclosure",
-          {{"cosine", ends(cosine)},
-           {"sine", ends(sine)},
-           {"quarter_turns", {Rational(quarter_turns(u))}},
-           {"bits", {Rational(bits)}}}};
-}
 
 }  // namespace touchstone::oracle

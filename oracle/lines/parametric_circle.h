@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -14,6 +14,5 @@ namespace touchstone::oracle {
 Truth<Point2<Rational>> parametric_circle(const Circle2d& circle, double u);
 template <Exact Number>
 Truth<Point2<Rational>> parametric_circle(const Circle2<Number>& circle, const Number& u);
-Certificate parametric_circle_certificate(const Circle2d& circle, double u);
 
 }  // namespace touchstone::oracle

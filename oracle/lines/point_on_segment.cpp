@@ -45,11 +45,33 @@ Rational parameter(const Situation<Value>& s) {
 }
 
 template <class Value, class Number>
-Truth<PointOnSegment<Rational>> truth(const Scale<Number>& n) {
-  const Situation<Value> s = examine<Value>(n);
+Certificate certificate(const Scale<Number>& n, const Situation<Value>& s) {
+  if (s.on) {
+    const Rational t = parameter(s);
+    return {"weights", {{"weights", {Rational(1 - t), t}}}};
+  }
+  // From the point to the nearest point of the segment; every point of the segment is at least as far along.
+  const Rational t = std::clamp(parameter(s), Rational(0), Rational(1));
+  const Point2<Rational> nearest = actual_point(n, point_at(s.segment, t)),
+                         from = actual_point(n, {rational(s.point.x), rational(s.point.y)});
+  const Vector2<Rational> normal = nearest - from;
+  const Rational offset((normal.x * (nearest.x + from.x) + normal.y * (nearest.y + from.y)) / 2);
+  return {"separating_line", {{"normal", {normal.x, normal.y}}, {"offset", {offset}}}};
+}
+
+template <class Value, class Number>
+Truth<PointOnSegment<Rational>> solved(const Scale<Number>& n, const Situation<Value>& s) {
   if (s.on) return {{Incidence::on, parameter(s)}, Rational(0)};
   const SquaredLength<Value> distance = squared_distance(s.point, s.segment, Extent::segment);
   return {{Incidence::off, {}}, n.actual(quotient(distance.numerator, distance.denominator), 2)};
+}
+
+template <class Value, class Number>
+Truth<PointOnSegment<Rational>> truth(const Scale<Number>& n) {
+  Situation<Value> s = examine<Value>(n);
+  Truth<PointOnSegment<Rational>> found = solved(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+  return found;
 }
 
 template <class Number>
@@ -69,20 +91,5 @@ Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, co
   return truth_of(point, segment);
 }
 template Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
-
-Certificate point_on_segment_certificate(const Point2d& point, const Segment2d& segment) {
-  const Scale<double> n = validated(point, segment);
-  const Situation<Integer> s = examine<Integer>(n);
-  if (s.on) {
-    const Rational t = parameter(s);
-    return {"weights", {{"weights", {Rational(1 - t), t}}}};
-  }
-  // From the point to the nearest point of the segment; every point of the segment is at least as far along.
-  const Rational t = std::clamp(parameter(s), Rational(0), Rational(1));
-  const Point2<Rational> nearest = actual_point(n, point_at(s.segment, t)), from{exact(point.x), exact(point.y)};
-  const Vector2<Rational> normal = nearest - from;
-  const Rational offset((normal.x * (nearest.x + from.x) + normal.y * (nearest.y + from.y)) / 2);
-  return {"separating_line", {{"normal", {normal.x, normal.y}}, {"offset", {offset}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,6 +11,5 @@ namespace touchstone::oracle {
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2d& point, const Segment2d& segment);
 template <Exact Number>
 Truth<PointOnSegment<Rational>> point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment);
-Certificate point_on_segment_certificate(const Point2d& point, const Segment2d& segment);
 
 }  // namespace touchstone::oracle

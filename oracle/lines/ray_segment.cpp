@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/lines/ray_segment.h"
 
+#include <utility>
+
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/rational_validation.h"
@@ -37,8 +39,31 @@ struct Solved {
 };
 
 template <class Value, class Number>
-Truth<RaySegment<Rational>> truth(const CommonScale<Number, 8>& n) {
-  const Solved<Value> s(n);
+Certificate certificate(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
+  const CommonPoints<Value>& common = s.common;
+  const auto line = [&](const Vector2<Value>& normal) -> decltype(Certificate::facts) {
+    return {{"normal", {rational(normal.x), rational(normal.y)}},
+            {"offset", {n.actual(halfway(normal, s.ray, Extent::ray, s.segment), 1)}}};
+  };
+  if (!common.any) return {"separating_line", line(common.normal)};
+  if (common.extended) {
+    return {"overlap",
+            {{"on_ray", {rational(common.first), rational(common.last)}},
+             {"on_segment", {rational(common.second_at_first), rational(common.second_at_last)}}}};
+  }
+  if (s.segment.a == s.segment.b) return {"single_point", {}};
+  const std::pair<std::string, std::vector<Rational>> witness{"on_segment", {rational(common.second_at_first)}};
+  const Vector2<Value> direction = s.ray.b - s.ray.a;
+  const Value area = cross(direction, s.segment.b - s.segment.a);
+  if (sgn(area) != 0) return {"transversal", {witness, {"determinant", {n.actual(rational(area), 2)}}}};
+  // Collinear and end to end: the ray starts where the segment does, and leaves it.
+  Certificate supporting{"supporting_line", line({Value(-direction.x), Value(-direction.y)})};
+  supporting.facts.insert(supporting.facts.begin(), witness);
+  return supporting;
+}
+
+template <class Value, class Number>
+Truth<RaySegment<Rational>> solved(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
   const CommonPoints<Value>& common = s.common;
   const auto end_distance = [&] { return n.actual(least_end_distance(s.ray, Extent::ray, s.segment), 2); };
   if (!common.any) return {{RayRelation::none, {}, {}, {}}, end_distance()};
@@ -52,6 +77,14 @@ Truth<RaySegment<Rational>> truth(const CommonScale<Number, 8>& n) {
   const Fraction<Value>& on_segment = common.second_at_first;
   const bool touching = sgn(t) == 0 || sgn(on_segment.numerator) == 0 || on_segment.numerator == on_segment.denominator;
   return {{RayRelation::point, std::move(t), std::move(first), {}}, touching ? Rational(0) : end_distance()};
+}
+
+template <class Value, class Number>
+Truth<RaySegment<Rational>> truth(const CommonScale<Number, 8>& n) {
+  Solved<Value> s(n);
+  Truth<RaySegment<Rational>> found = solved(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+  return found;
 }
 
 template <class Number>
@@ -69,30 +102,5 @@ Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<
   return truth_of(ray, segment);
 }
 template Truth<RaySegment<Rational>> ray_segment(const Ray2<Rational>&, const Segment2<Rational>&);
-
-Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment) {
-  const CommonScale<double, 8> n = validated(ray, segment);
-  const Solved<Integer> s(n);
-  const CommonPoints<Integer>& common = s.common;
-  if (!common.any) {
-    const Rational offset = n.actual(halfway(common.normal, s.ray, Extent::ray, s.segment), 1);
-    return {"separating_line",
-            {{"normal", {Rational(common.normal.x), Rational(common.normal.y)}}, {"offset", {offset}}}};
-  }
-  if (common.extended) {
-    return {"overlap",
-            {{"on_ray", {rational(common.first), rational(common.last)}},
-             {"on_segment", {rational(common.second_at_first), rational(common.second_at_last)}}}};
-  }
-  const std::pair<std::string, std::vector<Rational>> witness{"on_segment", {rational(common.second_at_first)}};
-  if (s.segment.a == s.segment.b) return {"single_point", {}};
-  const Vector2<Integer> direction = s.ray.b - s.ray.a, v = s.segment.b - s.segment.a;
-  const Integer area = cross(direction, v);
-  if (sgn(area) != 0) return {"transversal", {witness, {"determinant", {n.actual(rational(area), 2)}}}};
-  // Collinear and end to end: the ray starts where the segment does, and leaves it.
-  const Vector2<Integer> back{Integer(-direction.x), Integer(-direction.y)};
-  const Rational offset = n.actual(halfway(back, s.ray, Extent::ray, s.segment), 1);
-  return {"supporting_line", {witness, {"normal", {Rational(back.x), Rational(back.y)}}, {"offset", {offset}}}};
-}
 
 }  // namespace touchstone::oracle

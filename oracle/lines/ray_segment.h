@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -13,6 +13,5 @@ namespace touchstone::oracle {
 Truth<RaySegment<Rational>> ray_segment(const Ray2d& ray, const Segment2d& segment);
 template <Exact Number>
 Truth<RaySegment<Rational>> ray_segment(const Ray2<Number>& ray, const Segment2<Number>& segment);
-Certificate ray_segment_certificate(const Ray2d& ray, const Segment2d& segment);
 
 }  // namespace touchstone::oracle

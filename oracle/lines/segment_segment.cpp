@@ -32,11 +32,31 @@ template <class Value>
 bool at_end(const Fraction<Value>& t) {
   return sgn(t.numerator) == 0 || t.numerator == t.denominator;
 }
-bool zero_length(const Segment2<Integer>& s) { return s.a == s.b; }
 
 template <class Value, class Number>
-Truth<SegmentSegment<Rational>> truth(const CommonScale<Number, 8>& n) {
-  const Solved<Value> s(n);
+Certificate certificate(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
+  const CommonPoints<Value>& common = s.common;
+  const auto line = [&](const char* kind, const Vector2<Value>& normal) {
+    const Rational offset = n.actual(halfway(normal, s.a, Extent::segment, s.b), 1);
+    return Certificate{kind, {{"normal", {rational(normal.x), rational(normal.y)}}, {"offset", {offset}}}};
+  };
+  if (!common.any) return line("separating_line", common.normal);
+  const Vector2<Value> u = s.a.b - s.a.a, v = s.b.b - s.b.a;
+  if (common.extended) {
+    std::vector<Rational> on_a{rational(common.first), rational(common.last)},
+        on_b{rational(common.second_at_first), rational(common.second_at_last)};
+    if (sgn(u.x) < 0 || (sgn(u.x) == 0 && sgn(u.y) < 0)) std::swap(on_a[0], on_a[1]), std::swap(on_b[0], on_b[1]);
+    return {"overlap", {{"on_a", on_a}, {"on_b", on_b}}};
+  }
+  if (s.a.a == s.a.b || s.b.a == s.b.b) return {"single_point", {}};
+  const Value area = cross(u, v);
+  if (sgn(area) != 0) return {"transversal", {{"determinant", {n.actual(rational(area), 2)}}}};
+  // Collinear, end to end: a normal along the line, from a to b, has the common point as its only one on both sides.
+  return line("supporting_line", sgn(common.first.numerator) == 0 ? Vector2<Value>{Value(-u.x), Value(-u.y)} : u);
+}
+
+template <class Value, class Number>
+Truth<SegmentSegment<Rational>> solved(const CommonScale<Number, 8>& n, const Solved<Value>& s) {
   const CommonPoints<Value>& common = s.common;
   const auto end_distance = [&] { return n.actual(least_end_distance(s.a, Extent::segment, s.b), 2); };
   if (!common.any) return {{SegmentRelation::disjoint, {}, {}, {}, {}}, end_distance()};
@@ -50,6 +70,14 @@ Truth<SegmentSegment<Rational>> truth(const CommonScale<Number, 8>& n) {
   const Fraction<Value>& tb = common.second_at_first;
   return {{SegmentRelation::point, std::move(ta), rational(tb), std::move(first), {}},
           at_end(common.first) || at_end(tb) ? Rational(0) : end_distance()};
+}
+
+template <class Value, class Number>
+Truth<SegmentSegment<Rational>> truth(const CommonScale<Number, 8>& n) {
+  Solved<Value> s(n);
+  Truth<SegmentSegment<Rational>> found = solved(n, s);
+  found.certificate = [n, s = std::move(s)] { return certificate(n, s); };
+  return found;
 }
 
 template <class Number>
@@ -67,35 +95,6 @@ Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const
   return truth_of(a, b);
 }
 template Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Rational>&, const Segment2<Rational>&);
-
-Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b) {
-  const CommonScale<double, 8> n = validated(a, b);
-  const Solved<Integer> s(n);
-  const CommonPoints<Integer>& common = s.common;
-  const auto line = [&](const char* kind, const Vector2<Integer>& normal) {
-    const Rational offset = n.actual(halfway(normal, s.a, Extent::segment, s.b), 1);
-    return Certificate{kind, {{"normal", {Rational(normal.x), Rational(normal.y)}}, {"offset", {offset}}}};
-  };
-  if (!common.any) {
-    return line("separating_line", common.normal);
-  }
-  if (common.extended) {
-    const auto ends = [](const Fraction<Integer>& first, const Fraction<Integer>& last) {
-      return std::vector<Rational>{rational(first), rational(last)};
-    };
-    auto on_a = ends(common.first, common.last), on_b = ends(common.second_at_first, common.second_at_last);
-    const Vector2<Integer> u = s.a.b - s.a.a;
-    if (sgn(u.x) < 0 || (sgn(u.x) == 0 && sgn(u.y) < 0)) std::swap(on_a[0], on_a[1]), std::swap(on_b[0], on_b[1]);
-    return {"overlap", {{"on_a", on_a}, {"on_b", on_b}}};
-  }
-  if (zero_length(s.a) || zero_length(s.b)) return {"single_point", {}};
-  const Vector2<Integer> u = s.a.b - s.a.a, v = s.b.b - s.b.a;
-  const Integer area = cross(u, v);
-  if (sgn(area) != 0) return {"transversal", {{"determinant", {n.actual(rational(area), 2)}}}};
-  // Collinear, end to end: a normal along the line, from a to b, has the common point as its only one on both sides.
-  const Vector2<Integer> along = sgn(common.first.numerator) == 0 ? Vector2<Integer>{Integer(-u.x), Integer(-u.y)} : u;
-  return line("supporting_line", along);
-}
 
 SegmentRelation segment_segment_relation(const Segment2d& a, const Segment2d& b) {
   const CommonScale<double, 8> n = validated(a, b);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/elimination.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -14,7 +14,6 @@ namespace touchstone::oracle {
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2d& a, const Segment2d& b);
 template <Exact Number>
 Truth<SegmentSegment<Rational>> segment_segment(const Segment2<Number>& a, const Segment2<Number>& b);
-Certificate segment_segment_certificate(const Segment2d& a, const Segment2d& b);
 
 /// The relation alone, by another method: elimination (oracle/exact/elimination.h), in 128-bit integers where the
 /// coordinates allow it. Second truth, and several times faster; the tests hold it equal to the linear program.

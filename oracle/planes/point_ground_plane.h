@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,6 +11,5 @@ namespace touchstone::oracle {
 Truth<Height> point_ground_plane(const Point3d& point);
 template <Exact Number>
 Truth<Height> point_ground_plane(const Point3<Number>& point);
-Certificate point_ground_plane_certificate(const Point3d& point);
 
 }  // namespace touchstone::oracle

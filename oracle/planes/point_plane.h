@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,6 +12,5 @@ namespace touchstone::oracle {
 Truth<PointPlane<Rational>> point_plane(const Plane3d& plane, const Point3d& point);
 template <Exact Number>
 Truth<PointPlane<Rational>> point_plane(const Plane<Number>& plane, const Point3<Number>& point);
-Certificate point_plane_certificate(const Plane3d& plane, const Point3d& point);
 
 }  // namespace touchstone::oracle

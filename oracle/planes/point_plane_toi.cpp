@@ -38,7 +38,10 @@ Truth<PointPlaneToi<Rational>> truth(const Step& step) {
   const Rational end(abs(step.last()));
   const Rational deciding = sgn(step.last()) > 0 ? std::min(end, Rational(abs(step.height))) : end;
   return {{{sgn(step.last()) > 0 ? HitRelation::never : HitRelation::hit}, first_hit(step)},
-          Rational(deciding * deciding / step.squared_normal)};
+          Rational(deciding * deciding / step.squared_normal),
+          [height = step.height, last = step.last()] {
+            return Certificate{"heights", {{"heights", {height, last}}}};
+          }};
 }
 
 }  // namespace
@@ -54,10 +57,5 @@ Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const
 }
 template Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Rational>&, const Point3<Rational>&,
                                                         const Point3<Rational>&);
-
-Certificate point_plane_toi_certificate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  const Step step = examine(plane, start, end);
-  return {"heights", {{"heights", {step.height, step.last()}}}};
-}
 
 }  // namespace touchstone::oracle

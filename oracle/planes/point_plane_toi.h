@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -13,6 +13,5 @@ Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane3d& plane, const Point
 template <Exact Number>
 Truth<PointPlaneToi<Rational>> point_plane_toi(const Plane<Number>& plane, const Point3<Number>& start,
                                                const Point3<Number>& end);
-Certificate point_plane_toi_certificate(const Plane3d& plane, const Point3d& start, const Point3d& end);
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -13,6 +13,5 @@ namespace touchstone::oracle {
 Truth<PolygonNormal<Rational>> polygon_normal(const Polygon3d& polygon);
 template <Exact Number>
 Truth<PolygonNormal<Rational>> polygon_normal(const Polygon3<Number>& polygon);
-Certificate polygon_normal_certificate(const Polygon3d& polygon);
 
 }  // namespace touchstone::oracle

@@ -2,6 +2,7 @@
 #include "oracle/polygons/convex_partition.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace touchstone::oracle {
 namespace {
@@ -48,8 +49,9 @@ IndexLists partition(const WholeRing& ring) {
 
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
-  const WholeRing ring = simple_ring(polygon);
-  return {partition(ring), least_turn(ring)};
+  WholeRing ring = simple_ring(polygon);
+  IndexLists pieces = partition(ring);
+  return cut(std::move(ring), std::move(pieces));
 }
 
 std::size_t reflex_vertices(const WholeRing& ring) {
@@ -68,11 +70,6 @@ Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
   return truth(polygon);
 }
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
-
-Certificate convex_partition_certificate(const Polygon2d& polygon) {
-  const WholeRing ring(polygon);
-  return {"pieces", {{"doubled_area", {ring.actual_area(Rational(abs(ring.area())))}}}};
-}
 
 std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
   if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1)

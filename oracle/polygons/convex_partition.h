@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "oracle/certificates/certificate.h"
 #include "oracle/rings/triangulation.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,7 +12,6 @@ namespace touchstone::oracle {
 Truth<IndexLists> convex_partition(const Polygon2d& polygon);
 template <Exact Number>
 Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon);
-Certificate convex_partition_certificate(const Polygon2d& polygon);
 
 /// What is wrong with a partition of a simple polygon into convex pieces; "" if it is right, ours or not.
 std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 #include "oracle/exact/direction.h"
 #include "oracle/exact/nearest_double.h"
@@ -48,15 +49,25 @@ std::vector<AngleBetween> enclosures(const Polygon2<Number>& polygon) {
   return angles;
 }
 
-Rational middle(const AngleBetween& angle) { return Rational((angle.low + angle.high) / 2); }
+Certificate certificate(const std::vector<AngleBetween>& angles) {
+  std::vector<Rational> low, high;
+  long bits = 0;
+  for (const AngleBetween& angle : angles) {
+    low.push_back(angle.low), high.push_back(angle.high);
+    bits = std::max(bits, 32 - binary_order(Rational(angle.high - angle.low)));
+  }
+  return {"enclosure", {{"low", low}, {"high", high}, {"bits", {Rational(bits)}}}};
+}
 
 template <class Number>
 Truth<std::vector<Rational>> truth(const Polygon2<Number>& polygon) {
   Truth<std::vector<Rational>> result{{}, Rational(1, 2)};
-  for (const AngleBetween& angle : enclosures(polygon)) {
-    result.answer.push_back(middle(angle));
+  std::vector<AngleBetween> angles = enclosures(polygon);
+  for (const auto& [low, high] : angles) {
+    result.answer.push_back(Rational((low + high) / 2));
     result.margin = std::min(*result.margin, rounding_margin(result.answer.back()));
   }
+  result.certificate = [angles = std::move(angles)] { return certificate(angles); };
   return result;
 }
 
@@ -69,15 +80,5 @@ Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon) {
   return truth(polygon);
 }
 template Truth<std::vector<Rational>> interior_angles(const Polygon2<Rational>&);
-
-Certificate interior_angles_certificate(const Polygon2d& polygon) {
-  std::vector<Rational> low, high;
-  long bits = 0;
-  for (const AngleBetween& angle : enclosures(polygon)) {
-    low.push_back(angle.low), high.push_back(angle.high);
-    bits = std::max(bits, 32 - binary_order(Rational(angle.high - angle.low)));
-  }
-  return {"enclosure", {{"low", low}, {"high", high}, {"bits", {Rational(bits)}}}};
-}
 
 }  // namespace touchstone::oracle

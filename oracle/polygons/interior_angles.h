@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -16,6 +16,5 @@ namespace touchstone::oracle {
 Truth<std::vector<Rational>> interior_angles(const Polygon2d& polygon);
 template <Exact Number>
 Truth<std::vector<Rational>> interior_angles(const Polygon2<Number>& polygon);
-Certificate interior_angles_certificate(const Polygon2d& polygon);
 
 }  // namespace touchstone::oracle

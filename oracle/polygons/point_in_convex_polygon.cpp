@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/polygons/point_in_convex_polygon.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "oracle/exact/common_points.h"
 #include "oracle/exact/rational_validation.h"
@@ -87,18 +89,40 @@ Found located(const Whole& w) {
   return {Location::outside, std::nullopt};
 }
 
-template <class Number>
-Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  const Whole w = validated(polygon, point);
-  const Location location = located(w).location;
-  if (location == Location::boundary) return {location, Rational(0)};
+Certificate certificate(const Whole& w, const std::optional<Triangle>& triangle) {
+  if (triangle) {
+    const auto& [a, b, c] = triangle->areas;
+    const Integer sum = a + b + c;
+    const std::vector<Rational> corners{Rational(0), Rational(triangle->i), Rational(triangle->i + 1)};
+    return {"barycentric", {{"corners", corners}, {"weights", {quotient(a, sum), quotient(b, sum), quotient(c, sum)}}}};
+  }
+  for (std::size_t i = 0;; ++i) {
+    const Point2<Integer>&a = w.ring[i], &b = w.ring.next(i);
+    const int side = sgn(WholeRing::area(a, b, w.point));
+    const auto apart = [&](const Point2<Integer>& v) { return sgn(WholeRing::area(a, b, v)) * side <= 0; };
+    if (side != 0 && std::all_of(w.ring.vertices.begin(), w.ring.vertices.end(), apart))
+      return {"separating_edge", {{"edge", {Rational(i)}}}};
+  }
+}
+
+/// In squared units.
+Rational least_distance(const Whole& w) {
   std::optional<Rational> least;
   for (std::size_t i = 0; i < w.ring.size(); ++i) {
     const auto found = squared_distance<Integer>(w.point, {w.ring[i], w.ring.next(i)}, Extent::segment);
     Rational distance = quotient(found.numerator, found.denominator);
     if (!least || distance < *least) least = std::move(distance);
   }
-  return {location, Rational(*least * w.unit * w.unit)};
+  return *least;
+}
+
+template <class Number>
+Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
+  Whole w = validated(polygon, point);
+  Found found = located(w);
+  const Rational margin(found.location == Location::boundary ? Rational(0) : least_distance(w) * w.unit * w.unit);
+  return {found.location, margin,
+          [w = std::move(w), triangle = std::move(found.triangle)] { return certificate(w, triangle); }};
 }
 
 }  // namespace
@@ -112,23 +136,5 @@ Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const P
   return truth_of(polygon, point);
 }
 template Truth<Location> point_in_convex_polygon(const Polygon2<Rational>&, const Point2<Rational>&);
-
-Certificate point_in_convex_polygon_certificate(const Polygon2d& polygon, const Point2d& point) {
-  const Whole w = validated(polygon, point);
-  if (const auto triangle = located(w).triangle) {
-    const auto& [a, b, c] = triangle->areas;
-    const Integer sum = a + b + c;
-    const std::vector<Rational> corners{Rational(0), Rational(triangle->i), Rational(triangle->i + 1)};
-    return {"barycentric", {{"corners", corners}, {"weights", {quotient(a, sum), quotient(b, sum), quotient(c, sum)}}}};
-  }
-  for (std::size_t i = 0;; ++i) {
-    const Point2<Integer>&a = w.ring[i], &b = w.ring.next(i);
-    bool separates = true;
-    for (const Point2<Integer>& v : w.ring.vertices) {
-      separates = separates && sgn(WholeRing::area(a, b, v)) * sgn(WholeRing::area(a, b, w.point)) <= 0;
-    }
-    if (separates && sgn(WholeRing::area(a, b, w.point)) != 0) return {"separating_edge", {{"edge", {Rational(i)}}}};
-  }
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,6 +12,5 @@ namespace touchstone::oracle {
 Truth<Location> point_in_convex_polygon(const Polygon2d& polygon, const Point2d& point);
 template <Exact Number>
 Truth<Location> point_in_convex_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point);
-Certificate point_in_convex_polygon_certificate(const Polygon2d& polygon, const Point2d& point);
 
 }  // namespace touchstone::oracle

@@ -78,8 +78,21 @@ std::vector<Crossing> crossings(const Ring& ring, const Ray& ray) {
   return found;
 }
 
-Location by_parity(const Ring& ring, const Ray& ray) {
-  return crossings(ring, ray).size() % 2 == 1 ? Location::inside : Location::outside;
+Certificate on_edge(std::size_t edge, const Segment2<Integer>& ends) {
+  const Vector2<Integer> v = ends.b - ends.a;
+  const Integer length = dot(v, v), along = -dot(place(ends.a), v);
+  const Rational t = sgn(length) == 0 ? Rational(0) : quotient(along, length);
+  return {"on_edge", {{"edge", {Rational(edge)}}, {"t", {t}}}};
+}
+
+Certificate certificate(const std::vector<Crossing>& crossings, const Vector2<Integer>& along, const Rational& unit) {
+  std::vector<Rational> edges, parameters;
+  for (const Crossing& crossing : crossings) {
+    edges.emplace_back(crossing.edge);
+    parameters.push_back(rational(crossing.t));
+  }
+  const std::vector<Rational> direction{Rational(along.x * unit), Rational(along.y * unit)};
+  return {"crossings", {{"direction", direction}, {"edges", edges}, {"t", parameters}}};
 }
 
 Rational least_squared_distance(const Ring& ring) {
@@ -95,10 +108,18 @@ Rational least_squared_distance(const Ring& ring) {
 template <class Number>
 Truth<Location> truth_of(const Polygon2<Number>& polygon, const Point2<Number>& point) {
   const auto [ring, unit] = validated(polygon, point);
-  if (edge_through_origin(ring)) return {Location::boundary, Rational(0)};
-  const Location found = by_parity(ring, missing_ray(ring, false));
-  if (by_parity(ring, missing_ray(ring, true)) != found) throw std::logic_error("point_in_polygon: two rays disagree");
-  return {found, Rational(least_squared_distance(ring) * unit * unit)};
+  if (const auto i = edge_through_origin(ring))
+    return {Location::boundary, Rational(0),
+            [i = *i, ends = Segment2<Integer>{ring[*i], ring.next(*i)}] { return on_edge(i, ends); }};
+  Ray ray = missing_ray(ring, false);
+  std::vector<Crossing> crossed = crossings(ring, ray);
+  const bool inside = crossed.size() % 2 == 1;
+  if ((crossings(ring, missing_ray(ring, true)).size() % 2 == 1) != inside)
+    throw std::logic_error("point_in_polygon: two rays disagree");
+  return {inside ? Location::inside : Location::outside, Rational(least_squared_distance(ring) * unit * unit),
+          [crossed = std::move(crossed), along = std::move(ray.direction), unit = unit] {
+            return certificate(crossed, along, unit);
+          }};
 }
 
 }  // namespace
@@ -113,24 +134,6 @@ template Truth<Location> point_in_polygon(const Polygon2<Rational>&, const Point
 
 Location point_in_polygon_location(const Polygon2d& polygon, const Point2d& point) {
   return location_by_winding<Integer>(validated(polygon, point).ring);
-}
-
-Certificate point_in_polygon_certificate(const Polygon2d& polygon, const Point2d& point) {
-  const auto [ring, unit] = validated(polygon, point);
-  if (const auto edge = edge_through_origin(ring)) {
-    const Vector2<Integer> a = place(ring[*edge]), v = ring.next(*edge) - ring[*edge];
-    const Integer length = dot(v, v), along = -dot(a, v);
-    const Rational t = sgn(length) == 0 ? Rational(0) : quotient(along, length);
-    return {"on_edge", {{"edge", {Rational(*edge)}}, {"t", {t}}}};
-  }
-  const Ray ray = missing_ray(ring, false);
-  std::vector<Rational> edges, parameters;
-  for (const Crossing& crossing : crossings(ring, ray)) {
-    edges.emplace_back(crossing.edge);
-    parameters.push_back(rational(crossing.t));
-  }
-  const std::vector<Rational> direction{Rational(ray.direction.x * unit), Rational(ray.direction.y * unit)};
-  return {"crossings", {{"direction", direction}, {"edges", edges}, {"t", parameters}}};
 }
 
 }  // namespace touchstone::oracle

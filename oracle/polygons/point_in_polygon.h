@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,7 +12,6 @@ namespace touchstone::oracle {
 Truth<Location> point_in_polygon(const Polygon2d& polygon, const Point2d& point);
 template <Exact Number>
 Truth<Location> point_in_polygon(const Polygon2<Number>& polygon, const Point2<Number>& point);
-Certificate point_in_polygon_certificate(const Polygon2d& polygon, const Point2d& point);
 
 /// The answer of `point_in_polygon` alone by the winding number, counted in quarter turns without an angle: its parity
 /// is that of the crossings. The ring as the point sees it, the point at the origin. With |coordinate| < 2^k, Word

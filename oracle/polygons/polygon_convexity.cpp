@@ -125,20 +125,6 @@ Rational depth(const WholeRing& r) {
   return quotient(deepest.numerator, deepest.denominator);
 }
 
-template <class Number>
-Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
-  validation::validate("polygon", polygon);
-  const WholeRing r(polygon);
-  if (repeated_neighbour(r) || on_one_line(r)) return {degenerate, Rational(0)};
-  if (ring_defect(r)) return {not_simple, r.actual_area(depth(r))};
-  const bool convex = !straddled(r);
-  const int winding = sgn(r.area());
-  bool strict = convex;
-  for (Index i = 0; i < r.size(); ++i) strict = strict && r.turn_at(i) != 0;
-  return {{convex ? PolygonClass::convex : PolygonClass::concave, strict, winding > 0 ? Winding::ccw : Winding::cw},
-          r.actual_area(room(r, convex, winding))};
-}
-
 /// Where point p stands on a segment that holds it.
 Rational parameter(const Point2<Rational>& p, const Segment2<Rational>& s) {
   const Vector2<Rational> along = s.b - s.a, to = p - s.a;
@@ -146,15 +132,14 @@ Rational parameter(const Point2<Rational>& p, const Segment2<Rational>& s) {
 }
 
 /// Two edges and the parameters of a common point that is no vertex shared by neighbours.
-Certificate common_point(const Polygon2d& polygon, const validation::RingDefect& defect) {
-  const auto edge = [&](std::size_t i) { return Segment2d{polygon[i], polygon.next(i)}; };
-  const Segment2d a = edge(defect.first), b = edge(defect.second);
+template <class Number>
+Certificate common_point(const validation::RingDefect& defect, const Segment2<Number>& a, const Segment2<Number>& b) {
   const auto common = segment_segment(a, b).answer;
   std::vector<Rational> at;
   if (common.point) {
     at = {*common.ta, *common.tb};
   } else {
-    const auto exactly = [](const Segment2d& s) {
+    const auto exactly = [](const Segment2<Number>& s) {
       return Segment2<Rational>{{exact(s.a.x), exact(s.a.y)}, {exact(s.b.x), exact(s.b.y)}};
     };
     const auto& [p, q] = *common.overlap;
@@ -162,6 +147,43 @@ Certificate common_point(const Polygon2d& polygon, const validation::RingDefect&
     at = {parameter(middle, exactly(a)), parameter(middle, exactly(b))};
   }
   return {"common_point", {{"edges", {Rational(defect.first), Rational(defect.second)}}, {"parameters", at}}};
+}
+
+Certificate common_line(const Point2<Integer>& p, const Point2<Integer>& q, const Rational& unit) {
+  const Vector2<Integer> along = q - p;
+  const Rational offset((-along.y * p.x + along.x * p.y) * unit);
+  return {"common_line", {{"normal", {Rational(-along.y), Rational(along.x)}}, {"offset", {offset}}}};
+}
+
+template <class Number>
+Truth<PolygonConvexity> truth(const Polygon2<Number>& polygon) {
+  validation::validate("polygon", polygon);
+  const WholeRing r(polygon);
+  if (const auto i = repeated_neighbour(r))
+    return {degenerate, Rational(0), [i = *i] {
+              return Certificate{"repeated_neighbour", {{"vertex", {Rational(i)}}}};
+            }};
+  if (on_one_line(r))
+    return {degenerate, Rational(0), [p = r[0], q = r[1], unit = r.unit] { return common_line(p, q, unit); }};
+  if (const auto defect = ring_defect(r)) {
+    const auto edge = [&](std::size_t i) { return Segment2<Number>{polygon[i], polygon.next(i)}; };
+    return {not_simple, r.actual_area(depth(r)), [defect = *defect, a = edge(defect->first), b = edge(defect->second)] {
+              return common_point(defect, a, b);
+            }};
+  }
+  const auto found = straddled(r);
+  const bool convex = !found;
+  const Rational area = r.actual_area(Rational(r.area()));
+  const int winding = sgn(area);
+  bool strict = convex;
+  for (Index i = 0; i < r.size(); ++i) strict = strict && r.turn_at(i) != 0;
+  return {{convex ? PolygonClass::convex : PolygonClass::concave, strict, winding > 0 ? Winding::ccw : Winding::cw},
+          r.actual_area(room(r, convex, winding)),
+          [found, area]() -> Certificate {
+            if (!found) return {"one_side", {{"doubled_area", {area}}}};
+            return {"both_sides",
+                    {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
+          }};
 }
 
 }  // namespace
@@ -173,22 +195,5 @@ Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon) {
   return truth(polygon);
 }
 template Truth<PolygonConvexity> polygon_convexity(const Polygon2<Rational>&);
-
-Certificate polygon_convexity_certificate(const Polygon2d& polygon) {
-  validation::validate("polygon", polygon);
-  const WholeRing r(polygon);
-  if (const auto i = repeated_neighbour(r)) return {"repeated_neighbour", {{"vertex", {Rational(*i)}}}};
-  if (on_one_line(r)) {
-    const Vector2<Integer> along = r[1] - r[0];
-    const Rational offset((-along.y * r[0].x + along.x * r[0].y) * r.unit);
-    return {"common_line", {{"normal", {Rational(-along.y), Rational(along.x)}}, {"offset", {offset}}}};
-  }
-  if (const auto defect = ring_defect(r)) return common_point(polygon, *defect);
-  if (const auto found = straddled(r)) {
-    return {"both_sides",
-            {{"edge", {Rational(found->edge)}}, {"vertices", {Rational(found->left), Rational(found->right)}}}};
-  }
-  return {"one_side", {{"doubled_area", {r.actual_area(Rational(r.area()))}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -17,6 +17,5 @@ namespace touchstone::oracle {
 Truth<PolygonConvexity> polygon_convexity(const Polygon2d& polygon);
 template <Exact Number>
 Truth<PolygonConvexity> polygon_convexity(const Polygon2<Number>& polygon);
-Certificate polygon_convexity_certificate(const Polygon2d& polygon);
 
 }  // namespace touchstone::oracle

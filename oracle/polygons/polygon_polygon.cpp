@@ -148,32 +148,32 @@ Rational margin_of(const Rings& rings) {
   return Rational(quotient(least->numerator, least->denominator) * rings.unit * rings.unit);
 }
 
+Certificate certificate(const Arrangement& found, const std::optional<Point>& inside, const Rational& unit) {
+  const auto actual = [&unit](const Point& p) {
+    return std::vector<Rational>{Rational(p.x * unit), Rational(p.y * unit)};
+  };
+  if (inside) return {"common_interior_point", {{"point", actual(*inside)}}};
+  std::vector<Rational> cuts = found.cuts;
+  for (Rational& cut : cuts) cut *= unit;
+  Certificate slabs{"slabs", {{"cuts", std::move(cuts)}}};
+  if (found.touch) slabs.facts.push_back({"point", actual(*found.touch)});
+  return slabs;
+}
+
 template <class Number>
 Truth<Contact> truth_of(const Polygon2<Number>& a, const Polygon2<Number>& b) {
   const Rings rings = validated(a, b);
-  const Arrangement found = arrangement_of(rings.a, rings.b);
-  const Contact contact = common_interior_point(rings.a, rings.b, found.cuts) ? Contact::overlapping
-                          : found.touch                                       ? Contact::touching
-                                                                              : Contact::disjoint;
-  return {contact, margin_of(rings)};
+  Arrangement found = arrangement_of(rings.a, rings.b);
+  auto inside = common_interior_point(rings.a, rings.b, found.cuts);
+  const Contact contact = inside ? Contact::overlapping : found.touch ? Contact::touching : Contact::disjoint;
+  return {contact, margin_of(rings), [found = std::move(found), inside = std::move(inside), unit = rings.unit] {
+            return certificate(found, inside, unit);
+          }};
 }
 
 }  // namespace
 
 Truth<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b) { return truth_of(a, b); }
 Truth<Contact> polygon_polygon(const Polygon2<Rational>& a, const Polygon2<Rational>& b) { return truth_of(a, b); }
-
-Certificate polygon_polygon_certificate(const Polygon2d& a, const Polygon2d& b) {
-  const Rings rings = validated(a, b);
-  const auto actual = [&rings](const Rational& whole) { return Rational(whole * rings.unit); };
-  Arrangement found = arrangement_of(rings.a, rings.b);
-  if (const auto p = common_interior_point(rings.a, rings.b, found.cuts)) {
-    return {"common_interior_point", {{"point", {actual(p->x), actual(p->y)}}}};
-  }
-  for (Rational& cut : found.cuts) cut = actual(cut);
-  Certificate slabs{"slabs", {{"cuts", found.cuts}}};
-  if (found.touch) slabs.facts.push_back({"point", {actual(found.touch->x), actual(found.touch->y)}});
-  return slabs;
-}
 
 }  // namespace touchstone::oracle

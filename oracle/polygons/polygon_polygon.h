@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,11 +11,10 @@ namespace touchstone::oracle {
 /// slab an interval of a and one of b overlap. Without that they touch where two edges have a common point. Margin: the
 /// least squared distance of a vertex of one from an edge of the other; 0 for every contact in a vertex. For `disjoint`
 /// that is the squared distance of the two polygons.
+///
+/// Certificate: overlapping: "common_interior_point" (`point`, its x not that of a vertex: the vertical line upwards
+/// from it counts). touching: "slabs" (`cuts`, ascending) and a common `point`. disjoint: "slabs" alone.
 Truth<Contact> polygon_polygon(const Polygon2d& a, const Polygon2d& b);
 Truth<Contact> polygon_polygon(const Polygon2<Rational>& a, const Polygon2<Rational>& b);
-
-/// overlapping: "common_interior_point" (`point`, its x not that of a vertex: the vertical line upwards from it
-/// counts). touching: "slabs" (`cuts`, ascending) and a common `point`. disjoint: "slabs" alone.
-Certificate polygon_polygon_certificate(const Polygon2d& a, const Polygon2d& b);
 
 }  // namespace touchstone::oracle

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/polygons/triangulate_polygon.h"
 
+#include <utility>
+
 namespace touchstone::oracle {
 namespace {
 
 template <class Number>
 Truth<IndexLists> truth(const Polygon2<Number>& polygon) {
-  const WholeRing ring = simple_ring(polygon);
-  return {triangulated(ring), least_turn(ring)};
+  WholeRing ring = simple_ring(polygon);
+  IndexLists triangles = triangulated(ring);
+  return cut(std::move(ring), std::move(triangles));
 }
 
 }  // namespace
@@ -19,11 +22,6 @@ Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
   return truth(polygon);
 }
 template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
-
-Certificate triangulate_polygon_certificate(const Polygon2d& polygon) {
-  const WholeRing ring(polygon);
-  return {"pieces", {{"doubled_area", {ring.actual_area(Rational(abs(ring.area())))}}}};
-}
 
 std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles) {
   for (const auto& triangle : triangles) {

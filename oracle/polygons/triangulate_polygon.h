@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "oracle/certificates/certificate.h"
 #include "oracle/rings/triangulation.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,7 +12,6 @@ namespace touchstone::oracle {
 Truth<IndexLists> triangulate_polygon(const Polygon2d& polygon);
 template <Exact Number>
 Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon);
-Certificate triangulate_polygon_certificate(const Polygon2d& polygon);
 
 /// What is wrong with a triangulation of a simple polygon; "" if it is right, ours or not.
 std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles);

@@ -3,7 +3,7 @@
 
 #include <array>
 #include <optional>
-#include <stdexcept>
+#include <utility>
 
 #include "oracle/exact/convex_mesh.h"
 #include "oracle/exact/rational_validation.h"
@@ -66,8 +66,8 @@ std::optional<Tetrahedron> holding(const Question& q) {
   return std::nullopt;
 }
 
-Location located(const Question& q) {
-  if (!holding(q)) return Location::outside;
+Location located(const Question& q, bool held) {
+  if (!held) return Location::outside;
   for (const WholePlane& plane : q.mesh.planes) {
     if (sgn(plane.at(q.point)) == 0) return Location::boundary;
   }
@@ -80,18 +80,33 @@ Rational squared_distance(const Question& q, const WholePlane& plane) {
   return quotient(Integer(height * height), Integer(dot(plane.normal, plane.normal) * q.point.w * q.point.w));
 }
 
+Certificate barycentric(const Tetrahedron& found) {
+  std::vector<Rational> corners, weights;
+  for (const Index corner : found.corners) corners.emplace_back(corner);
+  for (const Integer& weight : found.weights) weights.push_back(quotient(weight, found.whole));
+  return {"barycentric", {{"corners", corners}, {"weights", weights}}};
+}
+
 template <class Number>
 Truth<Location> truth_of(const Mesh<Number>& mesh, const Point3<Number>& point) {
   const Question q = validated(mesh, point);
-  const Location location = located(q);
-  if (location == Location::boundary) return {location, Rational(0)};
+  auto found = holding(q);
+  const Location location = located(q, found.has_value());
+  Truth<Location> truth{location, Rational(0)};
+  if (found) truth.certificate = [found = std::move(*found)] { return barycentric(found); };
+  if (location == Location::boundary) return truth;
   std::optional<Rational> deciding;
   for (const WholePlane& plane : q.mesh.planes) {
     if (location == Location::outside && sgn(plane.at(q.point)) <= 0) continue;
+    if (!truth.certificate)
+      truth.certificate = [face = &plane - q.mesh.planes.data()] {
+        return Certificate{"separating_face", {{"face", {Rational(face)}}}};
+      };
     Rational distance = squared_distance(q, plane);
     if (!deciding || (location == Location::outside) == (distance > *deciding)) deciding = std::move(distance);
   }
-  return {location, Rational(deciding.value() * q.mesh.unit * q.mesh.unit)};
+  truth.margin = deciding.value() * q.mesh.unit * q.mesh.unit;
+  return truth;
 }
 
 }  // namespace
@@ -103,19 +118,5 @@ Truth<Location> point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point
   return truth_of(mesh, point);
 }
 template Truth<Location> point_in_convex_polyhedron(const Mesh<Rational>&, const Point3<Rational>&);
-
-Certificate point_in_convex_polyhedron_certificate(const Meshd& mesh, const Point3d& point) {
-  const Question q = validated(mesh, point);
-  if (const auto found = holding(q)) {
-    std::vector<Rational> corners, weights;
-    for (const Index corner : found->corners) corners.emplace_back(corner);
-    for (const Integer& weight : found->weights) weights.push_back(quotient(weight, found->whole));
-    return {"barycentric", {{"corners", corners}, {"weights", weights}}};
-  }
-  for (std::size_t i = 0; i < q.mesh.planes.size(); ++i) {
-    if (sgn(q.mesh.planes[i].at(q.point)) > 0) return {"separating_face", {{"face", {Rational(i)}}}};
-  }
-  throw std::logic_error("a point outside a convex solid lies beyond one of its faces");
-}
 
 }  // namespace touchstone::oracle

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/polyhedra.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -14,6 +14,5 @@ namespace touchstone::oracle {
 Truth<Location> point_in_convex_polyhedron(const Meshd& mesh, const Point3d& point);
 template <Exact Number>
 Truth<Location> point_in_convex_polyhedron(const Mesh<Number>& mesh, const Point3<Number>& point);
-Certificate point_in_convex_polyhedron_certificate(const Meshd& mesh, const Point3d& point);
 
 }  // namespace touchstone::oracle

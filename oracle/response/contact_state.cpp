@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/contact_state.h"
 
+#include <utility>
+
 #include "oracle/exact/impact.h"
 
 namespace touchstone::oracle {
@@ -23,14 +25,17 @@ Truth<ContactState> truth(const MovingBody<Number>& a, const MovingBody<Number>&
                           const Vector3<Number>& normal) {
   validation::validate("a", a), validation::validate("b", b), validation::validate("point", point);
   validation::validate_normal("normal", normal);
-  const Twist of_a(a), of_b(b);
+  Twist of_a(a), of_b(b);
   const Vector3<Rational> n = exact_vector(normal), moment = cross(from_origin(point), n);
   const Rational apart(dot(of_a.of_origin - of_b.of_origin, n) + dot(of_a.turn - of_b.turn, moment));
   const int sign = sgn(apart);
   return {sign > 0   ? ContactState::separating
           : sign < 0 ? ContactState::colliding
                      : ContactState::resting,
-          Rational(apart * apart / dot(n, n))};
+          Rational(apart * apart / dot(n, n)),
+          [of_a = std::move(of_a), of_b = std::move(of_b), p = from_origin(point)] {
+            return Certificate{"point_velocities", {{"of_a", listed(of_a.at(p))}, {"of_b", listed(of_b.at(p))}}};
+          }};
 }
 
 }  // namespace
@@ -47,12 +52,5 @@ Truth<ContactState> contact_state(const MovingBody<Number>& a, const MovingBody<
 }
 template Truth<ContactState> contact_state(const MovingBody<Rational>&, const MovingBody<Rational>&,
                                            const Point3<Rational>&, const Vector3<Rational>&);
-
-Certificate contact_state_certificate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
-                                      const Vector3d& normal) {
-  truth(a, b, point, normal);  // validates
-  const Vector3<Rational> p = from_origin(point);
-  return {"point_velocities", {{"of_a", listed(Twist(a).at(p))}, {"of_b", listed(Twist(b).at(p))}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,14 +11,12 @@ namespace touchstone::oracle {
 /// sign over rationals.
 ///
 /// Margin: the squared relative velocity along the normal, per length of the normal.
+///
+/// Certificate: "point_velocities": of the bodies at the contact, `of_a` and `of_b`.
 Truth<ContactState> contact_state(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
                                   const Vector3d& normal);
 template <Exact Number>
 Truth<ContactState> contact_state(const MovingBody<Number>& a, const MovingBody<Number>& b, const Point3<Number>& point,
                                   const Vector3<Number>& normal);
-
-/// "point_velocities": of the bodies at the contact, `of_a` and `of_b`.
-Certificate contact_state_certificate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point,
-                                      const Vector3d& normal);
 
 }  // namespace touchstone::oracle

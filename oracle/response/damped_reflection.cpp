@@ -10,7 +10,7 @@ template <class Number>
 Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Number& k) {
   validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
   validation::validate("k", k);
-  return {after_bounce(velocity, normal, exact(k)), std::nullopt};
+  return bounced(velocity, normal, exact(k));
 }
 
 }  // namespace
@@ -26,11 +26,5 @@ Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, cons
 }
 template Truth<Vector3<Rational>> damped_reflection(const Vector3<Rational>&, const Vector3<Rational>&,
                                                     const Rational&);
-
-Certificate damped_reflection_certificate(const Vector3d& velocity, const Vector3d& normal, double k) {
-  truth(velocity, normal, k);  // validates
-  const Vector3<Rational> across = after_bounce(velocity, normal, Rational(0));
-  return {"decomposition", {{"along", listed(exact_vector(velocity) - across)}, {"across", listed(across)}}};
-}
 
 }  // namespace touchstone::oracle

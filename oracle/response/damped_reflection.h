@@ -2,18 +2,17 @@
 #pragma once
 
 #include "geometry/space.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: v put together again from its products with three vectors at right angles, the normal among them: that one
 /// times -k. Nothing is decided: there is no margin.
+///
+/// Certificate: "decomposition": the parts of v, `along` the normal and `across` it.
 Truth<Vector3<Rational>> damped_reflection(const Vector3d& velocity, const Vector3d& normal, double k);
 template <Exact Number>
 Truth<Vector3<Rational>> damped_reflection(const Vector3<Number>& velocity, const Vector3<Number>& normal,
                                            const Number& k);
-
-/// "decomposition": the parts of v, `along` the normal and `across` it.
-Certificate damped_reflection_certificate(const Vector3d& velocity, const Vector3d& normal, double k);
 
 }  // namespace touchstone::oracle

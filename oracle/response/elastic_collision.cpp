@@ -11,7 +11,7 @@ Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities
                                   const Vector3<Number>& normal) {
   validation::validate("masses", masses), validation::validate("velocities", velocities);
   validation::validate_normal("normal", normal);
-  return {after_impact(masses, velocities, normal, Rational(1)), std::nullopt};
+  return after_impact(masses, velocities, normal, Rational(1));
 }
 
 }  // namespace
@@ -28,10 +28,5 @@ Truth<Velocities<Rational>> elastic_collision(const Masses<Number>& masses, cons
 }
 template Truth<Velocities<Rational>> elastic_collision(const Masses<Rational>&, const Velocities<Rational>&,
                                                        const Vector3<Rational>&);
-
-Certificate elastic_collision_certificate(const Massesd& masses, const Velocitiesd& velocities,
-                                          const Vector3d& normal) {
-  return impulse_certificate(masses, velocities, normal, truth(masses, velocities, normal).answer);
-}
 
 }  // namespace touchstone::oracle

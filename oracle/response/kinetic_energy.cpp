@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/kinetic_energy.h"
 
+#include <utility>
+
 #include "oracle/exact/many_bodies.h"
 
 namespace touchstone::oracle {
@@ -28,9 +30,23 @@ struct Centre {
   }
 };
 
-Truth<Rational> truth(const ManyBodies& bodies) {
-  const Centre centre(bodies);
-  return {bodies.actual(Rational((centre.of_mass + centre.of_bodies) / 2), 2), std::nullopt};
+Certificate certificate(const ManyBodies& bodies, const Centre& centre) {
+  const auto speed = [&](const Integer& momentum) {
+    if (sgn(centre.mass) == 0) return Rational(0);
+    return bodies.speeds.actual(Rational(Rational(momentum) / Rational(centre.mass)), 1);
+  };
+  const Vector3<Integer>& p = centre.momentum;
+  return {"centre",
+          {{"mass", {bodies.masses.actual(Rational(centre.mass), 1)}},
+           {"velocity", {speed(p.x), speed(p.y), speed(p.z)}},
+           {"doubled_energies", {bodies.actual(centre.of_mass, 2), bodies.actual(centre.of_bodies, 2)}}}};
+}
+
+Truth<Rational> truth(ManyBodies bodies) {
+  Centre centre(bodies);
+  Rational energy = bodies.actual(Rational((centre.of_mass + centre.of_bodies) / 2), 2);
+  return {std::move(energy), std::nullopt,
+          [bodies = std::move(bodies), centre = std::move(centre)] { return certificate(bodies, centre); }};
 }
 
 }  // namespace
@@ -42,19 +58,5 @@ Truth<Rational> kinetic_energy(const std::vector<Body<Number>>& bodies) {
   return truth(ManyBodies(bodies));
 }
 template Truth<Rational> kinetic_energy(const std::vector<Body<Rational>>&);
-
-Certificate kinetic_energy_certificate(const std::vector<Bodyd>& list) {
-  const ManyBodies bodies(list);
-  const Centre centre(bodies);
-  const auto speed = [&](const Integer& momentum) {
-    if (sgn(centre.mass) == 0) return Rational(0);
-    return bodies.speeds.actual(Rational(Rational(momentum) / Rational(centre.mass)), 1);
-  };
-  const Vector3<Integer>& p = centre.momentum;
-  return {"centre",
-          {{"mass", {bodies.masses.actual(Rational(centre.mass), 1)}},
-           {"velocity", {speed(p.x), speed(p.y), speed(p.z)}},
-           {"doubled_energies", {bodies.actual(centre.of_mass, 2), bodies.actual(centre.of_bodies, 2)}}}};
-}
 
 }  // namespace touchstone::oracle

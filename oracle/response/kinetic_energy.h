@@ -4,18 +4,17 @@
 #include <vector>
 
 #include "geometry/bodies.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: by Koenig's theorem, the energy of all mass at the velocity of its centre and, beside it, what the bodies
 /// have as seen from there. Nothing is decided: there is no margin.
+///
+/// Certificate: "centre": the `mass` of all, the `velocity` of their centre and `doubled_energies`: of all mass there,
+/// and of the bodies as seen from it. None have the velocity 0.
 Truth<Rational> kinetic_energy(const std::vector<Bodyd>& bodies);
 template <Exact Number>
 Truth<Rational> kinetic_energy(const std::vector<Body<Number>>& bodies);
-
-/// "centre": the `mass` of all, the `velocity` of their centre and `doubled_energies`: of all mass there, and of the
-/// bodies as seen from it. None have the velocity 0.
-Certificate kinetic_energy_certificate(const std::vector<Bodyd>& bodies);
 
 }  // namespace touchstone::oracle

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/response/penalty_force.h"
 
+#include <utility>
+
 #include "oracle/exact/impact.h"
 #include "oracle/exact/normal_frame.h"
 #include "oracle/exact/space.h"
@@ -32,10 +34,14 @@ Situation examine(const Point3<Number>& point, const Vector3<Number>& velocity, 
 template <class Number>
 Truth<Vector3<Rational>> truth(const Point3<Number>& point, const Vector3<Number>& velocity, const Plane<Number>& plane,
                                const Number& stiffness, const Number& damping) {
-  const Situation s = examine(point, velocity, plane, stiffness, damping);
+  Situation s = examine(point, velocity, plane, stiffness, damping);
   const Rational margin(s.height * s.height / s.squared_normal);
-  if (sgn(s.height) >= 0) return {{Rational(0), Rational(0), Rational(0)}, margin};
-  return {exact(stiffness) * (s.foot - from_origin(point)) - exact(damping) * s.along, margin};
+  if (sgn(s.height) >= 0)
+    return {{Rational(0), Rational(0), Rational(0)}, margin, [] { return Certificate{"no_contact", {}}; }};
+  Vector3<Rational> force = exact(stiffness) * (s.foot - from_origin(point)) - exact(damping) * s.along;
+  return {std::move(force), margin, [foot = std::move(s.foot), along = std::move(s.along)] {
+            return Certificate{"foot", {{"foot", listed(foot)}, {"along", listed(along)}}};
+          }};
 }
 
 }  // namespace
@@ -52,12 +58,5 @@ Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector
 }
 template Truth<Vector3<Rational>> penalty_force(const Point3<Rational>&, const Vector3<Rational>&,
                                                 const Plane<Rational>&, const Rational&, const Rational&);
-
-Certificate penalty_force_certificate(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
-                                      double stiffness, double damping) {
-  const Situation s = examine(point, velocity, plane, stiffness, damping);
-  if (sgn(s.height) >= 0) return {"no_contact", {}};
-  return {"foot", {{"foot", listed(s.foot)}, {"along", listed(s.along)}}};
-}
 
 }  // namespace touchstone::oracle

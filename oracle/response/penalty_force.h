@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/space.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -11,15 +11,13 @@ namespace touchstone::oracle {
 /// are put together from their products with three vectors at right angles, the normal among them.
 ///
 /// Margin: E^2 / (N . N), the squared distance from the plane, on which the force begins.
+///
+/// Certificate: E < 0: "foot": the `foot` of the point on the plane, and what the velocity has `along` the normal. Else
+/// "no_contact".
 Truth<Vector3<Rational>> penalty_force(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
                                        double stiffness, double damping);
 template <Exact Number>
 Truth<Vector3<Rational>> penalty_force(const Point3<Number>& point, const Vector3<Number>& velocity,
                                        const Plane<Number>& plane, const Number& stiffness, const Number& damping);
-
-/// E < 0: "foot": the `foot` of the point on the plane, and what the velocity has `along` the normal. Else
-/// "no_contact".
-Certificate penalty_force_certificate(const Point3d& point, const Vector3d& velocity, const Plane3d& plane,
-                                      double stiffness, double damping);
 
 }  // namespace touchstone::oracle

@@ -2,17 +2,16 @@
 #pragma once
 
 #include "geometry/space.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: v put together again from its products with three vectors at right angles, the normal among them: that one
 /// with the opposite sign. Nothing is decided: there is no margin.
+///
+/// Certificate: "decomposition": the parts of v, `along` the normal and `across` it.
 Truth<Vector3<Rational>> reflect_plane(const Vector3d& velocity, const Vector3d& normal);
 template <Exact Number>
 Truth<Vector3<Rational>> reflect_plane(const Vector3<Number>& velocity, const Vector3<Number>& normal);
-
-/// "decomposition": the parts of v, `along` the normal and `across` it.
-Certificate reflect_plane_certificate(const Vector3d& velocity, const Vector3d& normal);
 
 }  // namespace touchstone::oracle

@@ -12,7 +12,7 @@ Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities
   validation::validate("masses", masses), validation::validate("velocities", velocities);
   validation::validate_normal("normal", normal);
   validation::validate_restitution("e", e);
-  return {after_impact(masses, velocities, normal, exact(e)), std::nullopt};
+  return after_impact(masses, velocities, normal, exact(e));
 }
 
 }  // namespace
@@ -29,10 +29,5 @@ Truth<Velocities<Rational>> restitution_collision(const Masses<Number>& masses, 
 }
 template Truth<Velocities<Rational>> restitution_collision(const Masses<Rational>&, const Velocities<Rational>&,
                                                            const Vector3<Rational>&, const Rational&);
-
-Certificate restitution_collision_certificate(const Massesd& masses, const Velocitiesd& velocities,
-                                              const Vector3d& normal, double e) {
-  return impulse_certificate(masses, velocities, normal, truth(masses, velocities, normal, e).answer);
-}
 
 }  // namespace touchstone::oracle

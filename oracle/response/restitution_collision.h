@@ -2,21 +2,19 @@
 #pragma once
 
 #include "geometry/bodies.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: momentum and the relative velocity along the normal, -e times what it was, are two linear equations for what
 /// the bodies have along the normal; across it their velocities stay. Nothing is decided: there is no margin.
+///
+/// Certificate: "impulse": the number `impulse` j with m1 (v1' - v1) = j n, and `doubled_energies`, m1 v1 . v1 + m2 v2
+/// . v2 before and after.
 Truth<Velocities<Rational>> restitution_collision(const Massesd& masses, const Velocitiesd& velocities,
                                                   const Vector3d& normal, double e);
 template <Exact Number>
 Truth<Velocities<Rational>> restitution_collision(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                                   const Vector3<Number>& normal, const Number& e);
-
-/// "impulse": the number `impulse` j with m1 (v1' - v1) = j n, and `doubled_energies`, m1 v1 . v1 + m2 v2 . v2 before
-/// and after.
-Certificate restitution_collision_certificate(const Massesd& masses, const Velocitiesd& velocities,
-                                              const Vector3d& normal, double e);
 
 }  // namespace touchstone::oracle

@@ -96,8 +96,16 @@ Collision collide(const RigidBody<Number>& a, const RigidBody<Number>& b, const 
 template <class Number>
 Truth<Motions<Rational>> truth(const RigidBody<Number>& a, const RigidBody<Number>& b, const Point3<Number>& point,
                                const Vector3<Number>& normal, const Number& e) {
-  const Collision c = collide(a, b, point, normal, e);
-  return {{c.a.after(c.impulse), c.b.after(c.impulse)}, std::nullopt};
+  Collision c = collide(a, b, point, normal, e);
+  Motions<Rational> after{c.a.after(c.impulse), c.b.after(c.impulse)};
+  return {std::move(after), std::nullopt, [c = std::move(c)] {
+            const auto energy = [&c](const Rational& impulse) {
+              return Rational(c.a.doubled_energy(impulse) + c.b.doubled_energy(impulse));
+            };
+            return Certificate{
+                "impulse_at",
+                {{"impulse", {c.impulse}}, {"doubled_energies", {energy(Rational(0)), energy(c.impulse)}}}};
+          }};
 }
 
 }  // namespace
@@ -116,14 +124,5 @@ Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Number>& a, const 
 template Truth<Motions<Rational>> rigid_body_collision(const RigidBody<Rational>&, const RigidBody<Rational>&,
                                                        const Point3<Rational>&, const Vector3<Rational>&,
                                                        const Rational&);
-
-Certificate rigid_body_collision_certificate(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point,
-                                             const Vector3d& normal, double e) {
-  const Collision c = collide(a, b, point, normal, e);
-  const auto energy = [&c](const Rational& impulse) {
-    return Rational(c.a.doubled_energy(impulse) + c.b.doubled_energy(impulse));
-  };
-  return {"impulse_at", {{"impulse", {c.impulse}}, {"doubled_energies", {energy(Rational(0)), energy(c.impulse)}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -17,11 +17,6 @@ struct WholeContact {
   Rational unit;
 };
 
-struct Resolved {
-  Truth<SimultaneousVelocities<Rational>> truth;
-  std::vector<Rational> impulses;  // weights of a contradiction
-};
-
 template <class Number>
 void validate_all(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
                   const Number& e) {
@@ -52,10 +47,14 @@ class System {
     }
   }
 
-  Resolved resolved() const {
+  Truth<SimultaneousVelocities<Rational>> resolved() const {
     const Complement found = lemke(problem());
-    if (!found.solved) return {{{Resolution::impossible, {}}, std::nullopt}, weights(found)};
-    return {{{Resolution::possible, velocities(found)}, std::nullopt}, impulses(found)};
+    const auto listed = [](const char* kind, const char* fact, std::vector<Rational> numbers) {
+      return [=] { return Certificate{kind, {{fact, numbers}}}; };
+    };
+    if (!found.solved)
+      return {{Resolution::impossible, {}}, std::nullopt, listed("contradiction", "weights", weights(found))};
+    return {{Resolution::possible, velocities(found)}, std::nullopt, listed("pushes", "impulses", impulses(found))};
   }
 
  private:
@@ -126,8 +125,8 @@ class System {
 };
 
 template <class Number>
-Resolved resolved(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
-                  const Number& e) {
+Truth<SimultaneousVelocities<Rational>> resolved(const std::vector<PointBody<Number>>& bodies,
+                                                 const std::vector<BodyContact<Number>>& contacts, const Number& e) {
   validate_all(bodies, contacts, e);
   return System<Number>(bodies, contacts, e).resolved();
 }
@@ -136,24 +135,17 @@ Resolved resolved(const std::vector<PointBody<Number>>& bodies, const std::vecto
 
 Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBodyd>& bodies,
                                                                 const std::vector<BodyContactd>& contacts, double e) {
-  return resolved(bodies, contacts, e).truth;
+  return resolved(bodies, contacts, e);
 }
 
 template <Exact Number>
 Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
                                                                 const std::vector<BodyContact<Number>>& contacts,
                                                                 const Number& e) {
-  return resolved(bodies, contacts, e).truth;
+  return resolved(bodies, contacts, e);
 }
 template Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Rational>>&,
                                                                          const std::vector<BodyContact<Rational>>&,
                                                                          const Rational&);
-
-Certificate simultaneous_collisions_certificate(const std::vector<PointBodyd>& bodies,
-                                                const std::vector<BodyContactd>& contacts, double e) {
-  const Resolved found = resolved(bodies, contacts, e);
-  if (found.truth.answer.relation == Resolution::possible) return {"pushes", {{"impulses", found.impulses}}};
-  return {"contradiction", {{"weights", found.impulses}}};
-}
 
 }  // namespace touchstone::oracle

@@ -2,24 +2,22 @@
 #pragma once
 
 #include "geometry/simultaneous.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: the optimality conditions as a linear complementarity problem - impulses and surpluses, neither negative, one
 /// of the two 0 at each contact - solved by complementary pivoting on integers. No margin: how far contacts are from
 /// contradicting each other, or from no longer doing so, is not looked for.
+///
+/// Certificate: "pushes": `impulses`, one a contact, that make the velocities, and push only where the demand is met
+/// without a surplus. "contradiction": `weights` of the demands, of the sum 1; what bodies can do drops out of the
+/// weighted sum, and more is demanded than immovable bodies give.
 Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBodyd>& bodies,
                                                                 const std::vector<BodyContactd>& contacts, double e);
 template <Exact Number>
 Truth<SimultaneousVelocities<Rational>> simultaneous_collisions(const std::vector<PointBody<Number>>& bodies,
                                                                 const std::vector<BodyContact<Number>>& contacts,
                                                                 const Number& e);
-
-/// "pushes": `impulses`, one a contact, that make the velocities, and push only where the demand is met without a
-/// surplus. "contradiction": `weights` of the demands, of the sum 1; what bodies can do drops out of the weighted sum,
-/// and more is demanded than immovable bodies give.
-Certificate simultaneous_collisions_certificate(const std::vector<PointBodyd>& bodies,
-                                                const std::vector<BodyContactd>& contacts, double e);
 
 }  // namespace touchstone::oracle

@@ -70,11 +70,14 @@ IndexLists triangulated(const WholeRing& ring) {
   return triangles;
 }
 
-Rational least_turn(const WholeRing& ring) {
+Truth<IndexLists> cut(WholeRing ring, IndexLists pieces) {
   Integer least = abs(ring.area(ring.before(0), 0, ring.after(0)));
   for (Index i = 1; i < ring.size(); ++i)
     least = std::min(least, Integer(abs(ring.area(ring.before(i), i, ring.after(i)))));
-  return ring.actual_area(Rational(least));
+  Rational margin = ring.actual_area(Rational(least));
+  return {std::move(pieces), std::move(margin), [ring = std::move(ring)] {
+            return Certificate{"pieces", {{"doubled_area", {ring.actual_area(Rational(abs(ring.area())))}}}};
+          }};
 }
 
 }  // namespace touchstone::oracle

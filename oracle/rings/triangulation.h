@@ -6,6 +6,7 @@
 
 #include "geometry/polygons.h"
 #include "oracle/rings/whole.h"
+#include "oracle/truth.h"
 
 /// Triangulations and partitions of simple rings, on integers.
 namespace touchstone::oracle {
@@ -23,8 +24,9 @@ std::vector<Index> counter_clockwise(const WholeRing& ring);
 /// A triangulation of a simple ring, diagonal by diagonal.
 IndexLists triangulated(const WholeRing& ring);
 
-/// The least size of twice the area of three consecutive vertices, in squares of the unit of the input.
-Rational least_turn(const WholeRing& ring);
+/// The truth that a ring can be cut into these pieces: the margin is the least size of twice the area of three
+/// consecutive vertices, the certificate "pieces" has the `doubled_area` of the ring.
+Truth<IndexLists> cut(WholeRing ring, IndexLists pieces);
 
 /// What is wrong with the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals;
 /// "" if it is right.

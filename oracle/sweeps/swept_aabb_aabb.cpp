@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/linear_program.h"
@@ -113,26 +114,6 @@ Rational margin_in_units(const Axes& axes) {
   return Rational(abs(greatest));
 }
 
-template <class Value, class Axes>
-FirstContact<Rational> contact_of(const Axes& axes) {
-  const Program<Value> program(axes);
-  if (!program.hits()) return {HitRelation::never, std::nullopt};
-  return {HitRelation::hit, program.variable(0)};
-}
-
-/// Every minor of the program takes at most one number of t's column and one of the right side, which is a difference,
-/// and adds fewer than 2^7 such products: coordinates have columns of 1 and -1.
-constexpr int most_bits = 58;
-
-template <class Box, class Vector>
-Truth<FirstContact<Rational>> truth_of(const Box& a, const Box& b, const Vector& velocity) {
-  const auto n = scale_of(a, b, velocity);
-  const auto axes = validated<Integer>(n, a, b, velocity);
-  const Rational margin = n.actual(margin_in_units(axes), 1);
-  if (n.bits() <= most_bits) return {contact_of<Int128>(validated<Int128>(n, a, b, velocity)), margin};
-  return {contact_of<Integer>(axes), margin};
-}
-
 /// The axis on which a reaches b at t.
 template <class Axes>
 std::vector<Rational> touching_normal(const Axes& axes, const Rational& t) {
@@ -148,11 +129,8 @@ std::vector<Rational> touching_normal(const Axes& axes, const Rational& t) {
   throw std::logic_error("boxes that first meet on the way do so at an entry");
 }
 
-template <class Box, class Vector>
-Certificate certificate_of(const Box& a, const Box& b, const Vector& velocity) {
-  const auto n = scale_of(a, b, velocity);
-  const auto axes = validated<Integer>(n, a, b, velocity);
-  const Program<Integer> program(axes);
+template <class Value, class Scale, class Axes>
+Certificate certificate(const Scale& n, const Axes& axes, const Program<Value>& program) {
   if (!program.hits()) {
     std::vector<Rational> normal;
     for (std::size_t k = 0; k < axes.size(); ++k) normal.push_back(program.normal(k));
@@ -164,6 +142,30 @@ Certificate certificate_of(const Box& a, const Box& b, const Vector& velocity) {
     point.push_back(n.actual(Rational(axes[k].b_min + program.variable(1 + k)), 1));
   if (sgn(t) == 0) return {"start", {{"point", std::move(point)}}};
   return {"first_contact", {{"point", std::move(point)}, {"normal", touching_normal(axes, t)}}};
+}
+
+/// The axes in integers; the program in any numbers.
+template <class Value, class Scale, class Axes>
+Truth<FirstContact<Rational>> truth(const Scale& n, Axes axes, Program<Value> program) {
+  Truth<FirstContact<Rational>> found{{HitRelation::never, std::nullopt}, n.actual(margin_in_units(axes), 1)};
+  if (program.hits()) found.answer = {HitRelation::hit, program.variable(0)};
+  found.certificate = [n, axes = std::move(axes), program = std::move(program)] {
+    return certificate(n, axes, program);
+  };
+  return found;
+}
+
+/// Every minor of the program takes at most one number of t's column and one of the right side, which is a difference,
+/// and adds fewer than 2^7 such products: coordinates have columns of 1 and -1.
+constexpr int most_bits = 58;
+
+template <class Box, class Vector>
+Truth<FirstContact<Rational>> truth_of(const Box& a, const Box& b, const Vector& velocity) {
+  const auto n = scale_of(a, b, velocity);
+  auto axes = validated<Integer>(n, a, b, velocity);
+  if (n.bits() <= most_bits) return truth(n, std::move(axes), Program<Int128>(validated<Int128>(n, a, b, velocity)));
+  Program<Integer> program(axes);
+  return truth(n, std::move(axes), std::move(program));
 }
 
 }  // namespace
@@ -189,12 +191,5 @@ template Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2<Rational>&, c
                                                        const Vector2<Rational>&);
 template Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3<Rational>&, const Aabb3<Rational>&,
                                                        const Vector3<Rational>&);
-
-Certificate swept_aabb_aabb_certificate(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity) {
-  return certificate_of(a, b, velocity);
-}
-Certificate swept_aabb_aabb_certificate(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity) {
-  return certificate_of(a, b, velocity);
-}
 
 }  // namespace touchstone::oracle

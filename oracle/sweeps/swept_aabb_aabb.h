@@ -4,7 +4,7 @@
 #include "geometry/answers.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -17,6 +17,10 @@ namespace touchstone::oracle {
 /// too. The greatest of all these values is positive where the boxes never meet, and then it is their least distance;
 /// else its magnitude is the way out. (Two lines of one axis meet half of both extents below 0, where only invalid
 /// boxes would get.)
+///
+/// Certificate: hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and
+/// approaches it ("first_contact"). never: a `normal` along which a is before b at the start and at the end
+/// ("separating_axis").
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
 template <Exact Number>
@@ -25,10 +29,5 @@ Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb2<Number>& a, const Aabb
 template <Exact Number>
 Truth<FirstContact<Rational>> swept_aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b,
                                               const Vector3<Number>& velocity);
-
-/// hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and approaches it
-/// ("first_contact"). never: a `normal` along which a is before b at the start and at the end ("separating_axis").
-Certificate swept_aabb_aabb_certificate(const Aabb2d& a, const Aabb2d& b, const Vector2d& velocity);
-Certificate swept_aabb_aabb_certificate(const Aabb3d& a, const Aabb3d& b, const Vector3d& velocity);
 
 }  // namespace touchstone::oracle

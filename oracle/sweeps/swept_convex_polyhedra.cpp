@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "oracle/exact/convex_mesh.h"
@@ -119,12 +120,6 @@ Rational depth(const Motion& m) {
   return least.value();
 }
 
-Truth<FirstContact<Rational>> truth(const Motion& m) {
-  Meeting meeting(m);
-  if (!meeting.program().feasible()) return {{HitRelation::never, std::nullopt}, Rational(distance(m) * m.unit)};
-  return {{HitRelation::hit, meeting.optimum(meeting.time())}, Rational(depth(m) * m.unit)};
-}
-
 std::vector<Rational> listed(const Coordinates& p) { return {Rational(p[0]), Rational(p[1]), Rational(p[2])}; }
 
 Integer product(const Coordinates& p, const Coordinates& q) { return Integer(p[0] * q[0] + p[1] * q[1] + p[2] * q[2]); }
@@ -159,6 +154,34 @@ std::vector<Rational> touching_normal(const Motion& m, const Rational& t) {
   return {part(0), part(1), part(2)};
 }
 
+Certificate of_hit(const Motion& m, const Meeting& meeting, const Rational& t) {
+  std::array<Rational, 3> point;
+  for (std::size_t j = 0; j < m.b.size(); ++j) {
+    const Rational weight = meeting.value(static_cast<int>(m.a.size() + j));
+    for (std::size_t k = 0; k < 3; ++k) point[k] += weight * m.b[j][k];
+  }
+  std::vector<Rational> common;
+  for (const Rational& coordinate : point) common.push_back(Rational(coordinate * m.unit));
+  if (sgn(t) == 0) return {"start", {{"point", std::move(common)}}};
+  return {"first_contact", {{"point", std::move(common)}, {"normal", touching_normal(m, t)}}};
+}
+
+Truth<FirstContact<Rational>> truth(Motion m) {
+  Meeting meeting(m);
+  if (!meeting.program().feasible()) {
+    const auto& y = meeting.program().farkas();
+    return {{HitRelation::never, std::nullopt},
+            Rational(distance(m) * m.unit),
+            [x = Integer(-y[0]), y = Integer(-y[1]), z = Integer(-y[2])] {
+              return Certificate{"separating_axis", {{"normal", listed({x, y, z})}}};
+            }};
+  }
+  const Rational t = meeting.optimum(meeting.time()), margin(depth(m) * m.unit);
+  return {{HitRelation::hit, t}, margin, [m = std::move(m), meeting = std::move(meeting), t] {
+            return of_hit(m, meeting, t);
+          }};
+}
+
 }  // namespace
 
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity) {
@@ -172,24 +195,5 @@ Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Number>& a, cons
 }
 template Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Rational>&, const Mesh<Rational>&,
                                                               const Vector3<Rational>&);
-
-Certificate swept_convex_polyhedra_certificate(const Meshd& a, const Meshd& b, const Vector3d& velocity) {
-  const Motion m = validated(a, b, velocity);
-  Meeting meeting(m);
-  if (!meeting.program().feasible()) {
-    const auto& y = meeting.program().farkas();
-    return {"separating_axis", {{"normal", listed({Integer(-y[0]), Integer(-y[1]), Integer(-y[2])})}}};
-  }
-  const Rational t = meeting.optimum(meeting.time());
-  std::array<Rational, 3> point;
-  for (std::size_t j = 0; j < m.b.size(); ++j) {
-    const Rational weight = meeting.value(static_cast<int>(m.a.size() + j));
-    for (std::size_t k = 0; k < 3; ++k) point[k] += weight * m.b[j][k];
-  }
-  std::vector<Rational> common;
-  for (const Rational& coordinate : point) common.push_back(Rational(coordinate * m.unit));
-  if (sgn(t) == 0) return {"start", {{"point", std::move(common)}}};
-  return {"first_contact", {{"point", std::move(common)}, {"normal", touching_normal(m, t)}}};
-}
 
 }  // namespace touchstone::oracle

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/polyhedra.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -14,14 +14,13 @@ namespace touchstone::oracle {
 /// Never: the least size of a displacement with which they meet. Hit: displacements with which they meet are convex, so
 /// that a cube of them is all right where its corners are: the least, over the eight corners of a cube around 0, of how
 /// far a can be moved towards it and still meets b.
+///
+/// Certificate: hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and
+/// approaches it ("first_contact"), by a linear program of its own. never: a `normal` along which a is before b at the
+/// start and at the end ("separating_axis"), from Farkas' lemma.
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Meshd& a, const Meshd& b, const Vector3d& velocity);
 template <Exact Number>
 Truth<FirstContact<Rational>> swept_convex_polyhedra(const Mesh<Number>& a, const Mesh<Number>& b,
                                                      const Vector3<Number>& velocity);
-
-/// hit: a common `point` at t, and unless t is 0 ("start") a `normal` along which a touches b then and approaches it
-/// ("first_contact"), by a linear program of its own. never: a `normal` along
-/// which a is before b at the start and at the end ("separating_axis"), from Farkas' lemma.
-Certificate swept_convex_polyhedra_certificate(const Meshd& a, const Meshd& b, const Vector3d& velocity);
 
 }  // namespace touchstone::oracle

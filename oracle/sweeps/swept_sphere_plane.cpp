@@ -2,6 +2,7 @@
 #include "oracle/sweeps/swept_sphere_plane.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "oracle/exact/parabola.h"
 #include "oracle/exact/rational_validation.h"
@@ -51,8 +52,11 @@ Rational margin(const Approach& a) {
 template <class Number>
 Truth<FirstContact<Surd>> truth(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                 const Plane<Number>& plane) {
-  const Approach a = examine(sphere, velocity, plane);
-  return {parabola(a).contact(), margin(a)};
+  Approach a = examine(sphere, velocity, plane);
+  Parabola f = parabola(a);
+  return {f.contact(), margin(a), [a = std::move(a), f = std::move(f)] {
+            return Certificate{f.kind(), {{"polynomial", {a.start(), Rational(2 * a.half()), a.square()}}}};
+          }};
 }
 
 }  // namespace
@@ -68,10 +72,5 @@ Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Number>& sphere, cons
 }
 template Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Rational>&, const Vector3<Rational>&,
                                                       const Plane<Rational>&);
-
-Certificate swept_sphere_plane_certificate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
-  const Approach a = examine(sphere, velocity, plane);
-  return {parabola(a).kind(), {{"polynomial", {a.start(), Rational(2 * a.half()), a.square()}}}};
-}
 
 }  // namespace touchstone::oracle

@@ -3,8 +3,8 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/surd.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -15,6 +15,5 @@ Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3d& sphere, const Vecto
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_plane(const Sphere3<Number>& sphere, const Vector3<Number>& velocity,
                                              const Plane<Number>& plane);
-Certificate swept_sphere_plane_certificate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane);
 
 }  // namespace touchstone::oracle

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/sweeps/swept_sphere_sphere.h"
 
+#include <utility>
+
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/parabola.h"
 #include "oracle/exact/rational_validation.h"
@@ -37,8 +39,12 @@ Parabola parabola(const Scale<Number>& n) {
 
 template <class Number>
 Truth<FirstContact<Surd>> truth(const Scale<Number>& n) {
-  const Parabola f = parabola(n);
-  return {f.contact(), n.actual(Rational(abs(f.least())), 2)};
+  Parabola f = parabola(n);
+  return {f.contact(), n.actual(Rational(abs(f.least())), 2), [n, f = std::move(f)] {
+            const auto actual = [&n](const Integer& coefficient) { return n.actual(Rational(coefficient), 2); };
+            return Certificate{f.kind(),
+                               {{"polynomial", {actual(f.start), actual(Integer(2 * f.half)), actual(f.square)}}}};
+          }};
 }
 
 }  // namespace
@@ -55,13 +61,5 @@ Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Number>& a, const Sp
 }
 template Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&,
                                                        const Vector3<Rational>&, const Vector3<Rational>&);
-
-Certificate swept_sphere_sphere_certificate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                            const Vector3d& velocity_b) {
-  const Scale<double> n = validated(a, b, velocity_a, velocity_b);
-  const Parabola f = parabola(n);
-  const auto actual = [&n](const Integer& coefficient) { return n.actual(Rational(coefficient), 2); };
-  return {f.kind(), {{"polynomial", {actual(f.start), actual(Integer(2 * f.half)), actual(f.square)}}}};
-}
 
 }  // namespace touchstone::oracle

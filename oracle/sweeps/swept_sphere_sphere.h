@@ -3,8 +3,8 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/surd.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -19,7 +19,5 @@ Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3d& a, const Sphere3d&
 template <Exact Number>
 Truth<FirstContact<Surd>> swept_sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b,
                                               const Vector3<Number>& velocity_a, const Vector3<Number>& velocity_b);
-Certificate swept_sphere_sphere_certificate(const Sphere3d& a, const Sphere3d& b, const Vector3d& velocity_a,
-                                            const Vector3d& velocity_b);
 
 }  // namespace touchstone::oracle

@@ -77,28 +77,12 @@ auto validated(const Scale& n, const Box& a, const Box& b) {
   return axes;
 }
 
-template <class Value, class Scale, class Box>
-Truth<Contact> truth(const Scale& n, const Box& a, const Box& b) {
-  const auto axes = validated<Value>(n, a, b);
-  return {contact_of(axes), n.actual(absolute(axes[deciding(axes)].difference()), 1)};
-}
-
-template <class Box>
-Truth<Contact> truth_of(const Box& a, const Box& b) {
-  const auto n = scale_of(a, b);
-  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, a, b) : truth<Integer>(n, a, b);
-}
-
-template <class Box>
-Certificate certificate_of(const Box& a, const Box& b) {
-  const auto n = scale_of(a, b);
-  const auto axes = validated<Integer>(n, a, b);
+template <class Scale, class Axes>
+Certificate certificate(const Scale& n, const Axes& axes, Contact contact, std::size_t least) {
   const auto middle = [&n](const auto& axis) {
-    return n.actual(Rational(rational(Integer(axis.low() + axis.high())) / 2), 1);
+    return n.actual(Rational((rational(axis.low()) + rational(axis.high())) / 2), 1);
   };
-  const std::size_t least = deciding(axes);
   const std::pair<std::string, std::vector<Rational>> axis{"axis", {Rational(static_cast<unsigned long>(least))}};
-  const Contact contact = contact_of(axes);
   if (contact == Contact::disjoint) return {"separating_axis", {axis, {"value", {middle(axes[least])}}}};
   std::vector<Rational> point;
   for (const auto& each : axes) point.push_back(middle(each));
@@ -106,6 +90,21 @@ Certificate certificate_of(const Box& a, const Box& b) {
   const auto& [a_min, a_max, b_min, b_max] = axes[least];
   const bool supports = a_max == b_min || b_max == a_min;
   return {supports ? "supporting_axis" : "flat_axis", {{"point", std::move(point)}, axis}};
+}
+
+template <class Value, class Scale, class Box>
+Truth<Contact> truth(const Scale& n, const Box& a, const Box& b) {
+  auto axes = validated<Value>(n, a, b);
+  const Contact contact = contact_of(axes);
+  const std::size_t least = deciding(axes);
+  return {contact, n.actual(absolute(axes[least].difference()), 1),
+          [n, axes = std::move(axes), contact, least] { return certificate(n, axes, contact, least); }};
+}
+
+template <class Box>
+Truth<Contact> truth_of(const Box& a, const Box& b) {
+  const auto n = scale_of(a, b);
+  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, a, b) : truth<Integer>(n, a, b);
 }
 
 }  // namespace
@@ -123,8 +122,5 @@ Truth<Contact> aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b) {
 }
 template Truth<Contact> aabb_aabb(const Aabb2<Rational>&, const Aabb2<Rational>&);
 template Truth<Contact> aabb_aabb(const Aabb3<Rational>&, const Aabb3<Rational>&);
-
-Certificate aabb_aabb_certificate(const Aabb2d& a, const Aabb2d& b) { return certificate_of(a, b); }
-Certificate aabb_aabb_certificate(const Aabb3d& a, const Aabb3d& b) { return certificate_of(a, b); }
 
 }  // namespace touchstone::oracle

@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -15,17 +15,15 @@ namespace touchstone::oracle {
 /// disjoint where this least difference is negative, overlapping where it is positive (it is at most the extent of
 /// either box), touching where it is 0. If disjoint, it is the greatest gap: the distance of the boxes in the maximum
 /// norm. If overlapping, it is how far one number has to move until a box is flat, or the common part of both is.
+///
+/// Certificate: disjoint: "separating_axis" (`axis` 0, 1 or 2; `value` between the boxes). overlapping:
+/// "common_interior_point" (`point`). touching: a common `point`, and why there is no interior one: "supporting_axis"
+/// (`axis` on which one box ends there and the other begins) or "flat_axis" (`axis` on which a box is flat).
 Truth<Contact> aabb_aabb(const Aabb2d& a, const Aabb2d& b);
 Truth<Contact> aabb_aabb(const Aabb3d& a, const Aabb3d& b);
 template <Exact Number>
 Truth<Contact> aabb_aabb(const Aabb2<Number>& a, const Aabb2<Number>& b);
 template <Exact Number>
 Truth<Contact> aabb_aabb(const Aabb3<Number>& a, const Aabb3<Number>& b);
-
-/// disjoint: "separating_axis" (`axis` 0, 1 or 2; `value` between the boxes). overlapping: "common_interior_point"
-/// (`point`). touching: a common `point`, and why there is no interior one: "supporting_axis" (`axis` on which one box
-/// ends there and the other begins) or "flat_axis" (`axis` on which a box is flat).
-Certificate aabb_aabb_certificate(const Aabb2d& a, const Aabb2d& b);
-Certificate aabb_aabb_certificate(const Aabb3d& a, const Aabb3d& b);
 
 }  // namespace touchstone::oracle

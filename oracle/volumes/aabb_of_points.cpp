@@ -36,38 +36,38 @@ std::pair<std::size_t, std::size_t> ends(const Column& numbers) {
   return {order.front(), order.back()};
 }
 
-/// The ends on each axis; refuses what is not valid.
+struct Extents {
+  std::vector<Rational> low, high;  ///< by axis
+  std::function<Certificate()> certificate;
+};
+
+/// Refuses what is not valid.
 template <class Points>
-std::vector<std::pair<Rational, Rational>> extents(const Points& points) {
+Extents extents(const Points& points) {
   validation::validate_points("points", points);
-  std::vector<std::pair<Rational, Rational>> found;
+  Extents found;
+  std::vector<std::size_t> least, greatest;
   for (const Column& numbers : columns(points)) {
     const auto [first, last] = ends(numbers);
-    found.emplace_back(numbers[first], numbers[last]);
+    found.low.push_back(numbers[first]), found.high.push_back(numbers[last]);
+    least.push_back(first), greatest.push_back(last);
   }
+  found.certificate = [least = std::move(least), greatest = std::move(greatest)] {
+    return Certificate{"extreme_points",
+                       {{"least", {least.begin(), least.end()}}, {"greatest", {greatest.begin(), greatest.end()}}}};
+  };
   return found;
 }
 
 template <class Number>
 Truth<Aabb2<Rational>> truth(const std::vector<Point2<Number>>& points) {
-  const auto e = extents(points);
-  return {{{e[0].first, e[1].first}, {e[0].second, e[1].second}}, std::nullopt};
+  auto [low, high, certificate] = extents(points);
+  return {{{low[0], low[1]}, {high[0], high[1]}}, std::nullopt, std::move(certificate)};
 }
 template <class Number>
 Truth<Aabb3<Rational>> truth(const std::vector<Point3<Number>>& points) {
-  const auto e = extents(points);
-  return {{{e[0].first, e[1].first, e[2].first}, {e[0].second, e[1].second, e[2].second}}, std::nullopt};
-}
-
-template <class Points>
-Certificate certificate(const Points& points) {
-  validation::validate_points("points", points);
-  std::vector<Rational> least, greatest;
-  for (const Column& numbers : columns(points)) {
-    const auto [first, last] = ends(numbers);
-    least.emplace_back(first), greatest.emplace_back(last);
-  }
-  return {"extreme_points", {{"least", std::move(least)}, {"greatest", std::move(greatest)}}};
+  auto [low, high, certificate] = extents(points);
+  return {{{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}, std::nullopt, std::move(certificate)};
 }
 
 }  // namespace
@@ -85,8 +85,5 @@ Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3<Number>>& points)
 }
 template Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2<Rational>>&);
 template Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3<Rational>>&);
-
-Certificate aabb_of_points_certificate(const std::vector<Point2d>& points) { return certificate(points); }
-Certificate aabb_of_points_certificate(const std::vector<Point3d>& points) { return certificate(points); }
 
 }  // namespace touchstone::oracle

@@ -4,21 +4,20 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: the places of the points are sorted by each coordinate, on rationals; the box has that of the first and that
 /// of the last. Nothing is decided, and nothing is rounded: there is no margin.
+///
+/// Certificate: "extreme_points": for each axis the place of a point of the `least` coordinate, and of one of the
+/// `greatest`.
 Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2d>& points);
 Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3d>& points);
 template <Exact Number>
 Truth<Aabb2<Rational>> aabb_of_points(const std::vector<Point2<Number>>& points);
 template <Exact Number>
 Truth<Aabb3<Rational>> aabb_of_points(const std::vector<Point3<Number>>& points);
-
-/// "extreme_points": for each axis the place of a point of the `least` coordinate, and of one of the `greatest`.
-Certificate aabb_of_points_certificate(const std::vector<Point2d>& points);
-Certificate aabb_of_points_certificate(const std::vector<Point3d>& points);
 
 }  // namespace touchstone::oracle

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "oracle/exact/enclosing_ball.h"
 #include "oracle/exact/nearest_double.h"
@@ -99,23 +100,38 @@ unsigned digits_below(const WholePoints& points) {
   return 300 + 2 * static_cast<unsigned>(most);
 }
 
-WholeBall exact_ball(const WholePoints& points, SphereMethod method) {
-  return method == SphereMethod::smallest ? smallest_ball(points) : around_middle(points, method);
+Certificate supported(const char* kind, const SmallestBall& ball) {
+  const std::vector<Rational> places(ball.support.begin(), ball.support.end());
+  std::vector<Rational> weights;
+  for (const Integer& weight : ball.weights) weights.push_back(quotient(weight, ball.d));
+  return {kind, {{"points", places}, {"weights", weights}}};
 }
 
 template <class Number>
 Truth<Sphere3<Surd>> truth_of(const std::vector<Point3<Number>>& points, SphereMethod method) {
-  const Counted counted = oracle::counted(points);
+  Counted counted = oracle::counted(points);
+  WholePoints& whole = counted.points;
   const auto as_surds = [](const Point3<Rational>& p) { return Point3<Surd>{p.x, p.y, p.z}; };
+  const auto sphere = [&](const WholeBall& ball) {
+    return Sphere3<Surd>{as_surds(counted.actual(ball.times, ball.d)),
+                         sqrt(Surd(counted.squared(ball.square, ball.d)))};
+  };
   if (method == SphereMethod::ritter) {
-    const unsigned below = digits_below(counted.points);
-    const GrowingBall ball = growing_ball(counted.points, below);
+    const unsigned below = digits_below(whole);
+    const GrowingBall ball = growing_ball(whole, below);
     const Integer d = Integer(1) << below;
-    return {{as_surds(counted.actual(ball.center, d)), Surd(counted.actual(ball.radius, d))}, std::nullopt};
+    return {{as_surds(counted.actual(ball.center, d)), Surd(counted.actual(ball.radius, d))},
+            std::nullopt,
+            [whole = std::move(whole)] { return supported("lower_bound", smallest_ball(whole)); }};
   }
-  const WholeBall ball = exact_ball(counted.points, method);
-  return {{as_surds(counted.actual(ball.times, ball.d)), sqrt(Surd(counted.squared(ball.square, ball.d)))},
-          std::nullopt};
+  if (method == SphereMethod::smallest) {
+    SmallestBall ball = smallest_ball(whole);
+    return {sphere(ball), std::nullopt, [ball = std::move(ball)] { return supported("support", ball); }};
+  }
+  WholeBall ball = around_middle(whole, method);
+  return {sphere(ball), std::nullopt, [whole = std::move(whole), ball = std::move(ball)] {
+            return Certificate{"farthest_point", {{"point", {Rational(ball.farthest(whole))}}}};
+          }};
 }
 
 Rational power_of_two(int exponent) { return scaled(Rational(1), exponent); }
@@ -154,7 +170,8 @@ std::string lost(const std::vector<Point3d>& points, const Sphere3d& ball) {
 std::string too_large(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball) {
   const Counted counted = oracle::counted(points);
   const bool grown = method == SphereMethod::ritter;
-  const WholeBall least = exact_ball(counted.points, grown ? SphereMethod::smallest : method);
+  const WholeBall least =
+      grown || method == SphereMethod::smallest ? smallest_ball(counted.points) : around_middle(counted.points, method);
   Rational square = counted.squared(least.square, least.d), coordinate = 0;
   if (grown) square *= Rational(9, 4);
   for (const Point3d& p : points)
@@ -175,23 +192,6 @@ Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, 
   return truth_of(points, method);
 }
 template Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Rational>>&, SphereMethod);
-
-Certificate bounding_sphere_certificate(const std::vector<Point3d>& points, SphereMethod method) {
-  const Counted counted = oracle::counted(points);
-  const auto place = [](std::size_t i) { return Rational(static_cast<unsigned long>(i)); };
-  if (method == SphereMethod::box || method == SphereMethod::centroid) {
-    const WholeBall ball = around_middle(counted.points, method);
-    return {"farthest_point", {{"point", {place(ball.farthest(counted.points))}}}};
-  }
-  const SmallestBall ball = smallest_ball(counted.points);
-  std::vector<Rational> places, weights;
-  for (std::size_t i = 0; i < ball.support.size(); ++i) {
-    places.push_back(place(ball.support[i]));
-    weights.push_back(quotient(ball.weights[i], ball.d));
-  }
-  const char* kind = method == SphereMethod::smallest ? "support" : "lower_bound";
-  return {kind, {{"points", std::move(places)}, {"weights", std::move(weights)}}};
-}
 
 std::string bounding_sphere_fault(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball) {
   const auto& [x, y, z] = ball.center;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
 #include "oracle/exact/surd.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -18,13 +18,12 @@ namespace touchstone::oracle {
 /// so that the ball contains them all; its numbers are not those of the definition, but so near that they round alike.
 ///
 /// Nothing is decided: there is no margin.
+///
+/// Certificate: box, centroid: "farthest_point" (`point`, its place). smallest: "support" (places of `points` and their
+/// `weights`). ritter: "lower_bound" (the same of the smallest ball, of which it proves the radius).
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3d>& points, SphereMethod method);
 template <Exact Number>
 Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, SphereMethod method);
-
-/// box, centroid: "farthest_point" (`point`, its place). smallest: "support" (places of `points` and their `weights`).
-/// ritter: "lower_bound" (the same of the smallest ball, of which it proves the radius).
-Certificate bounding_sphere_certificate(const std::vector<Point3d>& points, SphereMethod method);
 
 /// What is wrong with a ball that is said to be the method's, in the words of the contract
 /// (reference/volumes/bounding_sphere.h); "" if it is right, ours or not.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/volumes/closest_point_on_aabb.h"
 
+#include <utility>
+
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/nearest_in_interval.h"
 #include "oracle/exact/rational_validation.h"
@@ -37,22 +39,21 @@ auto nearest_by_axis(const Point& point, const Box& aabb) {
   return axes;
 }
 
-template <class Point, class Box>
-Certificate certificate_of(const Point& point, const Box& aabb) {
+Certificate multipliers(const std::vector<Nearest>& axes) {
   std::vector<Rational> lower, upper;
-  for (const Nearest& axis : nearest_by_axis(point, aabb)) lower.push_back(axis.lower), upper.push_back(axis.upper);
+  for (const Nearest& axis : axes) lower.push_back(axis.lower), upper.push_back(axis.upper);
   return {"multipliers", {{"lower", std::move(lower)}, {"upper", std::move(upper)}}};
 }
 
 template <class Number>
 Truth<Point2<Rational>> truth_of(const Point2<Number>& point, const Aabb2<Number>& aabb) {
-  const auto axes = nearest_by_axis(point, aabb);
-  return {{axes[0].x, axes[1].x}, std::nullopt};
+  auto axes = nearest_by_axis(point, aabb);
+  return {{axes[0].x, axes[1].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
 }
 template <class Number>
 Truth<Point3<Rational>> truth_of(const Point3<Number>& point, const Aabb3<Number>& aabb) {
-  const auto axes = nearest_by_axis(point, aabb);
-  return {{axes[0].x, axes[1].x, axes[2].x}, std::nullopt};
+  auto axes = nearest_by_axis(point, aabb);
+  return {{axes[0].x, axes[1].x, axes[2].x}, std::nullopt, [axes = std::move(axes)] { return multipliers(axes); }};
 }
 
 }  // namespace
@@ -74,12 +75,5 @@ Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Number>& point, const
 }
 template Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Rational>&, const Aabb2<Rational>&);
 template Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Rational>&, const Aabb3<Rational>&);
-
-Certificate closest_point_on_aabb_certificate(const Point2d& point, const Aabb2d& aabb) {
-  return certificate_of(point, aabb);
-}
-Certificate closest_point_on_aabb_certificate(const Point3d& point, const Aabb3d& aabb) {
-  return certificate_of(point, aabb);
-}
 
 }  // namespace touchstone::oracle

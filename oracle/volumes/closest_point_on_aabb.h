@@ -2,22 +2,20 @@
 #pragma once
 
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: the point of the box of least squared distance, a sum over the axes, so that on each the conditions of
 /// Karush, Kuhn and Tucker find it (oracle/exact/nearest_in_interval.h). On integers. Nothing is decided, and nothing
 /// is rounded: there is no margin.
+///
+/// Certificate: "multipliers": `lower` and `upper`, by axis; the conditions hold with them.
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2d& point, const Aabb2d& aabb);
 Truth<Point3<Rational>> closest_point_on_aabb(const Point3d& point, const Aabb3d& aabb);
 template <Exact Number>
 Truth<Point2<Rational>> closest_point_on_aabb(const Point2<Number>& point, const Aabb2<Number>& aabb);
 template <Exact Number>
 Truth<Point3<Rational>> closest_point_on_aabb(const Point3<Number>& point, const Aabb3<Number>& aabb);
-
-/// "multipliers": `lower` and `upper`, by axis; the conditions hold with them.
-Certificate closest_point_on_aabb_certificate(const Point2d& point, const Aabb2d& aabb);
-Certificate closest_point_on_aabb_certificate(const Point3d& point, const Aabb3d& aabb);
 
 }  // namespace touchstone::oracle

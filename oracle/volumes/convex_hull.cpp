@@ -63,18 +63,6 @@ ConvexHull hull_of(const WholeCloud& cloud, const std::vector<Index>& simplex, c
   return {3, {}, {}, {}, faces};
 }
 
-template <class Number>
-Truth<ConvexHull> truth(const std::vector<Point3<Number>>& points) {
-  validate(points);
-  const WholeCloud cloud(points);
-  const std::vector<Index> simplex = cloud.simplex();
-  const Rings rings = simplex.size() < 4 ? Rings() : face_rings(cloud);
-  Truth<ConvexHull> found{hull_of(cloud, simplex, rings), std::nullopt};
-  if (const auto margin = margin_of(cloud, rings))
-    found.margin = Rational(Rational(*margin) * cloud.unit * cloud.unit * cloud.unit);
-  return found;
-}
-
 /// The places that an answer names, each once; empty where its fields are not those of its dimension.
 std::vector<Index> named_by(const ConvexHull& hull) {
   if (hull.point.has_value() != (hull.dimension == 0) || hull.segment.has_value() != (hull.dimension == 1) ||
@@ -92,6 +80,22 @@ std::vector<Index> named_by(const ConvexHull& hull) {
 const char* kind_of(const ConvexHull& hull) {
   static constexpr std::array kinds{"one_point", "segment", "polygon", "faces"};
   return kinds[hull.dimension];
+}
+
+template <class Number>
+Truth<ConvexHull> truth(const std::vector<Point3<Number>>& points) {
+  validate(points);
+  const WholeCloud cloud(points);
+  const std::vector<Index> simplex = cloud.simplex();
+  const Rings rings = simplex.size() < 4 ? Rings() : face_rings(cloud);
+  Truth<ConvexHull> found{hull_of(cloud, simplex, rings), std::nullopt};
+  if (const auto margin = margin_of(cloud, rings))
+    found.margin = Rational(Rational(*margin) * cloud.unit * cloud.unit * cloud.unit);
+  found.certificate = [hull = found.answer] {
+    const std::vector<Index> named = named_by(hull);
+    return Certificate{kind_of(hull), {{"extreme", {named.begin(), named.end()}}}};
+  };
+  return found;
 }
 
 std::string outside(Index p) { return "outside is point " + std::to_string(p); }
@@ -165,12 +169,6 @@ Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points) {
   return truth(points);
 }
 template Truth<ConvexHull> convex_hull(const std::vector<Point3<Rational>>&);
-
-Certificate convex_hull_certificate(const std::vector<Point3d>& points) {
-  const ConvexHull hull = truth(points).answer;
-  const std::vector<Index> named = named_by(hull);
-  return {kind_of(hull), {{"extreme", std::vector<Rational>(named.begin(), named.end())}}};
-}
 
 std::string convex_hull_fault(const std::vector<Point3d>& points, const ConvexHull& hull) {
   const std::vector<Index> named = named_by(hull);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -18,7 +18,6 @@ namespace touchstone::oracle {
 Truth<ConvexHull> convex_hull(const std::vector<Point3d>& points);
 template <Exact Number>
 Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points);
-Certificate convex_hull_certificate(const std::vector<Point3d>& points);
 
 /// What is wrong with a hull of these points; "" if it is right, ours or not.
 std::string convex_hull_fault(const std::vector<Point3d>& points, const ConvexHull& hull);

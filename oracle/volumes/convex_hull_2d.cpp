@@ -2,6 +2,7 @@
 #include "oracle/volumes/convex_hull_2d.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/validation.h"
 #include "oracle/rings/whole.h"
@@ -70,8 +71,11 @@ template <class Number>
 Truth<ConvexHull2> truth(const std::vector<Point2<Number>>& points) {
   validate(points);
   const WholeRing whole(Polygon2<Number>{points});
-  const std::vector<Index> ring = wrapped(whole);
-  return {hull_of(ring), margin_of(whole, ring)};
+  std::vector<Index> ring = wrapped(whole);
+  return {hull_of(ring), margin_of(whole, ring), [ring = std::move(ring)] {
+            const char* kind = ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon";
+            return Certificate{kind, {{"extreme", {ring.begin(), ring.end()}}}};
+          }};
 }
 
 /// The places that an answer names; empty where its fields are not those of its dimension.
@@ -98,12 +102,6 @@ Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points) {
   return truth(points);
 }
 template Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Rational>>&);
-
-Certificate convex_hull_2d_certificate(const std::vector<Point2d>& points) {
-  const std::vector<Index> ring = named_by(truth(points).answer);
-  std::vector<Rational> extreme(ring.begin(), ring.end());
-  return {ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon", {{"extreme", std::move(extreme)}}};
-}
 
 /// A ring that turns left at every vertex, with every point on the left of every edge or on it: each vertex is then the
 /// one point of a wedge that holds all points, hence extreme, and each edge goes on to the next extreme point. As no

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/answers.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -16,7 +16,6 @@ namespace touchstone::oracle {
 Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2d>& points);
 template <Exact Number>
 Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points);
-Certificate convex_hull_2d_certificate(const std::vector<Point2d>& points);
 
 /// What is wrong with a hull of these points; "" if it is right, ours or not.
 std::string convex_hull_2d_fault(const std::vector<Point2d>& points, const ConvexHull2& hull);

@@ -45,12 +45,25 @@ std::size_t deciding(const std::vector<Meeting>& all) {
   return static_cast<std::size_t>(least - all.begin());
 }
 
+Certificate certificate(const std::vector<Meeting>& all, std::size_t i, int sign) {
+  const std::pair<std::string, std::vector<Rational>> slab{"slab", {Rational(i)}};
+  if (sign < 0) return {"separating_slab", {slab, {"value", {all[i].middle()}}}};
+  std::vector<Rational> values;
+  for (const Meeting& each : all) values.push_back(each.middle());
+  if (sign > 0) return {"common_values", {{"values", std::move(values)}}};
+  return {"touching_slab", {slab, {"values", std::move(values)}}};
+}
+
 template <class Number>
 Truth<Contact> truth(const Kdop3<Number>& a, const Kdop3<Number>& b) {
-  const std::vector<Meeting> all = meetings(a, b);
-  const Rational least = all[deciding(all)].least_difference();
+  std::vector<Meeting> all = meetings(a, b);
+  const std::size_t i = deciding(all);
+  const Rational least = all[i].least_difference();
   const int sign = sgn(least);
-  return {sign < 0 ? Contact::disjoint : sign > 0 ? Contact::overlapping : Contact::touching, Rational(abs(least))};
+  return {sign < 0   ? Contact::disjoint
+          : sign > 0 ? Contact::overlapping
+                     : Contact::touching,
+          Rational(abs(least)), [all = std::move(all), i, sign] { return certificate(all, i, sign); }};
 }
 
 }  // namespace
@@ -62,17 +75,5 @@ Truth<Contact> kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b) {
   return truth(a, b);
 }
 template Truth<Contact> kdop_kdop(const Kdop3<Rational>&, const Kdop3<Rational>&);
-
-Certificate kdop_kdop_certificate(const Kdop3d& a, const Kdop3d& b) {
-  const std::vector<Meeting> all = meetings(a, b);
-  const std::size_t i = deciding(all);
-  const int sign = sgn(all[i].least_difference());
-  const std::pair<std::string, std::vector<Rational>> slab{"slab", {Rational(i)}};
-  if (sign < 0) return {"separating_slab", {slab, {"value", {all[i].middle()}}}};
-  std::vector<Rational> values;
-  for (const Meeting& each : all) values.push_back(each.middle());
-  if (sign > 0) return {"common_values", {{"values", std::move(values)}}};
-  return {"touching_slab", {slab, {"values", std::move(values)}}};
-}
 
 }  // namespace touchstone::oracle

@@ -3,20 +3,19 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: of each pair of slabs four differences of a max and a min, each max with each min: two are the widths, two
 /// say how far one slab reaches beyond the other's beginning. The least of all of them, in rationals, is negative where
 /// some pair has no number in common, and 0 where, failing that, some pair has no interval in common. Margin: its size.
+///
+/// Certificate: disjoint: "separating_slab" (`slab`, a `value` between both). touching: `values`, one that both slabs
+/// hold for each normal, and the `slab` that has no other: "touching_slab". overlapping: "common_values" (`values`
+/// strictly within both slabs, for each normal).
 Truth<Contact> kdop_kdop(const Kdop3d& a, const Kdop3d& b);
 template <Exact Number>
 Truth<Contact> kdop_kdop(const Kdop3<Number>& a, const Kdop3<Number>& b);
-
-/// disjoint: "separating_slab" (`slab`, a `value` between both). touching: `values`, one that both slabs hold for each
-/// normal, and the `slab` that has no other: "touching_slab". overlapping: "common_values" (`values` strictly within
-/// both slabs, for each normal).
-Certificate kdop_kdop_certificate(const Kdop3d& a, const Kdop3d& b);
 
 }  // namespace touchstone::oracle

@@ -55,8 +55,16 @@ template <class Number>
 Truth<std::vector<Slab<Rational>>> truth(const std::vector<Point3<Number>>& points,
                                          const std::vector<Vector3<Number>>& normals) {
   std::vector<Slab<Rational>> slabs;
-  for (const Heights& one : heights(points, normals)) slabs.push_back({one.least(), one.greatest()});
-  return {std::move(slabs), std::nullopt};
+  std::vector<std::size_t> least, greatest;
+  for (const Heights& one : heights(points, normals)) {
+    slabs.push_back({one.least(), one.greatest()});
+    least.push_back(one.order.front()), greatest.push_back(one.order.back());
+  }
+  return {std::move(slabs), std::nullopt, [least = std::move(least), greatest = std::move(greatest)] {
+            return Certificate{
+                "extreme_points",
+                {{"least", {least.begin(), least.end()}}, {"greatest", {greatest.begin(), greatest.end()}}}};
+          }};
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -122,13 +130,6 @@ Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Numbe
 }
 template Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Rational>>&,
                                                            const std::vector<Vector3<Rational>>&);
-
-Certificate kdop_of_points_certificate(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
-  std::vector<Rational> least, greatest;
-  for (const Heights& one : heights(points, normals))
-    least.emplace_back(one.order.front()), greatest.emplace_back(one.order.back());
-  return {"extreme_points", {{"least", std::move(least)}, {"greatest", std::move(greatest)}}};
-}
 
 std::string kdop_of_points_fault(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals,
                                  const std::vector<Slabd>& slabs) {

@@ -5,20 +5,20 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
 /// Truth: for each normal the places of all points sorted by N . P in rationals; the slab has the exact value of the
 /// first and of the last. Nothing is decided: no margin.
+///
+/// Certificate: "extreme_points": for each normal the place of a point with the `least` N . P, and of one with the
+/// `greatest`.
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3d>& points,
                                                   const std::vector<Vector3d>& normals);
 template <Exact Number>
 Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Number>>& points,
                                                   const std::vector<Vector3<Number>>& normals);
-
-/// "extreme_points": for each normal the place of a point with the `least` N . P, and of one with the `greatest`.
-Certificate kdop_of_points_certificate(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals);
 
 /// What is wrong with slabs in doubles: the point that is farthest outside of the first slab that loses one, and how
 /// far; else the end that is too far out, or that is no number. "" if they are right, ours or not.

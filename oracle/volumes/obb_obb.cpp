@@ -32,14 +32,27 @@ Pair<Number> validated(const Obb3<Number>& a, const Obb3<Number>& b) {
   return {std::move(scale), std::move(differences), std::move(way)};
 }
 
+Certificate certificate(const Zonotope::Held& held, const Vector3<Integer>& n) {
+  const std::pair<std::string, std::vector<Rational>> normal{"normal", {Rational(n.x), Rational(n.y), Rational(n.z)}};
+  if (held.growth > 1) return {"separating_axis", {normal}};
+  // a's center and its half axes times these make the same point as b's center less its half axes times the others.
+  const auto& r = held.coefficients;
+  Certificate found{"common_interior_point",
+                    {{"on_a", {r[0], r[1], r[2]}}, {"on_b", {Rational(-r[3]), Rational(-r[4]), Rational(-r[5])}}}};
+  if (held.growth == 1) found.kind = "supporting_axis", found.facts.push_back(normal);
+  return found;
+}
+
 template <class Number>
 Truth<Contact> truth_of(const Obb3<Number>& a, const Obb3<Number>& b) {
   const Pair<Number> pair = validated(a, b);
-  const Rational growth = pair.differences.held(pair.way).growth;
-  return {growth < 1   ? Contact::overlapping
-          : growth > 1 ? Contact::disjoint
-                       : Contact::touching,
-          pair.scale.actual(pair.differences.deciding(pair.way).squared_distance(), 2)};
+  Zonotope::Held held = pair.differences.held(pair.way);
+  Zonotope::Support support = pair.differences.deciding(pair.way);
+  return {held.growth < 1   ? Contact::overlapping
+          : held.growth > 1 ? Contact::disjoint
+                            : Contact::touching,
+          pair.scale.actual(support.squared_distance(), 2),
+          [held = std::move(held), normal = std::move(support.normal)] { return certificate(held, normal); }};
 }
 
 }  // namespace
@@ -51,19 +64,5 @@ Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b) {
   return truth_of(a, b);
 }
 template Truth<Contact> obb_obb(const Obb3<Rational>&, const Obb3<Rational>&);
-
-Certificate obb_obb_certificate(const Obb3d& a, const Obb3d& b) {
-  const Pair<double> pair = validated(a, b);
-  const auto [growth, coefficients] = pair.differences.held(pair.way);
-  const auto& [x, y, z] = pair.differences.deciding(pair.way).normal;
-  const std::pair<std::string, std::vector<Rational>> normal{"normal", {Rational(x), Rational(y), Rational(z)}};
-  if (growth > 1) return {"separating_axis", {normal}};
-  // a's center and its half axes times these make the same point as b's center less its half axes times the others.
-  std::vector<Rational> on_a, on_b;
-  for (std::size_t i = 0; i < 3; ++i) on_a.push_back(coefficients[i]), on_b.push_back(Rational(-coefficients[3 + i]));
-  Certificate found{"common_interior_point", {{"on_a", std::move(on_a)}, {"on_b", std::move(on_b)}}};
-  if (growth == 1) found.kind = "supporting_axis", found.facts.push_back(normal);
-  return found;
-}
 
 }  // namespace touchstone::oracle

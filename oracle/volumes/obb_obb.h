@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -14,13 +14,12 @@ namespace touchstone::oracle {
 /// spanned by two half axes each, of one box or of both; it is the squared distance of the origin from the plane of a
 /// face: overlapping, from the nearest (the shortest way that parts the boxes, squared); disjoint, from the farthest of
 /// those that it lies beyond (so the boxes are no nearer than that).
+///
+/// Certificate: disjoint: "separating_axis" (`normal`). Else a common point by its coefficients `on_a`, `on_b`;
+/// overlapping: "common_interior_point"; touching: "supporting_axis" (`normal` on which the boxes have no more than a
+/// point in common).
 Truth<Contact> obb_obb(const Obb3d& a, const Obb3d& b);
 template <Exact Number>
 Truth<Contact> obb_obb(const Obb3<Number>& a, const Obb3<Number>& b);
-
-/// disjoint: "separating_axis" (`normal`). Else a common point by its coefficients `on_a`, `on_b`; overlapping:
-/// "common_interior_point"; touching: "supporting_axis" (`normal` on which the boxes have no more than a point in
-/// common).
-Certificate obb_obb_certificate(const Obb3d& a, const Obb3d& b);
 
 }  // namespace touchstone::oracle

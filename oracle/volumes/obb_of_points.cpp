@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "oracle/exact/box_around.h"
 #include "oracle/exact/rational_validation.h"
@@ -155,14 +156,21 @@ Truth<Obb3<Rational>> box_around(const WholeCloud& cloud) {
   const std::array<Way, 3> axes = axes_of(cloud);
   Point3<Rational> center{0, 0, 0};
   std::array<Vector3<Rational>, 3> half_axes;
+  std::vector<std::size_t> least, most;
   for (std::size_t k = 0; k < 3; ++k) {
     const Ends ends(cloud, axes[k]);
+    if (ends.low != ends.high) least.push_back(ends.least), most.push_back(ends.most);
     const Vector3<Rational> axis{axes[k].x, axes[k].y, axes[k].z};
     const Rational part(cloud.unit / Rational(2 * dot(axes[k], axes[k])));
     center = center + Rational((ends.low + ends.high) * part) * axis;
     half_axes[k] = Rational((ends.high - ends.low) * part) * axis;
   }
-  return {{center, {half_axes[0], half_axes[1], half_axes[2]}}, std::nullopt};
+  return {{center, {half_axes[0], half_axes[1], half_axes[2]}},
+          std::nullopt,
+          [least = std::move(least), most = std::move(most)] {
+            return Certificate{"touched_faces",
+                               {{"least", {least.begin(), least.end()}}, {"most", {most.begin(), most.end()}}}};
+          }};
 }
 
 }  // namespace
@@ -173,16 +181,6 @@ Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points) {
   return box_around(validated(points));
 }
 template Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Rational>>&);
-
-Certificate obb_of_points_certificate(const std::vector<Point3d>& points) {
-  const WholeCloud cloud = validated(points);
-  std::vector<Rational> least, most;
-  for (const Way& axis : axes_of(cloud)) {
-    const Ends ends(cloud, axis);
-    if (ends.low != ends.high) least.emplace_back(ends.least), most.emplace_back(ends.most);
-  }
-  return {"touched_faces", {{"least", std::move(least)}, {"most", std::move(most)}}};
-}
 
 std::string obb_of_points_fault(const std::vector<Point3d>& points, const Obb3<Rational>& box) {
   return fault_of_box(points, box);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -15,13 +15,12 @@ namespace touchstone::oracle {
 /// has one direction, which is replaced by simple ratios; the next is what the same finds across it.
 ///
 /// Nothing is decided: there is no margin.
+///
+/// Certificate: "touched_faces": for each half axis that is not 0 the place of the point `least` far along it, and of
+/// the one `most` far.
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3d>& points);
 template <Exact Number>
 Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points);
-
-/// "touched_faces": for each half axis that is not 0 the place of the point `least` far along it, and of the one `most`
-/// far.
-Certificate obb_of_points_certificate(const std::vector<Point3d>& points);
 
 /// What is wrong with a box, in the words of the contract (reference/volumes/obb_of_points.h): first of all the point
 /// that is farthest outside, and how far. "" if it is right, ours or not.

@@ -43,12 +43,25 @@ std::size_t deciding(const std::vector<Depth>& depths) {
   return static_cast<std::size_t>(least - depths.begin());
 }
 
+Certificate certificate(const std::vector<Depth>& all, std::size_t i) {
+  const int sign = sgn(all[i].squared);
+  if (sign <= 0)
+    return {sign < 0 ? "beyond_slab" : "end_of_slab", {{"slab", {Rational(i)}}, {"value", {all[i].value}}}};
+  std::vector<Rational> values;
+  for (const Depth& depth : all) values.push_back(depth.value);
+  return {"values", {{"values", std::move(values)}}};
+}
+
 template <class Number>
 Truth<Location> truth(const Kdop3<Number>& kdop, const Point3<Number>& point) {
-  const std::vector<Depth> all = depths(kdop, point);
-  const Rational& least = all[deciding(all)].squared;
+  std::vector<Depth> all = depths(kdop, point);
+  const std::size_t i = deciding(all);
+  const Rational& least = all[i].squared;
   const int sign = sgn(least);
-  return {sign < 0 ? Location::outside : sign > 0 ? Location::inside : Location::boundary, Rational(abs(least))};
+  return {sign < 0   ? Location::outside
+          : sign > 0 ? Location::inside
+                     : Location::boundary,
+          Rational(abs(least)), [all = std::move(all), i] { return certificate(all, i); }};
 }
 
 }  // namespace
@@ -60,16 +73,5 @@ Truth<Location> point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& p
   return truth(kdop, point);
 }
 template Truth<Location> point_in_kdop(const Kdop3<Rational>&, const Point3<Rational>&);
-
-Certificate point_in_kdop_certificate(const Kdop3d& kdop, const Point3d& point) {
-  const std::vector<Depth> all = depths(kdop, point);
-  const std::size_t i = deciding(all);
-  const int sign = sgn(all[i].squared);
-  if (sign <= 0)
-    return {sign < 0 ? "beyond_slab" : "end_of_slab", {{"slab", {Rational(i)}}, {"value", {all[i].value}}}};
-  std::vector<Rational> values;
-  for (const Depth& depth : all) values.push_back(depth.value);
-  return {"values", {{"values", std::move(values)}}};
-}
 
 }  // namespace touchstone::oracle

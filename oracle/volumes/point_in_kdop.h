@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,12 +12,11 @@ namespace touchstone::oracle {
 /// c Z); times its size, over a^2 + b^2 + c^2, it is a squared distance with the depth's sign. The least of these over
 /// all slabs decides: outside where it is negative, on the boundary where it is 0, inside where it is positive.
 /// Margin: its magnitude.
+///
+/// Certificate: outside: "beyond_slab", boundary: "end_of_slab"; both with the place of the `slab` that decides and the
+/// `value` N . P there. inside: "values", N . P of all slabs.
 Truth<Location> point_in_kdop(const Kdop3d& kdop, const Point3d& point);
 template <Exact Number>
 Truth<Location> point_in_kdop(const Kdop3<Number>& kdop, const Point3<Number>& point);
-
-/// outside: "beyond_slab", boundary: "end_of_slab"; both with the place of the `slab` that decides and the `value`
-/// N . P there. inside: "values", N . P of all slabs.
-Certificate point_in_kdop_certificate(const Kdop3d& kdop, const Point3d& point);
 
 }  // namespace touchstone::oracle

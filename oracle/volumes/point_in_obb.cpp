@@ -35,11 +35,16 @@ Question<Number> validated(const Obb3<Number>& obb, const Point3<Number>& point)
 template <class Number>
 Truth<Location> truth_of(const Obb3<Number>& obb, const Point3<Number>& point) {
   const Question<Number> q = validated(obb, point);
-  const Rational growth = q.solid.held(q.way).growth;
-  return {growth < 1   ? Location::inside
-          : growth > 1 ? Location::outside
-                       : Location::boundary,
-          q.scale.actual(q.solid.deciding(q.way).squared_distance(), 2)};
+  Zonotope::Held held = q.solid.held(q.way);
+  Zonotope::Support support = q.solid.deciding(q.way);
+  return {held.growth < 1   ? Location::inside
+          : held.growth > 1 ? Location::outside
+                            : Location::boundary,
+          q.scale.actual(support.squared_distance(), 2),
+          [held = std::move(held), n = std::move(support.normal)]() -> Certificate {
+            if (held.growth <= 1) return {"coefficients", {{"coefficients", held.coefficients}}};
+            return {"separating_plane", {{"normal", {Rational(n.x), Rational(n.y), Rational(n.z)}}}};
+          }};
 }
 
 }  // namespace
@@ -51,13 +56,5 @@ Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& poin
   return truth_of(obb, point);
 }
 template Truth<Location> point_in_obb(const Obb3<Rational>&, const Point3<Rational>&);
-
-Certificate point_in_obb_certificate(const Obb3d& obb, const Point3d& point) {
-  const Question<double> q = validated(obb, point);
-  Zonotope::Held held = q.solid.held(q.way);
-  if (held.growth <= 1) return {"coefficients", {{"coefficients", std::move(held.coefficients)}}};
-  const auto& [x, y, z] = q.solid.deciding(q.way).normal;
-  return {"separating_plane", {{"normal", {Rational(x), Rational(y), Rational(z)}}}};
-}
 
 }  // namespace touchstone::oracle

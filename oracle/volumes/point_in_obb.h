@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -12,11 +12,11 @@ namespace touchstone::oracle {
 ///
 /// Margin: the squared distance of the point from a face's plane: inside, from the nearest; outside, from the farthest
 /// of those that it lies beyond (so the solid is no nearer than that).
+///
+/// Certificate: inside, boundary: "coefficients" of the half axes (`coefficients`, three). outside: "separating_plane"
+/// (`normal`).
 Truth<Location> point_in_obb(const Obb3d& obb, const Point3d& point);
 template <Exact Number>
 Truth<Location> point_in_obb(const Obb3<Number>& obb, const Point3<Number>& point);
-
-/// inside, boundary: "coefficients" of the half axes (`coefficients`, three). outside: "separating_plane" (`normal`).
-Certificate point_in_obb_certificate(const Obb3d& obb, const Point3d& point);
 
 }  // namespace touchstone::oracle

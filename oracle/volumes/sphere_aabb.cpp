@@ -67,45 +67,26 @@ auto validated(const Scale& n, const Ball& sphere, const Box& aabb) {
   return solids;
 }
 
-template <class Value, class Scale, class Ball, class Box>
-Truth<Contact> truth(const Scale& n, const Ball& sphere, const Box& aabb) {
-  const auto solids = validated<Value>(n, sphere, aabb);
-  const Value depth = solids.depth();
-  if (sgn(depth) < 0) return {Contact::disjoint, n.actual(absolute(depth), 2)};
-  const Value extent(solids.narrowest().max - solids.narrowest().min), square(extent * extent);
-  const Value margin(depth < square ? depth : square);
-  return {sgn(margin) > 0 ? Contact::overlapping : Contact::touching, n.actual(absolute(margin), 2)};
-}
-
-template <class Ball, class Box>
-Truth<Contact> truth_of(const Ball& sphere, const Box& aabb) {
-  const auto n = scale_of(sphere, aabb);
-  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, sphere, aabb)
-                                                      : truth<Integer>(n, sphere, aabb);
-}
-
 /// From the nearest point x a part t of the way w to the middle of the box: inside it for t > 0, because on each axis
 /// the middle is. The squared distance from the center grows by 2 t (x - c) . w + t^2 w . w, which is less than the
 /// depth for t = depth / (depth + 2 (x - c) . w + w . w) <= 1; (x - c) . w is not negative, since x is nearest.
 template <class Solids>
 std::vector<Rational> common_interior_point(const Solids& solids) {
-  const Rational depth(solids.depth());
+  const Rational depth = rational(solids.depth());
   Rational growth = 0;
   std::vector<Rational> way;
   for (const auto& axis : solids.axes) {
-    const Rational w(Rational(axis.min + axis.max) / 2 - axis.x);
-    growth += w * (2 * Rational(axis.x - axis.c) + w);
+    const Rational x = rational(axis.x), w((rational(axis.min) + rational(axis.max)) / 2 - x);
+    growth += w * (2 * (x - rational(axis.c)) + w);
     way.push_back(w);
   }
   const Rational t(depth / (depth + growth));
-  for (std::size_t k = 0; k < way.size(); ++k) way[k] = solids.axes[k].x + t * way[k];
+  for (std::size_t k = 0; k < way.size(); ++k) way[k] = rational(solids.axes[k].x) + t * way[k];
   return way;
 }
 
-template <class Ball, class Box>
-Certificate certificate_of(const Ball& sphere, const Box& aabb) {
-  const auto n = scale_of(sphere, aabb);
-  const auto solids = validated<Integer>(n, sphere, aabb);
+template <class Scale, class Solids>
+Certificate certificate(const Scale& n, const Solids& solids) {
   const int depth = sgn(solids.depth());
   const auto& narrowest = solids.narrowest();
   const bool flat = narrowest.min == narrowest.max;
@@ -113,7 +94,7 @@ Certificate certificate_of(const Ball& sphere, const Box& aabb) {
   std::vector<Rational> point;
   if (overlap) point = common_interior_point(solids);
   else
-    for (const auto& axis : solids.axes) point.emplace_back(axis.x);
+    for (const auto& axis : solids.axes) point.push_back(rational(axis.x));
   for (Rational& coordinate : point) coordinate = n.actual(coordinate, 1);
   const char* kind = depth < 0    ? "nearest_point"
                      : depth == 0 ? "tangent"
@@ -123,6 +104,25 @@ Certificate certificate_of(const Ball& sphere, const Box& aabb) {
   if (depth > 0 && flat)
     certificate.facts.push_back({"axis", {Rational(static_cast<long>(&narrowest - solids.axes.data()))}});
   return certificate;
+}
+
+template <class Value, class Scale, class Ball, class Box>
+Truth<Contact> truth(const Scale& n, const Ball& sphere, const Box& aabb) {
+  auto solids = validated<Value>(n, sphere, aabb);
+  const Value depth = solids.depth();
+  const Value extent(solids.narrowest().max - solids.narrowest().min), square(extent * extent);
+  const Value margin(depth < square ? depth : square);
+  return {sgn(margin) < 0   ? Contact::disjoint
+          : sgn(margin) > 0 ? Contact::overlapping
+                            : Contact::touching,
+          n.actual(absolute(margin), 2), [n, solids = std::move(solids)] { return certificate(n, solids); }};
+}
+
+template <class Ball, class Box>
+Truth<Contact> truth_of(const Ball& sphere, const Box& aabb) {
+  const auto n = scale_of(sphere, aabb);
+  return n.finite() && n.bits() <= most_bits_in_words ? truth<Int128>(n, sphere, aabb)
+                                                      : truth<Integer>(n, sphere, aabb);
 }
 
 }  // namespace
@@ -140,8 +140,5 @@ Truth<Contact> sphere_aabb(const Sphere3<Number>& sphere, const Aabb3<Number>& a
 }
 template Truth<Contact> sphere_aabb(const Circle2<Rational>&, const Aabb2<Rational>&);
 template Truth<Contact> sphere_aabb(const Sphere3<Rational>&, const Aabb3<Rational>&);
-
-Certificate sphere_aabb_certificate(const Circle2d& sphere, const Aabb2d& aabb) { return certificate_of(sphere, aabb); }
-Certificate sphere_aabb_certificate(const Sphere3d& sphere, const Aabb3d& aabb) { return certificate_of(sphere, aabb); }
 
 }  // namespace touchstone::oracle

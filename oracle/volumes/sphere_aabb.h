@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -15,17 +15,15 @@ namespace touchstone::oracle {
 /// Margin: with S the squared distance of the center from the box and R the square of the radius, S - R where they are
 /// disjoint; else the lesser of R - S and of the least squared extent of the box: 0 for a tangent ball, a point, and a
 /// flat box that meets the ball.
+///
+/// Certificate: disjoint: "nearest_point" (`point` of the box, farther than the radius). overlapping:
+/// "common_interior_point" (`point`). touching: a common `point`, and why there is no interior one: "tangent" (it is
+/// the nearest point of the box, as far as the radius) or "flat_axis" (`axis` on which the box is flat).
 Truth<Contact> sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb);
 Truth<Contact> sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb);
 template <Exact Number>
 Truth<Contact> sphere_aabb(const Circle2<Number>& sphere, const Aabb2<Number>& aabb);
 template <Exact Number>
 Truth<Contact> sphere_aabb(const Sphere3<Number>& sphere, const Aabb3<Number>& aabb);
-
-/// disjoint: "nearest_point" (`point` of the box, farther than the radius). overlapping: "common_interior_point"
-/// (`point`). touching: a common `point`, and why there is no interior one: "tangent" (it is the nearest point of the
-/// box, as far as the radius) or "flat_axis" (`axis` on which the box is flat).
-Certificate sphere_aabb_certificate(const Circle2d& sphere, const Aabb2d& aabb);
-Certificate sphere_aabb_certificate(const Sphere3d& sphere, const Aabb3d& aabb);
 
 }  // namespace touchstone::oracle

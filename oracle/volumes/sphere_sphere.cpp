@@ -56,13 +56,28 @@ void validate(const Scale& n, const Solid& a, const Solid& b) {
     validation::validate("a", a), validation::validate("b", b);
 }
 
+template <class Scale, class Pair>
+Certificate certificate(const Scale& n, const Pair& pair) {
+  const auto distance = pair.squared_distance(), reach = pair.squared_reach();
+  if (distance > reach) return {"distance", {{"squared_distance", {n.actual(rational(distance), 2)}}}};
+  // It divides the way from center to center as the radii do, so it is in both, and inside where that can be.
+  const Rational share =
+      sgn(reach) == 0 ? Rational(0) : Rational(rational(pair.r) / (rational(pair.r) + rational(pair.s)));
+  std::vector<Rational> point;
+  for (std::size_t k = 0; k < pair.from.size(); ++k)
+    point.push_back(n.actual(Rational(rational(pair.from[k]) + share * rational(pair.between[k])), 1));
+  const char* kind = distance == reach ? "tangent" : sgn(pair.depth()) == 0 ? "no_interior" : "common_interior_point";
+  return {kind, {{"point", std::move(point)}}};
+}
+
 template <class Value, class Scale>
 Truth<Contact> truth(const Scale& n) {
-  const Value depth = pair_of<Value>(n).depth();
+  auto pair = pair_of<Value>(n);
+  const Value depth = pair.depth();
   return {sgn(depth) < 0   ? Contact::disjoint
           : sgn(depth) > 0 ? Contact::overlapping
                            : Contact::touching,
-          n.actual(absolute(depth), 2)};
+          n.actual(absolute(depth), 2), [n, pair = std::move(pair)] { return certificate(n, pair); }};
 }
 
 template <class Solid>
@@ -70,24 +85,6 @@ Truth<Contact> truth_of(const Solid& a, const Solid& b) {
   const auto n = scale_of(a, b);
   validate(n, a, b);
   return n.bits() <= most_bits_in_words ? truth<Int128>(n) : truth<Integer>(n);
-}
-
-template <class Solid>
-Certificate certificate_of(const Solid& a, const Solid& b) {
-  const auto n = scale_of(a, b);
-  validate(n, a, b);
-  const auto pair = pair_of<Integer>(n);
-  const Integer distance = pair.squared_distance(), reach = pair.squared_reach();
-  if (distance > reach) return {"distance", {{"squared_distance", {n.actual(rational(distance), 2)}}}};
-  // It divides the way from center to center as the radii do, so it is in both, and inside where that can be.
-  std::vector<Rational> point;
-  for (std::size_t k = 0; k < pair.from.size(); ++k) {
-    Rational coordinate(pair.from[k]);
-    if (sgn(reach) != 0) coordinate += quotient(Integer(pair.between[k] * pair.r), Integer(pair.r + pair.s));
-    point.push_back(n.actual(coordinate, 1));
-  }
-  const char* kind = distance == reach ? "tangent" : sgn(pair.depth()) == 0 ? "no_interior" : "common_interior_point";
-  return {kind, {{"point", std::move(point)}}};
 }
 
 }  // namespace
@@ -105,8 +102,5 @@ Truth<Contact> sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b)
 }
 template Truth<Contact> sphere_sphere(const Circle2<Rational>&, const Circle2<Rational>&);
 template Truth<Contact> sphere_sphere(const Sphere3<Rational>&, const Sphere3<Rational>&);
-
-Certificate sphere_sphere_certificate(const Circle2d& a, const Circle2d& b) { return certificate_of(a, b); }
-Certificate sphere_sphere_certificate(const Sphere3d& a, const Sphere3d& b) { return certificate_of(a, b); }
 
 }  // namespace touchstone::oracle

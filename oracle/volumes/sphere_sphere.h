@@ -3,7 +3,7 @@
 
 #include "geometry/answers.h"
 #include "geometry/volumes.h"
-#include "oracle/certificates/certificate.h"
+#include "oracle/truth.h"
 
 namespace touchstone::oracle {
 
@@ -14,17 +14,15 @@ namespace touchstone::oracle {
 ///
 /// Margin: the magnitude of that, a difference of squared lengths. The balls are disjoint where it is negative,
 /// overlapping where it is positive, touching where it is 0.
+///
+/// Certificate: disjoint: "distance" (`squared_distance` of the centers). overlapping: "common_interior_point"
+/// (`point`). touching: a common `point`, and why there is no interior one: "tangent" (no ball reaches beyond it) or
+/// "no_interior" (a radius is 0).
 Truth<Contact> sphere_sphere(const Circle2d& a, const Circle2d& b);
 Truth<Contact> sphere_sphere(const Sphere3d& a, const Sphere3d& b);
 template <Exact Number>
 Truth<Contact> sphere_sphere(const Circle2<Number>& a, const Circle2<Number>& b);
 template <Exact Number>
 Truth<Contact> sphere_sphere(const Sphere3<Number>& a, const Sphere3<Number>& b);
-
-/// disjoint: "distance" (`squared_distance` of the centers). overlapping: "common_interior_point" (`point`). touching:
-/// a common `point`, and why there is no interior one: "tangent" (no ball reaches beyond it) or "no_interior" (a radius
-/// is 0).
-Certificate sphere_sphere_certificate(const Circle2d& a, const Circle2d& b);
-Certificate sphere_sphere_certificate(const Sphere3d& a, const Sphere3d& b);
 
 }  // namespace touchstone::oracle
