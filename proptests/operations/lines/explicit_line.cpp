@@ -5,7 +5,6 @@
 
 #include "proptests/laws.h"
 #include "robust/lines/orientation.h"
-#include "robust/stages/lines/explicit_line.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,10 +12,6 @@ namespace {
 using Row = rows::explicit_line;
 
 Height other(Height h) { return h == Height::above ? Height::below : h == Height::below ? Height::above : Height::on; }
-
-Stage decided_by(double slope, double intercept, const Point2d& point) {
-  return robust::stages::explicit_line::ask(slope, intercept, point).stage;
-}
 
 }  // namespace
 
@@ -95,14 +90,6 @@ TEST_CASE("explicit_line: horizontal, huge, subnormal and negative zero") {
   example<Row>({tiny, tiny, {1, 2 * tiny}}, Height::on);
 }
 
-TEST_CASE("explicit_line: what is not finite is refused by its field") {
-  refused<Row>({not_a_number, 0, {0, 0}}, "slope", "finite number");
-  refused<Row>({infinity, not_a_number, {0, 0}}, "slope", "finite number");
-  refused<Row>({1, -infinity, {0, 0}}, "intercept", "finite number");
-  refused<Row>({1, 0, {infinity, 0}}, "point[0]", "finite number");
-  refused<Row>({1, 0, {0, not_a_number}}, "point[1]", "finite number");
-}
-
 TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may have to hold") {
   // y = -intercept = (2^53 - 1) 2^447, and -m x, positive and odd, ends so many digits below 2^500. The sum is almost
   // 2^501.
@@ -113,19 +100,8 @@ TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may 
     for (const double sign : {1.0, -1.0}) {
       const Height expected = sign > 0 ? Height::above : Height::below;
       CHECK(robust::explicit_line(-sign * most, -sign * y, {x, sign * y}) == expected);
-      const auto by_lattice = robust::stages::explicit_line::lattice(-sign * most, -sign * y, {x, sign * y});
-      CHECK((!by_lattice || *by_lattice == expected));
-      CHECK(static_cast<bool>(by_lattice) == (span <= 124));
     }
   }
-}
-
-TEST_CASE("explicit_line: each stage decides what is meant for it") {
-  CHECK(decided_by(2, 1, {3, 8}) == Stage::filter);
-  CHECK(decided_by(2, 1, {3, 7}) == Stage::lattice);
-  CHECK(decided_by(1, 0x1p53, {1, 0x1p53}) == Stage::lattice);
-  CHECK(decided_by(tiny, 0, {0.25, 0}) == Stage::lattice);
-  CHECK(decided_by(1, tiny, {1, 1}) == Stage::exact);  // 1074 places apart
 }
 
 }  // namespace touchstone::proptests

@@ -2,7 +2,6 @@
 #include "catalogue/lines/line_line.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/lines/line_line.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,8 +12,6 @@ exact_answer_t<Row> crossing(const Rational& ta, const Rational& tb, const Ratio
   return {LineRelation::crossing, ta, tb, Point2<Rational>{x, y}};
 }
 const exact_answer_t<Row> parallel{LineRelation::parallel, {}, {}, {}}, same{LineRelation::same, {}, {}, {}};
-
-Stage decided_by(const Line2d& a, const Line2d& b) { return robust::stages::line_line::decision::ask(a, b).stage; }
 
 }  // namespace
 
@@ -65,22 +62,6 @@ TEST_CASE("line_line: nearly parallel, huge, subnormal, beyond the range, negati
   const Rational far = Rational(audit::exact_value(huge) * audit::exact_value(0x1p53));
   example<Row>({{{0, 0}, {1, 0}}, {{0, 1}, {huge, 1 - 0x1p-53}}}, crossing(far, audit::exact_value(0x1p53), far, 0),
                "invalid");
-}
-
-TEST_CASE("line_line: what is not finite and a line of one point are refused by their field") {
-  refused<Row>({{{not_a_number, 0}, {1, 1}}, {{0, 1}, {1, 0}}}, "a[0][0]", "finite number");
-  refused<Row>({{{0, 0}, {1, infinity}}, {{0, 1}, {1, 0}}}, "a[1][1]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0, -infinity}, {1, 0}}}, "b[0][1]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {not_a_number, 0}}}, "b[1][0]", "finite number");
-  refused<Row>({{{2, 3}, {2, 3}}, {{0, 1}, {1, 0}}}, "a", "two distinct points");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0.0, 5}, {-0.0, 5}}}, "b", "two distinct points");
-}
-
-TEST_CASE("line_line: each stage decides what is meant for it") {
-  CHECK(decided_by({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {tiny, 0}}, {{0, 0}, {0, tiny}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {1, tiny}}, {{0, 1}, {1, 1}}) == Stage::exact);  // 1074 places apart
 }
 
 TEST_CASE(

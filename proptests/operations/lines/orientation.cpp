@@ -2,7 +2,6 @@
 #include "catalogue/lines/orientation.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/lines/orientation.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -10,10 +9,6 @@ namespace {
 using Row = rows::orientation;
 
 Side other(Side side) { return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::on; }
-
-Stage decided_by(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  return robust::stages::orientation::ask(p0, p1, p).stage;
-}
 
 }  // namespace
 
@@ -64,25 +59,6 @@ TEST_CASE("orientation: coincident points, huge, subnormal and negative zero") {
   example<Row>({{0, 0}, {tiny, 0}, {0, tiny}}, Side::left, "rounding");
   example<Row>({{0, 0}, {tiny, tiny}, {tiny, 0}}, Side::right, "rounding");
   example<Row>({{0, 0}, {huge, tiny}, {huge, 2 * tiny}}, Side::left);
-}
-
-TEST_CASE("orientation: what is not finite is refused by its field") {
-  refused<Row>({{not_a_number, 0}, {1, 0}, {0, 1}}, "p0[0]", "finite number");
-  refused<Row>({{0, -infinity}, {1, 0}, {0, 1}}, "p0[1]", "finite number");
-  refused<Row>({{0, 0}, {infinity, 0}, {0, 1}}, "p1[0]", "finite number");
-  refused<Row>({{0, 0}, {1, not_a_number}, {0, 1}}, "p1[1]", "finite number");
-  refused<Row>({{0, 0}, {1, 0}, {infinity, 1}}, "p[0]", "finite number");
-  refused<Row>({{0, 0}, {1, 0}, {0, not_a_number}}, "p[1]", "finite number");
-}
-
-TEST_CASE("orientation: each stage decides what is meant for it") {
-  CHECK(decided_by({0, 0}, {1, 0}, {0, 1}) == Stage::filter);
-  CHECK(decided_by({0, 0}, {1, 1}, {2, 2}) == Stage::lattice);  // no bound is below 0
-  CHECK(decided_by({0, 0}, {1, 1}, {1, 1 + 0x1p-52}) == Stage::lattice);
-  CHECK(decided_by({0, 0}, {0x1p1012, 0x1p1012}, {0x1p1013, 0x1p1013}) == Stage::lattice);  // too large for the filter
-  CHECK(decided_by({0, 0}, {tiny, 0}, {0, tiny}) == Stage::lattice);                        // too small for it
-  CHECK(decided_by({0, 0}, {1, tiny}, {2, 2 * tiny}) == Stage::exact);                      // 1074 places apart
-  CHECK(decided_by({-huge, 1}, {huge, tiny}, {0, 0}) == Stage::exact);
 }
 
 TEST_CASE("orientation: the formula in double is right beyond the margin of its contract") {

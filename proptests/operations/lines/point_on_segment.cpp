@@ -4,7 +4,6 @@
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/segment_segment.h"
-#include "robust/stages/lines/point_on_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,10 +12,6 @@ using Row = rows::point_on_segment;
 
 exact_answer_t<Row> on(const Rational& t) { return {Incidence::on, t}; }
 const exact_answer_t<Row> off{Incidence::off, std::nullopt};
-
-Stage decided_by(const Point2d& point, const Segment2d& segment) {
-  return robust::stages::point_on_segment::decision::ask(point, segment).stage;
-}
 
 /// tx or ty of the slide as computed, with the bound e(T) of the contract.
 struct Parameter {
@@ -94,23 +89,6 @@ TEST_CASE("point_on_segment: huge, subnormal and negative zero") {
   example<Row>({{tiny, 2 * tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}}, off);
   example<Row>({{-0.0, 0.0}, {{0.0, -0.0}, {1, 1}}}, on(0));
   example<Row>({{-0.0, 0.0}, {{0.0, -0.0}, {-0.0, 0.0}}}, on(0), "algorithm");
-}
-
-TEST_CASE("point_on_segment: what is not finite is refused by its field") {
-  refused<Row>({{infinity, 0}, {{0, 0}, {1, 1}}}, "point[0]", "finite number");
-  refused<Row>({{0, not_a_number}, {{0, 0}, {1, 1}}}, "point[1]", "finite number");
-  refused<Row>({{0, 0}, {{not_a_number, 0}, {1, 1}}}, "segment[0][0]", "finite number");
-  refused<Row>({{0, 0}, {{0, infinity}, {1, 1}}}, "segment[0][1]", "finite number");
-  refused<Row>({{0, 0}, {{0, 0}, {-infinity, 1}}}, "segment[1][0]", "finite number");
-  refused<Row>({{9, 9}, {{0, 0}, {1, not_a_number}}}, "segment[1][1]", "finite number");
-}
-
-TEST_CASE("point_on_segment: each stage decides what is meant for it") {
-  CHECK(decided_by({1, 2}, {{0, 0}, {4, 4}}) == Stage::filter);
-  CHECK(decided_by({1, 1}, {{0, 0}, {4, 4}}) == Stage::lattice);
-  CHECK(decided_by({5, 5}, {{0, 0}, {4, 4}}) == Stage::lattice);  // on the line, which the filter cannot exclude
-  CHECK(decided_by({tiny, tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}) == Stage::lattice);
-  CHECK(decided_by({1, tiny}, {{0, 0}, {2, 2 * tiny}}) == Stage::exact);  // 1074 places apart
 }
 
 TEST_CASE("point_on_segment: the formula in double keeps its contract") {

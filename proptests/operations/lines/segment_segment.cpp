@@ -3,7 +3,6 @@
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
-#include "robust/stages/lines/segment_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -18,10 +17,6 @@ Exact overlap(int ax, int ay, int bx, int by) {
   return {SegmentRelation::overlap, {}, {}, {}, Segment2<Rational>{{ax, ay}, {bx, by}}};
 }
 const Exact disjoint{SegmentRelation::disjoint, {}, {}, {}, {}};
-
-Stage decided_by(const Segment2d& a, const Segment2d& b) {
-  return robust::stages::segment_segment::decision::ask(a, b).stage;
-}
 
 }  // namespace
 
@@ -97,24 +92,6 @@ TEST_CASE("segment_segment: huge and subnormal") {
   const Rational half = Rational(audit::exact_value(tiny) / 2);
   example<Row>({{{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}}, point(Rational(1, 2), Rational(1, 2), half, half),
                "rounding");
-}
-
-TEST_CASE("segment_segment: what is not finite is refused by its field, however far apart the rest is") {
-  refused<Row>({{{not_a_number, 0}, {1, 1}}, {{0, 1}, {1, 0}}}, "a[0][0]", "finite number");
-  refused<Row>({{{0, 0}, {1, -infinity}}, {{7, 7}, {8, 9}}}, "a[1][1]", "finite number");
-  refused<Row>({{{0, 0}, {not_a_number, 0}}, {{1, 0}, {3, 0}}}, "a[1][0]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{7, infinity}, {8, 9}}}, "b[0][1]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {not_a_number, 0}}}, "b[1][0]", "finite number");
-  refused<Row>({{{0, 0}, {0, 0}}, {{9, 9}, {9, infinity}}}, "b[1][1]", "finite number");
-}
-
-TEST_CASE("segment_segment: each stage decides what is meant for it") {
-  CHECK(decided_by({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}}, {{3, 0}, {0, 3}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}) == Stage::filter);  // by the boxes
-  CHECK(decided_by({{0, 0}, {2, 2}}, {{2, 2}, {5, 5}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {2, 2 * tiny}}, {{1, tiny}, {3, 3}}) == Stage::exact);  // a touch, 1074 places apart
 }
 
 TEST_CASE(

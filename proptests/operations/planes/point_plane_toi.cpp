@@ -3,7 +3,6 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/stages/planes/point_plane_toi.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -17,10 +16,6 @@ Answer at(HitRelation option_1, const Rational& t, const Point3<Rational>& point
   return {{option_1}, {hit, t, point}};
 }
 const Answer in_front{{misses}, {misses, std::nullopt, std::nullopt}};
-
-Stage decided_by(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  return robust::stages::point_plane_toi::ask(plane, start, end).stage;
-}
 
 const Plane3d ground{{0, 1, 0}, 0};
 
@@ -157,24 +152,6 @@ TEST_CASE("point_plane_toi: huge, subnormal and negative zero") {
   example<Row>({{{0, tiny, 0}, 0}, {0, 0.25, 0}, {0, -0.25, 0}}, at(hit, Rational(1, 2), {0, 0, 0}),
                "rounding");  // 0 / 0
   example<Row>({ground, {-0.0, -0.0, -0.0}, {-0.0, 1, 0}}, at(misses, 0, {0, 0, 0}));
-}
-
-TEST_CASE("point_plane_toi: what is not finite is refused by its field, and a plane without a normal") {
-  refused<Row>({{{0, infinity, 0}, 0}, {0, 0, 0}, {0, 0, 0}}, "plane.normal[1]", "finite number");
-  refused<Row>({{{0, 1, 0}, not_a_number}, {0, 0, 0}, {0, 0, 0}}, "plane.offset", "finite number");
-  refused<Row>({ground, {0, not_a_number, 0}, {0, 0, 0}}, "start[1]", "finite number");
-  refused<Row>({ground, {0, 1, 0}, {0, 0, infinity}}, "end[2]", "finite number");
-  refused<Row>({ground, {infinity, 1, 0}, {0, 1, 0}}, "start[0]", "finite number");
-  refused<Row>({{{0, -0.0, 0}, 5}, {0, 1, 0}, {0, 1, 0}}, "plane.normal", "nonzero normal");
-}
-
-TEST_CASE("point_plane_toi: each stage decides what is meant for it") {
-  CHECK(decided_by(ground, {0, 3, 0}, {4, 1, 8}) == Stage::filter);
-  CHECK(decided_by(ground, {0, -3, 0}, {4, 1, 8}) == Stage::filter);
-  CHECK(decided_by({{0, 1, 0}, -1}, {0, 3, 0}, {4, -1, 8}) == Stage::enclosed);  // numbers have to be found
-  CHECK(decided_by(ground, {0, 3, 0}, {4, -1, 8}) == Stage::lattice);            // y = 0: no enclosure proves that
-  CHECK(decided_by(ground, {0, 0, 0}, {4, 1, 8}) == Stage::lattice);
-  CHECK(decided_by(ground, {tiny, 3, 0}, {4, -1, 8}) == Stage::exact);  // 1074 places apart
 }
 
 TEST_CASE("point_plane_toi: the formula in double keeps its contract") {

@@ -2,14 +2,11 @@
 #include "catalogue/polygons/convex_partition.h"
 
 #include "proptests/partition_laws.h"
-#include "robust/stages/polygons/convex_partition.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::convex_partition;
-
-Stage decided_by(const Polygon2d& polygon) { return robust::stages::convex_partition::ask(polygon).stage; }
 
 Polygon2d times(double factor, Polygon2d polygon) {
   for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
@@ -64,12 +61,6 @@ TEST_CASE("convex_partition: huge, subnormal, and where the formula's products l
 
 TEST_CASE("convex_partition: rings that are not simple are refused by the first offending vertex") {
   simple_rings_only<Row>();
-}
-
-TEST_CASE("convex_partition: the latest stage is that of the hardest decision") {
-  CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {0.3, 1}}}) == Stage::lattice);
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0.3, 1}}}) == Stage::exact);
 }
 
 TEST_CASE("convex_partition: the checker and that of certificates say the same of altered answers") {

@@ -8,7 +8,6 @@
 #include "catalogue/families/rings.h"
 #include "proptests/forward_error.h"
 #include "robust/rings/simple.h"
-#include "robust/stages/polygons/polygon_convexity.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -35,8 +34,6 @@ void both(const Polygon2d& polygon, const PolygonConvexity& expected, const std:
   example<Row>({polygon}, expected, by_lines);
   example<ByAngles>({polygon}, expected, by_angles);
 }
-
-Stage decided_by(const Polygon2d& polygon) { return robust::stages::polygon_convexity::ask(polygon).stage; }
 
 }  // namespace
 
@@ -159,20 +156,6 @@ TEST_CASE("polygon_convexity: rounding bends flat vertices and straightens bent 
   // Products that underflow or overflow.
   both({{{0, 0}, {tiny, 0}, {tiny, tiny}, {0, tiny}}}, convex_ccw, "rounding", "rounding");
   both({{{0, 0}, {huge / 2, huge / 4}, {huge, 0.75 * huge}}}, convex_ccw, "rounding", "rounding");
-}
-
-TEST_CASE("polygon_convexity: fewer than three vertices and what is not finite are refused by their field") {
-  refused<Row>({Polygon2d{}}, "polygon", "at least 3 vertices");
-  refused<Row>({Polygon2d{{{0, 0}, {1, 1}}}}, "polygon", "at least 3 vertices");
-  refused<Row>({Polygon2d{{{0, 0}, {1, not_a_number}, {1, 1}}}}, "polygon[1][1]", "finite number");
-  refused<Row>({Polygon2d{{{0, 0}, {1, 0}, {1, 1}, {-infinity, 1}}}}, "polygon[3][0]", "finite number");
-}
-
-TEST_CASE("polygon_convexity: the last stage that a turn needs is told") {
-  CHECK(decided_by({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}) == Stage::lattice);
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0, 4}}}) == Stage::exact);
-  CHECK(decided_by({{{0, 0}, {0, 0}, {4, 4}}}) == Stage::filter);  // no turn is asked
 }
 
 TEST_CASE("polygon_convexity: rings of a thousand vertices") {

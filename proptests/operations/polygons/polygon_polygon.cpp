@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "proptests/laws.h"
-#include "robust/stages/polygons/polygon_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -21,8 +20,6 @@ Polygon2d rotated(Polygon2d ring) {
   std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
   return ring;
 }
-
-Stage decided_by(const Polygon2d& a, const Polygon2d& b) { return robust::stages::polygon_polygon::ask(a, b).stage; }
 
 }  // namespace
 
@@ -87,21 +84,6 @@ TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {
   const double above = std::nextafter(4.0, 5.0), below = std::nextafter(4.0, 3.0);
   example<Row>({square, {{{above, 2}, {6, 1}, {6, 3}}}}, Contact::disjoint);
   example<Row>({square, {{{below, 2}, {6, 1}, {6, 3}}}}, Contact::overlapping);
-}
-
-TEST_CASE("polygon_polygon: what is no simple polygon is refused by its vertex") {
-  refused<Row>({{{{0, 0}, {1, 0}}}, square}, "a", "at least 3 vertices");
-  refused<Row>({square, {{{0, 0}, {1, 0}, {1, not_a_number}}}}, "b[2][1]", "finite number");
-  refused<Row>({square, {{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}}, "b[1]", "different from the next vertex");
-  refused<Row>({{{{0, 0}, {2, 0}, {0, 2}, {2, 2}}}, square}, "a[1]", "simple: its edge must not meet edge 3");
-  refused<Row>({{{{0, 0}, {2, 0}, {1, 0}, {1, 5}}}, square}, "a[0]", "simple: its edge must not meet edge 1");
-  refused<Row>({{{{0, 0}, {2, 0}, {4, 0}}}, square}, "a[0]", "simple: its edge must not meet edge 2");
-}
-
-TEST_CASE("polygon_polygon: turns that a filter cannot tell go on to the next stage") {
-  CHECK(decided_by(square, {{{1.5, 1}, {9.5, 2}, {9, 9}}}) == Stage::filter);
-  CHECK(decided_by(square, {{{4, 2}, {6, 1}, {6, 3}}}) == Stage::lattice);
-  CHECK(decided_by({{{0, 0}, {2, 2 * tiny}, {0, 1}}}, {{{1, tiny}, {3, 3}, {0.5, 3}}}) == Stage::exact);
 }
 
 }  // namespace touchstone::proptests

@@ -2,14 +2,11 @@
 #include "catalogue/polygons/triangulate_polygon.h"
 
 #include "proptests/partition_laws.h"
-#include "robust/stages/polygons/triangulate_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::triangulate_polygon;
-
-Stage decided_by(const Polygon2d& polygon) { return robust::stages::triangulate_polygon::ask(polygon).stage; }
 
 Polygon2d times(double factor, Polygon2d polygon) {
   for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
@@ -56,12 +53,6 @@ TEST_CASE("triangulate_polygon: huge, subnormal, and where the formula's product
 
 TEST_CASE("triangulate_polygon: rings that are not simple are refused by the first offending vertex") {
   simple_rings_only<Row>();
-}
-
-TEST_CASE("triangulate_polygon: the latest stage is that of the hardest decision") {
-  CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {3, 1}}}) == Stage::lattice);          // flat
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {3, 1}}}) == Stage::exact);  // flat, 1074 places apart
 }
 
 TEST_CASE("triangulate_polygon: a comb of 20,000 vertices, upright and lying") {

@@ -5,7 +5,6 @@
 
 #include "proptests/space_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
-#include "robust/stages/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -29,10 +28,6 @@ const Meshd cube{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {0, 0, 4}, {4, 0, 
                   {0, 6, 2},
                   {1, 3, 7},
                   {1, 7, 5}}};
-
-Stage decided_by(const Meshd& mesh, const Point3d& point) {
-  return robust::stages::point_in_convex_polyhedron::ask(mesh, point).stage;
-}
 
 template <class Change>
 Row::Question with_each_point(Row::Question question, const Change& change) {
@@ -302,20 +297,6 @@ TEST_CASE("point_in_convex_polyhedron: meshes are refused by the first rule that
   for (Point3d& p : beside.vertices) p.x += 10;
   refuses(together(tetrahedron, beside), "mesh.faces[3]", beyond("4"));
   refuses(together(tetrahedron, turned_inside_out(tetrahedron)), "mesh.faces[4]", beyond("3"));
-}
-
-TEST_CASE("point_in_convex_polyhedron: a point that is not finite is refused by its field") {
-  refused<Row>({tetrahedron, {not_a_number, infinity, 0}}, "point[0]", "finite number");
-  refused<Row>({tetrahedron, {0, infinity, 0}}, "point[1]", "finite number");
-  refused<Row>({tetrahedron, {9, 9, -infinity}}, "point[2]", "finite number");
-}
-
-TEST_CASE("point_in_convex_polyhedron: the stage is that of the hardest side") {
-  CHECK(decided_by(tetrahedron, {1, 1, 1}) == Stage::filter);
-  CHECK(decided_by(tetrahedron, {5, 5, 5}) == Stage::filter);
-  CHECK(decided_by(tetrahedron, {1, 1, 2}) == Stage::lattice);
-  CHECK(decided_by(cube, {1, 2, 3}) == Stage::lattice);          // two triangles in one plane
-  CHECK(decided_by(tetrahedron, {1, 1, tiny}) == Stage::exact);  // 1076 places
 }
 
 TEST_CASE("point_in_convex_polyhedron: the formula in double is right where the bound of its contract says so") {

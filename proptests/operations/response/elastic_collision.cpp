@@ -2,7 +2,6 @@
 #include "catalogue/response/elastic_collision.h"
 
 #include "proptests/impact_laws.h"
-#include "robust/stages/response/elastic_collision.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -10,10 +9,6 @@ namespace {
 using Row = rows::elastic_collision;
 
 constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::elastic_collision::ask(value...).stage; }, q);
-}
 
 }  // namespace
 
@@ -99,23 +94,9 @@ TEST_CASE("elastic_collision: huge, subnormal and negative zero") {
   CHECK((plus_zero(zeros.first.x) && plus_zero(zeros.first.y) && plus_zero(zeros.second.x)));
 }
 
-TEST_CASE("elastic_collision: what is not finite is refused by its field, masses and normals as the contract says") {
-  refused<Row>({{infinity, 0}, {{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "masses[0]", "finite number");
+TEST_CASE("elastic_collision: of two broken rules the first is named") {
   refused<Row>({{1, 0}, {{infinity, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "masses[1]", "mass > 0");
-  refused<Row>({{-tiny, 1}, {{0, 0, 0}, {0, 0, 0}}, {1, 0, 0}}, "masses[0]", "mass > 0");
   refused<Row>({{1, 1}, {{0, not_a_number, 0}, {0, 0, 0}}, {0, 0, 0}}, "velocities[0][1]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {0, 0, -infinity}}, {0, 0, 0}}, "velocities[1][2]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {0, 0, 0}}, {0, 0, infinity}}, "normal[2]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {0, 0, 0}}, {0, -0.0, 0}}, "normal", "nonzero normal");
-}
-
-TEST_CASE("elastic_collision: each stage decides what is meant for it") {
-  CHECK(decided_by({{1, 3}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}) == Stage::enclosed);
-  CHECK(decided_by({{1, 0x1p60}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}) == Stage::enclosed);
-  CHECK(decided_by({{1, 0x1.8p60}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}) == Stage::exact);
-  CHECK(decided_by({{1, 3}, {{1, 2, 3}, {1, 2, 3}}, {0.1, 0.2, 0.3}}) == Stage::enclosed);
-  CHECK(decided_by({{1, 3}, {{1, -1, 0}, {0, 0, 0}}, {1, 1, 0}}) == Stage::exact);  // 0 beside products that cancel
-  CHECK(decided_by({{1, 1}, {{1, 0, 0}, {0, 0, 0}}, {1, 0, 0}}) == Stage::exact);   // a component of 0
 }
 
 TEST_CASE("elastic_collision: the formula in double keeps its contract") {

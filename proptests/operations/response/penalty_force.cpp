@@ -3,7 +3,6 @@
 
 #include "proptests/response_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/stages/response/penalty_force.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -11,10 +10,6 @@ namespace {
 using Row = rows::penalty_force;
 
 constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::penalty_force::ask(value...).stage; }, q);
-}
 
 Rational height_over(const Plane<Rational>& plane, const Point3<Rational>& p) {
   return Rational(dot(plane.normal, Motion3{p.x, p.y, p.z}) + plane.offset);
@@ -110,28 +105,6 @@ TEST_CASE("penalty_force: rounding, huge, subnormal and negative zero") {
   CHECK((plus_zero(zeros.x) && plus_zero(zeros.y) && plus_zero(zeros.z)));
   const auto along = robust::penalty_force({0, -1, 0}, {0, 0, 0}, {{-0.0, 1, 0}, 0}, 1, 1);
   CHECK((plus_zero(along.x) && along.y == 1 && plus_zero(along.z)));
-}
-
-TEST_CASE("penalty_force: what is not finite is refused by its field, and a plane without a normal") {
-  const Plane3d ground{{0, 1, 0}, 0};
-  refused<Row>({{0, infinity, 0}, {not_a_number, 0, 0}, ground, 1, 1}, "point[1]", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, not_a_number}, ground, 1, 1}, "velocity[2]", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{infinity, 0, 0}, 0}, 1, 1}, "plane.normal[0]", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{0, 1, 0}, -infinity}, 1, 1}, "plane.offset", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, ground, infinity, not_a_number}, "stiffness", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, ground, 1, not_a_number}, "damping", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{0, -0.0, 0}, 1}, 1, 1}, "plane.normal", "nonzero normal");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{0, 0, 0}, -1}, 1, 1}, "plane.normal", "nonzero normal");
-}
-
-TEST_CASE("penalty_force: each stage decides what is meant for it") {
-  const Plane3d slope{{1, 2, 3}, -1};
-  CHECK(decided_by({{0.1, 0.2, 0.3}, {1, 1, 1}, slope, 7, 0.3}) == Stage::enclosed);     // in front
-  CHECK(decided_by({{-0.1, 0.2, 0.1}, {0.1, 1, 1}, slope, 7, 0.3}) == Stage::enclosed);  // behind
-  CHECK(decided_by({{-0.1, 0.2, 0.1}, {1, 1, -1}, slope, 7, 0.3}) == Stage::enclosed);   // v . N cancels
-  CHECK(decided_by({{0, -1, 0}, {0, 0, 0}, {{0, 1, 0}, 0}, 7, 0}) == Stage::enclosed);
-  CHECK(decided_by({{-1, 1, 0}, {0, 0, 0}, {{1, 1, 0}, 0}, 7, 0}) == Stage::exact);  // E cancels
-  CHECK(decided_by({{0, -1, 0}, {0, 0, 0}, {{0, 1, 0}, 0}, 0x1p-101, 0}) == Stage::exact);
 }
 
 TEST_CASE("penalty_force: the formula in double keeps its contract") {

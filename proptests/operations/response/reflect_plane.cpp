@@ -3,7 +3,6 @@
 
 #include "proptests/response_laws.h"
 #include "robust/response/reflect_wall.h"
-#include "robust/stages/response/reflect_plane.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -11,8 +10,6 @@ namespace {
 using Row = rows::reflect_plane;
 
 constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Vector3d& v, const Vector3d& n) { return robust::stages::reflect_plane::ask(v, n).stage; }
 
 }  // namespace
 
@@ -98,24 +95,6 @@ TEST_CASE("reflect_plane: ties go to the even neighbour") {
   const auto thirds = robust::reflect_plane({1, 1, 2}, {1, 1, 1});
   CHECK(thirds.x == -0x1.aaaaaaaaaaaabp+0);  // 1 - 8/3
   CHECK(thirds.z == -0x1.5555555555555p-1);  // 2 - 8/3
-}
-
-TEST_CASE("reflect_plane: what is not finite is refused by its field, and a normal of length 0") {
-  refused<Row>({{infinity, 0, 0}, {0, 0, 0}}, "velocity[0]", "finite number");
-  refused<Row>({{0, not_a_number, 0}, {0, 1, 0}}, "velocity[1]", "finite number");
-  refused<Row>({{0, 0, -infinity}, {0, 1, 0}}, "velocity[2]", "finite number");
-  refused<Row>({{0, 0, 0}, {not_a_number, 1, 0}}, "normal[0]", "finite number");
-  refused<Row>({{0, 0, 0}, {0, infinity, 0}}, "normal[1]", "finite number");
-  refused<Row>({{0, 0, 0}, {0, 0, not_a_number}}, "normal[2]", "finite number");
-  refused<Row>({{1, 2, 3}, {0, -0.0, 0}}, "normal", "nonzero normal");
-}
-
-TEST_CASE("reflect_plane: each stage decides what is meant for it") {
-  CHECK(decided_by({1, 2, 3}, {0.1, 0.2, 0.3}) == Stage::enclosed);
-  CHECK(decided_by({1, -1, 2}, {1, 1, 0}) == Stage::enclosed);  // along the plane
-  CHECK(decided_by({0, 0, 0}, {1, 2, 3}) == Stage::enclosed);
-  CHECK(decided_by({1, 0, 0}, {1, 1, 0}) == Stage::exact);  // a component of 0
-  CHECK(decided_by({1, 2, 3}, {0x1p-101, 1, 1}) == Stage::exact);
 }
 
 TEST_CASE("reflect_plane: the formula in double keeps its contract") {

@@ -4,7 +4,6 @@
 #include "oracle/response/elastic_collision.h"
 #include "proptests/impact_laws.h"
 #include "robust/response/elastic_collision.h"
-#include "robust/stages/response/restitution_collision.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -12,10 +11,6 @@ namespace {
 using Row = rows::restitution_collision;
 
 constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::restitution_collision::ask(value...).stage; }, q);
-}
 
 }  // namespace
 
@@ -92,28 +87,14 @@ TEST_CASE("restitution_collision: huge, subnormal and negative zero") {
   CHECK((plus_zero(zeros.first.x) && plus_zero(zeros.first.y) && plus_zero(zeros.second.y)));
 }
 
-TEST_CASE(
-    "restitution_collision: what is not finite is refused by its field; masses, normals and e as the contract says") {
+TEST_CASE("restitution_collision: of two broken rules the first is named; e may be 0 and 1, and no double beyond") {
   const Massesd one{1, 1};
   const Velocitiesd still{{0, 0, 0}, {0, 0, 0}};
   refused<Row>({{0, infinity}, still, {0, 0, 0}, 2}, "masses[1]", "finite number");
   refused<Row>({{1, 0}, still, {0, 0, 0}, 2}, "masses[1]", "mass > 0");
-  refused<Row>({one, {{0, not_a_number, 0}, {0, 0, 0}}, {0, 0, 0}, 2}, "velocities[0][1]", "finite number");
-  refused<Row>({one, still, {0, 0, infinity}, 2}, "normal[2]", "finite number");
   refused<Row>({one, still, {0, -0.0, 0}, 2}, "normal", "nonzero normal");
-  refused<Row>({one, still, {1, 0, 0}, infinity}, "e", "finite number");
-  refused<Row>({one, still, {1, 0, 0}, not_a_number}, "e", "finite number");
   refused<Row>({one, still, {1, 0, 0}, -tiny}, "e", "between 0 and 1");
   refused<Row>({one, still, {1, 0, 0}, 1 + 0x1p-52}, "e", "between 0 and 1");
-}
-
-TEST_CASE("restitution_collision: each stage decides what is meant for it") {
-  CHECK(decided_by({{1, 3}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}, 0.8}) == Stage::enclosed);
-  CHECK(decided_by({{1, 3}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}, -0.0}) == Stage::enclosed);
-  CHECK(decided_by({{1, 3}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}, 0x1p-60}) == Stage::enclosed);
-  CHECK(decided_by({{1, 3}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}, 0x1p-61}) == Stage::exact);
-  CHECK(decided_by({{1, 3}, {{1, -1, 0}, {0, 0, 0}}, {1, 1, 0}, 0.5}) ==
-        Stage::exact);  // 0 beside products that cancel
 }
 
 TEST_CASE("restitution_collision: the formula in double keeps its contract") {

@@ -3,7 +3,6 @@
 
 #include "proptests/contact_laws.h"
 #include "robust/response/restitution_collision.h"
-#include "robust/stages/response/rigid_body_collision.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -15,10 +14,6 @@ using ExactMotions = Motions<Rational>;
 constexpr double greatest = std::numeric_limits<double>::max();
 constexpr Inertiad unit_inertia{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 constexpr RigidBodyd still{1, unit_inertia, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::rigid_body_collision::ask(value...).stage; }, q);
-}
 
 Motion3 angular_momentum(const Inertia<Rational>& i, const Motion3& w) {
   return {dot(i.x, w), dot(i.y, w), dot(i.z, w)};
@@ -208,11 +203,7 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
     return body;
   };
   const std::string definite = "positive definite";
-  refused<Row>({with_mass(infinity), still, o, n, 1}, "a.mass", "finite number");
   refused<Row>({with_mass(-1), with_mass(infinity), o, n, 1}, "a.mass", "mass > 0");
-  refused<Row>({still, with_mass(-0.0), o, {0, 0, 0}, 1}, "b.mass", "mass > 0");
-  refused<Row>({with_inertia({{1, 0, 0}, {0, 1, not_a_number}, {0, 0, 1}}), still, o, n, 1}, "a.inertia[1][2]",
-               "finite number");
   refused<Row>({with_inertia({{1, tiny, 0}, {0, 1, 0}, {0, 0, 1}}), still, o, n, 1}, "a.inertia[1][0]", "symmetric");
   refused<Row>({still, with_inertia({{1, 0, 2}, {0, 1, 0}, {1, 0, 1}}), o, n, 1}, "b.inertia[2][0]", "symmetric");
   refused<Row>({still, with_inertia({{1, 0, 0}, {0, 1, 2}, {0, -2, 1}}), o, n, 1}, "b.inertia[2][1]", "symmetric");
@@ -223,20 +214,8 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
   refused<Row>({still, with_inertia({{1, 0, 0}, {0, 1, 0}, {0, 0, -tiny}}), o, n, 1}, "b.inertia", definite);
   refused<Row>({still, still, {0, infinity, 0}, {0, 0, 0}, 2}, "point[1]", "finite number");
   refused<Row>({still, still, o, {0, -0.0, 0}, 2}, "normal", "nonzero normal");
-  refused<Row>({still, still, o, n, not_a_number}, "e", "finite number");
   refused<Row>({still, still, o, n, 1 + 0x1p-52}, "e", "between 0 and 1");
   refused<Row>({still, still, o, n, -tiny}, "e", "between 0 and 1");
-}
-
-TEST_CASE("rigid_body_collision: each stage decides what is meant for it") {
-  const Inertiad inertia{{2, 0.3, -0.1}, {0.3, 3, 0.2}, {-0.1, 0.2, 2.5}};
-  const RigidBodyd a{1.5, inertia, {0.1, 0.2, 0.3}, {1, -2, 0.5}, {0.1, 0.7, -0.4}},
-      b{2.5, unit_inertia, {-1, 0.4, 0.8}, {0, 0.1, 0}, {0.3, 0.3, 0.1}};
-  CHECK(decided_by({a, b, {0.5, 0.6, 0.7}, {0.1, 1, 0.3}, 0.8}) == Stage::enclosed);
-  CHECK(decided_by({a, b, {0.5, 0.6, 0.7}, {0.1, 1, 0.3}, -0.0}) == Stage::enclosed);
-  CHECK(decided_by({still, b, {0, 0, 0}, {0, 1, 0}, 1}) == Stage::enclosed);  // no turn of a
-  CHECK(decided_by({a, b, {0.5, 0.6, 0.7}, {0.1, 1, 0.3}, 0x1p-31}) == Stage::exact);
-  CHECK(decided_by({still, b, {1, 1, 0}, {1, 1, 0}, 1}) == Stage::exact);  // r x n cancels
 }
 
 TEST_CASE("rigid_body_collision: the formula in double keeps its contract") {

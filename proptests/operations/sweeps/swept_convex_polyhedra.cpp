@@ -3,7 +3,6 @@
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
-#include "robust/stages/sweeps/swept_convex_polyhedra.h"
 #include "robust/sweeps/swept_aabb_aabb.h"
 
 namespace touchstone::proptests {
@@ -55,10 +54,6 @@ void worked(const Row::Question& question, const Answer& answer, const Rational&
             const std::string& by_reference = "agree") {
   example<Row>(question, answer, by_reference);
   CHECK(*audit::ask_oracle<Row>(question).margin == margin);
-}
-
-Stage decided_by(const Meshd& a, const Meshd& b, const Vector3d& v) {
-  return robust::stages::swept_convex_polyhedra::ask(a, b, v).stage;
 }
 
 /// A time as computed, and e(T) of the contract.
@@ -193,25 +188,11 @@ TEST_CASE("swept_convex_polyhedra: huge, subnormal and negative zero") {
   worked({cube, beside, {huge, 0, 0}}, at(Rational(2 / exact(huge))), 3, "inexact");  // y: 4 - 1
 }
 
-TEST_CASE("swept_convex_polyhedra: what is no convex solid is refused by its field and face, then the velocity") {
-  const Vector3d still{0, 0, 0};
-  Meshd open = cube, dented = cube, spoiled = cube;
-  open.faces.pop_back(), dented.vertices[7] = {1, 1, 1}, spoiled.vertices[2].y = infinity;
-  refused<Row>({spoiled, open, still}, "a.vertices[2][1]", "finite number");
+TEST_CASE("swept_convex_polyhedra: of two broken rules the first is named, a's before b's, the velocity's last") {
+  Meshd open = cube, spoiled = cube;
+  open.faces.pop_back(), spoiled.vertices[2].y = infinity;
+  refused<Row>({spoiled, open, {0, 0, 0}}, "a.vertices[2][1]", "finite number");
   refused<Row>({cube, spoiled, {infinity, 0, 0}}, "b.vertices[2][1]", "finite number");
-  refused<Row>({cube, cube, {0, not_a_number, 0}}, "velocity[1]", "finite number");
-  CHECK_THROWS_AS(audit::ask_robust<Row>(Row::Question{open, cube, still}), InvalidInput);
-  CHECK_THROWS_AS(audit::ask_robust<Row>(Row::Question{cube, dented, still}), InvalidInput);
-}
-
-TEST_CASE("swept_convex_polyhedra: each stage decides what is meant for it") {
-  const Vector3d x{4, 0, 0}, y{0, 4, 0}, z{0, 0, 4};
-  const Meshd corner = tetrahedron({0, 0, 0}, x, y, z), beyond = tetrahedron({4, 4, 4}, x, y, z);
-  CHECK(decided_by(beyond, corner, {-2, -2, -2}) == Stage::filter);
-  CHECK(decided_by(tetrahedron({1, 1, 1}, x, y, z), corner, {1, 5, 0}) == Stage::filter);
-  CHECK(decided_by(beyond, corner, {-4, -4, -4}) == Stage::exact);                // t has to be found
-  CHECK(decided_by(tetrahedron({4, 0, 0}, x, y, z), corner, z) == Stage::exact);  // they touch
-  CHECK(decided_by(cube, cube_at(6, 1, 1), {1, 0, 0}) == Stage::lattice);         // whether the cubes are convex
 }
 
 TEST_CASE("swept_convex_polyhedra: the formula in double keeps its contract") {

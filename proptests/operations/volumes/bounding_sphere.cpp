@@ -194,13 +194,9 @@ TEST_CASE("bounding_sphere: the checker says which point is lost, and by how muc
   CHECK(fault(pair, ritter, {{0, 0, 0}, 1.5}).empty());
 }
 
-TEST_CASE("bounding_sphere: no point, and what is not finite, are refused by the field") {
+TEST_CASE("bounding_sphere: no point is refused by the field") {
   refused<Row>({Points{}, smallest}, "points", "at least 1 point");
   refused<Row>({Points{}, std::nullopt}, "points", "at least 1 point");
-  refused<Row>({{{0, 0, 0}, {infinity, 0, 0}}, box}, "points[1][0]", "finite number");
-  refused<Row>({{{0, not_a_number, 0}, {0, 0, 0}}, centroid}, "points[0][1]", "finite number");
-  refused<Row>({{{0, 0, -infinity}}, ritter}, "points[0][2]", "finite number");
-  refused<Row>({{{1, 2, 3}, {0, 0, 0}, {0, 0, not_a_number}}, std::nullopt}, "points[2][2]", "finite number");
 }
 
 TEST_CASE("bounding_sphere: the formula in double keeps its contract") {

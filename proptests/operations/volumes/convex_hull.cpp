@@ -6,7 +6,6 @@
 #include "proptests/space_laws.h"
 #include "robust/hulls/solid.h"
 #include "robust/kernel/control_word.h"
-#include "robust/stages/volumes/convex_hull.h"
 #include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests {
@@ -26,8 +25,6 @@ Points cube(int size) {
     points.push_back({1.0 * (i % size), 1.0 * (i / size % size), 1.0 * (i / size / size)});
   return points;
 }
-
-Stage decided_by(const Points& points) { return robust::stages::convex_hull::ask(points).stage; }
 
 /// The faces of points that are not in one plane, found with far points looked for, or without.
 std::vector<Face> faces_looking_far_from(std::size_t count, const Points& points) {
@@ -203,27 +200,6 @@ TEST_CASE("convex_hull: margins by hand") {
   CHECK(*margin({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}}) ==
         16);  // each face and the point: 16, once 16
   CHECK(*margin(cube(2)) == 0);
-}
-
-TEST_CASE("convex_hull: an empty list and what is not finite are refused") {
-  refused<Row>({Points{}}, "points", "at least 1 point");
-  refused<Row>({Points{{0, 0, 0}, {1, 0, not_a_number}}}, "points[1][2]", "finite number");
-  refused<Row>({Points{{infinity, 0, 0}}}, "points[0][0]", "finite number");
-  Points many = cloud(0, 1000, 20);
-  many[777].y = -infinity;
-  refused<Row>({many}, "points[777][1]", "finite number");
-}
-
-TEST_CASE("convex_hull: the latest stage is that of the hardest decision") {
-  const Points skew{{0.1, 0, 0}, {1, 0.1, 0.2}, {0.3, 1, 0.1}, {0.2, 0.3, 1}};
-  CHECK(decided_by(skew) == Stage::filter);
-  CHECK(decided_by(cube(2)) == Stage::lattice);
-  const double third = 1.0 / 3, ninth = 1.0 / 9;
-  CHECK(decided_by(
-            {{third, 0, -third}, {0, ninth, -ninth}, {third, ninth, -(third + ninth)}, {0, 0, 0}, {0.1, 0.7, 0.3}}) !=
-        Stage::filter);
-  // The plane z = x, its points 70 places apart.
-  CHECK(decided_by({{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {1, 1, 1}, {0x1p-70, 1, 0x1p-70}, {0, 0, 3}}) == Stage::exact);
 }
 
 TEST_CASE("convex_hull: the checkers say the same of altered answers") {

@@ -3,7 +3,6 @@
 
 #include "proptests/hull_laws.h"
 #include "proptests/polygons_from_elsewhere.h"
-#include "robust/stages/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -15,8 +14,6 @@ Points scaled_points(Points points, double factor) {
   for (Point2d& p : points) p = {factor * p.x, factor * p.y};
   return points;
 }
-
-Stage decided_by(const Points& points) { return robust::stages::convex_hull_2d::ask(points).stage; }
 
 /// The squared cosine of an angle with its sign, exactly.
 Rational squared_cosine(const Vector2<Rational>& v, const Vector2<Rational>& w) {
@@ -133,18 +130,6 @@ TEST_CASE("convex_hull_2d: margins by hand") {
   CHECK(*margin({{0, 0}, {3, 0}, {0, 3}}) == 9);
   CHECK(*margin({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}) == 4);  // the edge below and the point over it
   CHECK(*margin({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}}) == 0);
-}
-
-TEST_CASE("convex_hull_2d: an empty list and what is not finite are refused") {
-  refused<Row>({Points{}}, "points", "at least 1 point");
-  refused<Row>({Points{{0, 0}, {1, not_a_number}}}, "points[1][1]", "finite number");
-  refused<Row>({Points{{infinity, 0}}}, "points[0][0]", "finite number");
-}
-
-TEST_CASE("convex_hull_2d: the latest stage is that of the hardest decision") {
-  CHECK(decided_by({{0, 0}, {1, 0}, {0.3, 1}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}, {2, 2}, {3, 1}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {1, tiny}, {2, 2 * tiny}, {3, 1}}) == Stage::exact);
 }
 
 TEST_CASE("convex_hull_2d: the checkers say the same of altered answers") {

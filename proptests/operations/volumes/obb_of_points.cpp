@@ -163,13 +163,6 @@ TEST_CASE("obb_of_points: the checker says which point is lost, and what else is
   CHECK(fault(square, {{0, 0, 0}, {{1, 0, 0}, {turn, 1, 0}, {0, 0, 0}}}) == "");
 }
 
-TEST_CASE("obb_of_points: no point, and what is not finite, are refused by the field") {
-  refused<Row>({Points{}}, "points", "at least 1 point");
-  refused<Row>({{{0, 0, 0}, {infinity, 0, 0}}}, "points[1][0]", "finite number");
-  refused<Row>({{{0, not_a_number, 0}, {0, 0, 0}}}, "points[0][1]", "finite number");
-  refused<Row>({{{0, 0, -infinity}}}, "points[0][2]", "finite number");
-}
-
 TEST_CASE("obb_of_points: a lost point is the formula's rounding, and the verdict says which and by how much") {
   const auto judged =
       examined<Row>({{{0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.1, 0.2}, {0.7, 0.7, -0.1}}})->judge_reference();

@@ -2,7 +2,6 @@
 #include "catalogue/volumes/sphere_aabb.h"
 
 #include "proptests/forward_error.h"
-#include "robust/stages/volumes/sphere_aabb.h"
 #include "robust/volumes/closest_point_on_aabb.h"
 #include "robust/volumes/sphere_sphere.h"
 
@@ -61,11 +60,6 @@ template <class Solids>
 void worked(const Solids& solids, Contact contact, const Rational& margin, const std::string& by_reference = "agree") {
   example<Row>(solids, contact, by_reference);
   CHECK(*audit::ask_oracle<Row>(solids).margin == margin);
-}
-
-template <class Ball, class Box>
-Stage decided_by(const Ball& ball, const Box& box) {
-  return robust::stages::sphere_aabb::ask(ball, box).stage;
 }
 
 const Aabb2d square{{0, 0}, {4, 4}};
@@ -177,33 +171,9 @@ TEST_CASE("sphere_aabb: rounding, huge, subnormal and negative zero") {
          Rational(4 * exact(huge) * exact(huge) - 1));
 }
 
-TEST_CASE("sphere_aabb: what is not finite, a negative radius and a min above its max are refused by their field") {
-  const Circle2d disc{{0, 0}, 1};
-  const Sphere3d ball{{0, 0, 0}, 1};
-  refused<Row>(InPlane{{{infinity, 0}, 1}, square}, "sphere.center[0]", "finite number");
-  refused<Row>(InSpace{{{0, 0, not_a_number}, 1}, cube}, "sphere.center[2]", "finite number");
-  refused<Row>(InPlane{{{1, 1}, infinity}, square}, "sphere.radius", "finite number");
-  refused<Row>(InPlane{{{1, 1}, -tiny}, square}, "sphere.radius", "radius >= 0");
-  refused<Row>(InSpace{{{1, 1, 1}, -9}, cube}, "sphere.radius", "radius >= 0");
-  refused<Row>(InPlane{disc, {{-infinity, 0}, {4, 4}}}, "aabb.min[0]", "finite number");
-  refused<Row>(InPlane{disc, {{0, 0}, {4, infinity}}}, "aabb.max[1]", "finite number");
-  refused<Row>(InPlane{disc, {{0, not_a_number}, {4, 4}}}, "aabb.min[1]", "finite number");
-  refused<Row>(InSpace{ball, {{0, 0, 0}, {4, 4, not_a_number}}}, "aabb.max[2]", "finite number");
-  refused<Row>(InPlane{disc, {{5, 0}, {4, 4}}}, "aabb.max[0]", "min <= max");
-  refused<Row>(InSpace{ball, {{0, 0, tiny}, {4, 4, 0}}}, "aabb.max[2]", "min <= max");
-  // The ball comes before the box, a shape's numbers before its rules.
+TEST_CASE("sphere_aabb: of two broken rules the first is named: the ball's before the box's, numbers before rules") {
   refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, {4, 4, 4}}}, "sphere.radius", "radius >= 0");
-  refused<Row>(InSpace{ball, {{5, 0, 0}, {4, 4, infinity}}}, "aabb.max[2]", "finite number");
-}
-
-TEST_CASE("sphere_aabb: each stage decides what is meant for it") {
-  CHECK(decided_by(Circle2d{{7, 8}, 4}, square) == Stage::filter);
-  CHECK(decided_by(Circle2d{{7, 8}, 6}, square) == Stage::filter);
-  CHECK(decided_by(Sphere3d{{2, 2, 2}, 1}, cube) == Stage::filter);
-  CHECK(decided_by(Circle2d{{7, 8}, 5}, square) == Stage::lattice);
-  CHECK(decided_by(Sphere3d{{2, 2, 2}, -0.0}, cube) == Stage::lattice);              // a sign that has to be looked at
-  CHECK(decided_by(Circle2d{{9, 9}, 1}, Aabb2d{{0, 0}, {0, 4}}) == Stage::lattice);  // flat
-  CHECK(decided_by(Circle2d{{-0x1p70, 0}, 0x1p70}, Aabb2d{{0, -1}, {1, 1}}) == Stage::exact);  // 70 places apart
+  refused<Row>(InSpace{{{0, 0, 0}, 1}, {{5, 0, 0}, {4, 4, infinity}}}, "aabb.max[2]", "finite number");
 }
 
 TEST_CASE("sphere_aabb: the formula in double keeps its contract") {
