@@ -30,6 +30,8 @@ void exact_law(const std::string& sentence, const Holds& holds) {
       [&](const auto& ask, const auto& asked) { return holds(ask, in_rationals(asked)); }, 3);
 }
 
+#define EXACT_LAW(...) TOUCHSTONE_LAW(exact_law, __COUNTER__, __VA_ARGS__)
+
 /// Where the contracts of `response` bound the formula's error: every number is 0 or between 2^-100 and 2^100 in size.
 template <class... Asked>
 bool moderate(const Asked&... asked) {

@@ -15,54 +15,39 @@ Height other(Height h) { return h == Height::above ? Height::below : h == Height
 
 }  // namespace
 
-TEST_CASE("explicit_line: reflected in the x axis above becomes below, in the y axis it stays") {
-  law<Row>("reflections", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    return ask(Row::Question{-m, -b, {p.x, -p.y}}) == other(ask(asked)) &&
-           ask(Row::Question{-m, b, {-p.x, p.y}}) == ask(asked);
-  });
+LAW("explicit_line: reflected in the x axis above becomes below, in the y axis it stays", m, b, p) {
+  return ask(Row::Question{-m, -b, {p.x, -p.y}}) == other(ask(asked)) &&
+         ask(Row::Question{-m, b, {-p.x, p.y}}) == ask(asked);
 }
 
-TEST_CASE("explicit_line: powers of two keep the answer") {
-  law<Row>("a steeper line and a nearer point", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    for (const int k : {1, 10, 300}) {
-      const double steeper = std::ldexp(m, k), nearer = std::ldexp(p.x, -k);
-      if (std::isfinite(steeper) && std::ldexp(nearer, k) == p.x &&
-          ask(Row::Question{steeper, b, {nearer, p.y}}) != ask(asked))
-        return false;
-    }
-    return true;
-  });
+LAW("explicit_line: powers of two keep the answer", m, b, p) {
+  for (const int k : {1, 10, 300}) {
+    const double steeper = std::ldexp(m, k), nearer = std::ldexp(p.x, -k);
+    if (std::isfinite(steeper) && std::ldexp(nearer, k) == p.x &&
+        ask(Row::Question{steeper, b, {nearer, p.y}}) != ask(asked))
+      return false;
+  }
+  return true;
 }
 
-TEST_CASE("explicit_line: shears and shifts of the lattice keep the answer") {
-  law<Row>("shear and shift", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    if (!on_lattice(asked)) return true;
-    const Height height = ask(asked);
-    return ask(Row::Question{m + 3, b, {p.x, p.y + 3 * p.x}}) == height &&
-           ask(Row::Question{m, b + 12345, {p.x, p.y + 12345}}) == height;
-  });
+LAW("explicit_line: shears and shifts of the lattice keep the answer", m, b, p) {
+  if (!on_lattice(asked)) return true;
+  const Height height = ask(asked);
+  return ask(Row::Question{m + 3, b, {p.x, p.y + 3 * p.x}}) == height &&
+         ask(Row::Question{m, b + 12345, {p.x, p.y + 12345}}) == height;
 }
 
-TEST_CASE("explicit_line: above the line is left of two of its points, from left to right") {
-  robust_law<Row>("as orientation", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    if (!on_lattice(asked)) return true;
-    const Side side = robust::orientation({0, b}, {1, m + b}, p);
-    const Height height = ask(asked);
-    return side == (height == Height::above ? Side::left : height == Height::below ? Side::right : Side::on);
-  });
+ROBUST_LAW("explicit_line: above the line is left of two of its points, from left to right", m, b, p) {
+  if (!on_lattice(asked)) return true;
+  const Side side = robust::orientation({0, b}, {1, m + b}, p);
+  const Height height = ask(asked);
+  return side == (height == Height::above ? Side::left : height == Height::below ? Side::right : Side::on);
 }
 
-TEST_CASE("explicit_line: the next double above is never lower") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    const double higher = audit::moved_by_ulps(p.y, 1);
-    const Height height = ask(asked), then = ask(Row::Question{m, b, {p.x, higher}});
-    return height == Height::below || higher == p.y || then == Height::above;
-  });
+LAW("explicit_line: the next double above is never lower", m, b, p) {
+  const double higher = audit::moved_by_ulps(p.y, 1);
+  const Height height = ask(asked), then = ask(Row::Question{m, b, {p.x, higher}});
+  return height == Height::below || higher == p.y || then == Height::above;
 }
 
 TEST_CASE("explicit_line: p. 8's y - (m x + b) worked by hand") {

@@ -10,28 +10,19 @@ using Row = rows::implicit_circle;
 
 }  // namespace
 
-TEST_CASE("implicit_circle: centre and point may be swapped") {
-  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
-    const auto& [circle, p] = asked;
-    return ask(asked) == ask(Row::Question{{p, circle.radius}, circle.center});
-  });
+LAW("implicit_circle: centre and point may be swapped", circle, p) {
+  return ask(asked) == ask(Row::Question{{p, circle.radius}, circle.center});
 }
 
-TEST_CASE("implicit_circle: in the next larger circle nothing is further out") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const auto& [circle, p] = asked;
-    const double larger = audit::moved_by_ulps(circle.radius, 1);
-    const Location then = ask(Row::Question{{circle.center, larger}, p});
-    return ask(asked) == Location::outside || larger == circle.radius || then == Location::inside;
-  });
+LAW("implicit_circle: in the next larger circle nothing is further out", circle, p) {
+  const double larger = audit::moved_by_ulps(circle.radius, 1);
+  const Location then = ask(Row::Question{{circle.center, larger}, p});
+  return ask(asked) == Location::outside || larger == circle.radius || then == Location::inside;
 }
 
-TEST_CASE("implicit_circle: the centre is inside, and on the boundary of a circle of radius 0") {
-  law<Row>("centre", [](const auto& ask, const auto& asked) {
-    const auto& [circle, p] = asked;
-    return ask(Row::Question{circle, circle.center}) == (circle.radius == 0 ? Location::boundary : Location::inside) &&
-           ask(Row::Question{{p, 0}, circle.center}) == (p == circle.center ? Location::boundary : Location::outside);
-  });
+LAW("implicit_circle: the centre is inside, and on the boundary of a circle of radius 0", circle, p) {
+  return ask(Row::Question{circle, circle.center}) == (circle.radius == 0 ? Location::boundary : Location::inside) &&
+         ask(Row::Question{{p, 0}, circle.center}) == (p == circle.center ? Location::boundary : Location::outside);
 }
 
 TEST_CASE("implicit_circle: p. 8's x^2 + y^2 - r^2 worked by hand") {

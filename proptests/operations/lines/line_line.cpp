@@ -15,23 +15,17 @@ const exact_answer_t<Row> parallel{LineRelation::parallel, {}, {}, {}}, same{Lin
 
 }  // namespace
 
-TEST_CASE("line_line: on a line given from q to p the crossing has the parameter 1 - t") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto answer = ask(asked), a_turned = ask(Row::Question{{a.q, a.p}, b}),
-               b_turned = ask(Row::Question{a, {b.q, b.p}});
-    return answer.relation == a_turned.relation && answer.relation == b_turned.relation &&
-           equal(answer.tb, a_turned.tb) && equal(answer.ta, b_turned.ta) && equal(answer.point, a_turned.point) &&
-           equal(answer.point, b_turned.point) && reversed(answer.ta, a_turned.ta) && reversed(answer.tb, b_turned.tb);
-  });
+LAW("line_line: on a line given from q to p the crossing has the parameter 1 - t", a, b) {
+  const auto answer = ask(asked), a_turned = ask(Row::Question{{a.q, a.p}, b}),
+             b_turned = ask(Row::Question{a, {b.q, b.p}});
+  return answer.relation == a_turned.relation && answer.relation == b_turned.relation &&
+         equal(answer.tb, a_turned.tb) && equal(answer.ta, b_turned.ta) && equal(answer.point, a_turned.point) &&
+         equal(answer.point, b_turned.point) && reversed(answer.ta, a_turned.ta) && reversed(answer.tb, b_turned.tb);
 }
 
-TEST_CASE("line_line: a line is the same as itself, whichever way it is given") {
-  law<Row>("itself", [](const auto& ask, const auto& asked) {
-    const auto& a = std::get<0>(asked);
-    return ask(Row::Question{a, a}).relation == LineRelation::same &&
-           ask(Row::Question{a, {a.q, a.p}}).relation == LineRelation::same;
-  });
+LAW("line_line: a line is the same as itself, whichever way it is given", a) {
+  return ask(Row::Question{a, a}).relation == LineRelation::same &&
+         ask(Row::Question{a, {a.q, a.p}}).relation == LineRelation::same;
 }
 
 TEST_CASE("line_line: p. 12's equations worked by hand") {
@@ -64,28 +58,25 @@ TEST_CASE("line_line: nearly parallel, huge, subnormal, beyond the range, negati
                "invalid");
 }
 
-TEST_CASE(
-    "line_line: the formula in double is right beyond the margin of its contract, its numbers within their bounds") {
-  contract<Row>(
-      "the forward error bounds hold", [](const auto& truth, const auto& answer, const Line2d& a, const Line2d& b) {
-        const Vector2d da = a.q - a.p, db = b.q - b.p, w = b.p - a.p;
-        const CrossBound d(da, db, 3), na(w, db, 3), nb(w, da, 3);
-        if (d.overflow || *truth.margin <= d.before) return true;
-        if (answer.relation != LineRelation::crossing || truth.answer.relation != LineRelation::crossing) return false;
-        const QuotientBound ta(na, d), tb(nb, d);
-        if (ta.defined && !within(*answer.ta, *truth.answer.ta, ta.error)) return false;
-        if (tb.defined && !within(*answer.tb, *truth.answer.tb, tb.error)) return false;
-        const auto coordinate_kept = [&](double origin, double step, double computed, const Rational& exactly) {
-          const double product = ta.computed * step, sum = origin + product;
-          if (!ta.defined || !finite(product, sum)) return true;
-          const Rational u = unit();
-          const Rational bound =
-              (1 + u) * size(step) * ta.error + (2 + 2 * u) * u * size(product) + u * size(sum) + power_of_two(-1074);
-          return within(computed, exactly, bound);
-        };
-        return coordinate_kept(a.p.x, da.x, answer.point->x, truth.answer.point->x) &&
-               coordinate_kept(a.p.y, da.y, answer.point->y, truth.answer.point->y);
-      });
+CONTRACT("line_line: the formula in double is right beyond the margin of its contract, its numbers within their bounds",
+         a, b) {
+  const Vector2d da = a.q - a.p, db = b.q - b.p, w = b.p - a.p;
+  const CrossBound d(da, db, 3), na(w, db, 3), nb(w, da, 3);
+  if (d.overflow || *truth.margin <= d.before) return true;
+  if (answer.relation != LineRelation::crossing || truth.answer.relation != LineRelation::crossing) return false;
+  const QuotientBound ta(na, d), tb(nb, d);
+  if (ta.defined && !within(*answer.ta, *truth.answer.ta, ta.error)) return false;
+  if (tb.defined && !within(*answer.tb, *truth.answer.tb, tb.error)) return false;
+  const auto coordinate_kept = [&](double origin, double step, double computed, const Rational& exactly) {
+    const double product = ta.computed * step, sum = origin + product;
+    if (!ta.defined || !finite(product, sum)) return true;
+    const Rational u = unit();
+    const Rational bound =
+        (1 + u) * size(step) * ta.error + (2 + 2 * u) * u * size(product) + u * size(sum) + power_of_two(-1074);
+    return within(computed, exactly, bound);
+  };
+  return coordinate_kept(a.p.x, da.x, answer.point->x, truth.answer.point->x) &&
+         coordinate_kept(a.p.y, da.y, answer.point->y, truth.answer.point->y);
 }
 
 }  // namespace touchstone::proptests

@@ -12,37 +12,28 @@ Rational product(double a, double b) { return Rational(audit::exact_value(a) * a
 
 }  // namespace
 
-TEST_CASE("line_point_at: the opposite direction at -t gives the same point, t = 0 the origin") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [line, t] = asked;
-    const Vector2d opposite{-line.direction.x, -line.direction.y};
-    const auto start = ask(Row::Question{line, 0.0});
-    return equal(ask(asked), ask(Row::Question{{line.origin, opposite}, -t})) && start.x == line.origin.x &&
-           start.y == line.origin.y;
-  });
+LAW("line_point_at: the opposite direction at -t gives the same point, t = 0 the origin", line, t) {
+  const Vector2d opposite{-line.direction.x, -line.direction.y};
+  const auto start = ask(Row::Question{line, 0.0});
+  return equal(ask(asked), ask(Row::Question{{line.origin, opposite}, -t})) && start.x == line.origin.x &&
+         start.y == line.origin.y;
 }
 
-TEST_CASE("line_point_at: a power of two may go from t to the direction") {
-  law<Row>("longer direction", [](const auto& ask, const auto& asked) {
-    const auto& [line, t] = asked;
-    for (const int k : {1, -30, 500}) {
-      const Vector2d longer{std::ldexp(line.direction.x, k), std::ldexp(line.direction.y, k)};
-      const double less = std::ldexp(t, -k);
-      const bool exact = std::ldexp(longer.x, -k) == line.direction.x && std::ldexp(longer.y, -k) == line.direction.y &&
-                         std::ldexp(less, k) == t;
-      if (exact && !equal(ask(asked), ask(Row::Question{{line.origin, longer}, less}))) return false;
-    }
-    return true;
-  });
+LAW("line_point_at: a power of two may go from t to the direction", line, t) {
+  for (const int k : {1, -30, 500}) {
+    const Vector2d longer{std::ldexp(line.direction.x, k), std::ldexp(line.direction.y, k)};
+    const double less = std::ldexp(t, -k);
+    const bool exact = std::ldexp(longer.x, -k) == line.direction.x && std::ldexp(longer.y, -k) == line.direction.y &&
+                       std::ldexp(less, k) == t;
+    if (exact && !equal(ask(asked), ask(Row::Question{{line.origin, longer}, less}))) return false;
+  }
+  return true;
 }
 
-TEST_CASE("line_point_at: IEEE 754's own sum and product are its special cases") {
-  robust_law<Row>("t = 1 is a sum, from (0, 0) it is a product", [](const auto& ask, const auto& asked) {
-    const auto& [line, t] = asked;
-    const Vector2d& v = line.direction;
-    return equal(ask(Row::Question{line, 1.0}), Point2d{line.origin.x + v.x, line.origin.y + v.y}) &&
-           equal(ask(Row::Question{{{0, 0}, v}, t}), Point2d{t * v.x, t * v.y});
-  });
+ROBUST_LAW("line_point_at: IEEE 754's own sum and product are its special cases", line, t) {
+  const Vector2d& v = line.direction;
+  return equal(ask(Row::Question{line, 1.0}), Point2d{line.origin.x + v.x, line.origin.y + v.y}) &&
+         equal(ask(Row::Question{{{0, 0}, v}, t}), Point2d{t * v.x, t * v.y});
 }
 
 TEST_CASE("line_point_at: p. 9's P0 + t V worked by hand") {
@@ -74,18 +65,16 @@ TEST_CASE("line_point_at: of two broken rules the first is named") {
   refused<Row>({{{0, 0}, {0, -0.0}}, not_a_number}, "line.direction", "nonzero direction");
 }
 
-TEST_CASE("line_point_at: the formula in double stays within the bound of its contract") {
-  contract<Row>("the forward error bound holds", [](const auto& truth, const Point2d& answer,
-                                                    const ParametricLine2d& line, double t) {
-    const auto kept = [&](double origin, double direction, double computed, const Rational& exactly) {
-      const double product = t * direction;
-      if (!finite(product, computed)) return true;
-      return within(computed, exactly, unit() * size(product) + power_of_two(-1075) + unit() * size(origin + product));
-    };
-    return kept(line.origin.x, line.direction.x, answer.x, truth.answer.x) &&
-           kept(line.origin.y, line.direction.y, answer.y, truth.answer.y);
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("line_point_at: the formula in double stays within the bound of its contract", line, t) {
+  const auto kept = [&](double origin, double direction, double computed, const Rational& exactly) {
+    const double product = t * direction;
+    if (!finite(product, computed)) return true;
+    return within(computed, exactly, unit() * size(product) + power_of_two(-1075) + unit() * size(origin + product));
+  };
+  return kept(line.origin.x, line.direction.x, answer.x, truth.answer.x) &&
+         kept(line.origin.y, line.direction.y, answer.y, truth.answer.y);
 }
+
+TEST_CASE("line_point_at: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -97,22 +97,19 @@ TEST_CASE("parametric_circle: of two broken rules the first is named") {
   refused<Row>({{{0, 0}, -1}, not_a_number}, "circle.radius", "radius >= 0");
 }
 
-TEST_CASE("parametric_circle: the formula in double stays within the bound of its contract") {
-  contract<Row>("the forward error bound holds",
-                [](const auto& truth, const Point2d& answer, const Circle2d& circle, double u) {
-                  const Rational w = unit();
-                  const auto kept = [&](double center, double turn, double computed, const Rational& exactly) {
-                    const double product = circle.radius * turn;
-                    if (!finite(product, computed)) return true;
-                    // The oracle's rational is within 2^-60 units in the last place of the irrational truth.
-                    const Rational slack = abs(exactly) * power_of_two(-112) + power_of_two(-1134);
-                    const Rational bound = (3 + 2 * w) * w * size(product) + w * size(center + product) +
-                                           (exact(circle.radius) + 1) * power_of_two(-1074);
-                    return within(computed, exactly, bound + slack);
-                  };
-                  return kept(circle.center.x, std::cos(u), answer.x, truth.answer.x) &&
-                         kept(circle.center.y, std::sin(u), answer.y, truth.answer.y);
-                });
+CONTRACT("parametric_circle: the formula in double stays within the bound of its contract", circle, u) {
+  const Rational w = unit();
+  const auto kept = [&](double center, double turn, double computed, const Rational& exactly) {
+    const double product = circle.radius * turn;
+    if (!finite(product, computed)) return true;
+    // The oracle's rational is within 2^-60 units in the last place of the irrational truth.
+    const Rational slack = abs(exactly) * power_of_two(-112) + power_of_two(-1134);
+    const Rational bound =
+        (3 + 2 * w) * w * size(product) + w * size(center + product) + (exact(circle.radius) + 1) * power_of_two(-1074);
+    return within(computed, exactly, bound + slack);
+  };
+  return kept(circle.center.x, std::cos(u), answer.x, truth.answer.x) &&
+         kept(circle.center.y, std::sin(u), answer.y, truth.answer.y);
 }
 
 }  // namespace touchstone::proptests

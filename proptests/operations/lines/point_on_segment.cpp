@@ -28,32 +28,24 @@ struct Parameter {
 
 }  // namespace
 
-TEST_CASE("point_on_segment: on the reversed segment the point has the parameter 1 - t") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto answer = ask(asked), found = ask(Row::Question{p, {s.b, s.a}});
-    return found.relation == answer.relation && (s.a == s.b ? equal(answer, found) : reversed(answer.t, found.t));
-  });
+LAW("point_on_segment: on the reversed segment the point has the parameter 1 - t", p, s) {
+  const auto answer = ask(asked), found = ask(Row::Question{p, {s.b, s.a}});
+  return found.relation == answer.relation && (s.a == s.b ? equal(answer, found) : reversed(answer.t, found.t));
 }
 
-TEST_CASE("point_on_segment: both ends are on, at 0 and 1, and no point is off itself") {
-  law<Row>("ends", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto first = ask(Row::Question{s.a, s}), last = ask(Row::Question{s.b, s}),
-               itself = ask(Row::Question{p, {p, p}});
-    return first.t && *first.t == 0 && last.t && *last.t == (s.a == s.b ? 0 : 1) && itself.t && *itself.t == 0;
-  });
+LAW("point_on_segment: both ends are on, at 0 and 1, and no point is off itself", p, s) {
+  const auto first = ask(Row::Question{s.a, s}), last = ask(Row::Question{s.b, s}),
+             itself = ask(Row::Question{p, {p, p}});
+  return first.t && *first.t == 0 && last.t && *last.t == (s.a == s.b ? 0 : 1) && itself.t && *itself.t == 0;
 }
 
-TEST_CASE("point_on_segment: a point is on a segment exactly if the segment of length zero there meets it in t") {
-  robust_law<Row>("as segment_segment", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto answer = ask(asked);
-    const auto met = robust::segment_segment({p, p}, s);
-    if (answer.relation == Incidence::off) return met.relation == SegmentRelation::disjoint;
-    return met.relation == SegmentRelation::point && met.tb == answer.t && *met.point == p &&
-           robust::orientation(s.a, s.b, p) == Side::on;
-  });
+ROBUST_LAW("point_on_segment: a point is on a segment exactly if the segment of length zero there meets it in t", p,
+           s) {
+  const auto answer = ask(asked);
+  const auto met = robust::segment_segment({p, p}, s);
+  if (answer.relation == Incidence::off) return met.relation == SegmentRelation::disjoint;
+  return met.relation == SegmentRelation::point && met.tb == answer.t && *met.point == p &&
+         robust::orientation(s.a, s.b, p) == Side::on;
 }
 
 TEST_CASE("point_on_segment: p. 11's formula worked by hand") {

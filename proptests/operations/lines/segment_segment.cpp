@@ -20,27 +20,21 @@ const Exact disjoint{SegmentRelation::disjoint, {}, {}, {}, {}};
 
 }  // namespace
 
-TEST_CASE("segment_segment: a reversed segment has the parameter 1 - t and all else as before") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto answer = ask(asked), turned = ask(Row::Question{{a.b, a.a}, b});
-    return answer.relation == turned.relation && equal(answer.tb, turned.tb) && equal(answer.point, turned.point) &&
-           equal(answer.overlap, turned.overlap) &&
-           (a.a == a.b ? equal(answer.ta, turned.ta) : reversed(answer.ta, turned.ta));
-  });
+LAW("segment_segment: a reversed segment has the parameter 1 - t and all else as before", a, b) {
+  const auto answer = ask(asked), turned = ask(Row::Question{{a.b, a.a}, b});
+  return answer.relation == turned.relation && equal(answer.tb, turned.tb) && equal(answer.point, turned.point) &&
+         equal(answer.overlap, turned.overlap) &&
+         (a.a == a.b ? equal(answer.ta, turned.ta) : reversed(answer.ta, turned.ta));
 }
 
-TEST_CASE("segment_segment: a segment meets itself in itself") {
-  law<Row>("itself", [](const auto& ask, const auto& asked) {
-    const auto& a = std::get<0>(asked);
-    const auto answer = ask(Row::Question{a, a});
-    if (a.a == a.b) return answer.relation == SegmentRelation::point && *answer.ta == 0 && *answer.tb == 0;
-    if (answer.relation != SegmentRelation::overlap) return false;
-    const bool in_order = a.a.x < a.b.x || (a.a.x == a.b.x && a.a.y < a.b.y);
-    const Point2d &first = in_order ? a.a : a.b, &last = in_order ? a.b : a.a;
-    const auto& [p, q] = *answer.overlap;
-    return p.x == first.x && p.y == first.y && q.x == last.x && q.y == last.y;
-  });
+LAW("segment_segment: a segment meets itself in itself", a) {
+  const auto answer = ask(Row::Question{a, a});
+  if (a.a == a.b) return answer.relation == SegmentRelation::point && *answer.ta == 0 && *answer.tb == 0;
+  if (answer.relation != SegmentRelation::overlap) return false;
+  const bool in_order = a.a.x < a.b.x || (a.a.x == a.b.x && a.a.y < a.b.y);
+  const Point2d &first = in_order ? a.a : a.b, &last = in_order ? a.b : a.a;
+  const auto& [p, q] = *answer.overlap;
+  return p.x == first.x && p.y == first.y && q.x == last.x && q.y == last.y;
 }
 
 TEST_CASE("segment_segment: p. 12's equations with p. 13's limits worked by hand") {

@@ -42,96 +42,76 @@ void gives(const Row::Question& question, PlaneSide side, double distance, const
 
 }  // namespace
 
-TEST_CASE("point_plane: the plane turned over has the front behind, at the opposite distance") {
-  law<Row>("turned over", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    return equal(ask(Row::Question{{-1.0 * plane.normal, -plane.offset}, p}), turned(ask(asked)));
-  });
+LAW("point_plane: the plane turned over has the front behind, at the opposite distance", plane, p) {
+  return equal(ask(Row::Question{{-1.0 * plane.normal, -plane.offset}, p}), turned(ask(asked)));
 }
 
-TEST_CASE("point_plane: a point mirrored in the origin, with the offset's sign changed, is at the opposite distance") {
-  law<Row>("mirrored", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    return equal(ask(Row::Question{{plane.normal, -plane.offset}, {-p.x, -p.y, -p.z}}), turned(ask(asked)));
-  });
+LAW("point_plane: a point mirrored in the origin, with the offset's sign changed, is at the opposite distance", plane,
+    p) {
+  return equal(ask(Row::Question{{plane.normal, -plane.offset}, {-p.x, -p.y, -p.z}}), turned(ask(asked)));
 }
 
-TEST_CASE("point_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    const auto answer = ask(asked);
-    for (const int k : {1, -1, 40, -40, 500, -500}) {
-      const Plane3d longer = times_two_to(plane, k);
-      const bool exact = numbers_of(Row::Question{times_two_to(longer, -k), p}) == numbers_of(asked);
-      if (exact && finite(longer.normal.x, longer.normal.y, longer.normal.z, longer.offset) &&
-          !equal(ask(Row::Question{longer, p}), answer))
-        return false;
-    }
-    return !on_small_lattice(asked) || equal(ask(Row::Question{{3.0 * plane.normal, 3 * plane.offset}, p}), answer);
-  });
+LAW("point_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane", plane, p) {
+  const auto answer = ask(asked);
+  for (const int k : {1, -1, 40, -40, 500, -500}) {
+    const Plane3d longer = times_two_to(plane, k);
+    const bool exact = numbers_of(Row::Question{times_two_to(longer, -k), p}) == numbers_of(asked);
+    if (exact && finite(longer.normal.x, longer.normal.y, longer.normal.z, longer.offset) &&
+        !equal(ask(Row::Question{longer, p}), answer))
+      return false;
+  }
+  return !on_small_lattice(asked) || equal(ask(Row::Question{{3.0 * plane.normal, 3 * plane.offset}, p}), answer);
 }
 
-TEST_CASE("point_plane: exchanges of the axes keep the answer") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(),
-                       [&](const AxisMap& map) { return equal(ask(map(asked)), answer); });
-  });
+LAW("point_plane: exchanges of the axes keep the answer") {
+  const auto answer = ask(asked);
+  return std::all_of(axis_maps.begin(), axis_maps.end(),
+                     [&](const AxisMap& map) { return equal(ask(map(asked)), answer); });
 }
 
-TEST_CASE("point_plane: a step across the plane keeps the answer, a shift of both keeps it, on the lattice") {
-  law<Row>("steps", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    if (!on_small_lattice(asked) || audit::largest(plane.normal) > 0x1p20) return true;
-    const auto answer = ask(asked);
-    const Vector3d step = cross(plane.normal, Vector3d{3, -5, 7}), shift{11, -13, 17};
-    return equal(ask(Row::Question{plane, p + step}), answer) &&
-           equal(ask(Row::Question{{plane.normal, plane.offset - dot(plane.normal, shift)}, p + shift}), answer);
-  });
+LAW("point_plane: a step across the plane keeps the answer, a shift of both keeps it, on the lattice", plane, p) {
+  if (!on_small_lattice(asked) || audit::largest(plane.normal) > 0x1p20) return true;
+  const auto answer = ask(asked);
+  const Vector3d step = cross(plane.normal, Vector3d{3, -5, 7}), shift{11, -13, 17};
+  return equal(ask(Row::Question{plane, p + step}), answer) &&
+         equal(ask(Row::Question{{plane.normal, plane.offset - dot(plane.normal, shift)}, p + shift}), answer);
 }
 
-TEST_CASE("point_plane: lengths times a power of two are at that multiple of the distance") {
-  law<Row>("scales by powers of two", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    for (const int k : {1, -29, 300, -300, 1000, -1000}) {
-      auto larger = asked, back = asked;
-      Row::scale(larger, k);
-      back = larger;
-      Row::scale(back, -k);
-      if (numbers_of(back) != numbers_of(asked)) continue;
-      const auto found = ask(larger);
-      if (found.side != answer.side ||
-          !scaled_number(rounded(answer.signed_distance), rounded(found.signed_distance), k))
-        return false;
-    }
-    return true;
-  });
+LAW("point_plane: lengths times a power of two are at that multiple of the distance") {
+  const auto answer = ask(asked);
+  for (const int k : {1, -29, 300, -300, 1000, -1000}) {
+    auto larger = asked, back = asked;
+    Row::scale(larger, k);
+    back = larger;
+    Row::scale(back, -k);
+    if (numbers_of(back) != numbers_of(asked)) continue;
+    const auto found = ask(larger);
+    if (found.side != answer.side || !scaled_number(rounded(answer.signed_distance), rounded(found.signed_distance), k))
+      return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_plane: the side is the distance's sign, also where the distance rounds to zero") {
-  law<Row>("side and sign", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    if constexpr (is_exact<std::remove_cvref_t<decltype(answer)>>) {
-      return (answer.side == PlaneSide::on) == (sgn(answer.signed_distance) == 0) &&
-             (answer.side == PlaneSide::front) == (sgn(answer.signed_distance) > 0);
-    } else {
-      return answer.side == robust::point_plane_side(std::get<0>(asked), std::get<1>(asked)) &&
-             (answer.side == PlaneSide::back) == std::signbit(answer.signed_distance) &&
-             (answer.side != PlaneSide::on || answer.signed_distance == 0);
-    }
-  });
+LAW("point_plane: the side is the distance's sign, also where the distance rounds to zero") {
+  const auto answer = ask(asked);
+  if constexpr (is_exact<std::remove_cvref_t<decltype(answer)>>) {
+    return (answer.side == PlaneSide::on) == (sgn(answer.signed_distance) == 0) &&
+           (answer.side == PlaneSide::front) == (sgn(answer.signed_distance) > 0);
+  } else {
+    return answer.side == robust::point_plane_side(std::get<0>(asked), std::get<1>(asked)) &&
+           (answer.side == PlaneSide::back) == std::signbit(answer.signed_distance) &&
+           (answer.side != PlaneSide::on || answer.signed_distance == 0);
+  }
 }
 
-TEST_CASE("point_plane: over the ground it is point_ground_plane, and the distance is y") {
-  robust_law<Row>("over the ground", [](const auto& ask, const auto& asked) {
-    const Point3d& p = std::get<1>(asked);
-    for (const double up : {1.0, 3.0, tiny, huge}) {
-      const auto answer = ask(Row::Question{{{0, up, 0}, 0}, p});
-      const Height height = robust::point_ground_plane(p);
-      if (static_cast<int>(height) != static_cast<int>(answer.side) || answer.signed_distance != p.y) return false;
-    }
-    return true;
-  });
+ROBUST_LAW("point_plane: over the ground it is point_ground_plane, and the distance is y") {
+  const Point3d& p = std::get<1>(asked);
+  for (const double up : {1.0, 3.0, tiny, huge}) {
+    const auto answer = ask(Row::Question{{{0, up, 0}, 0}, p});
+    const Height height = robust::point_ground_plane(p);
+    if (static_cast<int>(height) != static_cast<int>(answer.side) || answer.signed_distance != p.y) return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_plane: p. 22's N . p + d worked by hand") {

@@ -49,101 +49,84 @@ void degenerate(const Polygon3d& polygon, const std::string& by_reference = "agr
 
 }  // namespace
 
-TEST_CASE("polygon_normal: it does not depend on which vertex is the first") {
-  law<Row>("rotation", [](const auto& ask, const auto& asked) {
-    auto ring = std::get<0>(asked);
-    const auto answer = ask(asked);
-    for (int i = 0; i < 3; ++i) {
-      std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
-      if (!equal(ask(Row::Question{ring}), answer)) return false;
+LAW("polygon_normal: it does not depend on which vertex is the first") {
+  auto ring = std::get<0>(asked);
+  const auto answer = ask(asked);
+  for (int i = 0; i < 3; ++i) {
+    std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
+    if (!equal(ask(Row::Question{ring}), answer)) return false;
+  }
+  return true;
+}
+
+LAW("polygon_normal: the ring the other way round faces the other way") {
+  auto ring = std::get<0>(asked);
+  std::reverse(ring.vertices.begin(), ring.vertices.end());
+  return equal(ask(Row::Question{ring}), opposite(ask(asked)));
+}
+
+LAW("polygon_normal: a vertex twice in a row, and a way there and back, change nothing") {
+  auto twice = std::get<0>(asked), spike = twice;
+  twice.vertices.insert(twice.vertices.begin() + 1, Point3d(twice[1]));
+  const Point3d second = spike[1];
+  spike.vertices.insert(spike.vertices.begin() + 2, {Point3d{3, tiny, -7}, second});
+  const auto answer = ask(asked);
+  return equal(ask(Row::Question{twice}), answer) && equal(ask(Row::Question{spike}), answer);
+}
+
+LAW("polygon_normal: exchanges of the axes exchange the coordinates, and turn a mirrored ring over") {
+  static constexpr std::array<bool, axis_maps.size()> mirrors{false, true, true, false};
+  const auto answer = ask(asked);
+  for (std::size_t i = 0; i < axis_maps.size(); ++i) {
+    auto expected = axis_maps[i](answer);
+    if (mirrors[i]) expected = opposite(expected);
+    if (!equal(ask(axis_maps[i](asked)), expected)) return false;
+  }
+  return true;
+}
+
+LAW("polygon_normal: lengths times 2^k have the same unit normal, and areas times 4^k") {
+  const auto times_two_to = [](Row::Question question, int k) {
+    audit::for_each_number(question, [k](double& number) { number = std::ldexp(number, k); });
+    return question;
+  };
+  const auto answer = ask(asked);
+  for (const int k : {1, -29, 300, -300}) {
+    const auto larger = times_two_to(asked, k);
+    if (numbers_of(times_two_to(larger, -k)) != numbers_of(asked)) continue;
+    const auto found = ask(larger);
+    if (found.normal_class != answer.normal_class || !equal(found.unit, answer.unit)) return false;
+    const auto before = coordinates(answer.normal), after = coordinates(found.normal);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (!scaled_number(before[i], after[i], 2 * k)) return false;
     }
-    return true;
-  });
+  }
+  return true;
 }
 
-TEST_CASE("polygon_normal: the ring the other way round faces the other way") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    auto ring = std::get<0>(asked);
-    std::reverse(ring.vertices.begin(), ring.vertices.end());
-    return equal(ask(Row::Question{ring}), opposite(ask(asked)));
-  });
+LAW("polygon_normal: a shift of the lattice changes nothing") {
+  if (!on_small_lattice(asked)) return true;
+  auto moved = std::get<0>(asked);
+  for (Point3d& p : moved.vertices) p = p + Vector3d{12345, -67890, 424242};
+  return equal(ask(Row::Question{moved}), ask(asked));
 }
 
-TEST_CASE("polygon_normal: a vertex twice in a row, and a way there and back, change nothing") {
-  law<Row>("no area", [](const auto& ask, const auto& asked) {
-    auto twice = std::get<0>(asked), spike = twice;
-    twice.vertices.insert(twice.vertices.begin() + 1, Point3d(twice[1]));
-    const Point3d second = spike[1];
-    spike.vertices.insert(spike.vertices.begin() + 2, {Point3d{3, tiny, -7}, second});
-    const auto answer = ask(asked);
-    return equal(ask(Row::Question{twice}), answer) && equal(ask(Row::Question{spike}), answer);
-  });
+ROBUST_LAW("polygon_normal: the unit normal has length 1 but for its roundings") {
+  const auto answer = ask(asked);
+  if (!answer.unit) return true;
+  const Rational x = exact(answer.unit->x), y = exact(answer.unit->y), z = exact(answer.unit->z);
+  // Each coordinate is off by half an ulp, 2^-53 relatively, or by 2^-1075; 2^-52 + 2^-106 in the squares' sum.
+  return abs(Rational(x * x + y * y + z * z - 1)) <= power_of_two(-51);
 }
 
-TEST_CASE("polygon_normal: exchanges of the axes exchange the coordinates, and turn a mirrored ring over") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    static constexpr std::array<bool, axis_maps.size()> mirrors{false, true, true, false};
-    const auto answer = ask(asked);
-    for (std::size_t i = 0; i < axis_maps.size(); ++i) {
-      auto expected = axis_maps[i](answer);
-      if (mirrors[i]) expected = opposite(expected);
-      if (!equal(ask(axis_maps[i](asked)), expected)) return false;
-    }
-    return true;
-  });
-}
-
-TEST_CASE("polygon_normal: lengths times 2^k have the same unit normal, and areas times 4^k") {
-  law<Row>("scales by powers of two", [](const auto& ask, const auto& asked) {
-    const auto times_two_to = [](Row::Question question, int k) {
-      audit::for_each_number(question, [k](double& number) { number = std::ldexp(number, k); });
-      return question;
-    };
-    const auto answer = ask(asked);
-    for (const int k : {1, -29, 300, -300}) {
-      const auto larger = times_two_to(asked, k);
-      if (numbers_of(times_two_to(larger, -k)) != numbers_of(asked)) continue;
-      const auto found = ask(larger);
-      if (found.normal_class != answer.normal_class || !equal(found.unit, answer.unit)) return false;
-      const auto before = coordinates(answer.normal), after = coordinates(found.normal);
-      for (std::size_t i = 0; i < before.size(); ++i) {
-        if (!scaled_number(before[i], after[i], 2 * k)) return false;
-      }
-    }
-    return true;
-  });
-}
-
-TEST_CASE("polygon_normal: a shift of the lattice changes nothing") {
-  law<Row>("shift", [](const auto& ask, const auto& asked) {
-    if (!on_small_lattice(asked)) return true;
-    auto moved = std::get<0>(asked);
-    for (Point3d& p : moved.vertices) p = p + Vector3d{12345, -67890, 424242};
-    return equal(ask(Row::Question{moved}), ask(asked));
-  });
-}
-
-TEST_CASE("polygon_normal: the unit normal has length 1 but for its roundings") {
-  robust_law<Row>("length", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    if (!answer.unit) return true;
-    const Rational x = exact(answer.unit->x), y = exact(answer.unit->y), z = exact(answer.unit->z);
-    // Each coordinate is off by half an ulp, 2^-53 relatively, or by 2^-1075; 2^-52 + 2^-106 in the squares' sum.
-    return abs(Rational(x * x + y * y + z * z - 1)) <= power_of_two(-51);
-  });
-}
-
-TEST_CASE("polygon_normal: the vertices of a triangle are on the plane with its normal") {
-  robust_law<Row>("as point_plane", [](const auto& ask, const auto& asked) {
-    const auto& ring = std::get<0>(asked);
-    const auto answer = ask(asked);
-    double size = 0;
-    audit::for_each_number(asked, [&](const double& n) { size = std::max(size, std::fabs(n)); });
-    if (!on_small_lattice(asked) || size > 0x1p15 || !answer.normal || ring.size() != 3) return true;
-    const Plane3d plane{*answer.normal, -dot(*answer.normal, ring[0] - Point3d{0, 0, 0})};
-    return std::all_of(ring.vertices.begin(), ring.vertices.end(),
-                       [&](const Point3d& p) { return robust::point_plane_side(plane, p) == PlaneSide::on; });
-  });
+ROBUST_LAW("polygon_normal: the vertices of a triangle are on the plane with its normal", ring) {
+  const auto answer = ask(asked);
+  double size = 0;
+  audit::for_each_number(asked, [&](const double& n) { size = std::max(size, std::fabs(n)); });
+  if (!on_small_lattice(asked) || size > 0x1p15 || !answer.normal || ring.size() != 3) return true;
+  const Plane3d plane{*answer.normal, -dot(*answer.normal, ring[0] - Point3d{0, 0, 0})};
+  return std::all_of(ring.vertices.begin(), ring.vertices.end(),
+                     [&](const Point3d& p) { return robust::point_plane_side(plane, p) == PlaneSide::on; });
 }
 
 TEST_CASE("polygon_normal: p. 21's cross product of two edges worked by hand") {

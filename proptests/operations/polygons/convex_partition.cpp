@@ -31,15 +31,12 @@ TEST_CASE("convex_partition: pieces fit, from any vertex, either way round, in e
   pieces_fit<Row>("pieces");
 }
 
-TEST_CASE(
-    "convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
-    "reflex angle") {
-  law<Row>("the number of pieces", [](const auto& ask, const auto& asked) {
-    const Polygon2d& ring = std::get<0>(asked);
-    if (!on_lattice(asked)) return true;
-    const std::size_t r = reflex(ring), pieces = ask(asked).size();
-    return pieces <= 2 * r + 1 && 2 * pieces >= r + 2;
-  });
+LAW("convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
+    "reflex angle",
+    ring) {
+  if (!on_lattice(asked)) return true;
+  const std::size_t r = reflex(ring), pieces = ask(asked).size();
+  return pieces <= 2 * r + 1 && 2 * pieces >= r + 2;
 }
 
 TEST_CASE("convex_partition: rings with one partition that leaves no diagonal to take out, worked by hand") {

@@ -27,8 +27,7 @@ void gives(const Polygon2d& polygon, const std::vector<double>& expected, const 
   std::vector<double> truth;
   for (const Rational& angle : oracle::interior_angles(polygon).answer) truth.push_back(audit::nearest(angle));
   CHECK(truth == expected);
-  CHECK(audit::name_of(examined<Row>(Row::Question{polygon})->judge_reference().verdict) ==
-        by_reference);
+  CHECK(audit::name_of(examined<Row>(Row::Question{polygon})->judge_reference().verdict) == by_reference);
 }
 
 /// Same numbers: for robust the same doubles, for the oracle rationals that round to them.
@@ -40,17 +39,15 @@ bool same(const std::vector<Rational>& a, const std::vector<Rational>& b) {
 
 }  // namespace
 
-TEST_CASE("interior_angles: the list from another vertex on, and the other way round, has the same angles") {
-  law<Row>("rotation and reversal of the list", [](const auto& ask, const auto& asked) {
-    auto angles = ask(asked);
-    Polygon2d ring = std::get<0>(asked);
-    std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
-    std::rotate(angles.begin(), angles.begin() + 1, angles.end());
-    if (!same(ask(Row::Question{ring}), angles)) return false;
-    std::reverse(ring.vertices.begin(), ring.vertices.end());
-    std::reverse(angles.begin(), angles.end());
-    return same(ask(Row::Question{ring}), angles);
-  });
+LAW("interior_angles: the list from another vertex on, and the other way round, has the same angles") {
+  auto angles = ask(asked);
+  Polygon2d ring = std::get<0>(asked);
+  std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
+  std::rotate(angles.begin(), angles.begin() + 1, angles.end());
+  if (!same(ask(Row::Question{ring}), angles)) return false;
+  std::reverse(ring.vertices.begin(), ring.vertices.end());
+  std::reverse(angles.begin(), angles.end());
+  return same(ask(Row::Question{ring}), angles);
 }
 
 TEST_CASE("interior_angles: similar polygons have the same angles") {
@@ -73,24 +70,22 @@ TEST_CASE("interior_angles: similar polygons have the same angles") {
   law<Row>("the axes' symmetries, powers of two, a turn", similar);
 }
 
-TEST_CASE("interior_angles: the angles lie in (0, 2 pi) and add up to (n - 2) pi") {
-  law<Row>("sum", [](const auto& ask, const auto& asked) {
-    const auto angles = ask(asked);
-    using Number = typename std::decay_t<decltype(angles)>::value_type;
-    constexpr bool rounded = std::is_same_v<Number, double>;
-    Rational sum(0);
-    for (const Number& angle : angles) {
-      if (rounded ? exactly(angle) < 0 || exactly(angle) > exact(2 * pi)
-                  : exactly(angle) <= 0 || exactly(angle) >= 2 * digits_of_pi())
-        return false;
-      sum += exactly(angle);
-    }
-    // A double below 8 is off by at most 2^-51, the oracle's rational by less than 2^-60 of twice that, and the digits
-    // of pi by 10^-49.
-    const auto n = static_cast<unsigned long>(angles.size());
-    return abs(sum - (Rational(n) - 2) * digits_of_pi()) <=
-           Rational(n) * (power_of_two(rounded ? -51 : -110) + power_of_two(-160));
-  });
+LAW("interior_angles: the angles lie in (0, 2 pi) and add up to (n - 2) pi") {
+  const auto angles = ask(asked);
+  using Number = typename std::decay_t<decltype(angles)>::value_type;
+  constexpr bool rounded = std::is_same_v<Number, double>;
+  Rational sum(0);
+  for (const Number& angle : angles) {
+    if (rounded ? exactly(angle) < 0 || exactly(angle) > exact(2 * pi)
+                : exactly(angle) <= 0 || exactly(angle) >= 2 * digits_of_pi())
+      return false;
+    sum += exactly(angle);
+  }
+  // A double below 8 is off by at most 2^-51, the oracle's rational by less than 2^-60 of twice that, and the digits
+  // of pi by 10^-49.
+  const auto n = static_cast<unsigned long>(angles.size());
+  return abs(sum - (Rational(n) - 2) * digits_of_pi()) <=
+         Rational(n) * (power_of_two(rounded ? -51 : -110) + power_of_two(-160));
 }
 
 TEST_CASE("interior_angles: p. 6's angles worked by hand") {
@@ -129,25 +124,26 @@ TEST_CASE("interior_angles: polygons that are not simple are refused, naming the
 
 TEST_CASE("interior_angles: the formula in double stays within the bound of its contract") {
   std::uint64_t promised = 0;
-  contract<Row>("the forward error bound holds",
-                [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& ring) {
-                  std::vector<double> sines;
-                  for (std::size_t i = 0; i < ring.size(); ++i) {
-                    const auto corner = moderate_corner(ring, i);
-                    if (!corner) return true;
-                    const auto& [v, w] = *corner;
-                    const Rational turn = cross(v, w), squared(turn * turn / (dot(v, v) * dot(w, w)));
-                    if (squared <= power_of_two(-40)) return true;
-                    sines.push_back(std::sqrt(audit::nearest(squared)) * (1 - 0x1p-50));
-                  }
-                  ++promised;
-                  for (std::size_t i = 0; i < ring.size(); ++i) {
-                    const Rational bound = 11 * unit() / (exact(sines[i]) - power_of_two(-28)) + power_of_two(-48);
-                    if (!within(answer[i], truth.answer[i], bound)) return false;
-                  }
-                  return true;
-                },
-                96);
+  contract<Row>(
+      "the forward error bound holds",
+      [&](const auto& truth, const std::vector<double>& answer, const Polygon2d& ring) {
+        std::vector<double> sines;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto corner = moderate_corner(ring, i);
+          if (!corner) return true;
+          const auto& [v, w] = *corner;
+          const Rational turn = cross(v, w), squared(turn * turn / (dot(v, v) * dot(w, w)));
+          if (squared <= power_of_two(-40)) return true;
+          sines.push_back(std::sqrt(audit::nearest(squared)) * (1 - 0x1p-50));
+        }
+        ++promised;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Rational bound = 11 * unit() / (exact(sines[i]) - power_of_two(-28)) + power_of_two(-48);
+          if (!within(answer[i], truth.answer[i], bound)) return false;
+        }
+        return true;
+      },
+      96);
   CHECK(promised > 100);
 }
 

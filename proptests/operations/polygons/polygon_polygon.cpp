@@ -23,12 +23,9 @@ Polygon2d rotated(Polygon2d ring) {
 
 }  // namespace
 
-TEST_CASE("polygon_polygon: which comes first, where a ring begins and which way it runs do not matter") {
-  law<Row>("reversal and rotation", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const Contact contact = ask(asked);
-    return ask(Row::Question{reversed(a), b}) == contact && ask(Row::Question{a, rotated(b)}) == contact;
-  });
+LAW("polygon_polygon: which comes first, where a ring begins and which way it runs do not matter", a, b) {
+  const Contact contact = ask(asked);
+  return ask(Row::Question{reversed(a), b}) == contact && ask(Row::Question{a, rotated(b)}) == contact;
 }
 
 TEST_CASE("polygon_polygon: a polygon overlaps itself, and touches its image in the line of an edge of its box") {

@@ -19,17 +19,15 @@ TEST_CASE("triangulate_polygon: triangles fit, from any vertex, either way round
   pieces_fit<Row>("triangles");
 }
 
-TEST_CASE("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
-  law<Row>("n - 2 triangles", [](const auto& ask, const auto& asked) {
-    const std::size_t n = std::get<0>(asked).size();
-    std::set<Index> corners;
-    const IndexLists triangles = ask(asked);
-    for (const auto& triangle : triangles) {
-      if (triangle.size() != 3) return false;
-      corners.insert(triangle.begin(), triangle.end());
-    }
-    return triangles.size() == n - 2 && corners.size() == n;
-  });
+LAW("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
+  const std::size_t n = std::get<0>(asked).size();
+  std::set<Index> corners;
+  const IndexLists triangles = ask(asked);
+  for (const auto& triangle : triangles) {
+    if (triangle.size() != 3) return false;
+    corners.insert(triangle.begin(), triangle.end());
+  }
+  return triangles.size() == n - 2 && corners.size() == n;
 }
 
 TEST_CASE("triangulate_polygon: rings with one triangulation, worked by hand") {

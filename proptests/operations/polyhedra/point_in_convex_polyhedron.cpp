@@ -118,77 +118,63 @@ Meshd double_pyramid(const Polygon2d& ring) {
 
 }  // namespace
 
-TEST_CASE("point_in_convex_polyhedron: powers of two of each axis, where they are exact, keep the answer") {
-  law<Row>("each axis by its own power of two", [](const auto& ask, const auto& asked) {
-    const auto stretched = [](const Row::Question& question, int x, int y, int z) {
-      return with_each_point(question, [=](Point3d& p) {
-        p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
-      });
-    };
-    const Location location = ask(asked);
-    for (const auto& [x, y, z] :
-         {std::array{1, 1, 1}, {-29, 30, 0}, {0, -300, 300}, {700, 0, -500}, {-900, -900, -900}}) {
-      const auto image = stretched(asked, x, y, z);
-      const bool exact = numbers_of(stretched(image, -x, -y, -z)) == numbers_of(asked);
-      if (exact && ask(image) != location) return false;
-    }
-    return true;
-  });
+LAW("point_in_convex_polyhedron: powers of two of each axis, where they are exact, keep the answer") {
+  const auto stretched = [](const Row::Question& question, int x, int y, int z) {
+    return with_each_point(question, [=](Point3d& p) {
+      p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+    });
+  };
+  const Location location = ask(asked);
+  for (const auto& [x, y, z] :
+       {std::array{1, 1, 1}, {-29, 30, 0}, {0, -300, 300}, {700, 0, -500}, {-900, -900, -900}}) {
+    const auto image = stretched(asked, x, y, z);
+    const bool exact = numbers_of(stretched(image, -x, -y, -z)) == numbers_of(asked);
+    if (exact && ask(image) != location) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_in_convex_polyhedron: it does not matter in which order faces and vertices are listed") {
-  law<Row>("order", [](const auto& ask, const auto& asked) {
-    const auto& [mesh, p] = asked;
-    const Location location = ask(asked);
-    const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
-    Meshd permuted = mesh;
-    std::reverse(permuted.faces.begin(), permuted.faces.end());
-    std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
-    const auto last = static_cast<Index>(mesh.vertices.size() - 1);
-    Meshd renumbered = with_each_face(mesh, [last](Face& f) { f = {last - f.a, last - f.b, last - f.c}; });
-    std::reverse(renumbered.vertices.begin(), renumbered.vertices.end());
-    return ask(Row::Question{corners, p}) == location && ask(Row::Question{permuted, p}) == location &&
-           ask(Row::Question{renumbered, p}) == location;
-  });
+LAW("point_in_convex_polyhedron: it does not matter in which order faces and vertices are listed", mesh, p) {
+  const Location location = ask(asked);
+  const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
+  Meshd permuted = mesh;
+  std::reverse(permuted.faces.begin(), permuted.faces.end());
+  std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
+  const auto last = static_cast<Index>(mesh.vertices.size() - 1);
+  Meshd renumbered = with_each_face(mesh, [last](Face& f) { f = {last - f.a, last - f.b, last - f.c}; });
+  std::reverse(renumbered.vertices.begin(), renumbered.vertices.end());
+  return ask(Row::Question{corners, p}) == location && ask(Row::Question{permuted, p}) == location &&
+         ask(Row::Question{renumbered, p}) == location;
 }
 
-TEST_CASE("point_in_convex_polyhedron: a mesh turned inside out, or listed twice, is the same solid") {
-  law<Row>("the same solid", [](const auto& ask, const auto& asked) {
-    const auto& [mesh, p] = asked;
-    const Location location = ask(asked);
-    return ask(Row::Question{turned_inside_out(mesh), p}) == location &&
-           ask(Row::Question{together(mesh, mesh), p}) == location;
-  });
+LAW("point_in_convex_polyhedron: a mesh turned inside out, or listed twice, is the same solid", mesh, p) {
+  const Location location = ask(asked);
+  return ask(Row::Question{turned_inside_out(mesh), p}) == location &&
+         ask(Row::Question{together(mesh, mesh), p}) == location;
 }
 
-TEST_CASE("point_in_convex_polyhedron: the vertices of faces are on the boundary, and none is outside") {
-  law<Row>("vertices", [](const auto& ask, const auto& asked) {
-    const Meshd& mesh = std::get<0>(asked);
-    std::set<Index> used;
-    for (const Face& f : mesh.faces) used.insert({f.a, f.b, f.c});
-    for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
-      const Location location = ask(Row::Question{mesh, mesh.vertices[v]});
-      if (location == outside || (used.count(static_cast<Index>(v)) == 1 && location != boundary)) return false;
-    }
-    return true;
-  });
+LAW("point_in_convex_polyhedron: the vertices of faces are on the boundary, and none is outside", mesh) {
+  std::set<Index> used;
+  for (const Face& f : mesh.faces) used.insert({f.a, f.b, f.c});
+  for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
+    const Location location = ask(Row::Question{mesh, mesh.vertices[v]});
+    if (location == outside || (used.count(static_cast<Index>(v)) == 1 && location != boundary)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_in_convex_polyhedron: the middle of two points of the solid is not outside, on the lattice") {
-  law<Row>("middles", [](const auto& ask, const auto& asked) {
-    const auto& [mesh, p] = asked;
-    if (!on_small_lattice(asked)) return true;
-    const Meshd twice = times(2, mesh);
-    const auto middle_is_outside = [&](const Point3d& a, const Point3d& b) {
-      return ask(Row::Question{twice, {a.x + b.x, a.y + b.y, a.z + b.z}}) == outside;
-    };
-    const bool holds_point = ask(asked) != outside;
-    for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
-      if (middle_is_outside(mesh.vertices[0], mesh.vertices[v])) return false;
-      if (holds_point && middle_is_outside(p, mesh.vertices[v])) return false;
-    }
-    return true;
-  });
+LAW("point_in_convex_polyhedron: the middle of two points of the solid is not outside, on the lattice", mesh, p) {
+  if (!on_small_lattice(asked)) return true;
+  const Meshd twice = times(2, mesh);
+  const auto middle_is_outside = [&](const Point3d& a, const Point3d& b) {
+    return ask(Row::Question{twice, {a.x + b.x, a.y + b.y, a.z + b.z}}) == outside;
+  };
+  const bool holds_point = ask(asked) != outside;
+  for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
+    if (middle_is_outside(mesh.vertices[0], mesh.vertices[v])) return false;
+    if (holds_point && middle_is_outside(p, mesh.vertices[v])) return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its base in the base") {
@@ -299,12 +285,11 @@ TEST_CASE("point_in_convex_polyhedron: meshes are refused by the first rule that
   refuses(together(tetrahedron, turned_inside_out(tetrahedron)), "mesh.faces[4]", beyond("3"));
 }
 
-TEST_CASE("point_in_convex_polyhedron: the formula in double is right where the bound of its contract says so") {
-  contract<Row>("the forward error bound holds",
-                [](const auto& truth, Location answer, const Meshd& mesh, const Point3d& p) {
-                  return !certain(mesh, p) || answer == truth.answer;
-                });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("point_in_convex_polyhedron: the formula in double is right where the bound of its contract says so", mesh,
+         p) {
+  return !certain(mesh, p) || answer == truth.answer;
 }
+
+TEST_CASE("point_in_convex_polyhedron: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -24,55 +24,42 @@ void gives(const Row::Question& question, ContactState expected, const Rational&
 
 }  // namespace
 
-TEST_CASE("contact_state: exchanged bodies with the opposite normal; the opposite normal alone; time turned back") {
-  law<Row>("opposites", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n] = asked;
-    const ContactState state = ask(asked);
-    const auto back = [](const auto& body) { return with_turn(with_velocity(body, -1.0 * body.velocity), -1.0); };
-    return ask(Row::Question{b, a, p, -1.0 * n}) == state && ask(Row::Question{a, b, p, -1.0 * n}) == opposite(state) &&
-           ask(Row::Question{b, a, p, n}) == opposite(state) &&
-           ask(Row::Question{back(a), back(b), p, n}) == opposite(state);
-  });
+LAW("contact_state: exchanged bodies with the opposite normal; the opposite normal alone; time turned back", a, b, p,
+    n) {
+  const ContactState state = ask(asked);
+  const auto back = [](const auto& body) { return with_turn(with_velocity(body, -1.0 * body.velocity), -1.0); };
+  return ask(Row::Question{b, a, p, -1.0 * n}) == state && ask(Row::Question{a, b, p, -1.0 * n}) == opposite(state) &&
+         ask(Row::Question{b, a, p, n}) == opposite(state) &&
+         ask(Row::Question{back(a), back(b), p, n}) == opposite(state);
 }
 
-TEST_CASE("contact_state: axes exchanged and turned; where space is turned over, turns change their sense") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const ContactState state = ask(asked);
-    for (const AxisMap& map : axis_maps) {
-      auto mapped = map(asked);
-      auto& [a, b, p, n] = mapped;
-      if (turns_over(map)) a = with_turn(a, -1.0), b = with_turn(b, -1.0);
-      if (ask(mapped) != state) return false;
-    }
-    return true;
-  });
+LAW("contact_state: axes exchanged and turned; where space is turned over, turns change their sense") {
+  const ContactState state = ask(asked);
+  for (const AxisMap& map : axis_maps) {
+    auto mapped = map(asked);
+    auto& [a, b, p, n] = mapped;
+    if (turns_over(map)) a = with_turn(a, -1.0), b = with_turn(b, -1.0);
+    if (ask(mapped) != state) return false;
+  }
+  return true;
 }
 
-TEST_CASE("contact_state: the normal's length does not matter") {
-  law<Row>("length", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n] = asked;
-    const ContactState state = ask(asked);
-    const auto normals = same_plane(n);
-    for (std::size_t i = 1; i < normals.size(); ++i)  // the first is the opposite one
-      if (ask(Row::Question{a, b, p, normals[i]}) != state) return false;
-    return !on_small_lattice(std::tuple(n)) || ask(Row::Question{a, b, p, 3.0 * n}) == state;
-  });
+LAW("contact_state: the normal's length does not matter", a, b, p, n) {
+  const ContactState state = ask(asked);
+  const auto normals = same_plane(n);
+  for (std::size_t i = 1; i < normals.size(); ++i)  // the first is the opposite one
+    if (ask(Row::Question{a, b, p, normals[i]}) != state) return false;
+  return !on_small_lattice(std::tuple(n)) || ask(Row::Question{a, b, p, 3.0 * n}) == state;
 }
 
-TEST_CASE("contact_state: an observer who moves and turns sees the same") {
-  exact_law<Row>("observers", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n] = asked;
-    return ask(std::tuple(as_seen(a), as_seen(b), p, n)) == ask(asked);
-  });
+EXACT_LAW("contact_state: an observer who moves and turns sees the same", a, b, p, n) {
+  return ask(std::tuple(as_seen(a), as_seen(b), p, n)) == ask(asked);
 }
 
-TEST_CASE("contact_state: every point of a body may be called its position, if its velocity is that point's") {
-  exact_law<Row>("positions", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n] = asked;
-    const ContactState state = ask(asked);
-    return ask(std::tuple(around(a, p), b, p, n)) == state &&
-           ask(std::tuple(around(a, p), around(b, p), p, n)) == state;
-  });
+EXACT_LAW("contact_state: every point of a body may be called its position, if its velocity is that point's", a, b, p,
+          n) {
+  const ContactState state = ask(asked);
+  return ask(std::tuple(around(a, p), b, p, n)) == state && ask(std::tuple(around(a, p), around(b, p), p, n)) == state;
 }
 
 TEST_CASE("contact_state: p. 74's states worked by hand") {
@@ -117,15 +104,13 @@ TEST_CASE("contact_state: of two broken rules the first is named") {
   refused<Row>({still, still, {0, infinity, 0}, {0, 0, 0}}, "point[1]", "finite number");
 }
 
-TEST_CASE("contact_state: the formula in double keeps its contract") {
-  contract<Row>("the right state beyond the margin", [](const auto& truth, ContactState answer, const MovingBodyd& a,
-                                                        const MovingBodyd& b, const Point3d& p, const Vector3d& n) {
-    if (!moderate(a, b, p, n)) return true;
-    const Rational bound = 9 * unit() * dot(size_of(n), size_at(a, p) + size_at(b, p)),
-                   square = dot(exactly(n), exactly(n));
-    return Rational(*truth.margin * square) <= Rational(bound * bound) || answer == truth.answer;
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("contact_state: the formula in double keeps its contract", a, b, p, n) {
+  if (!moderate(a, b, p, n)) return true;
+  const Rational bound = 9 * unit() * dot(size_of(n), size_at(a, p) + size_at(b, p)),
+                 square = dot(exactly(n), exactly(n));
+  return Rational(*truth.margin * square) <= Rational(bound * bound) || answer == truth.answer;
 }
+
+TEST_CASE("contact_state: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

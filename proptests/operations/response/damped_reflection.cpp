@@ -14,29 +14,21 @@ constexpr double greatest = std::numeric_limits<double>::max();
 
 }  // namespace
 
-TEST_CASE("damped_reflection: what is along the normal becomes -k times that, what is across it stays") {
-  exact_law<Row>("the parts", [](const auto& ask, const auto& asked) {
-    const auto& [v, n, k] = asked;
-    const Motion3 after = ask(asked);
-    return dot(after, n) == -k * dot(v, n) && same(cross(after - v, n), none());
-  });
+EXACT_LAW("damped_reflection: what is along the normal becomes -k times that, what is across it stays", v, n, k) {
+  const Motion3 after = ask(asked);
+  return dot(after, n) == -k * dot(v, n) && same(cross(after - v, n), none());
 }
 
-TEST_CASE("damped_reflection: no k up to 1 in size gains speed, and k times the opposite part is lost exactly") {
-  exact_law<Row>("energy", [](const auto& ask, const auto& asked) {
-    const auto& [v, n, k] = asked;
-    const Motion3 after = ask(asked);
-    const Rational along = dot(v, n), lost = dot(v, v) - dot(after, after);
-    return lost * dot(n, n) == (1 - k * k) * along * along;
-  });
+EXACT_LAW("damped_reflection: no k up to 1 in size gains speed, and k times the opposite part is lost exactly", v, n,
+          k) {
+  const Motion3 after = ask(asked);
+  const Rational along = dot(v, n), lost = dot(v, v) - dot(after, after);
+  return lost * dot(n, n) == (1 - k * k) * along * along;
 }
 
-TEST_CASE("damped_reflection: one bounce after the other multiplies their factors") {
-  exact_law<Row>("composed", [](const auto& ask, const auto& asked) {
-    const auto& [v, n, k] = asked;
-    const Rational third(1, 3), both(-k / 3);
-    return same(ask(std::tuple(ask(asked), n, third)), ask(std::tuple(v, n, both)));
-  });
+EXACT_LAW("damped_reflection: one bounce after the other multiplies their factors", v, n, k) {
+  const Rational third(1, 3), both(-k / 3);
+  return same(ask(std::tuple(ask(asked), n, third)), ask(std::tuple(v, n, both)));
 }
 
 TEST_CASE("damped_reflection: k = 1 is reflect_plane, k = -1 keeps every velocity") {
@@ -51,22 +43,16 @@ TEST_CASE("damped_reflection: k = 1 is reflect_plane, k = -1 keeps every velocit
   });
 }
 
-TEST_CASE("damped_reflection: the normal's length and side do not matter") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [v, n, k] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{v, other, k}), answer)) return false;
-    return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{v, 3.0 * n, k}), answer);
-  });
+LAW("damped_reflection: the normal's length and side do not matter", v, n, k) {
+  const auto answer = ask(asked);
+  for (const Vector3d& other : same_plane(n))
+    if (!equal(ask(Row::Question{v, other, k}), answer)) return false;
+  return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{v, 3.0 * n, k}), answer);
 }
 
-TEST_CASE("damped_reflection: the opposite velocity gives the opposite one") {
-  law<Row>("odd", [](const auto& ask, const auto& asked) {
-    const auto& [v, n, k] = asked;
-    const auto answer = ask(asked), opposite = ask(Row::Question{-1.0 * v, n, k});
-    return opposite.x == -answer.x && opposite.y == -answer.y && opposite.z == -answer.z;
-  });
+LAW("damped_reflection: the opposite velocity gives the opposite one", v, n, k) {
+  const auto answer = ask(asked), opposite = ask(Row::Question{-1.0 * v, n, k});
+  return opposite.x == -answer.x && opposite.y == -answer.y && opposite.z == -answer.z;
 }
 
 TEST_CASE("damped_reflection: p. 71's bounces worked by hand") {
@@ -94,15 +80,13 @@ TEST_CASE("damped_reflection: of two broken rules the first is named") {
   refused<Row>({{1, 2, 3}, {0, -0.0, 0}, infinity}, "normal", "nonzero normal");
 }
 
-TEST_CASE("damped_reflection: the formula in double keeps its contract") {
-  contract<Row>("the error bound",
-                [](const auto& truth, const Vector3d& answer, const Vector3d& v, const Vector3d& n, double k) {
-                  if (!moderate(v, n, k)) return true;
-                  const Motion3 velocity = exactly(v), normal = exactly(n);
-                  const Rational along = 11 * (1 + size(k)) * condition(velocity, normal);
-                  return within_bounds(answer, truth.answer, normal, along, velocity, 3);
-                });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("damped_reflection: the formula in double keeps its contract", v, n, k) {
+  if (!moderate(v, n, k)) return true;
+  const Motion3 velocity = exactly(v), normal = exactly(n);
+  const Rational along = 11 * (1 + size(k)) * condition(velocity, normal);
+  return within_bounds(answer, truth.answer, normal, along, velocity, 3);
 }
+
+TEST_CASE("damped_reflection: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -12,22 +12,17 @@ constexpr double greatest = std::numeric_limits<double>::max();
 
 }  // namespace
 
-TEST_CASE("elastic_collision: momentum and energy are kept, the relative velocity along the normal is turned round") {
-  exact_law<Row>("conserved", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const ExactVelocities after = ask(asked);
-    return same(momentum_of(m, after), momentum_of(m, v)) && doubled_energy(m, after) == doubled_energy(m, v) &&
-           dot(after.first - after.second, n) == -dot(v.first - v.second, n);
-  });
+EXACT_LAW("elastic_collision: momentum and energy are kept, the relative velocity along the normal is turned round", m,
+          v, n) {
+  const ExactVelocities after = ask(asked);
+  return same(momentum_of(m, after), momentum_of(m, v)) && doubled_energy(m, after) == doubled_energy(m, v) &&
+         dot(after.first - after.second, n) == -dot(v.first - v.second, n);
 }
 
-TEST_CASE("elastic_collision: what is across the normal stays, and a second bounce undoes the first") {
-  exact_law<Row>("across and twice", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const ExactVelocities after = ask(asked);
-    return same(cross(after.first - v.first, n), none()) && same(cross(after.second - v.second, n), none()) &&
-           same(ask(std::tuple(m, after, n)), v);
-  });
+EXACT_LAW("elastic_collision: what is across the normal stays, and a second bounce undoes the first", m, v, n) {
+  const ExactVelocities after = ask(asked);
+  return same(cross(after.first - v.first, n), none()) && same(cross(after.second - v.second, n), none()) &&
+         same(ask(std::tuple(m, after, n)), v);
 }
 
 TEST_CASE("elastic_collision: exchanged bodies, other units of mass and other observers") {
@@ -36,35 +31,27 @@ TEST_CASE("elastic_collision: exchanged bodies, other units of mass and other ob
   exact_law<Row>("observers", observers_agree);
 }
 
-TEST_CASE("elastic_collision: the normal's length and side do not matter") {
-  law<Row>("the same normal", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{m, v, other}), answer)) return false;
-    return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{m, v, 3.0 * n}), answer);
-  });
+LAW("elastic_collision: the normal's length and side do not matter", m, v, n) {
+  const auto answer = ask(asked);
+  for (const Vector3d& other : same_plane(n))
+    if (!equal(ask(Row::Question{m, v, other}), answer)) return false;
+  return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{m, v, 3.0 * n}), answer);
 }
 
-TEST_CASE("elastic_collision: bodies of one mass exchange what they have along the normal") {
-  robust_law<Row>("along an axis", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const auto found = ask(Row::Question{{m.first, m.first}, v, {0, 1, 0}});
-    return equal(found, Velocitiesd{{v.first.x, v.second.y, v.first.z}, {v.second.x, v.first.y, v.second.z}});
-  });
+ROBUST_LAW("elastic_collision: bodies of one mass exchange what they have along the normal", m, v) {
+  const auto found = ask(Row::Question{{m.first, m.first}, v, {0, 1, 0}});
+  return equal(found, Velocitiesd{{v.first.x, v.second.y, v.first.z}, {v.second.x, v.first.y, v.second.z}});
 }
 
-TEST_CASE("elastic_collision: the heavier the other body, the nearer to a bounce off a plane that moves with it") {
-  exact_law<Row>("immovable in the limit", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const Motion3 apart = v.first - v.second;
-    const Motion3 part = Rational(dot(apart, n) / dot(n, n)) * n;
-    const Motion3 off_a_wall = v.first - Rational(2) * part;
-    const ExactVelocities after = ask(asked);
-    const Rational lighter = m.first / (m.first + m.second);
-    return same(after.first - off_a_wall, Rational(2 * lighter) * part) &&
-           same(after.second - v.second, Rational(2 * lighter) * part);
-  });
+EXACT_LAW("elastic_collision: the heavier the other body, the nearer to a bounce off a plane that moves with it", m, v,
+          n) {
+  const Motion3 apart = v.first - v.second;
+  const Motion3 part = Rational(dot(apart, n) / dot(n, n)) * n;
+  const Motion3 off_a_wall = v.first - Rational(2) * part;
+  const ExactVelocities after = ask(asked);
+  const Rational lighter = m.first / (m.first + m.second);
+  return same(after.first - off_a_wall, Rational(2 * lighter) * part) &&
+         same(after.second - v.second, Rational(2 * lighter) * part);
 }
 
 TEST_CASE("elastic_collision: p. 69 worked by hand") {
@@ -99,17 +86,15 @@ TEST_CASE("elastic_collision: of two broken rules the first is named") {
   refused<Row>({{1, 1}, {{0, not_a_number, 0}, {0, 0, 0}}, {0, 0, 0}}, "velocities[0][1]", "finite number");
 }
 
-TEST_CASE("elastic_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Velocitiesd& answer, const Massesd& masses,
-                                      const Velocitiesd& velocities, const Vector3d& normal) {
-    if (!moderate(masses, velocities, normal)) return true;
-    const Motion3 v = exactly(velocities.first), w = exactly(velocities.second), n = exactly(normal);
-    const Rational m1 = exact(masses.first), m2 = exact(masses.second), r = condition(v - w, n);
-    const auto along = [&](const Rational& other) { return Rational(14 * 2 * other / (m1 + m2) * r); };
-    return within_bounds(answer.first, truth.answer.first, n, along(m2), v, 2) &&
-           within_bounds(answer.second, truth.answer.second, n, along(m1), w, 2);
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("elastic_collision: the formula in double keeps its contract", masses, velocities, normal) {
+  if (!moderate(masses, velocities, normal)) return true;
+  const Motion3 v = exactly(velocities.first), w = exactly(velocities.second), n = exactly(normal);
+  const Rational m1 = exact(masses.first), m2 = exact(masses.second), r = condition(v - w, n);
+  const auto along = [&](const Rational& other) { return Rational(14 * 2 * other / (m1 + m2) * r); };
+  return within_bounds(answer.first, truth.answer.first, n, along(m2), v, 2) &&
+         within_bounds(answer.second, truth.answer.second, n, along(m1), w, 2);
 }
+
+TEST_CASE("elastic_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -12,23 +12,17 @@ constexpr double greatest = std::numeric_limits<double>::max();
 
 }  // namespace
 
-TEST_CASE("inelastic_collision: momentum is kept, and the energy of the relative motion is lost") {
-  exact_law<Row>("momentum and energy", [](const auto& ask, const auto& asked) {
-    const auto& [m, v] = asked;
-    const Motion3 together = ask(asked), apart = v.first - v.second;
-    const ExactVelocities after{together, together};
-    const Rational reduced = m.first * m.second / (m.first + m.second);
-    return same(momentum_of(m, after), momentum_of(m, v)) &&
-           doubled_energy(m, v) - doubled_energy(m, after) == reduced * dot(apart, apart);
-  });
+EXACT_LAW("inelastic_collision: momentum is kept, and the energy of the relative motion is lost", m, v) {
+  const Motion3 together = ask(asked), apart = v.first - v.second;
+  const ExactVelocities after{together, together};
+  const Rational reduced = m.first * m.second / (m.first + m.second);
+  return same(momentum_of(m, after), momentum_of(m, v)) &&
+         doubled_energy(m, v) - doubled_energy(m, after) == reduced * dot(apart, apart);
 }
 
-TEST_CASE("inelastic_collision: the velocity is between those before, nearer to the heavier body's") {
-  exact_law<Row>("lever", [](const auto& ask, const auto& asked) {
-    const auto& [m, v] = asked;
-    const Motion3 together = ask(asked);
-    return same(m.first * (together - v.first), m.second * (v.second - together));
-  });
+EXACT_LAW("inelastic_collision: the velocity is between those before, nearer to the heavier body's", m, v) {
+  const Motion3 together = ask(asked);
+  return same(m.first * (together - v.first), m.second * (v.second - together));
 }
 
 TEST_CASE("inelastic_collision: exchanged bodies, other units of mass and other observers") {
@@ -37,11 +31,8 @@ TEST_CASE("inelastic_collision: exchanged bodies, other units of mass and other 
   exact_law<Row>("observers", observers_agree);
 }
 
-TEST_CASE("inelastic_collision: equal velocities stay what they are") {
-  robust_law<Row>("in company", [](const auto& ask, const auto& asked) {
-    const auto& [m, v] = asked;
-    return equal(ask(Row::Question{m, {v.first, v.first}}), v.first);
-  });
+ROBUST_LAW("inelastic_collision: equal velocities stay what they are", m, v) {
+  return equal(ask(Row::Question{m, {v.first, v.first}}), v.first);
 }
 
 TEST_CASE("inelastic_collision: p. 70 worked by hand") {
@@ -73,19 +64,17 @@ TEST_CASE("inelastic_collision: of two broken rules the first is named") {
   refused<Row>({{1, -tiny}, {{infinity, 0, 0}, {0, 0, 0}}}, "masses[1]", "mass > 0");
 }
 
-TEST_CASE("inelastic_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound",
-                [](const auto& truth, const Vector3d& answer, const Massesd& masses, const Velocitiesd& velocities) {
-                  if (!moderate(masses, velocities)) return true;
-                  const Rational m1 = exact(masses.first), m2 = exact(masses.second);
-                  const auto kept = [&](double found, const Rational& exactly, double v, double w) {
-                    return within(found, exactly, 5 * unit() * (m1 * size(v) + m2 * size(w)) / (m1 + m2));
-                  };
-                  const auto& [v, w] = velocities;
-                  return kept(answer.x, truth.answer.x, v.x, w.x) && kept(answer.y, truth.answer.y, v.y, w.y) &&
-                         kept(answer.z, truth.answer.z, v.z, w.z);
-                });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("inelastic_collision: the formula in double keeps its contract", masses, velocities) {
+  if (!moderate(masses, velocities)) return true;
+  const Rational m1 = exact(masses.first), m2 = exact(masses.second);
+  const auto kept = [&](double found, const Rational& exactly, double v, double w) {
+    return within(found, exactly, 5 * unit() * (m1 * size(v) + m2 * size(w)) / (m1 + m2));
+  };
+  const auto& [v, w] = velocities;
+  return kept(answer.x, truth.answer.x, v.x, w.x) && kept(answer.y, truth.answer.y, v.y, w.y) &&
+         kept(answer.z, truth.answer.z, v.z, w.z);
 }
+
+TEST_CASE("inelastic_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

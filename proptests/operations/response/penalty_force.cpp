@@ -33,28 +33,24 @@ TEST_CASE("penalty_force: behind the plane, and only there, -(k E + c v . N) is 
   });
 }
 
-TEST_CASE("penalty_force: spring and damper add up; a damper of 1 alone leaves the velocity across the normal") {
-  exact_law<Row>("sums", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const Rational zero(0), one(1);
-    const Motion3 spring = ask(std::tuple(p, v, plane, k, zero)), damper = ask(std::tuple(p, v, plane, zero, c)),
-                  held = ask(std::tuple(p, v, plane, zero, one));
-    if (!same(ask(asked), spring + damper) || !same(ask(std::tuple(p, none(), plane, k, c)), spring)) return false;
-    return sgn(height_over(plane, p)) >= 0 ? same(held, none()) : sgn(Rational(dot(v + held, plane.normal))) == 0;
-  });
+EXACT_LAW("penalty_force: spring and damper add up; a damper of 1 alone leaves the velocity across the normal", p, v,
+          plane, k, c) {
+  const Rational zero(0), one(1);
+  const Motion3 spring = ask(std::tuple(p, v, plane, k, zero)), damper = ask(std::tuple(p, v, plane, zero, c)),
+                held = ask(std::tuple(p, v, plane, zero, one));
+  if (!same(ask(asked), spring + damper) || !same(ask(std::tuple(p, none(), plane, k, c)), spring)) return false;
+  return sgn(height_over(plane, p)) >= 0 ? same(held, none()) : sgn(Rational(dot(v + held, plane.normal))) == 0;
 }
 
-TEST_CASE("penalty_force: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const auto answer = ask(asked);
-    for (const int j : {1, -1, 60, -60, 500, -500}) {
-      const auto normal = longer(plane.normal, j), offset = longer({plane.offset, 0, 0}, j);
-      if (normal && offset && !equal(ask(Row::Question{p, v, {*normal, offset->x}, k, c}), answer)) return false;
-    }
-    return !on_small_lattice(std::tuple(plane)) ||
-           equal(ask(Row::Question{p, v, {3.0 * plane.normal, 3 * plane.offset}, k, c}), answer);
-  });
+LAW("penalty_force: the plane's equation times a power of two, or times 3 on the lattice, is the same plane", p, v,
+    plane, k, c) {
+  const auto answer = ask(asked);
+  for (const int j : {1, -1, 60, -60, 500, -500}) {
+    const auto normal = longer(plane.normal, j), offset = longer({plane.offset, 0, 0}, j);
+    if (normal && offset && !equal(ask(Row::Question{p, v, {*normal, offset->x}, k, c}), answer)) return false;
+  }
+  return !on_small_lattice(std::tuple(plane)) ||
+         equal(ask(Row::Question{p, v, {3.0 * plane.normal, 3 * plane.offset}, k, c}), answer);
 }
 
 TEST_CASE("penalty_force: axes exchanged; stiffness and damping in other units; the whole moved") {
@@ -107,18 +103,16 @@ TEST_CASE("penalty_force: rounding, huge, subnormal and negative zero") {
   CHECK((plus_zero(along.x) && along.y == 1 && plus_zero(along.z)));
 }
 
-TEST_CASE("penalty_force: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Vector3d& answer, const Point3d& p, const Vector3d& v,
-                                      const Plane3d& plane, double k, double c) {
-    if (!moderate(p, v, plane, k, c)) return true;
-    const Motion3 n = exactly(plane.normal), at = exactly(Vector3d{p.x, p.y, p.z}), velocity = exactly(v);
-    const Rational square = dot(n, n), of_height = condition(at, n) * square + abs(exact(plane.offset)),
-                   height = dot(at, n) + exact(plane.offset);
-    if (abs(height) <= 5 * unit() * of_height) return true;
-    const Rational force = abs(exact(k)) * of_height / square + abs(exact(c)) * condition(velocity, n);
-    return within_bounds(answer, truth.answer, n, Rational(12 * force), velocity, 0);
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("penalty_force: the formula in double keeps its contract", p, v, plane, k, c) {
+  if (!moderate(p, v, plane, k, c)) return true;
+  const Motion3 n = exactly(plane.normal), at = exactly(Vector3d{p.x, p.y, p.z}), velocity = exactly(v);
+  const Rational square = dot(n, n), of_height = condition(at, n) * square + abs(exact(plane.offset)),
+                 height = dot(at, n) + exact(plane.offset);
+  if (abs(height) <= 5 * unit() * of_height) return true;
+  const Rational force = abs(exact(k)) * of_height / square + abs(exact(c)) * condition(velocity, n);
+  return within_bounds(answer, truth.answer, n, Rational(12 * force), velocity, 0);
 }
+
+TEST_CASE("penalty_force: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -14,23 +14,19 @@ constexpr double greatest = std::numeric_limits<double>::max();
 
 }  // namespace
 
-TEST_CASE("restitution_collision: momentum is kept, the relative velocity along the normal becomes -e times that") {
-  exact_law<Row>("conserved", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n, e] = asked;
-    const ExactVelocities after = ask(asked);
-    return same(momentum_of(m, after), momentum_of(m, v)) &&
-           dot(after.first - after.second, n) == -e * dot(v.first - v.second, n) &&
-           same(cross(after.first - v.first, n), none()) && same(cross(after.second - v.second, n), none());
-  });
+EXACT_LAW("restitution_collision: momentum is kept, the relative velocity along the normal becomes -e times that", m, v,
+          n, e) {
+  const ExactVelocities after = ask(asked);
+  return same(momentum_of(m, after), momentum_of(m, v)) &&
+         dot(after.first - after.second, n) == -e * dot(v.first - v.second, n) &&
+         same(cross(after.first - v.first, n), none()) && same(cross(after.second - v.second, n), none());
 }
 
-TEST_CASE("restitution_collision: of the relative motion's energy along the normal e^2 is left; none is ever gained") {
-  exact_law<Row>("energy", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n, e] = asked;
-    const Rational along = dot(v.first - v.second, n), reduced = m.first * m.second / (m.first + m.second);
-    const Rational lost = doubled_energy(m, v) - doubled_energy(m, ask(asked));
-    return lost >= 0 && lost * dot(n, n) == (1 - e * e) * reduced * along * along;
-  });
+EXACT_LAW("restitution_collision: of the relative motion's energy along the normal e^2 is left; none is ever gained", m,
+          v, n, e) {
+  const Rational along = dot(v.first - v.second, n), reduced = m.first * m.second / (m.first + m.second);
+  const Rational lost = doubled_energy(m, v) - doubled_energy(m, ask(asked));
+  return lost >= 0 && lost * dot(n, n) == (1 - e * e) * reduced * along * along;
 }
 
 TEST_CASE("restitution_collision: e = 1 is elastic_collision; one bounce after the other multiplies e") {
@@ -54,14 +50,11 @@ TEST_CASE("restitution_collision: exchanged bodies, other units of mass and othe
   exact_law<Row>("observers", observers_agree);
 }
 
-TEST_CASE("restitution_collision: the normal's length and side do not matter") {
-  law<Row>("the same normal", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n, e] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{m, v, other, e}), answer)) return false;
-    return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{m, v, 3.0 * n, e}), answer);
-  });
+LAW("restitution_collision: the normal's length and side do not matter", m, v, n, e) {
+  const auto answer = ask(asked);
+  for (const Vector3d& other : same_plane(n))
+    if (!equal(ask(Row::Question{m, v, other, e}), answer)) return false;
+  return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{m, v, 3.0 * n, e}), answer);
 }
 
 TEST_CASE("restitution_collision: p. 70 worked by hand") {
@@ -97,17 +90,15 @@ TEST_CASE("restitution_collision: of two broken rules the first is named; e may 
   refused<Row>({one, still, {1, 0, 0}, 1 + 0x1p-52}, "e", "between 0 and 1");
 }
 
-TEST_CASE("restitution_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Velocitiesd& answer, const Massesd& masses,
-                                      const Velocitiesd& velocities, const Vector3d& normal, double e) {
-    if (!moderate(masses, velocities, normal, e)) return true;
-    const Motion3 v = exactly(velocities.first), w = exactly(velocities.second), n = exactly(normal);
-    const Rational m1 = exact(masses.first), m2 = exact(masses.second), r = condition(v - w, n);
-    const auto along = [&](const Rational& other) { return Rational(16 * other * (1 + exact(e)) / (m1 + m2) * r); };
-    return within_bounds(answer.first, truth.answer.first, n, along(m2), v, 2) &&
-           within_bounds(answer.second, truth.answer.second, n, along(m1), w, 2);
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("restitution_collision: the formula in double keeps its contract", masses, velocities, normal, e) {
+  if (!moderate(masses, velocities, normal, e)) return true;
+  const Motion3 v = exactly(velocities.first), w = exactly(velocities.second), n = exactly(normal);
+  const Rational m1 = exact(masses.first), m2 = exact(masses.second), r = condition(v - w, n);
+  const auto along = [&](const Rational& other) { return Rational(16 * other * (1 + exact(e)) / (m1 + m2) * r); };
+  return within_bounds(answer.first, truth.answer.first, n, along(m2), v, 2) &&
+         within_bounds(answer.second, truth.answer.second, n, along(m1), w, 2);
 }
+
+TEST_CASE("restitution_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -68,31 +68,27 @@ std::optional<RigidBodyd> heavier(RigidBodyd body, int k) {
 
 }  // namespace
 
-TEST_CASE("rigid_body_collision: momentum and angular momentum are kept, the relative velocity becomes -e times that") {
-  exact_law<Row>("conserved", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const ExactMotions motions = ask(asked);
-    const ExactBody c = after(a, motions.a), d = after(b, motions.b);
-    const Rational before = dot(velocity_at(a, p) - velocity_at(b, p), n);
-    return same(c.mass * c.velocity + d.mass * d.velocity, a.mass * a.velocity + b.mass * b.velocity) &&
-           same(all_momentum(c) + all_momentum(d), all_momentum(a) + all_momentum(b)) &&
-           same(cross(c.velocity - a.velocity, n), none()) &&
-           dot(velocity_at(c, p) - velocity_at(d, p), n) == -e * before;
-  });
+EXACT_LAW("rigid_body_collision: momentum and angular momentum are kept, the relative velocity becomes -e times that",
+          a, b, p, n, e) {
+  const ExactMotions motions = ask(asked);
+  const ExactBody c = after(a, motions.a), d = after(b, motions.b);
+  const Rational before = dot(velocity_at(a, p) - velocity_at(b, p), n);
+  return same(c.mass * c.velocity + d.mass * d.velocity, a.mass * a.velocity + b.mass * b.velocity) &&
+         same(all_momentum(c) + all_momentum(d), all_momentum(a) + all_momentum(b)) &&
+         same(cross(c.velocity - a.velocity, n), none()) &&
+         dot(velocity_at(c, p) - velocity_at(d, p), n) == -e * before;
 }
 
-TEST_CASE("rigid_body_collision: energy is kept with e = 1 and never gained; the rest is lost with 1 - e^2") {
-  exact_law<Row>("energy", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const auto lost = [&](const Rational& restitution) {
-      const ExactMotions motions = ask(std::tuple(a, b, p, n, restitution));
-      return Rational(doubled_energy(a) + doubled_energy(b) - doubled_energy(after(a, motions.a)) -
-                      doubled_energy(after(b, motions.b)));
-    };
-    const Rational most = lost(Rational(0)), half = lost(Rational(1, 2));
-    return most >= 0 && lost(Rational(1)) == 0 && Rational(4 * half) == Rational(3 * most) &&
-           lost(e) == Rational((1 - e * e) * most);
-  });
+EXACT_LAW("rigid_body_collision: energy is kept with e = 1 and never gained; the rest is lost with 1 - e^2", a, b, p, n,
+          e) {
+  const auto lost = [&](const Rational& restitution) {
+    const ExactMotions motions = ask(std::tuple(a, b, p, n, restitution));
+    return Rational(doubled_energy(a) + doubled_energy(b) - doubled_energy(after(a, motions.a)) -
+                    doubled_energy(after(b, motions.b)));
+  };
+  const Rational most = lost(Rational(0)), half = lost(Rational(1, 2));
+  return most >= 0 && lost(Rational(1)) == 0 && Rational(4 * half) == Rational(3 * most) &&
+         lost(e) == Rational((1 - e * e) * most);
 }
 
 TEST_CASE(
@@ -127,31 +123,26 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("rigid_body_collision: axes exchanged and turned; where space is turned over, turns change their sense") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const auto answer = ask(asked);
-    for (const AxisMap& map : axis_maps) {
-      auto expected = map(answer);
-      using R = std::remove_cvref_t<decltype(answer.a.velocity.x)>;
-      if (turns_over(map)) expected.a = with_turn(expected.a, R(-1)), expected.b = with_turn(expected.b, R(-1));
-      const auto [q, m] = map(std::tuple(p, n));
-      if (!equal(ask(Row::Question{mapped(map, a), mapped(map, b), q, m, e}), expected)) return false;
-    }
-    return true;
-  });
+LAW("rigid_body_collision: axes exchanged and turned; where space is turned over, turns change their sense", a, b, p, n,
+    e) {
+  const auto answer = ask(asked);
+  for (const AxisMap& map : axis_maps) {
+    auto expected = map(answer);
+    using R = std::remove_cvref_t<decltype(answer.a.velocity.x)>;
+    if (turns_over(map)) expected.a = with_turn(expected.a, R(-1)), expected.b = with_turn(expected.b, R(-1));
+    const auto [q, m] = map(std::tuple(p, n));
+    if (!equal(ask(Row::Question{mapped(map, a), mapped(map, b), q, m, e}), expected)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("rigid_body_collision: pushed at both positions it is restitution_collision") {
-  robust_law<Row>("central", [](const auto& ask, const auto& asked) {
-    auto [a, b, p, n, e] = asked;
-    a.position = b.position = p;
-    const auto motions = ask(Row::Question{a, b, p, n, e});
-    const Velocitiesd pushed = robust::restitution_collision({a.mass, b.mass}, {a.velocity, b.velocity}, n, e);
-    return equal(Velocitiesd{motions.a.velocity, motions.b.velocity}, pushed) &&
-           equal(motions.a.angular_velocity, a.angular_velocity) &&
-           equal(motions.b.angular_velocity, b.angular_velocity);
-  });
+ROBUST_LAW("rigid_body_collision: pushed at both positions it is restitution_collision") {
+  auto [a, b, p, n, e] = asked;
+  a.position = b.position = p;
+  const auto motions = ask(Row::Question{a, b, p, n, e});
+  const Velocitiesd pushed = robust::restitution_collision({a.mass, b.mass}, {a.velocity, b.velocity}, n, e);
+  return equal(Velocitiesd{motions.a.velocity, motions.b.velocity}, pushed) &&
+         equal(motions.a.angular_velocity, a.angular_velocity) && equal(motions.b.angular_velocity, b.angular_velocity);
 }
 
 TEST_CASE("rigid_body_collision: p. 74's impulse worked by hand") {
@@ -218,49 +209,47 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
   refused<Row>({still, still, o, n, -tiny}, "e", "between 0 and 1");
 }
 
-TEST_CASE("rigid_body_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Motions<double>& answer, const RigidBodyd& a,
-                                      const RigidBodyd& b, const Point3d& p, const Vector3d& normal, double e) {
-    bool moderate = true;
-    const auto asked = std::tuple(a, b, p, normal, e);
-    audit::for_each_number(asked, [&](const double& x) {
-      moderate = moderate && (x == 0 || (std::fabs(x) >= 0x1p-30 && std::fabs(x) <= 0x1p30));
-    });
-    if (!moderate) return true;
-    const Motion3 n = exactly(normal);
-    Rational k = 1, exact_below, below, apart;
-    std::array<Motion3, 2> turns;
-    for (const RigidBodyd* body : {&a, &b}) {
-      const Motion3 x = exactly(body->inertia.x), y = exactly(body->inertia.y), z = exactly(body->inertia.z),
-                    moment = cross(arm_of(*body, p), n), sizes = cross_of_sizes(size_of(arm_of(*body, p)), size_of(n)),
-                    yz = cross_of_sizes(size_of(y), size_of(z)), zx = cross_of_sizes(size_of(z), size_of(x)),
-                    xy = cross_of_sizes(size_of(x), size_of(y));
-      const Rational determinant = dot(x, cross(y, z)), mass = exact(body->mass);
-      k = std::max(k, Rational(dot(size_of(x), yz) / determinant));
-      Motion3& turn = turns[body == &a ? 0 : 1];
-      turn = Rational(1 / determinant) * (sizes.x * yz + sizes.y * zx + sizes.z * xy);
-      const Motion3 exact_turn =
-          Rational(1 / determinant) * (moment.x * cross(y, z) + moment.y * cross(z, x) + moment.z * cross(x, y));
-      exact_below += dot(n, n) / mass + dot(moment, exact_turn), below += dot(n, n) / mass + dot(sizes, turn);
-      apart += dot(size_of(n), size_at(*body, p));
-    }
-    const Rational kl = 100 * k * below / exact_below, j = kl * (1 + exact(e)) * apart / exact_below;
-    if (kl * unit() > 1) return true;
-    const auto near = [&](const Vector3d& found, const Motion3& expected, const Motion3& changed, const Vector3d& was) {
-      const auto kept = [&](double f, const Rational& x, const Rational& along, double from) {
-        return within(f, x, (abs(along) * j + 2 * size(from)) * unit() + power_of_two(-1060));
-      };
-      return kept(found.x, expected.x, changed.x, was.x) && kept(found.y, expected.y, changed.y, was.y) &&
-             kept(found.z, expected.z, changed.z, was.z);
-    };
-    const auto body_near = [&](const Motion<double>& found, const Motion<Rational>& expected, const RigidBodyd& body,
-                               const Motion3& turn) {
-      return near(found.velocity, expected.velocity, Rational(1 / exact(body.mass)) * n, body.velocity) &&
-             near(found.angular_velocity, expected.angular_velocity, turn, body.angular_velocity);
-    };
-    return body_near(answer.a, truth.answer.a, a, turns[0]) && body_near(answer.b, truth.answer.b, b, turns[1]);
+CONTRACT("rigid_body_collision: the formula in double keeps its contract", a, b, p, normal, e) {
+  bool moderate = true;
+  const auto asked = std::tuple(a, b, p, normal, e);
+  audit::for_each_number(asked, [&](const double& x) {
+    moderate = moderate && (x == 0 || (std::fabs(x) >= 0x1p-30 && std::fabs(x) <= 0x1p30));
   });
-  right_in_exact_arithmetic<Row>();
+  if (!moderate) return true;
+  const Motion3 n = exactly(normal);
+  Rational k = 1, exact_below, below, apart;
+  std::array<Motion3, 2> turns;
+  for (const RigidBodyd* body : {&a, &b}) {
+    const Motion3 x = exactly(body->inertia.x), y = exactly(body->inertia.y), z = exactly(body->inertia.z),
+                  moment = cross(arm_of(*body, p), n), sizes = cross_of_sizes(size_of(arm_of(*body, p)), size_of(n)),
+                  yz = cross_of_sizes(size_of(y), size_of(z)), zx = cross_of_sizes(size_of(z), size_of(x)),
+                  xy = cross_of_sizes(size_of(x), size_of(y));
+    const Rational determinant = dot(x, cross(y, z)), mass = exact(body->mass);
+    k = std::max(k, Rational(dot(size_of(x), yz) / determinant));
+    Motion3& turn = turns[body == &a ? 0 : 1];
+    turn = Rational(1 / determinant) * (sizes.x * yz + sizes.y * zx + sizes.z * xy);
+    const Motion3 exact_turn =
+        Rational(1 / determinant) * (moment.x * cross(y, z) + moment.y * cross(z, x) + moment.z * cross(x, y));
+    exact_below += dot(n, n) / mass + dot(moment, exact_turn), below += dot(n, n) / mass + dot(sizes, turn);
+    apart += dot(size_of(n), size_at(*body, p));
+  }
+  const Rational kl = 100 * k * below / exact_below, j = kl * (1 + exact(e)) * apart / exact_below;
+  if (kl * unit() > 1) return true;
+  const auto near = [&](const Vector3d& found, const Motion3& expected, const Motion3& changed, const Vector3d& was) {
+    const auto kept = [&](double f, const Rational& x, const Rational& along, double from) {
+      return within(f, x, (abs(along) * j + 2 * size(from)) * unit() + power_of_two(-1060));
+    };
+    return kept(found.x, expected.x, changed.x, was.x) && kept(found.y, expected.y, changed.y, was.y) &&
+           kept(found.z, expected.z, changed.z, was.z);
+  };
+  const auto body_near = [&](const Motion<double>& found, const Motion<Rational>& expected, const RigidBodyd& body,
+                             const Motion3& turn) {
+    return near(found.velocity, expected.velocity, Rational(1 / exact(body.mass)) * n, body.velocity) &&
+           near(found.angular_velocity, expected.angular_velocity, turn, body.angular_velocity);
+  };
+  return body_near(answer.a, truth.answer.a, a, turns[0]) && body_near(answer.b, truth.answer.b, b, turns[1]);
 }
+
+TEST_CASE("rigid_body_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -64,48 +64,36 @@ TEST_CASE("swept_sphere_plane: powers of two, of lengths and of the plane, and e
   });
 }
 
-TEST_CASE("swept_sphere_plane: a plane has two sides alike") {
-  law<Row>("turned over", [](const auto& ask, const auto& asked) {
-    const auto& [sphere, velocity, plane] = asked;
-    return equal(ask(Row::Question{sphere, velocity, {-1.0 * plane.normal, -plane.offset}}), ask(asked));
-  });
+LAW("swept_sphere_plane: a plane has two sides alike", sphere, velocity, plane) {
+  return equal(ask(Row::Question{sphere, velocity, {-1.0 * plane.normal, -plane.offset}}), ask(asked));
 }
 
-TEST_CASE("swept_sphere_plane: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", [](const auto& ask, const auto& asked) {
-    const auto& [sphere, velocity, plane] = asked;
-    const auto answer = ask(asked);
-    for (const int k : {1, -1, 3, 40, -40, 500}) {
-      const auto v = times_two_to(velocity, k);
-      if (v && !divided(answer, ask(Row::Question{sphere, *v, plane}), k)) return false;
-    }
-    return true;
-  });
+LAW("swept_sphere_plane: velocities times a power of two divide t by it", sphere, velocity, plane) {
+  const auto answer = ask(asked);
+  for (const int k : {1, -1, 3, 40, -40, 500}) {
+    const auto v = times_two_to(velocity, k);
+    if (v && !divided(answer, ask(Row::Question{sphere, *v, plane}), k)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_plane: a larger ball never meets later") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const auto& [sphere, velocity, plane] = asked;
-    const auto answer = ask(asked);
-    for (const double larger : {audit::moved_by_ulps(sphere.radius, 1), sphere.radius + sphere.radius / 4 + tiny}) {
-      if (!finite(larger)) continue;
-      const auto then = ask(Row::Question{{sphere.center, larger}, velocity, plane});
-      if (answer.t && (!then.t || *then.t > *answer.t)) return false;
-    }
-    return true;
-  });
+LAW("swept_sphere_plane: a larger ball never meets later", sphere, velocity, plane) {
+  const auto answer = ask(asked);
+  for (const double larger : {audit::moved_by_ulps(sphere.radius, 1), sphere.radius + sphere.radius / 4 + tiny}) {
+    if (!finite(larger)) continue;
+    const auto then = ask(Row::Question{{sphere.center, larger}, velocity, plane});
+    if (answer.t && (!then.t || *then.t > *answer.t)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_plane: along the plane and at rest, it is met at the start or never") {
-  law<Row>("at rest", [](const auto& ask, const auto& asked) {
-    const auto& [sphere, velocity, plane] = asked;
-    const auto rest = ask(Row::Question{sphere, {0, 0, 0}, plane});
-    const bool meet = beyond(asked, Rational(0)) <= Surd(Rational(0));
-    if (rest.t.has_value() != meet || (meet && !zero(*rest.t))) return false;
-    const Vector3d& n = plane.normal;
-    if (n.x != 0 && !equal(ask(Row::Question{sphere, {0, n.z, -n.y}, plane}), rest)) return false;
-    return !meet || equal(ask(asked), rest);
-  });
+LAW("swept_sphere_plane: along the plane and at rest, it is met at the start or never", sphere, velocity, plane) {
+  const auto rest = ask(Row::Question{sphere, {0, 0, 0}, plane});
+  const bool meet = beyond(asked, Rational(0)) <= Surd(Rational(0));
+  if (rest.t.has_value() != meet || (meet && !zero(*rest.t))) return false;
+  const Vector3d& n = plane.normal;
+  if (n.x != 0 && !equal(ask(Row::Question{sphere, {0, n.z, -n.y}, plane}), rest)) return false;
+  return !meet || equal(ask(asked), rest);
 }
 
 TEST_CASE(
@@ -171,28 +159,25 @@ TEST_CASE("swept_sphere_plane: of two broken rules the first is named, the ball'
   refused<Row>({{{0, 5, 0}, -tiny}, {infinity, 0, 0}, ground}, "sphere.radius", "radius >= 0");
 }
 
-TEST_CASE("swept_sphere_plane: the formula in double keeps its contract") {
-  contract<Row>("relation and t beyond the margin", [](const auto& truth, const auto& answer, const Sphere3d& sphere,
-                                                       const Vector3d& v, const Plane3d& plane) {
-    const Vector3d& n = plane.normal;
-    const HeightBound e(plane, sphere.center);
-    const double q = dot(n, n), rise = dot(n, v);
-    if (e.overflow || !(q >= 0x1p-960 && q <= 0x1p960) || !finite(rise, n.x * v.x, n.x * v.x + n.y * v.y)) return true;
-    const double reach = sphere.radius * std::sqrt(q), gap = std::fabs(e.computed) - reach;
-    const double fall = e.computed < 0 ? rise : -rise, t = gap / fall;
-    if (!finite(reach, gap, t)) return true;
-    const Rational u = unit(), terms = size(n.x * v.x) + size(n.y * v.y) + size(n.z * v.z);
-    const Rational of_rise = (3 + 8 * u) * u * terms + power_of_two(-1073);
-    const Rational of_gap = e.error + 6 * u * exact(reach) + u * size(gap) + power_of_two(-1073);
-    if (!(exact(gap) > of_gap) || !(size(fall) > of_rise)) return true;
-    const Rational error =
-        (of_gap + (1 + 2 * u) * size(t) * of_rise) / (size(fall) - of_rise) + 2 * u * size(t) + power_of_two(-1074);
-    if (t < 0 || exact(t) > 1 + error)
-      return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
-    if (!(exact(t) > error && exact(t) < 1 - error)) return true;
-    return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
-           Surd(Rational(exact(t) - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(exact(t) + error));
-  });
+CONTRACT("swept_sphere_plane: the formula in double keeps its contract", sphere, v, plane) {
+  const Vector3d& n = plane.normal;
+  const HeightBound e(plane, sphere.center);
+  const double q = dot(n, n), rise = dot(n, v);
+  if (e.overflow || !(q >= 0x1p-960 && q <= 0x1p960) || !finite(rise, n.x * v.x, n.x * v.x + n.y * v.y)) return true;
+  const double reach = sphere.radius * std::sqrt(q), gap = std::fabs(e.computed) - reach;
+  const double fall = e.computed < 0 ? rise : -rise, t = gap / fall;
+  if (!finite(reach, gap, t)) return true;
+  const Rational u = unit(), terms = size(n.x * v.x) + size(n.y * v.y) + size(n.z * v.z);
+  const Rational of_rise = (3 + 8 * u) * u * terms + power_of_two(-1073);
+  const Rational of_gap = e.error + 6 * u * exact(reach) + u * size(gap) + power_of_two(-1073);
+  if (!(exact(gap) > of_gap) || !(size(fall) > of_rise)) return true;
+  const Rational error =
+      (of_gap + (1 + 2 * u) * size(t) * of_rise) / (size(fall) - of_rise) + 2 * u * size(t) + power_of_two(-1074);
+  if (t < 0 || exact(t) > 1 + error)
+    return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
+  if (!(exact(t) > error && exact(t) < 1 - error)) return true;
+  return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
+         Surd(Rational(exact(t) - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(exact(t) + error));
 }
 
 TEST_CASE(

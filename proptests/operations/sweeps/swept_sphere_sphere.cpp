@@ -69,79 +69,58 @@ Rational reach(const Row::Question& question) {
 
 }  // namespace
 
-TEST_CASE("swept_sphere_sphere: the balls may be exchanged with their velocities") {
-  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    return equal(ask(Row::Question{b, a, vb, va}), ask(asked));
-  });
+LAW("swept_sphere_sphere: the balls may be exchanged with their velocities", a, b, va, vb) {
+  return equal(ask(Row::Question{b, a, vb, va}), ask(asked));
 }
 
-TEST_CASE("swept_sphere_sphere: a common velocity and a common place play no part") {
-  law<Row>("common motion", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    const Vector3d offset = some_vector(asked);
-    for (const Vector3d& w : {offset, Vector3d{3, -5, 7}}) {
-      const auto& [a, b, va, vb] = asked;
-      const auto at_a = sum(a.center, w), at_b = sum(b.center, w);
-      if (at_a && at_b && !equal(ask(Row::Question{{*at_a, a.radius}, {*at_b, b.radius}, va, vb}), answer))
-        return false;
-      const auto to_a = sum(va, w), to_b = sum(vb, w);
-      if (to_a && to_b && !equal(ask(Row::Question{a, b, *to_a, *to_b}), answer)) return false;
-    }
-    return true;
-  });
+LAW("swept_sphere_sphere: a common velocity and a common place play no part") {
+  const auto answer = ask(asked);
+  const Vector3d offset = some_vector(asked);
+  for (const Vector3d& w : {offset, Vector3d{3, -5, 7}}) {
+    const auto& [a, b, va, vb] = asked;
+    const auto at_a = sum(a.center, w), at_b = sum(b.center, w);
+    if (at_a && at_b && !equal(ask(Row::Question{{*at_a, a.radius}, {*at_b, b.radius}, va, vb}), answer)) return false;
+    const auto to_a = sum(va, w), to_b = sum(vb, w);
+    if (to_a && to_b && !equal(ask(Row::Question{a, b, *to_a, *to_b}), answer)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_sphere: only the sum of the radii counts") {
-  law<Row>("radii", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto both = sum(a.radius, b.radius);
-    return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
-  });
+LAW("swept_sphere_sphere: only the sum of the radii counts", a, b, va, vb) {
+  const auto both = sum(a.radius, b.radius);
+  return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
 }
 
-TEST_CASE("swept_sphere_sphere: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto answer = ask(asked);
-    for (const int k : {1, -1, 3, 40, -40, 500}) {
-      const auto v = times_two_to(va, k), w = times_two_to(vb, k);
-      if (v && w && !divided(answer, ask(Row::Question{a, b, *v, *w}), k)) return false;
-    }
-    return true;
-  });
+LAW("swept_sphere_sphere: velocities times a power of two divide t by it", a, b, va, vb) {
+  const auto answer = ask(asked);
+  for (const int k : {1, -1, 3, 40, -40, 500}) {
+    const auto v = times_two_to(va, k), w = times_two_to(vb, k);
+    if (v && w && !divided(answer, ask(Row::Question{a, b, *v, *w}), k)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_sphere: larger balls never meet later") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto answer = ask(asked);
-    for (const double larger : {audit::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
-      if (!finite(larger)) continue;
-      const auto then = ask(Row::Question{{a.center, larger}, b, va, vb});
-      if (answer.t && (!then.t || *then.t > *answer.t)) return false;
-    }
-    return true;
-  });
+LAW("swept_sphere_sphere: larger balls never meet later", a, b, va, vb) {
+  const auto answer = ask(asked);
+  for (const double larger : {audit::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
+    if (!finite(larger)) continue;
+    const auto then = ask(Row::Question{{a.center, larger}, b, va, vb});
+    if (answer.t && (!then.t || *then.t > *answer.t)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_sphere: a motion and the same backwards both meet, or neither does") {
-  law<Row>("backwards", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto end_a = sum(a.center, va), end_b = sum(b.center, vb);
-    if (!end_a || !end_b) return true;
-    const Row::Question back{{*end_a, a.radius}, {*end_b, b.radius}, -1.0 * va, -1.0 * vb};
-    return ask(back).relation == ask(asked).relation;
-  });
+LAW("swept_sphere_sphere: a motion and the same backwards both meet, or neither does", a, b, va, vb) {
+  const auto end_a = sum(a.center, va), end_b = sum(b.center, vb);
+  if (!end_a || !end_b) return true;
+  const Row::Question back{{*end_a, a.radius}, {*end_b, b.radius}, -1.0 * va, -1.0 * vb};
+  return ask(back).relation == ask(asked).relation;
 }
 
-TEST_CASE("swept_sphere_sphere: with equal velocities, and at rest, the balls meet at the start or never") {
-  law<Row>("at rest", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto rest = ask(Row::Question{a, b, {0, 0, 0}, {0, 0, 0}}), together = ask(Row::Question{a, b, va, va});
-    const bool meet = distance_at(asked, Rational(0)).squared <= Surd(Rational(reach(asked) * reach(asked)));
-    return equal(rest, together) && rest.t.has_value() == meet && (!meet || zero(*rest.t));
-  });
+LAW("swept_sphere_sphere: with equal velocities, and at rest, the balls meet at the start or never", a, b, va) {
+  const auto rest = ask(Row::Question{a, b, {0, 0, 0}, {0, 0, 0}}), together = ask(Row::Question{a, b, va, va});
+  const bool meet = distance_at(asked, Rational(0)).squared <= Surd(Rational(reach(asked) * reach(asked)));
+  return equal(rest, together) && rest.t.has_value() == meet && (!meet || zero(*rest.t));
 }
 
 TEST_CASE(
@@ -228,41 +207,36 @@ TEST_CASE("swept_sphere_sphere: of two broken rules the first is named: numbers 
   refused<Row>({ball, {{9, 0, 0}, -1}, {infinity, 0, 0}, still}, "b.radius", "radius >= 0");
 }
 
-TEST_CASE("swept_sphere_sphere: the relation alone is that of the answer") {
-  robust_law<Row>("relation", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return Row::decision::robust(asked) == answer.relation &&
-           (answer.relation == HitRelation::hit) == answer.t.has_value();
-  });
+ROBUST_LAW("swept_sphere_sphere: the relation alone is that of the answer") {
+  const auto answer = ask(asked);
+  return Row::decision::robust(asked) == answer.relation &&
+         (answer.relation == HitRelation::hit) == answer.t.has_value();
 }
 
-TEST_CASE("swept_sphere_sphere: the formula in double keeps its contract") {
-  contract<Row>("relation and t beyond the margin", [](const auto& truth, const auto& answer, const Sphere3d& a,
-                                                       const Sphere3d& b, const Vector3d& va, const Vector3d& vb) {
-    const Vector3d p = a.center - b.center, v = va - vb;
-    const double r = a.radius + b.radius, square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
-    const double d = linear * linear - 4 * square * constant;
-    const Row::Question question{a, b, va, vb};
-    const Rational q = distance_at(question, Rational(0)).squared.rational_part() + reach(question) * reach(question);
-    const Rational speed = distance_at({{{0, 0, 0}, 0}, {{0, 0, 0}, 0}, va, vb}, Rational(1)).squared.rational_part();
-    for (const Rational& x : {q, speed})
-      if (x < power_of_two(-480) || x > power_of_two(480)) return true;
-    const Rational u = unit(), error_of_d = 104 * u * speed * q, found = exact(d);
-    if (found < -error_of_d)
-      return answer.relation == HitRelation::never && equal(truth.answer.relation, answer.relation);
-    if (!(found > error_of_d)) return true;
-    // e(t), put together in double: (1 + 2^-40) is more than all roundings of that.
-    const double s = std::sqrt(d), t = (-linear - s) / (2 * square), size = q.get_d();
-    const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * size / s + 9 * std::fabs(t)) * 0x1p-53 + tiny;
-    const Rational error = exact(e) * (1 + power_of_two(-40)), at = exact(t);
-    if (at > error && at < 1 - error) {
-      return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
-             Surd(Rational(at - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(at + error));
-    }
-    if (at > 1 + error || (at < -error && exact(constant) > 7 * u * q))
-      return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
-    return true;
-  });
+CONTRACT("swept_sphere_sphere: the formula in double keeps its contract", a, b, va, vb) {
+  const Vector3d p = a.center - b.center, v = va - vb;
+  const double r = a.radius + b.radius, square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
+  const double d = linear * linear - 4 * square * constant;
+  const Row::Question question{a, b, va, vb};
+  const Rational q = distance_at(question, Rational(0)).squared.rational_part() + reach(question) * reach(question);
+  const Rational speed = distance_at({{{0, 0, 0}, 0}, {{0, 0, 0}, 0}, va, vb}, Rational(1)).squared.rational_part();
+  for (const Rational& x : {q, speed})
+    if (x < power_of_two(-480) || x > power_of_two(480)) return true;
+  const Rational u = unit(), error_of_d = 104 * u * speed * q, found = exact(d);
+  if (found < -error_of_d)
+    return answer.relation == HitRelation::never && equal(truth.answer.relation, answer.relation);
+  if (!(found > error_of_d)) return true;
+  // e(t), put together in double: (1 + 2^-40) is more than all roundings of that.
+  const double s = std::sqrt(d), t = (-linear - s) / (2 * square), size = q.get_d();
+  const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * size / s + 9 * std::fabs(t)) * 0x1p-53 + tiny;
+  const Rational error = exact(e) * (1 + power_of_two(-40)), at = exact(t);
+  if (at > error && at < 1 - error) {
+    return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
+           Surd(Rational(at - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(at + error));
+  }
+  if (at > 1 + error || (at < -error && exact(constant) > 7 * u * q))
+    return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
+  return true;
 }
 
 TEST_CASE("swept_sphere_sphere: in exact arithmetic the formula is wrong of balls alone that meet at the start") {

@@ -15,14 +15,6 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 constexpr Aabb2d square{{0, 0}, {4, 4}};
 constexpr Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 
-/// Holds of a pair of boxes, in the plane or in space: `holds(ask, a, b)`.
-template <class Holds>
-auto of_boxes(const Holds& holds) {
-  return [holds](const auto& ask, const auto& asked) {
-    return audit::applied([&](const auto& a, const auto& b) { return holds(ask, a, b); }, asked);
-  };
-}
-
 template <class Box>
 bool flat(const Box& box) {
   bool any = box.min.x == box.max.x || box.min.y == box.max.y;
@@ -72,66 +64,51 @@ void worked(const Boxes& boxes, Contact contact, const Rational& margin, const s
 
 }  // namespace
 
-TEST_CASE("aabb_aabb: a box overlaps itself, unless it is flat: then it touches itself") {
-  law<Row>("with itself", of_boxes([](const auto& ask, const auto& a, const auto&) {
-             return ask(std::tuple(a, a)) == (flat(a) ? touching : overlapping);
-           }));
+LAW("aabb_aabb: a box overlaps itself, unless it is flat: then it touches itself", a) {
+  return ask(std::tuple(a, a)) == (flat(a) ? touching : overlapping);
 }
 
-TEST_CASE("aabb_aabb: a flat box overlaps nothing") {
-  law<Row>("flat", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             return ask(std::tuple(a, b)) != overlapping || (!flat(a) && !flat(b));
-           }));
+LAW("aabb_aabb: a flat box overlaps nothing", a, b) {
+  return ask(std::tuple(a, b)) != overlapping || (!flat(a) && !flat(b));
 }
 
-TEST_CASE("aabb_aabb: lattice vectors keep the answer") {
-  law<Row>("moved", [](const auto& ask, const auto& asked) {
-    if (!on_lattice(asked)) return true;
-    auto moved = asked;
-    audit::for_each_number(moved, [](double& number) { number += 0x1p44 + 3; });
-    return ask(moved) == ask(asked);
-  });
+LAW("aabb_aabb: lattice vectors keep the answer") {
+  if (!on_lattice(asked)) return true;
+  auto moved = asked;
+  audit::for_each_number(moved, [](double& number) { number += 0x1p44 + 3; });
+  return ask(moved) == ask(asked);
 }
 
-TEST_CASE("aabb_aabb: a box that grows never loses contact") {
-  law<Row>("monotone", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             const Contact contact = ask(std::tuple(a, b));
-             for (std::size_t side = 0; side < sides_of(a); ++side)
-               if (ask(std::tuple(grown(a, side), b)) < contact) return false;
-             return ask(std::tuple(hull(a, b), b)) >= std::max<Contact>(contact, touching);
-           }));
+LAW("aabb_aabb: a box that grows never loses contact", a, b) {
+  const Contact contact = ask(std::tuple(a, b));
+  for (std::size_t side = 0; side < sides_of(a); ++side)
+    if (ask(std::tuple(grown(a, side), b)) < contact) return false;
+  return ask(std::tuple(hull(a, b), b)) >= std::max<Contact>(contact, touching);
 }
 
-TEST_CASE("aabb_aabb: boxes that touch side by side are disjoint once one of them has moved off by an ulp") {
-  law<Row>("an ulp off", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             auto beside = b;
-             beside.min.x = a.max.x, beside.max.x = std::max(a.max.x, b.max.x);
-             auto off = beside;
-             off.min.x = audit::moved_by_ulps(off.min.x, 1), off.max.x = audit::moved_by_ulps(off.max.x, 1);
-             return ask(std::tuple(a, beside)) != overlapping &&
-                    (off.min.x == a.max.x || ask(std::tuple(a, off)) == disjoint);
-           }));
+LAW("aabb_aabb: boxes that touch side by side are disjoint once one of them has moved off by an ulp", a, b) {
+  auto beside = b;
+  beside.min.x = a.max.x, beside.max.x = std::max(a.max.x, b.max.x);
+  auto off = beside;
+  off.min.x = audit::moved_by_ulps(off.min.x, 1), off.max.x = audit::moved_by_ulps(off.max.x, 1);
+  return ask(std::tuple(a, beside)) != overlapping && (off.min.x == a.max.x || ask(std::tuple(a, off)) == disjoint);
 }
 
-TEST_CASE("aabb_aabb: p. 45-47's intervals: the contact of boxes is the least of those on their axes") {
-  law<Row>("axis by axis", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             Contact least = std::min<Contact>(on_axis(ask, a.min.x, a.max.x, b.min.x, b.max.x),
-                                               on_axis(ask, a.min.y, a.max.y, b.min.y, b.max.y));
-             if constexpr (requires { a.min.z; })
-               least = std::min<Contact>(least, on_axis(ask, a.min.z, a.max.z, b.min.z, b.max.z));
-             return ask(std::tuple(a, b)) == least;
-           }));
+LAW("aabb_aabb: p. 45-47's intervals: the contact of boxes is the least of those on their axes", a, b) {
+  Contact least = std::min<Contact>(on_axis(ask, a.min.x, a.max.x, b.min.x, b.max.x),
+                                    on_axis(ask, a.min.y, a.max.y, b.min.y, b.max.y));
+  if constexpr (requires { a.min.z; })
+    least = std::min<Contact>(least, on_axis(ask, a.min.z, a.max.z, b.min.z, b.max.z));
+  return ask(std::tuple(a, b)) == least;
 }
 
-TEST_CASE("aabb_aabb: boxes of the plane made one high have the answer of the plane; made flat they touch at most") {
-  law<Row>("extruded", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             if constexpr (requires { a.min.z; }) return true;
-             else {
-               const Contact contact = ask(std::tuple(a, b));
-               return ask(InSpace{extruded(a, 1), extruded(b, 1)}) == contact &&
-                      ask(InSpace{extruded(a, 0), extruded(b, 0)}) == std::min<Contact>(contact, touching);
-             }
-           }));
+LAW("aabb_aabb: boxes of the plane made one high have the answer of the plane; made flat they touch at most", a, b) {
+  if constexpr (requires { a.min.z; }) return true;
+  else {
+    const Contact contact = ask(std::tuple(a, b));
+    return ask(InSpace{extruded(a, 1), extruded(b, 1)}) == contact &&
+           ask(InSpace{extruded(a, 0), extruded(b, 0)}) == std::min<Contact>(contact, touching);
+  }
 }
 
 TEST_CASE("aabb_aabb: p. 45-47's boxes in the plane, apart, side by side and one over the other, worked by hand") {
@@ -182,17 +159,17 @@ TEST_CASE("aabb_aabb: as typed they touch, as doubles they need not") {
   worked(InPlane{{{0, 0}, {0.1 + 0.2, 1}}, {{0.3, 0}, {2, 1}}}, overlapping, power_of_two(-54));
 }
 
-TEST_CASE("aabb_aabb: of two broken rules the first is named: a shape's numbers come before its rules, the first shape before the second") {
+TEST_CASE(
+    "aabb_aabb: of two broken rules the first is named: a shape's numbers come before its rules, the first shape "
+    "before the second") {
   refused<Row>(InPlane{{{5, 0}, {4, infinity}}, square}, "a.max[1]", "finite number");
   refused<Row>(InPlane{{{5, 0}, {4, 4}}, {{not_a_number, 0}, {4, 4}}}, "a.max[0]", "min <= max");
 }
 
-TEST_CASE("aabb_aabb: the formula in double keeps its contract") {
-  contract<Row>("right but for flat boxes inside", [](const auto& truth, Contact answer, const auto& a, const auto& b) {
-    const bool interiors = !flat(a) && !flat(b);
-    if (interiors || *truth.margin > 0) return answer == truth.answer;
-    return answer == truth.answer || (answer == overlapping && truth.answer == touching);
-  });
+CONTRACT("aabb_aabb: the formula in double keeps its contract", a, b) {
+  const bool interiors = !flat(a) && !flat(b);
+  if (interiors || *truth.margin > 0) return answer == truth.answer;
+  return answer == truth.answer || (answer == overlapping && truth.answer == touching);
 }
 
 TEST_CASE("aabb_aabb: the formula has no rounding: in double it answers as in exact arithmetic") {

@@ -120,32 +120,25 @@ TEST_CASE("convex_hull: symmetries and powers of two carry hulls to hulls") {
   robust_law<Row>("scales", scales<Row>);
 }
 
-TEST_CASE("convex_hull: robust gives the faces that the contract of robust names: those of the oracle, in its order") {
-  robust_law<Row>("canonical", [](const auto& ask, const auto& asked) {
-    const ConvexHull hull = ask(asked);
-    return hull.dimension != 3 || equal(hull, audit::ask_oracle<Row>(asked).answer);
-  });
+ROBUST_LAW("convex_hull: robust gives the faces that the contract of robust names: those of the oracle, in its order") {
+  const ConvexHull hull = ask(asked);
+  return hull.dimension != 3 || equal(hull, audit::ask_oracle<Row>(asked).answer);
 }
 
-TEST_CASE("convex_hull: looking for far points first changes nothing") {
-  robust_law<Row>("near and far", [](const auto& ask, const auto& asked) {
-    const Points& points = std::get<0>(asked);
-    const ConvexHull hull = ask(asked);
-    return !hull.faces || (faces_looking_far_from(5, points) == *hull.faces &&
-                           faces_looking_far_from(points.size() + 1, points) == *hull.faces);
-  });
+ROBUST_LAW("convex_hull: looking for far points first changes nothing", points) {
+  const ConvexHull hull = ask(asked);
+  return !hull.faces || (faces_looking_far_from(5, points) == *hull.faces &&
+                         faces_looking_far_from(points.size() + 1, points) == *hull.faces);
 }
 
-TEST_CASE("convex_hull: points in the plane z = 0 have the hull that they have in the plane") {
-  robust_law<Row>("in the plane", [](const auto& ask, const auto& asked) {
-    Points flat = std::get<0>(asked);
-    std::vector<Point2d> seen;
-    for (Point3d& p : flat) p.z = 0, seen.push_back({p.x, p.y});
-    const ConvexHull hull = ask(std::tuple(flat));
-    const ConvexHull2 in_plane = robust::convex_hull_2d(seen);
-    return hull.dimension == in_plane.dimension && hull.polygon == in_plane.polygon && hull.point == in_plane.point &&
-           hull.segment == in_plane.segment;
-  });
+ROBUST_LAW("convex_hull: points in the plane z = 0 have the hull that they have in the plane") {
+  Points flat = std::get<0>(asked);
+  std::vector<Point2d> seen;
+  for (Point3d& p : flat) p.z = 0, seen.push_back({p.x, p.y});
+  const ConvexHull hull = ask(std::tuple(flat));
+  const ConvexHull2 in_plane = robust::convex_hull_2d(seen);
+  return hull.dimension == in_plane.dimension && hull.polygon == in_plane.polygon && hull.point == in_plane.point &&
+         hull.segment == in_plane.segment;
 }
 
 TEST_CASE("convex_hull: points, segments, polygons and solids worked by hand") {

@@ -75,22 +75,20 @@ TEST_CASE("convex_hull_2d: symmetries, integer maps and powers of two carry hull
   law<Row>("scales", scales<Row>);
 }
 
-TEST_CASE("convex_hull_2d: robust begins with the lexicographically least point, and names the first of equal ones") {
-  robust_law<Row>("canonical", [](const auto& ask, const auto& asked) {
-    const Points& points = std::get<0>(asked);
-    const ConvexHull2 hull = ask(asked);
-    std::vector<Index> ring = hull.polygon.value_or(std::vector<Index>());
-    if (hull.point) ring = {*hull.point};
-    if (hull.segment) ring = {hull.segment->i, hull.segment->j};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Point2d &p = points[i], &least = points[ring[0]];
-      if (p.x < least.x || (p.x == least.x && p.y < least.y)) return false;
-      for (const Index k : ring) {
-        if (p == points[k] && i < k) return false;
-      }
+ROBUST_LAW("convex_hull_2d: robust begins with the lexicographically least point, and names the first of equal ones",
+           points) {
+  const ConvexHull2 hull = ask(asked);
+  std::vector<Index> ring = hull.polygon.value_or(std::vector<Index>());
+  if (hull.point) ring = {*hull.point};
+  if (hull.segment) ring = {hull.segment->i, hull.segment->j};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point2d &p = points[i], &least = points[ring[0]];
+    if (p.x < least.x || (p.x == least.x && p.y < least.y)) return false;
+    for (const Index k : ring) {
+      if (p == points[k] && i < k) return false;
     }
-    return true;
-  });
+  }
+  return true;
 }
 
 TEST_CASE("convex_hull_2d: points, segments and polygons worked by hand") {

@@ -74,60 +74,45 @@ struct Gap {
 
 }  // namespace
 
-TEST_CASE("obb_obb: half axes may be exchanged and reversed") {
-  law<Row>("half axes", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto& [u, v, w] = a.half_axes;
-    const auto& [x, y, z] = b.half_axes;
-    const Contact contact = ask(asked);
-    return ask(Row::Question{{a.center, {v, u, w}}, b}) == contact &&
-           ask(Row::Question{a, {b.center, {z, {-x.x, -x.y, -x.z}, y}}}) == contact;
-  });
+LAW("obb_obb: half axes may be exchanged and reversed", a, b) {
+  const auto& [u, v, w] = a.half_axes;
+  const auto& [x, y, z] = b.half_axes;
+  const Contact contact = ask(asked);
+  return ask(Row::Question{{a.center, {v, u, w}}, b}) == contact &&
+         ask(Row::Question{a, {b.center, {z, {-x.x, -x.y, -x.z}, y}}}) == contact;
 }
 
-TEST_CASE("obb_obb: a box overlaps itself and every box around its center") {
-  law<Row>("with itself", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    return ask(Row::Question{a, a}) == overlapping && ask(Row::Question{a, {a.center, b.half_axes}}) == overlapping;
-  });
+LAW("obb_obb: a box overlaps itself and every box around its center", a, b) {
+  return ask(Row::Question{a, a}) == overlapping && ask(Row::Question{a, {a.center, b.half_axes}}) == overlapping;
 }
 
-TEST_CASE("obb_obb: boxes touch where one stands an edge's length beside itself, and part an ulp of one axis farther") {
-  law<Row>("beside itself", [](const auto& ask, const auto& asked) {
-    const Obb3d& a = std::get<0>(asked);
-    if (!on_lattice(asked)) return true;
-    const auto beside = [&](double r, double s, double t) {
-      return ask(Row::Question{a, {audit::halves_along(a, r, s, t), a.half_axes}});
-    };
-    return beside(4, 0, 0) == touching && beside(-4, 4, 0) == touching && beside(4, 4, -4) == touching &&
-           beside(2, -2, 2) == overlapping && beside(0, 6, 0) == disjoint;
-  });
+LAW("obb_obb: boxes touch where one stands an edge's length beside itself, and part an ulp of one axis farther", a) {
+  if (!on_lattice(asked)) return true;
+  const auto beside = [&](double r, double s, double t) {
+    return ask(Row::Question{a, {audit::halves_along(a, r, s, t), a.half_axes}});
+  };
+  return beside(4, 0, 0) == touching && beside(-4, 4, 0) == touching && beside(4, 4, -4) == touching &&
+         beside(2, -2, 2) == overlapping && beside(0, 6, 0) == disjoint;
 }
 
-TEST_CASE("obb_obb: a corner of one box in the other means that they meet") {
-  robust_law<Row>("corners", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    if (!on_lattice(asked)) return true;
-    const Contact contact = ask(asked);
-    for (const double r : {-2.0, 2.0})
-      for (const double s : {-2.0, 2.0})
-        for (const double t : {-2.0, 2.0}) {
-          const Location location = robust::point_in_obb(a, audit::halves_along(b, r, s, t));
-          if (contact < (location == Location::inside     ? overlapping
-                         : location == Location::boundary ? touching
-                                                          : disjoint))
-            return false;
-        }
-    return true;
-  });
+ROBUST_LAW("obb_obb: a corner of one box in the other means that they meet", a, b) {
+  if (!on_lattice(asked)) return true;
+  const Contact contact = ask(asked);
+  for (const double r : {-2.0, 2.0})
+    for (const double s : {-2.0, 2.0})
+      for (const double t : {-2.0, 2.0}) {
+        const Location location = robust::point_in_obb(a, audit::halves_along(b, r, s, t));
+        if (contact < (location == Location::inside     ? overlapping
+                       : location == Location::boundary ? touching
+                                                        : disjoint))
+          return false;
+      }
+  return true;
 }
 
-TEST_CASE("obb_obb: boxes along the axes have the contact of aabb_aabb") {
-  robust_law<Row>("straight boxes", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    if (!on_lattice(asked) || !straight(a.half_axes) || !straight(b.half_axes)) return true;
-    return robust::aabb_aabb(aabb_of(a), aabb_of(b)) == ask(asked);
-  });
+ROBUST_LAW("obb_obb: boxes along the axes have the contact of aabb_aabb", a, b) {
+  if (!on_lattice(asked) || !straight(a.half_axes) || !straight(b.half_axes)) return true;
+  return robust::aabb_aabb(aabb_of(a), aabb_of(b)) == ask(asked);
 }
 
 TEST_CASE("obb_obb: p. 27's boxes worked by hand") {
@@ -188,25 +173,23 @@ TEST_CASE("obb_obb: of two broken rules the first is named, a's before b's") {
   refused<Row>({flat, bad}, "a.half_axes", "linearly independent");
 }
 
-TEST_CASE("obb_obb: the formula in double is that in exact arithmetic where the bound of its contract says so") {
-  contract<Row>("the forward error bound holds", [](const auto& truth, Contact answer, const Obb3d& a, const Obb3d& b) {
-    const std::vector<Vector3d> edges{a.half_axes.u, a.half_axes.v, a.half_axes.w,
-                                      b.half_axes.u, b.half_axes.v, b.half_axes.w};
-    const Point3d &p = a.center, &q = b.center;
-    const Vector3<Rational> d{Rational(exact(q.x) - exact(p.x)), Rational(exact(q.y) - exact(p.y)),
-                              Rational(exact(q.z) - exact(p.z))};
-    std::vector<Gap> gaps;
-    for (const Vector3d& edge : edges) gaps.emplace_back(q - p, d, edges, edge, nullptr);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 3; j < 6; ++j) gaps.emplace_back(q - p, d, edges, edges[i], &edges[j]);
-    bool separated = false;
-    for (const Gap& each : gaps) {
-      if (!each.certain()) return true;
-      separated = separated || each.gap > 0;
-    }
-    if (answer != (separated ? disjoint : overlapping)) return false;
-    return answer == truth.answer || !(orthogonal(a.half_axes) && orthogonal(b.half_axes));
-  });
+CONTRACT("obb_obb: the formula in double is that in exact arithmetic where the bound of its contract says so", a, b) {
+  const std::vector<Vector3d> edges{a.half_axes.u, a.half_axes.v, a.half_axes.w,
+                                    b.half_axes.u, b.half_axes.v, b.half_axes.w};
+  const Point3d &p = a.center, &q = b.center;
+  const Vector3<Rational> d{Rational(exact(q.x) - exact(p.x)), Rational(exact(q.y) - exact(p.y)),
+                            Rational(exact(q.z) - exact(p.z))};
+  std::vector<Gap> gaps;
+  for (const Vector3d& edge : edges) gaps.emplace_back(q - p, d, edges, edge, nullptr);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 3; j < 6; ++j) gaps.emplace_back(q - p, d, edges, edges[i], &edges[j]);
+  bool separated = false;
+  for (const Gap& each : gaps) {
+    if (!each.certain()) return true;
+    separated = separated || each.gap > 0;
+  }
+  if (answer != (separated ? disjoint : overlapping)) return false;
+  return answer == truth.answer || !(orthogonal(a.half_axes) && orthogonal(b.half_axes));
 }
 
 }  // namespace touchstone::proptests

@@ -33,70 +33,56 @@ bool certain(const Vector3d& n, const Slabd& slab, const Point3d& p) {
 
 }  // namespace
 
-TEST_CASE("point_in_kdop: the location is the last, in the order inside, boundary, outside, of those in the slabs") {
-  law<Row>("slab by slab", [](const auto& ask, const auto& asked) {
-    const auto& [kdop, p] = asked;
-    Location last = inside;
-    for (std::size_t i = 0; i < kdop.normals.size(); ++i)
-      last = std::max<Location>(last, ask(std::tuple(one_slab(kdop, i), p)));
-    return ask(asked) == last;
-  });
+LAW("point_in_kdop: the location is the last, in the order inside, boundary, outside, of those in the slabs", kdop, p) {
+  Location last = inside;
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i)
+    last = std::max<Location>(last, ask(std::tuple(one_slab(kdop, i), p)));
+  return ask(asked) == last;
 }
 
-TEST_CASE("point_in_kdop: the order of the slabs does not matter, nor that one is there twice") {
-  law<Row>("permuted", [](const auto& ask, const auto& asked) {
-    auto [kdop, p] = asked;
-    std::reverse(kdop.normals.begin(), kdop.normals.end()), std::reverse(kdop.slabs.begin(), kdop.slabs.end());
-    kdop.normals.push_back(kdop.normals[0]), kdop.slabs.push_back(kdop.slabs[0]);
-    return ask(std::tuple(kdop, p)) == ask(asked);
-  });
+LAW("point_in_kdop: the order of the slabs does not matter, nor that one is there twice") {
+  auto [kdop, p] = asked;
+  std::reverse(kdop.normals.begin(), kdop.normals.end()), std::reverse(kdop.slabs.begin(), kdop.slabs.end());
+  kdop.normals.push_back(kdop.normals[0]), kdop.slabs.push_back(kdop.slabs[0]);
+  return ask(std::tuple(kdop, p)) == ask(asked);
 }
 
-TEST_CASE("point_in_kdop: a slab may be written with the opposite normal") {
-  law<Row>("opposite", [](const auto& ask, const auto& asked) {
-    auto [kdop, p] = asked;
-    for (Vector3d& n : kdop.normals) n = {-n.x, -n.y, -n.z};
-    for (Slabd& slab : kdop.slabs) slab = {-slab.max, -slab.min};
-    return ask(std::tuple(kdop, p)) == ask(asked);
-  });
+LAW("point_in_kdop: a slab may be written with the opposite normal") {
+  auto [kdop, p] = asked;
+  for (Vector3d& n : kdop.normals) n = {-n.x, -n.y, -n.z};
+  for (Slabd& slab : kdop.slabs) slab = {-slab.max, -slab.min};
+  return ask(std::tuple(kdop, p)) == ask(asked);
 }
 
-TEST_CASE("point_in_kdop: a normal and its slab times a power of two say the same") {
-  law<Row>("normals of any length", [](const auto& ask, const auto& asked) {
-    const auto times = [](Kdop3d kdop, int k) {
-      audit::for_each_number(kdop, [k](double& number) { number = std::ldexp(number, k); });
-      return kdop;
-    };
-    const auto& [kdop, p] = asked;
-    for (const int k : {1, -40, 500, -500}) {
-      const Kdop3d longer = times(kdop, k);
-      if (numbers_of(times(longer, -k)) == numbers_of(kdop) && ask(std::tuple(longer, p)) != ask(asked)) return false;
-    }
-    return true;
-  });
+LAW("point_in_kdop: a normal and its slab times a power of two say the same") {
+  const auto times = [](Kdop3d kdop, int k) {
+    audit::for_each_number(kdop, [k](double& number) { number = std::ldexp(number, k); });
+    return kdop;
+  };
+  const auto& [kdop, p] = asked;
+  for (const int k : {1, -40, 500, -500}) {
+    const Kdop3d longer = times(kdop, k);
+    if (numbers_of(times(longer, -k)) == numbers_of(kdop) && ask(std::tuple(longer, p)) != ask(asked)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_in_kdop: flat slabs at an end of a slab hold the point at most on the boundary") {
-  law<Row>("flattened", [](const auto& ask, const auto& asked) {
-    auto [kdop, p] = asked;
-    for (Slabd& slab : kdop.slabs) slab.max = slab.min;
-    const Location flat = ask(std::tuple(kdop, p));
-    return flat != inside && (flat == outside || ask(asked) == boundary);
-  });
+LAW("point_in_kdop: flat slabs at an end of a slab hold the point at most on the boundary") {
+  auto [kdop, p] = asked;
+  for (Slabd& slab : kdop.slabs) slab.max = slab.min;
+  const Location flat = ask(std::tuple(kdop, p));
+  return flat != inside && (flat == outside || ask(asked) == boundary);
 }
 
-TEST_CASE("point_in_kdop: p. 22's planes say of each end on which side the point lies") {
-  robust_law<Row>("as point_plane", [](const auto& ask, const auto& asked) {
-    const auto& [kdop, p] = asked;
-    for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
-      const auto over = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].min}, p),
-                 beyond = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].max}, p);
-      const bool excluded = over == PlaneSide::back || beyond == PlaneSide::front;
-      const bool at_end = over == PlaneSide::on || beyond == PlaneSide::on;
-      if (ask(std::tuple(one_slab(kdop, i), p)) != (excluded ? outside : at_end ? boundary : inside)) return false;
-    }
-    return true;
-  });
+ROBUST_LAW("point_in_kdop: p. 22's planes say of each end on which side the point lies", kdop, p) {
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+    const auto over = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].min}, p),
+               beyond = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].max}, p);
+    const bool excluded = over == PlaneSide::back || beyond == PlaneSide::front;
+    const bool at_end = over == PlaneSide::on || beyond == PlaneSide::on;
+    if (ask(std::tuple(one_slab(kdop, i), p)) != (excluded ? outside : at_end ? boundary : inside)) return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_in_kdop: p. 43's slabs worked by hand") {
@@ -139,13 +125,12 @@ TEST_CASE("point_in_kdop: of two broken rules the first is named, the k-DOP's be
   refused<Row>({one_slab({1, 0, 0}, 2, 1), {infinity, 0, 0}}, "kdop.slabs[0][1]", "min <= max");
 }
 
-TEST_CASE("point_in_kdop: the formula in double keeps its contract and is right in exact arithmetic") {
-  contract<Row>("beyond the bound", [](const auto& truth, Location answer, const Kdop3d& kdop, const Point3d& p) {
-    for (std::size_t i = 0; i < kdop.normals.size(); ++i)
-      if (!certain(kdop.normals[i], kdop.slabs[i], p)) return true;
-    return answer == truth.answer;
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("point_in_kdop: the formula in double keeps its contract and is right in exact arithmetic", kdop, p) {
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i)
+    if (!certain(kdop.normals[i], kdop.slabs[i], p)) return true;
+  return answer == truth.answer;
 }
+
+TEST_CASE("point_in_kdop: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

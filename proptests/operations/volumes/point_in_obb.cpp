@@ -61,37 +61,28 @@ bool orthogonal(const Vector3d& v, const Vector3d& w) {
 
 }  // namespace
 
-TEST_CASE("point_in_obb: half axes may be exchanged and reversed") {
-  law<Row>("half axes", [](const auto& ask, const auto& asked) {
-    const auto& [box, p] = asked;
-    const auto& [u, v, w] = box.half_axes;
-    const Location location = ask(asked);
-    return ask(Row::Question{{box.center, {v, u, w}}, p}) == location &&
-           ask(Row::Question{{box.center, {w, reversed_axis(u), v}}, p}) == location &&
-           ask(Row::Question{{box.center, {reversed_axis(u), reversed_axis(v), reversed_axis(w)}}, p}) == location;
-  });
+LAW("point_in_obb: half axes may be exchanged and reversed", box, p) {
+  const auto& [u, v, w] = box.half_axes;
+  const Location location = ask(asked);
+  return ask(Row::Question{{box.center, {v, u, w}}, p}) == location &&
+         ask(Row::Question{{box.center, {w, reversed_axis(u), v}}, p}) == location &&
+         ask(Row::Question{{box.center, {reversed_axis(u), reversed_axis(v), reversed_axis(w)}}, p}) == location;
 }
 
-TEST_CASE("point_in_obb: the center is inside, and what is opposite to a point lies as the point does") {
-  law<Row>("center", [](const auto& ask, const auto& asked) {
-    const auto& [box, p] = asked;
-    const Point3d& c = box.center;
-    if (ask(Row::Question{box, c}) != inside) return false;
-    return !on_lattice(asked) ||
-           ask(Row::Question{box, {c.x + (c.x - p.x), c.y + (c.y - p.y), c.z + (c.z - p.z)}}) == ask(asked);
-  });
+LAW("point_in_obb: the center is inside, and what is opposite to a point lies as the point does", box, p) {
+  const Point3d& c = box.center;
+  if (ask(Row::Question{box, c}) != inside) return false;
+  return !on_lattice(asked) ||
+         ask(Row::Question{box, {c.x + (c.x - p.x), c.y + (c.y - p.y), c.z + (c.z - p.z)}}) == ask(asked);
 }
 
-TEST_CASE("point_in_obb: ends of half axes and corners are on the boundary, and beyond is outside") {
-  law<Row>("corners", [](const auto& ask, const auto& asked) {
-    const Obb3d& box = std::get<0>(asked);
-    if (!on_lattice(asked)) return true;
-    const auto at = [&](double r, double s, double t) {
-      return ask(Row::Question{box, audit::halves_along(box, 2 * r, 2 * s, 2 * t)});
-    };
-    return at(1, 0, 0) == boundary && at(0, -1, 0) == boundary && at(0, 0, 1) == boundary && at(1, -1, 1) == boundary &&
-           at(2, 0, 0) == outside && at(0, 0, -2) == outside && at(1, 1, 2) == outside;
-  });
+LAW("point_in_obb: ends of half axes and corners are on the boundary, and beyond is outside", box) {
+  if (!on_lattice(asked)) return true;
+  const auto at = [&](double r, double s, double t) {
+    return ask(Row::Question{box, audit::halves_along(box, 2 * r, 2 * s, 2 * t)});
+  };
+  return at(1, 0, 0) == boundary && at(0, -1, 0) == boundary && at(0, 0, 1) == boundary && at(1, -1, 1) == boundary &&
+         at(2, 0, 0) == outside && at(0, 0, -2) == outside && at(1, 1, 2) == outside;
 }
 
 TEST_CASE("point_in_obb: a box is the convex polyhedron of its corners") {
@@ -151,22 +142,20 @@ TEST_CASE("point_in_obb: of two broken rules the first is named, the box's befor
   refused<Row>({of({1, 2, 3}, {4, 5, 6}, {7, 8, 9}), {infinity, 0, 0}}, "obb.half_axes", "linearly independent");
 }
 
-TEST_CASE("point_in_obb: the formula in double is that in exact arithmetic where the bound of its contract says so") {
-  contract<Row>("the forward error bound holds",
-                [](const auto& truth, Location answer, const Obb3d& box, const Point3d& p) {
-                  const auto& [u, v, w] = box.half_axes;
-                  const Point3d& c = box.center;
-                  const Vector3<Rational> d{Rational(exact(p.x) - exact(c.x)), Rational(exact(p.y) - exact(c.y)),
-                                            Rational(exact(p.z) - exact(c.z))};
-                  bool beyond = false;
-                  for (const Vector3d* a : {&u, &v, &w}) {
-                    const Projection projection(p - c, d, *a);
-                    if (!projection.certain()) return true;
-                    beyond = beyond || projection.along > projection.reach;
-                  }
-                  if (answer != (beyond ? outside : inside)) return false;
-                  return answer == truth.answer || !(orthogonal(u, v) && orthogonal(v, w) && orthogonal(w, u));
-                });
+CONTRACT("point_in_obb: the formula in double is that in exact arithmetic where the bound of its contract says so", box,
+         p) {
+  const auto& [u, v, w] = box.half_axes;
+  const Point3d& c = box.center;
+  const Vector3<Rational> d{Rational(exact(p.x) - exact(c.x)), Rational(exact(p.y) - exact(c.y)),
+                            Rational(exact(p.z) - exact(c.z))};
+  bool beyond = false;
+  for (const Vector3d* a : {&u, &v, &w}) {
+    const Projection projection(p - c, d, *a);
+    if (!projection.certain()) return true;
+    beyond = beyond || projection.along > projection.reach;
+  }
+  if (answer != (beyond ? outside : inside)) return false;
+  return answer == truth.answer || !(orthogonal(u, v) && orthogonal(v, w) && orthogonal(w, u));
 }
 
 }  // namespace touchstone::proptests

@@ -13,14 +13,6 @@ using InSpace = Row::InSpace;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
 
-/// Holds of a pair of balls or discs: `holds(ask, a, b)`.
-template <class Holds>
-auto of_balls(const Holds& holds) {
-  return [holds](const auto& ask, const auto& asked) {
-    return audit::applied([&](const auto& a, const auto& b) { return holds(ask, a, b); }, asked);
-  };
-}
-
 template <class Ball>
 bool is_point(const Ball& ball) {
   return ball.radius == 0;
@@ -64,49 +56,39 @@ void worked(const Balls& balls, Contact contact, const Rational& margin, const s
 
 }  // namespace
 
-TEST_CASE("sphere_sphere: a ball overlaps itself, unless it is a point: then it touches itself") {
-  law<Row>("with itself", of_balls([](const auto& ask, const auto& a, const auto&) {
-             return ask(std::tuple(a, a)) == (is_point(a) ? touching : overlapping);
-           }));
+LAW("sphere_sphere: a ball overlaps itself, unless it is a point: then it touches itself", a) {
+  return ask(std::tuple(a, a)) == (is_point(a) ? touching : overlapping);
 }
 
-TEST_CASE("sphere_sphere: a point overlaps nothing") {
-  law<Row>("points", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             return (ask(std::tuple(a, b)) != overlapping || (!is_point(a) && !is_point(b))) &&
-                    ask(std::tuple(with_radius(a, 0), b)) != overlapping &&
-                    ask(std::tuple(a, with_radius(b, -0.0))) != overlapping;
-           }));
+LAW("sphere_sphere: a point overlaps nothing", a, b) {
+  return (ask(std::tuple(a, b)) != overlapping || (!is_point(a) && !is_point(b))) &&
+         ask(std::tuple(with_radius(a, 0), b)) != overlapping &&
+         ask(std::tuple(a, with_radius(b, -0.0))) != overlapping;
 }
 
-TEST_CASE("sphere_sphere: a ball that grows never loses contact, and one that touched overlaps") {
-  law<Row>("monotone", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             const double larger = audit::moved_by_ulps(a.radius, 1);
-             const Contact contact = ask(std::tuple(a, b)), then = ask(std::tuple(with_radius(a, larger), b));
-             if (larger == a.radius || contact == disjoint) return then >= contact;
-             return then == (is_point(b) ? touching : overlapping);
-           }));
+LAW("sphere_sphere: a ball that grows never loses contact, and one that touched overlaps", a, b) {
+  const double larger = audit::moved_by_ulps(a.radius, 1);
+  const Contact contact = ask(std::tuple(a, b)), then = ask(std::tuple(with_radius(a, larger), b));
+  if (larger == a.radius || contact == disjoint) return then >= contact;
+  return then == (is_point(b) ? touching : overlapping);
 }
 
-TEST_CASE("sphere_sphere: only the sum of the radii counts, but for points") {
-  law<Row>("radii dealt out", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             if (!on_lattice(std::tuple(a, b)) || is_point(a) || is_point(b)) return true;
-             const double sum = a.radius + b.radius;
-             const Contact contact = ask(std::tuple(a, b));
-             return ask(std::tuple(with_radius(a, b.radius), with_radius(b, a.radius))) == contact &&
-                    ask(std::tuple(with_radius(a, sum / 2), with_radius(b, sum / 2))) == contact &&
-                    ask(std::tuple(with_radius(a, 0), with_radius(b, sum))) == std::min<Contact>(contact, touching);
-           }));
+LAW("sphere_sphere: only the sum of the radii counts, but for points", a, b) {
+  if (!on_lattice(std::tuple(a, b)) || is_point(a) || is_point(b)) return true;
+  const double sum = a.radius + b.radius;
+  const Contact contact = ask(std::tuple(a, b));
+  return ask(std::tuple(with_radius(a, b.radius), with_radius(b, a.radius))) == contact &&
+         ask(std::tuple(with_radius(a, sum / 2), with_radius(b, sum / 2))) == contact &&
+         ask(std::tuple(with_radius(a, 0), with_radius(b, sum))) == std::min<Contact>(contact, touching);
 }
 
-TEST_CASE("sphere_sphere: discs have the contact of balls with their centers and radii") {
-  law<Row>("in space", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             if constexpr (requires { a.center.z; }) return true;
-             else {
-               const Contact contact = ask(std::tuple(a, b));
-               return ask(InSpace{ball_of(a, 0), ball_of(b, -0.0)}) == contact &&
-                      ask(InSpace{ball_of(a, huge), ball_of(b, huge)}) == contact;
-             }
-           }));
+LAW("sphere_sphere: discs have the contact of balls with their centers and radii", a, b) {
+  if constexpr (requires { a.center.z; }) return true;
+  else {
+    const Contact contact = ask(std::tuple(a, b));
+    return ask(InSpace{ball_of(a, 0), ball_of(b, -0.0)}) == contact &&
+           ask(InSpace{ball_of(a, huge), ball_of(b, huge)}) == contact;
+  }
 }
 
 TEST_CASE("sphere_sphere: p. 44's squares worked by hand, in the plane") {
@@ -151,19 +133,17 @@ TEST_CASE("sphere_sphere: rounding, huge, subnormal and negative zero") {
   worked(InSpace{{{0, 0, 0}, huge}, {{0, 0, 1}, 1}}, overlapping, Rational(2 * exact(huge) + 1));  // less huge^2
 }
 
-TEST_CASE("sphere_sphere: of two broken rules the first is named: numbers before rules, the first shape before the second") {
+TEST_CASE(
+    "sphere_sphere: of two broken rules the first is named: numbers before rules, the first shape before the second") {
   refused<Row>(InSpace{{{0, 0, 0}, not_a_number}, {{0, 0, 0}, -1}}, "a.radius", "finite number");
   refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, 1}}, "a.radius", "radius >= 0");
 }
 
-TEST_CASE("sphere_sphere: the formula in double keeps its contract") {
-  contract<Row>("right beyond its bound, but for points inside",
-                [](const auto& truth, Contact answer, const auto& a, const auto& b) {
-                  if (!certain(a, b)) return true;
-                  const auto [s, r] = squares(a, b);
-                  return answer == (s > r ? disjoint : overlapping) &&
-                         (answer == truth.answer || (truth.answer == touching && (is_point(a) || is_point(b))));
-                });
+CONTRACT("sphere_sphere: the formula in double keeps its contract", a, b) {
+  if (!certain(a, b)) return true;
+  const auto [s, r] = squares(a, b);
+  return answer == (s > r ? disjoint : overlapping) &&
+         (answer == truth.answer || (truth.answer == touching && (is_point(a) || is_point(b))));
 }
 
 }  // namespace touchstone::proptests
