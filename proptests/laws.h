@@ -20,7 +20,7 @@ using Rational = oracle::Rational;
 using robust::Stage;
 namespace rows = audit::rows;
 
-inline constexpr double tiny = 5e-324, huge = 1e308;
+inline constexpr double tiny = 5e-324, huge = 1e308, greatest = std::numeric_limits<double>::max();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -253,6 +253,16 @@ void example(const typename Row::Question& question, const exact_answer_t<Row>& 
   example(audit::operation_of_row<Row>(), audit::packed(question), audit::packed_as<audit::TrueNumber>(expected),
           by_reference);
 }
+
+/// The same, and the oracle's margin: `constexpr Worked<Row> worked;`
+template <class Row>
+struct Worked {
+  void operator()(const typename Row::Question& question, const exact_answer_t<Row>& expected, const Rational& margin,
+                  const std::string& by_reference = "agree") const {
+    example<Row>(question, expected, by_reference);
+    CHECK(*audit::ask_oracle<Row>(question).margin == margin);
+  }
+};
 
 /// Robust and oracle both refuse, naming this field and rule.
 void refused(const Operation& operation, const Question& question, const std::string& expected);

@@ -74,6 +74,20 @@ inline std::vector<Vector3d> same_plane(const Vector3d& n) {
   return found;
 }
 
+/// The normal's length and side do not matter; it is the question's part of that number.
+template <std::size_t normal>
+inline constexpr auto any_normal_of_the_plane = [](const auto& ask, const auto& asked) {
+  const auto answer = ask(asked);
+  const Vector3d& n = std::get<normal>(asked);
+  const auto keeps = [&](const Vector3d& other) {
+    auto question = asked;
+    std::get<normal>(question) = other;
+    return equal(ask(question), answer);
+  };
+  const auto normals = same_plane(n);
+  return std::all_of(normals.begin(), normals.end(), keeps) && (!on_small_lattice(std::tuple(n)) || keeps(3.0 * n));
+};
+
 /// Whether components are those times 2^k, as far as rounding keeps its relative place.
 template <class R>
 bool scaled_vector(const Vector3<R>& v, const Vector3<R>& found, int k) {

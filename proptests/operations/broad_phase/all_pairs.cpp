@@ -42,10 +42,7 @@ Pairs pairs_where(std::size_t count, const Meet& meet) {
   return pairs;
 }
 
-double in_range(double number) {
-  constexpr double greatest = std::numeric_limits<double>::max();
-  return std::clamp(number, -greatest, greatest);
-}
+double in_range(double number) { return std::clamp(number, -greatest, greatest); }
 
 /// Half as large again, or as much as the range allows; what was in it still is.
 Sphere3d grown(const Sphere3d& ball) { return {ball.center, in_range(1.5 * ball.radius)}; }

@@ -83,29 +83,26 @@ TEST_CASE("point_on_segment: huge, subnormal and negative zero") {
   example<Row>({{-0.0, 0.0}, {{0.0, -0.0}, {-0.0, 0.0}}}, on(0), "algorithm");
 }
 
-TEST_CASE("point_on_segment: the formula in double keeps its contract") {
-  contract<Row>(
-      "rightly off beyond the margin", [](const auto& truth, const auto& answer, const Point2d& p, const Segment2d& s) {
-        const Parameter tx(p.x - s.a.x, s.b.x - s.a.x), ty(p.y - s.a.y, s.b.y - s.a.y);
-        bool certain = tx.defined && ty.defined && abs(exact(tx.computed) - exact(ty.computed)) > tx.error + ty.error;
-        if (tx.defined && ty.defined)
-          certain = certain || exact(tx.computed) < -tx.error || exact(tx.computed) > 1 + tx.error;
-        return !certain || (truth.answer.relation == Incidence::off && answer.relation == Incidence::off);
-      });
-  contract<Row>("an answer on comes with a t within the bound where it is true",
-                [](const auto& truth, const auto& answer, const Point2d& p, const Segment2d& s) {
-                  if (answer.relation == Incidence::off || truth.answer.relation == Incidence::off) return true;
-                  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x);
-                  return !tx.defined || within(*answer.t, *truth.answer.t, tx.error);
-                });
-  robust_law<Row>("along an axis the formula is off even in exact arithmetic", [](const auto&, const auto& asked) {
-    const auto& [p, s] = asked;
-    if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
-    const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
-    return reference::point_on_segment(audit::converted<audit::Exact>(p, in_exact),
-                                       audit::converted<audit::Exact>(s, in_exact))
-               .relation == Incidence::off;
-  });
+CONTRACT("point_on_segment: the formula in double is rightly off beyond the margin of its contract", p, s) {
+  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x), ty(p.y - s.a.y, s.b.y - s.a.y);
+  bool certain = tx.defined && ty.defined && abs(exact(tx.computed) - exact(ty.computed)) > tx.error + ty.error;
+  if (tx.defined && ty.defined)
+    certain = certain || exact(tx.computed) < -tx.error || exact(tx.computed) > 1 + tx.error;
+  return !certain || (truth.answer.relation == Incidence::off && answer.relation == Incidence::off);
+}
+
+CONTRACT("point_on_segment: where the formula is rightly on, its t is within the bound of its contract", p, s) {
+  if (answer.relation == Incidence::off || truth.answer.relation == Incidence::off) return true;
+  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x);
+  return !tx.defined || within(*answer.t, *truth.answer.t, tx.error);
+}
+
+ROBUST_LAW("point_on_segment: along an axis the formula is off even in exact arithmetic", p, s) {
+  if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
+  const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
+  return reference::point_on_segment(audit::converted<audit::Exact>(p, in_exact),
+                                     audit::converted<audit::Exact>(s, in_exact))
+             .relation == Incidence::off;
 }
 
 }  // namespace touchstone::proptests

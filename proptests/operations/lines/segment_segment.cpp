@@ -88,34 +88,32 @@ TEST_CASE("segment_segment: huge and subnormal") {
                "rounding");
 }
 
-TEST_CASE(
+CONTRACT(
     "segment_segment: the formula in double is right beyond the margin of its contract, its numbers within their "
-    "bounds") {
-  contract<Row>("the forward error bounds hold", [](const auto& truth, const auto& answer, const Segment2d& a,
-                                                    const Segment2d& b) {
-    const Vector2d da = a.b - a.a, db = b.b - b.a, w = b.a - a.a;
-    const CrossBound d(da, db, 3);
-    const QuotientBound ta(CrossBound(w, db, 3), d), tb(CrossBound(w, da, 3), d);
-    if (ta.certainly_outside() || tb.certainly_outside()) {
-      return answer.relation == SegmentRelation::disjoint && truth.answer.relation == SegmentRelation::disjoint;
-    }
-    if (!ta.certainly_inside() || !tb.certainly_inside()) return true;
-    return answer.relation == SegmentRelation::point && truth.answer.relation == SegmentRelation::point &&
-           within(*answer.ta, *truth.answer.ta, ta.error) && within(*answer.tb, *truth.answer.tb, tb.error);
-  });
-  robust_law<Row>("the formula never answers overlap, and calls collinear contacts disjoint in exact arithmetic",
-                  [](const auto& ask, const auto& asked) {
-                    const auto& [a, b] = asked;
-                    const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
-                    const auto formula = reference::segment_segment(audit::converted<audit::Exact>(a, in_exact),
-                                                                    audit::converted<audit::Exact>(b, in_exact));
-                    const bool collinear = robust::orientation(a.a, a.b, b.a) == Side::on &&
-                                           robust::orientation(a.a, a.b, b.b) == Side::on &&
-                                           robust::orientation(b.a, b.b, a.a) == Side::on &&
-                                           robust::orientation(b.a, b.b, a.b) == Side::on;
-                    return formula.relation == (collinear ? SegmentRelation::disjoint : ask(asked).relation) ||
-                           (!collinear && (a.a == a.b || b.a == b.b) && formula.relation == SegmentRelation::disjoint);
-                  });
+    "bounds",
+    a, b) {
+  const Vector2d da = a.b - a.a, db = b.b - b.a, w = b.a - a.a;
+  const CrossBound d(da, db, 3);
+  const QuotientBound ta(CrossBound(w, db, 3), d), tb(CrossBound(w, da, 3), d);
+  if (ta.certainly_outside() || tb.certainly_outside()) {
+    return answer.relation == SegmentRelation::disjoint && truth.answer.relation == SegmentRelation::disjoint;
+  }
+  if (!ta.certainly_inside() || !tb.certainly_inside()) return true;
+  return answer.relation == SegmentRelation::point && truth.answer.relation == SegmentRelation::point &&
+         within(*answer.ta, *truth.answer.ta, ta.error) && within(*answer.tb, *truth.answer.tb, tb.error);
+}
+
+ROBUST_LAW(
+    "segment_segment: the formula never answers overlap, and calls collinear contacts disjoint in exact arithmetic", a,
+    b) {
+  const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
+  const auto formula = reference::segment_segment(audit::converted<audit::Exact>(a, in_exact),
+                                                  audit::converted<audit::Exact>(b, in_exact));
+  const bool collinear =
+      robust::orientation(a.a, a.b, b.a) == Side::on && robust::orientation(a.a, a.b, b.b) == Side::on &&
+      robust::orientation(b.a, b.b, a.a) == Side::on && robust::orientation(b.a, b.b, a.b) == Side::on;
+  return formula.relation == (collinear ? SegmentRelation::disjoint : ask(asked).relation) ||
+         (!collinear && (a.a == a.b || b.a == b.b) && formula.relation == SegmentRelation::disjoint);
 }
 
 }  // namespace touchstone::proptests

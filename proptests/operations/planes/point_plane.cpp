@@ -172,22 +172,20 @@ TEST_CASE("point_plane: of two broken rules the first is named, also where only 
   CHECK(refusal_of_side({{0, 1, 0}, infinity}) == "plane.offset: finite number");
 }
 
-TEST_CASE("point_plane: the formula in double keeps its contract") {
-  contract<Row>("the right side beyond the margin",
-                [](const auto& truth, const auto& answer, const Plane3d& plane, const Point3d& p) {
-                  const HeightBound e(plane, p);
-                  return !e.certain() || truth.answer.side == answer.side;
-                });
-  contract<Row>("the distance within its bound", [](const auto& truth, const auto& answer, const Plane3d& plane,
-                                                    const Point3d& p) {
-    const HeightBound e(plane, p);
-    const double q = dot(plane.normal, plane.normal), length = std::sqrt(q);
-    if (e.overflow || !(q >= 0x1p-960) || !finite(q, answer.signed_distance)) return true;
-    const Rational u = unit();
-    return within(answer.signed_distance, truth.answer.signed_distance,
-                  (1 + 8 * u) * e.error / exact(length) + 5 * u * size(answer.signed_distance) + power_of_two(-1074));
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("point_plane: the formula in double has the right side beyond the margin of its contract", plane, p) {
+  const HeightBound e(plane, p);
+  return !e.certain() || truth.answer.side == answer.side;
 }
+
+CONTRACT("point_plane: the formula in double has the distance within the bound of its contract", plane, p) {
+  const HeightBound e(plane, p);
+  const double q = dot(plane.normal, plane.normal), length = std::sqrt(q);
+  if (e.overflow || !(q >= 0x1p-960) || !finite(q, answer.signed_distance)) return true;
+  const Rational u = unit();
+  return within(answer.signed_distance, truth.answer.signed_distance,
+                (1 + 8 * u) * e.error / exact(length) + 5 * u * size(answer.signed_distance) + power_of_two(-1074));
+}
+
+TEST_CASE("point_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -172,34 +172,32 @@ TEST_CASE("polygon_normal: of two broken rules the first is named") {
   refused<Row>({{{{0, not_a_number, 0}}}}, "polygon", "at least 3 vertices");
 }
 
-TEST_CASE("polygon_normal: the formula in double keeps its contract for the first three vertices") {
-  contract<Row>("unit normal and class within the bound", [](const auto&, const auto& answer, const Polygon3d& ring) {
-    const Vector3d v = ring[1] - ring[0], w = ring[2] - ring[1], n = cross(v, w);
-    const double q = dot(n, n), s = std::sqrt(q);
-    const std::array<double, 6> products{v.y * w.z, v.z * w.y, v.z * w.x, v.x * w.z, v.x * w.y, v.y * w.x};
-    if (!(q >= 0x1p-960) || !finite(q, v.x, v.y, v.z, w.x, w.y, w.z)) return true;
-    const Rational u = unit();
-    Rational d = 3 * power_of_two(-1073);
-    for (const double product : products) d += (4 + 20 * u) * u * size(product);
-    const auto truth = oracle::polygon_normal(Polygon3d{{ring[0], ring[1], ring[2]}}).answer;
-    if ((1 - 4 * u) * exact(s) > d &&
-        (truth.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
-      return false;
-    if (!truth.unit || !answer.unit) return true;
-    const auto close = [&](double computed, const Rational& right) {
-      return within(computed, right, 5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074));
-    };
-    return close(answer.unit->x, truth.unit->x) && close(answer.unit->y, truth.unit->y) &&
-           close(answer.unit->z, truth.unit->z);
-  });
-  robust_law<Row>("of a triangle the formula is right in exact arithmetic", [](const auto&, const auto& asked) {
-    const auto& ring = std::get<0>(asked);
-    if (ring.size() != 3) return true;
-    const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
-    const Question question = audit::packed(asked);
-    return audit::same_as_truth(*row.answer, row.solve(question).answer, row.reference_exactly(question),
-                                audit::Reading::less);
-  });
+CONTRACT("polygon_normal: the formula in double keeps its contract for the first three vertices", ring) {
+  const Vector3d v = ring[1] - ring[0], w = ring[2] - ring[1], n = cross(v, w);
+  const double q = dot(n, n), s = std::sqrt(q);
+  const std::array<double, 6> products{v.y * w.z, v.z * w.y, v.z * w.x, v.x * w.z, v.x * w.y, v.y * w.x};
+  if (!(q >= 0x1p-960) || !finite(q, v.x, v.y, v.z, w.x, w.y, w.z)) return true;
+  const Rational u = unit();
+  Rational d = 3 * power_of_two(-1073);
+  for (const double product : products) d += (4 + 20 * u) * u * size(product);
+  const auto truth = oracle::polygon_normal(Polygon3d{{ring[0], ring[1], ring[2]}}).answer;
+  if ((1 - 4 * u) * exact(s) > d &&
+      (truth.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
+    return false;
+  if (!truth.unit || !answer.unit) return true;
+  const auto close = [&](double computed, const Rational& right) {
+    return within(computed, right, 5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074));
+  };
+  return close(answer.unit->x, truth.unit->x) && close(answer.unit->y, truth.unit->y) &&
+         close(answer.unit->z, truth.unit->z);
+}
+
+ROBUST_LAW("polygon_normal: of a triangle the formula is right in exact arithmetic", ring) {
+  if (ring.size() != 3) return true;
+  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+  const Question question = audit::packed(asked);
+  return audit::same_as_truth(*row.answer, row.solve(question).answer, row.reference_exactly(question),
+                              audit::Reading::less);
 }
 
 }  // namespace touchstone::proptests

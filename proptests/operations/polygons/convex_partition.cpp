@@ -8,11 +8,6 @@ namespace {
 
 using Row = rows::convex_partition;
 
-Polygon2d times(double factor, Polygon2d polygon) {
-  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
-  return polygon;
-}
-
 /// How many vertices of a lattice ring are reflex.
 std::size_t reflex(const Polygon2d& ring) {
   Int128 area = 0;

@@ -8,11 +8,6 @@ namespace {
 
 using Row = rows::triangulate_polygon;
 
-Polygon2d times(double factor, Polygon2d polygon) {
-  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
-  return polygon;
-}
-
 }  // namespace
 
 TEST_CASE("triangulate_polygon: triangles fit, from any vertex, either way round, in every image and scale") {

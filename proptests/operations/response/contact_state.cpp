@@ -10,17 +10,11 @@ using Row = rows::contact_state;
 
 constexpr auto separating = ContactState::separating, resting = ContactState::resting,
                colliding = ContactState::colliding;
-constexpr double greatest = std::numeric_limits<double>::max();
 constexpr MovingBodyd still{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
 
 ContactState opposite(ContactState s) { return s == separating ? colliding : s == colliding ? separating : resting; }
 
-/// A worked example and its margin.
-void gives(const Row::Question& question, ContactState expected, const Rational& margin,
-           const std::string& by_reference = "agree") {
-  example<Row>(question, expected, by_reference);
-  CHECK(examined<Row>(question)->margin() == margin);
-}
+constexpr Worked<Row> gives;
 
 }  // namespace
 

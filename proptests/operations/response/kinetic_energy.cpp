@@ -9,8 +9,6 @@ namespace {
 
 using Row = rows::kinetic_energy;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 }  // namespace
 
 TEST_CASE("kinetic_energy: bodies in any order, in other units") {

@@ -8,8 +8,6 @@ namespace {
 
 using Row = rows::momentum;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 }  // namespace
 
 TEST_CASE("momentum: bodies in any order, in other units") {

@@ -9,28 +9,24 @@ namespace {
 
 using Row = rows::penalty_force;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 Rational height_over(const Plane<Rational>& plane, const Point3<Rational>& p) {
   return Rational(dot(plane.normal, Motion3{p.x, p.y, p.z}) + plane.offset);
 }
 
 }  // namespace
 
-TEST_CASE("penalty_force: behind the plane, and only there, -(k E + c v . N) is the force times the normal") {
-  exact_law<Row>("the law", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const Motion3 force = ask(asked);
-    const Rational height = height_over(plane, p);
-    if (sgn(height) >= 0) return same(force, none());
-    return dot(force, plane.normal) == -(k * height + c * dot(v, plane.normal)) &&
-           same(cross(force, plane.normal), none());
-  });
-  robust_law<Row>("the side", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const bool behind = robust::point_plane_side(plane, p) == PlaneSide::back;
-    return behind || equal(ask(asked), Vector3d{0, 0, 0});
-  });
+EXACT_LAW("penalty_force: behind the plane, and only there, -(k E + c v . N) is the force times the normal", p, v,
+          plane, k, c) {
+  const Motion3 force = ask(asked);
+  const Rational height = height_over(plane, p);
+  if (sgn(height) >= 0) return same(force, none());
+  return dot(force, plane.normal) == -(k * height + c * dot(v, plane.normal)) &&
+         same(cross(force, plane.normal), none());
+}
+
+ROBUST_LAW("penalty_force: in front of the plane and on it there is no force", p, v, plane) {
+  const bool behind = robust::point_plane_side(plane, p) == PlaneSide::back;
+  return behind || equal(ask(asked), Vector3d{0, 0, 0});
 }
 
 EXACT_LAW("penalty_force: spring and damper add up; a damper of 1 alone leaves the velocity across the normal", p, v,
@@ -53,27 +49,25 @@ LAW("penalty_force: the plane's equation times a power of two, or times 3 on the
          equal(ask(Row::Question{p, v, {3.0 * plane.normal, 3 * plane.offset}, k, c}), answer);
 }
 
-TEST_CASE("penalty_force: axes exchanged; stiffness and damping in other units; the whole moved") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(),
-                       [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
-  });
-  law<Row>("units of force", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const auto answer = ask(asked);
-    for (const int j : {1, -30, 400, -400}) {
-      const auto other = longer({k, c, 0}, j);
-      if (other && !scaled_vector(answer, ask(Row::Question{p, v, plane, other->x, other->y}), j)) return false;
-    }
-    return true;
-  });
-  exact_law<Row>("moved", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const Motion3 step{Rational(7, 3), Rational(-11), Rational(13, 5)};
-    const Plane<Rational> moved{plane.normal, Rational(plane.offset - dot(plane.normal, step))};
-    return same(ask(std::tuple(p + step, v, moved, k, c)), ask(asked));
-  });
+LAW("penalty_force: exchanges of the axes exchange the components") {
+  const auto answer = ask(asked);
+  return std::all_of(axis_maps.begin(), axis_maps.end(),
+                     [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
+}
+
+LAW("penalty_force: stiffness and damping in other units", p, v, plane, k, c) {
+  const auto answer = ask(asked);
+  for (const int j : {1, -30, 400, -400}) {
+    const auto other = longer({k, c, 0}, j);
+    if (other && !scaled_vector(answer, ask(Row::Question{p, v, plane, other->x, other->y}), j)) return false;
+  }
+  return true;
+}
+
+EXACT_LAW("penalty_force: the whole may be moved", p, v, plane, k, c) {
+  const Motion3 step{Rational(7, 3), Rational(-11), Rational(13, 5)};
+  const Plane<Rational> moved{plane.normal, Rational(plane.offset - dot(plane.normal, step))};
+  return same(ask(std::tuple(p + step, v, moved, k, c)), ask(asked));
 }
 
 TEST_CASE("penalty_force: p. 72-73 worked by hand") {

@@ -9,8 +9,6 @@ namespace {
 using Row = rows::reflect_wall;
 
 constexpr std::array<Axis, 3> axes{Axis::x, Axis::y, Axis::z};
-constexpr double greatest = std::numeric_limits<double>::max();
-
 using proptests::exact;
 Rational exact(const Rational& value) { return value; }
 
@@ -33,16 +31,13 @@ std::vector<std::uint64_t> bits(const Vector3d& v) {
 
 }  // namespace
 
-TEST_CASE("reflect_wall: reflected twice, every velocity is what it was") {
-  law<Row>("involution", [](const auto& ask, const auto& asked) {
-    const auto& [v, axis] = asked;
-    const auto after = ask(std::tuple(ask(asked), axis));
-    return exact(after.x) == exact(v.x) && exact(after.y) == exact(v.y) && exact(after.z) == exact(v.z);
-  });
-  robust_law<Row>("involution bit for bit, zeros too", [](const auto& ask, const auto& asked) {
-    const auto& [v, axis] = asked;
-    return bits(ask(Row::Question{ask(asked), axis})) == bits(v);
-  });
+LAW("reflect_wall: reflected twice, every velocity is what it was", v, axis) {
+  const auto after = ask(std::tuple(ask(asked), axis));
+  return exact(after.x) == exact(v.x) && exact(after.y) == exact(v.y) && exact(after.z) == exact(v.z);
+}
+
+ROBUST_LAW("reflect_wall: reflected twice, every bit is what it was, of zeros too", v, axis) {
+  return bits(ask(Row::Question{ask(asked), axis})) == bits(v);
 }
 
 LAW("reflect_wall: walls across two axes may be met in either order; across all three the velocity is turned round", v,

@@ -11,7 +11,6 @@ using Row = rows::rigid_body_collision;
 using ExactBody = RigidBody<Rational>;
 using ExactMotions = Motions<Rational>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
 constexpr Inertiad unit_inertia{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 constexpr RigidBodyd still{1, unit_inertia, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
 
@@ -106,13 +105,7 @@ TEST_CASE(
     }
     return true;
   });
-  law<Row>("the same normal", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{a, b, p, other, e}), answer)) return false;
-    return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{a, b, p, 3.0 * n, e}), answer);
-  });
+  law<Row>("the same normal", any_normal_of_the_plane<3>);
   exact_law<Row>("observers", [](const auto& ask, const auto& asked) {
     const auto& [a, b, p, n, e] = asked;
     const Motion3 shift{Rational(7, 3), Rational(-11), Rational(13, 5)};

@@ -15,8 +15,6 @@ using Exact = SimultaneousVelocities<Rational>;
 using ExactBodies = std::vector<PointBody<Rational>>;
 using ExactContacts = std::vector<BodyContact<Rational>>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 Exact possible(std::vector<Motion3> velocities) { return {Resolution::possible, std::move(velocities)}; }
 const Exact impossible{Resolution::impossible, {}};
 

@@ -21,11 +21,7 @@ Row::Question over_ground(double height, double radius, double velocity) {
   return {{{3, height, -1}, radius}, {2, velocity, 5}, ground};
 }
 
-void worked(const Row::Question& question, const Answer& answer, const Rational& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>(question, answer, by_reference);
-  CHECK(*audit::ask_oracle<Row>(question).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 bool zero(double t) { return t == 0; }
 bool zero(const Surd& t) { return sgn(t) == 0; }
@@ -68,13 +64,8 @@ LAW("swept_sphere_plane: a plane has two sides alike", sphere, velocity, plane) 
   return equal(ask(Row::Question{sphere, velocity, {-1.0 * plane.normal, -plane.offset}}), ask(asked));
 }
 
-LAW("swept_sphere_plane: velocities times a power of two divide t by it", sphere, velocity, plane) {
-  const auto answer = ask(asked);
-  for (const int k : {1, -1, 3, 40, -40, 500}) {
-    const auto v = times_two_to(velocity, k);
-    if (v && !divided(answer, ask(Row::Question{sphere, *v, plane}), k)) return false;
-  }
-  return true;
+TEST_CASE("swept_sphere_plane: velocities times a power of two divide t by it") {
+  law<Row>("faster and slower", velocities_divide_t<1>);
 }
 
 LAW("swept_sphere_plane: a larger ball never meets later", sphere, velocity, plane) {
@@ -182,21 +173,7 @@ CONTRACT("swept_sphere_plane: the formula in double keeps its contract", sphere,
 
 TEST_CASE(
     "swept_sphere_plane: in exact arithmetic the formula is wrong of balls alone that meet the plane at the start") {
-  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
-  never(
-      audit::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start",
-      [&](const Question& question) -> std::string {
-        try {
-          const auto truth = row.solve(question).answer;
-          if (!truth.numbers.empty() && truth.numbers[0] == Surd(Rational(0))) return "";
-          const bool same =
-              audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
-          return same ? "" : "the formula is wrong even in exact arithmetic";
-        } catch (const InvalidInput&) {
-          return "";
-        }
-      },
-      3);
+  right_but_at_the_start<Row>();
 }
 
 }  // namespace touchstone::proptests

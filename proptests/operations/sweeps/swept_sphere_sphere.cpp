@@ -19,11 +19,7 @@ Row::Question seen(const Vector3d& p, const Vector3d& v, double r) {
   return {{{p.x, p.y, p.z}, r / 2}, {{0, 0, 0}, r / 2}, v, {0, 0, 0}};
 }
 
-void worked(const Row::Question& question, const Answer& answer, const Rational& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>(question, answer, by_reference);
-  CHECK(*audit::ask_oracle<Row>(question).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 /// x + y where that is a double.
 std::optional<double> sum(double x, double y) {
@@ -91,13 +87,8 @@ LAW("swept_sphere_sphere: only the sum of the radii counts", a, b, va, vb) {
   return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
 }
 
-LAW("swept_sphere_sphere: velocities times a power of two divide t by it", a, b, va, vb) {
-  const auto answer = ask(asked);
-  for (const int k : {1, -1, 3, 40, -40, 500}) {
-    const auto v = times_two_to(va, k), w = times_two_to(vb, k);
-    if (v && w && !divided(answer, ask(Row::Question{a, b, *v, *w}), k)) return false;
-  }
-  return true;
+TEST_CASE("swept_sphere_sphere: velocities times a power of two divide t by it") {
+  law<Row>("faster and slower", velocities_divide_t<2, 3>);
 }
 
 LAW("swept_sphere_sphere: larger balls never meet later", a, b, va, vb) {
@@ -240,21 +231,7 @@ CONTRACT("swept_sphere_sphere: the formula in double keeps its contract", a, b, 
 }
 
 TEST_CASE("swept_sphere_sphere: in exact arithmetic the formula is wrong of balls alone that meet at the start") {
-  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
-  never(
-      audit::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start",
-      [&](const Question& question) -> std::string {
-        try {
-          const auto truth = row.solve(question).answer;
-          if (!truth.numbers.empty() && truth.numbers[0] == Surd(Rational(0))) return "";
-          const bool same =
-              audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
-          return same ? "" : "the formula is wrong even in exact arithmetic";
-        } catch (const InvalidInput&) {
-          return "";
-        }
-      },
-      3);
+  right_but_at_the_start<Row>();
 }
 
 }  // namespace touchstone::proptests

@@ -12,8 +12,6 @@ using InSpace = Row::InSpace;
 using Box2 = Aabb2<Rational>;
 using Box3 = Aabb3<Rational>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 /// Holds of points, in the plane or in space: `holds(box_of, points)`, box_of: points -> their box.
 template <class Holds>
 auto of_points(const Holds& holds) {

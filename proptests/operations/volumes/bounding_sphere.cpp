@@ -12,8 +12,6 @@ using oracle::Surd;
 
 constexpr auto box = SphereMethod::box, centroid = SphereMethod::centroid, ritter = SphereMethod::ritter,
                smallest = SphereMethod::smallest;
-constexpr double greatest = std::numeric_limits<double>::max();
-
 Rational squared_distance(const Point3d& p, const Point3d& q) {
   const auto square = [](double from, double to) {
     const Rational x(exact(to) - exact(from));

@@ -10,8 +10,6 @@ using Row = rows::closest_point_on_aabb;
 using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 using proptests::exact;
 Rational exact(const Rational& value) { return value; }
 

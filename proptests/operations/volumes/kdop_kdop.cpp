@@ -11,7 +11,6 @@ namespace {
 using Row = rows::kdop_kdop;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
-constexpr double greatest = std::numeric_limits<double>::max();
 const std::vector<Vector3d> x_and_sum{{1, 0, 0}, {1, 1, 1}};
 
 Row::Question of_slabs(const std::vector<Slabd>& a, const std::vector<Slabd>& b) {
@@ -19,11 +18,7 @@ Row::Question of_slabs(const std::vector<Slabd>& a, const std::vector<Slabd>& b)
   return {{normals, a}, {normals, b}};
 }
 
-void worked(const Row::Question& q, Contact contact, const Rational& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>(q, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(q).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 bool any_flat(const Kdop3d& kdop) {
   return std::any_of(kdop.slabs.begin(), kdop.slabs.end(), [](const Slabd& s) { return s.min == s.max; });

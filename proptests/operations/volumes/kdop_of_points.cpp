@@ -13,8 +13,6 @@ using Points = Row::Points;
 using Normals = Row::Normals;
 using Slabs = std::vector<Slabd>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 Rational height(const Vector3d& n, const Point3d& p) {
   return exact(n.x) * exact(p.x) + exact(n.y) * exact(p.y) + exact(n.z) * exact(p.z);
 }

@@ -12,8 +12,6 @@ using Row = rows::obb_of_points;
 using Points = Row::Points;
 using ExactBox = Obb3<Rational>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 /// The corners of center + r u + s v + t w.
 Points corners(const Obb3d& box) {
   Points points;

@@ -10,7 +10,6 @@ namespace {
 using Row = rows::point_in_kdop;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
-constexpr double greatest = std::numeric_limits<double>::max();
 /// 0 <= x <= 4, -1 <= x + y + z <= 6
 const Kdop3d wedge{{{1, 0, 0}, {1, 1, 1}}, {{0, 4}, {-1, 6}}};
 

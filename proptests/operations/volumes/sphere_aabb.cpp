@@ -48,11 +48,7 @@ bool certain(const Ball& ball, const Box& box) {
   return abs(s - r) > (5 + 11 * u) * u * s + u * r + power_of_two(-1072);
 }
 
-template <class Solids>
-void worked(const Solids& solids, Contact contact, const Rational& margin, const std::string& by_reference = "agree") {
-  example<Row>(solids, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(solids).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 const Aabb2d square{{0, 0}, {4, 4}};
 const Aabb3d cube{{0, 0, 0}, {4, 4, 4}};

@@ -48,11 +48,7 @@ bool certain(const Ball& a, const Ball& b) {
   return abs(s - r) > (5 + 11 * u) * u * s + (3 + 4 * u) * u * r + power_of_two(-1072);
 }
 
-template <class Balls>
-void worked(const Balls& balls, Contact contact, const Rational& margin, const std::string& by_reference = "agree") {
-  example<Row>(balls, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(balls).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 }  // namespace
 
