@@ -8,11 +8,11 @@
 #include "geometry/invalid_input.h"
 #include "proptests/property.h"
 #include "robust/lines/explicit_line.h"
+#include "robust/lines/line_line.h"
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
 #include "robust/lines/ray_segment.h"
 #include "robust/lines/segment_segment.h"
-#include "robust/stages/lines/line_line.h"
 
 // Decisions about small integers, asked again with one axis stretched to one end of the range of the doubles and the
 // other to any end: no decision changes, whatever the environment does to subnormal numbers. What it takes away from a
@@ -100,12 +100,11 @@ TEST_CASE("stretched: how segments, and a ray and a segment, meet") {
         }) == 0);
 }
 
-TEST_CASE("stretched: how lines meet, asked with the stage and without") {
+TEST_CASE("stretched: how lines meet") {
   CHECK(changed_decisions<8>("stretched lines", [](const auto& n) {
           const Line2d a{{n[0], n[1]}, {n[2], n[3]}}, b{{n[4], n[5]}, {n[6], n[7]}};
           try {
-            const LineRelation relation = robust::stages::line_line::decision::ask(a, b).answer;
-            return relation == robust::line_line_relation(a, b) ? both(relation, robust::line_line(a, b).relation) : -2;
+            return both(robust::line_line_relation(a, b), robust::line_line(a, b).relation);
           } catch (const InvalidInput&) {
             return -3;
           }

@@ -69,18 +69,7 @@ void gives(const Solids& solids, const Pairs& expected, const std::optional<Rati
   CHECK(examined<Row>(std::tuple(solids))->margin() == margin);
 }
 
-/// |S - R| and its bound, of the contract.
-bool certain(const Sphere3d& a, const Sphere3d& b) {
-  const Vector3d between = b.center - a.center;
-  const double sum = a.radius + b.radius;
-  if (!finite(dot(between, between), sum * sum)) return false;
-  const auto squared = [](const Rational& x) { return Rational(x * x); };
-  const Rational u = unit(), reach = squared(exact(a.radius) + exact(b.radius)),
-                 distance = squared(exact(b.center.x) - exact(a.center.x)) +
-                            squared(exact(b.center.y) - exact(a.center.y)) +
-                            squared(exact(b.center.z) - exact(a.center.z));
-  return abs(distance - reach) > (5 + 11 * u) * u * distance + (3 + 4 * u) * u * reach + power_of_two(-1072);
-}
+using proptests::certain;
 bool certain(const Aabb3d&, const Aabb3d&) { return true; }
 
 const Spheres tangent{{{0, 0, 0}, 3}, {{5, 0, 0}, 2}, {{1, 4, 4}, 1}, {{9, 0, 0}, 1}};

@@ -21,10 +21,6 @@ PointPlane<R> turned(const PointPlane<R>& answer) {
 double rounded(double number) { return number; }
 double rounded(const Rational& number) { return audit::nearest(number); }
 
-Plane3d times_two_to(const Plane3d& plane, int k) {
-  return {std::ldexp(1, k) * plane.normal, std::ldexp(plane.offset, k)};
-}
-
 /// The double nearest to 1 / sqrt(2) = 0.70710678118654752440.
 constexpr double root_half = 0x1.6a09e667f3bcdp-1;
 
@@ -51,16 +47,8 @@ LAW("point_plane: a point mirrored in the origin, with the offset's sign changed
   return equal(ask(Row::Question{{plane.normal, -plane.offset}, {-p.x, -p.y, -p.z}}), turned(ask(asked)));
 }
 
-LAW("point_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane", plane, p) {
-  const auto answer = ask(asked);
-  for (const int k : {1, -1, 40, -40, 500, -500}) {
-    const Plane3d longer = times_two_to(plane, k);
-    const bool exact = numbers_of(Row::Question{times_two_to(longer, -k), p}) == numbers_of(asked);
-    if (exact && finite(longer.normal.x, longer.normal.y, longer.normal.z, longer.offset) &&
-        !equal(ask(Row::Question{longer, p}), answer))
-      return false;
-  }
-  return !on_small_lattice(asked) || equal(ask(Row::Question{{3.0 * plane.normal, 3 * plane.offset}, p}), answer);
+TEST_CASE("point_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
+  law<Row>("the same plane", any_equation_of_the_plane<0>);
 }
 
 LAW("point_plane: exchanges of the axes keep the answer") {

@@ -180,16 +180,16 @@ CONTRACT("polygon_normal: the formula in double keeps its contract for the first
   const Rational u = unit();
   Rational d = 3 * power_of_two(-1073);
   for (const double product : products) d += (4 + 20 * u) * u * size(product);
-  const auto truth = oracle::polygon_normal(Polygon3d{{ring[0], ring[1], ring[2]}}).answer;
+  const auto of_three = oracle::polygon_normal(Polygon3d{{ring[0], ring[1], ring[2]}}).answer;
   if ((1 - 4 * u) * exact(s) > d &&
-      (truth.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
+      (of_three.normal_class != NormalClass::proper || answer.normal_class != NormalClass::proper))
     return false;
-  if (!truth.unit || !answer.unit) return true;
+  if (!of_three.unit || !answer.unit) return true;
   const auto close = [&](double computed, const Rational& right) {
     return within(computed, right, 5 * u * size(computed) + (2 + 8 * u) * d / exact(s) + power_of_two(-1074));
   };
-  return close(answer.unit->x, truth.unit->x) && close(answer.unit->y, truth.unit->y) &&
-         close(answer.unit->z, truth.unit->z);
+  return close(answer.unit->x, of_three.unit->x) && close(answer.unit->y, of_three.unit->y) &&
+         close(answer.unit->z, of_three.unit->z);
 }
 
 ROBUST_LAW("polygon_normal: of a triangle the formula is right in exact arithmetic", ring) {

@@ -73,12 +73,7 @@ Meshd with_vertex(Meshd mesh, std::size_t place, const Point3d& p) {
 /// Of the vertices of large meshes, whose every question takes vertices times faces steps, only some are asked about.
 std::size_t step(const Meshd& mesh) { return 1 + mesh.vertices.size() / 16; }
 
-/// A worked example and its margin.
-void gives(const Meshd& mesh, const Point3d& point, Location expected, const Rational& margin,
-           const std::string& by_reference = "agree") {
-  example<Row>({mesh, point}, expected, by_reference);
-  CHECK(examined<Row>({mesh, point})->margin() == margin);
-}
+constexpr Worked<Row> worked;
 
 /// Whether every E of the slide is certain by the bound of the contract. What overflows stays infinite or NaN up to E.
 bool certain(const Meshd& mesh, const Point3d& p) {
@@ -196,47 +191,49 @@ TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its ba
 
 TEST_CASE("point_in_convex_polyhedron: p. 53's side tests worked by hand") {
   // The faces' planes are x = 0, y = 0, z = 0 and x + y + z = 4; |x + y + z - 4| / sqrt(3) from the last.
-  gives(tetrahedron, {1, 1, 1}, inside, Rational(1, 3));
-  gives(tetrahedron, {0.5, 1, 1}, inside, Rational(1, 4));
-  gives(tetrahedron, {1, 1, 2}, boundary, 0);
-  gives(tetrahedron, {2, 2, 0}, boundary, 0);
-  gives(tetrahedron, {4, 0, 0}, boundary, 0);
-  gives(tetrahedron, {2, 2, 1}, outside, Rational(1, 3));
-  gives(tetrahedron, {-1, 0, 0}, outside, 1);  // on two planes, beyond the edge that they share
-  gives(tetrahedron, {-1, -3, 0}, outside, 9);
-  gives(cube, {2, 2, 2}, inside, 4);
-  gives(cube, {1, 2, 3}, inside, 1);
-  gives(cube, {2, 2, 4}, boundary, 0);  // on the edge that the two triangles of a side share
-  gives(cube, {3, 4, 4}, boundary, 0);
-  gives(cube, {3, 4, 5}, outside, 1);
-  gives(turned_inside_out(cube), {1, 2, 3}, inside, 1);
-  gives(turned_inside_out(cube), {5, 2, 7}, outside, 9);
+  worked({tetrahedron, {1, 1, 1}}, inside, Rational(1, 3));
+  worked({tetrahedron, {0.5, 1, 1}}, inside, Rational(1, 4));
+  worked({tetrahedron, {1, 1, 2}}, boundary, 0);
+  worked({tetrahedron, {2, 2, 0}}, boundary, 0);
+  worked({tetrahedron, {4, 0, 0}}, boundary, 0);
+  worked({tetrahedron, {2, 2, 1}}, outside, Rational(1, 3));
+  worked({tetrahedron, {-1, 0, 0}}, outside, 1);  // on two planes, beyond the edge that they share
+  worked({tetrahedron, {-1, -3, 0}}, outside, 9);
+  worked({cube, {2, 2, 2}}, inside, 4);
+  worked({cube, {1, 2, 3}}, inside, 1);
+  worked({cube, {2, 2, 4}}, boundary, 0);  // on the edge that the two triangles of a side share
+  worked({cube, {3, 4, 4}}, boundary, 0);
+  worked({cube, {3, 4, 5}}, outside, 1);
+  worked({turned_inside_out(cube), {1, 2, 3}}, inside, 1);
+  worked({turned_inside_out(cube), {5, 2, 7}}, outside, 9);
 }
 
 TEST_CASE("point_in_convex_polyhedron: flat vertices, unused ones, and a surface twice round its solid") {
   const Meshd unused = with_vertex(tetrahedron, 4, {1, 1, 1});
-  gives(unused, {1, 1, 1}, inside, Rational(1, 3));
+  worked({unused, {1, 1, 1}}, inside, Rational(1, 3));
   // A face in three parts about its middle; two faces in two parts about the middle of their edge.
-  gives(with_faces(with_vertex(times(3, tetrahedron), 4, {4, 4, 4}),
-                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}),
-        {4, 4, 4}, boundary, 0);
-  gives(with_faces(with_vertex(tetrahedron, 4, {2, 0, 0}),
-                   {{0, 2, 4}, {4, 2, 1}, {0, 4, 3}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}}),
-        {1, 1, 1}, inside, Rational(1, 3));
-  gives(together(tetrahedron, tetrahedron), {1, 1, 1}, inside, Rational(1, 3));
-  gives(together(tetrahedron, tetrahedron), {2, 2, 1}, outside, Rational(1, 3));
+  worked({with_faces(with_vertex(times(3, tetrahedron), 4, {4, 4, 4}),
+                     {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}),
+          {4, 4, 4}},
+         boundary, 0);
+  worked({with_faces(with_vertex(tetrahedron, 4, {2, 0, 0}),
+                     {{0, 2, 4}, {4, 2, 1}, {0, 4, 3}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}}),
+          {1, 1, 1}},
+         inside, Rational(1, 3));
+  worked({together(tetrahedron, tetrahedron), {1, 1, 1}}, inside, Rational(1, 3));
+  worked({together(tetrahedron, tetrahedron), {2, 2, 1}}, outside, Rational(1, 3));
 }
 
 TEST_CASE("point_in_convex_polyhedron: rounding, huge, subnormal and negative zero") {
   // As doubles, 0.1 + 0.2 + 0.7 = 1 - 2^-55.
-  gives(times(0.25, tetrahedron), {0.1, 0.2, 0.7}, inside, power_of_two(-110) / 3, "rounding");
+  worked({times(0.25, tetrahedron), {0.1, 0.2, 0.7}}, inside, power_of_two(-110) / 3, "rounding");
   example<Row>({times(huge / 4, tetrahedron), {huge / 2, huge / 4, huge / 8}}, inside,
                "rounding");                                                          // infinity - infinity
   example<Row>({times(tiny, tetrahedron), {tiny, tiny, tiny}}, inside, "rounding");  // every product is 0
   example<Row>({times(tiny, tetrahedron), {2 * tiny, 2 * tiny, tiny}}, outside, "rounding");
-  gives(times(-0.25, tetrahedron), {-0.0, -0.5, -0.25}, boundary, 0);
+  worked({times(-0.25, tetrahedron), {-0.0, -0.5, -0.25}}, boundary, 0);
   // Beyond x = 0 by the least number, squared.
-  gives(tetrahedron, {-tiny, 1, 1}, outside, power_of_two(-2148));
+  worked({tetrahedron, {-tiny, 1, 1}}, outside, power_of_two(-2148));
 }
 
 TEST_CASE("point_in_convex_polyhedron: meshes are refused by the first rule that they break") {

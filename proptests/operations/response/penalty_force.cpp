@@ -38,15 +38,8 @@ EXACT_LAW("penalty_force: spring and damper add up; a damper of 1 alone leaves t
   return sgn(height_over(plane, p)) >= 0 ? same(held, none()) : sgn(Rational(dot(v + held, plane.normal))) == 0;
 }
 
-LAW("penalty_force: the plane's equation times a power of two, or times 3 on the lattice, is the same plane", p, v,
-    plane, k, c) {
-  const auto answer = ask(asked);
-  for (const int j : {1, -1, 60, -60, 500, -500}) {
-    const auto normal = longer(plane.normal, j), offset = longer({plane.offset, 0, 0}, j);
-    if (normal && offset && !equal(ask(Row::Question{p, v, {*normal, offset->x}, k, c}), answer)) return false;
-  }
-  return !on_small_lattice(std::tuple(plane)) ||
-         equal(ask(Row::Question{p, v, {3.0 * plane.normal, 3 * plane.offset}, k, c}), answer);
+TEST_CASE("penalty_force: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
+  law<Row>("the same plane", any_equation_of_the_plane<2>);
 }
 
 LAW("penalty_force: exchanges of the axes exchange the components") {

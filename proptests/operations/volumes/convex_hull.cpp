@@ -14,11 +14,6 @@ namespace {
 using Row = rows::convex_hull;
 using Points = Row::Points;
 
-Points scaled_points(Points points, double factor) {
-  for (Point3d& p : points) p = {factor * p.x, factor * p.y, factor * p.z};
-  return points;
-}
-
 Points cube(int size) {
   Points points;
   for (int i = 0; i < size * size * size; ++i)

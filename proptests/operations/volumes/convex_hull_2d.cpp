@@ -10,11 +10,6 @@ namespace {
 using Row = rows::convex_hull_2d;
 using Points = Row::Points;
 
-Points scaled_points(Points points, double factor) {
-  for (Point2d& p : points) p = {factor * p.x, factor * p.y};
-  return points;
-}
-
 /// The squared cosine of an angle with its sign, exactly.
 Rational squared_cosine(const Vector2<Rational>& v, const Vector2<Rational>& w) {
   const Rational product = dot(v, w);

@@ -18,12 +18,7 @@ constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
 Obb3d turned(const Point3d& center) { return {center, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}}; }
 Obb3d shifted_cube(double x, double y, double z) { return {{x, y, z}, cube.half_axes}; }
 
-/// A worked example and its margin.
-void gives(const Obb3d& a, const Obb3d& b, Contact expected, const Rational& margin,
-           const std::string& by_reference = "agree") {
-  example<Row>({a, b}, expected, by_reference);
-  CHECK(examined<Row>({a, b})->margin() == margin);
-}
+constexpr Worked<Row> worked;
 
 /// The box around 0 of all differences of a point of each, where it is one: half axes in the order of the axes.
 bool straight(const HalfAxes<double>& h) {
@@ -117,28 +112,28 @@ ROBUST_LAW("obb_obb: boxes along the axes have the contact of aabb_aabb", a, b) 
 
 TEST_CASE("obb_obb: p. 27's boxes worked by hand") {
   // A corner of the turned box at its center - (7, 0) + (0, 1) = center + (-7, 1); it reaches 7 along x and y.
-  gives(cube, turned({9, 0.5, 0}), touching, 0);
-  gives(cube, turned({10, 0.5, 0}), disjoint, 1);
-  gives(cube, turned({8.5, 0.5, 0}), overlapping, Rational(1, 4), "algorithm");  // parallel edges, as below
-  gives(cube, turned({0, 0, 3}), touching, 0);
-  gives(cube, turned({0, 0, 4}), disjoint, 1);
+  worked({cube, turned({9, 0.5, 0})}, touching, 0);
+  worked({cube, turned({10, 0.5, 0})}, disjoint, 1);
+  worked({cube, turned({8.5, 0.5, 0})}, overlapping, Rational(1, 4), "algorithm");  // parallel edges, as below
+  worked({cube, turned({0, 0, 3})}, touching, 0);
+  worked({cube, turned({0, 0, 4})}, disjoint, 1);
   // On 3 x + 4 y: 14 of the cube, 25 of the turned box; |3 * 6 + 4 * 6| = 42 is 3 more.
-  gives(cube, turned({6, 6, 0}), disjoint, Rational(9, 25));
+  worked({cube, turned({6, 6, 0})}, disjoint, Rational(9, 25));
   // Edges that cross: (0, 1, 1) x (1, 0, 0) and such; boxes turned by 45 degrees about x and about y.
   const Obb3d ridge{{0, 0, 0}, {{4, 0, 0}, {0, 1, 1}, {0, -1, 1}}};
   const auto other = [](double z) { return Obb3d{{0, 0, z}, {{1, 0, 1}, {0, 4, 0}, {-1, 0, 1}}}; };
-  gives(ridge, other(4), touching, 0);
-  gives(ridge, other(5), disjoint, 1);
-  gives(ridge, other(3), overlapping, 1);
+  worked({ridge, other(4)}, touching, 0);
+  worked({ridge, other(5)}, disjoint, 1);
+  worked({ridge, other(3)}, overlapping, 1);
 }
 
 TEST_CASE("obb_obb: parallel edges make an axis that is zero, on which the textbook test sees a touch") {
-  gives(cube, shifted_cube(1, 0, 0), overlapping, 9, "algorithm");  // 4 - 1
-  gives(cube, cube, overlapping, 16, "algorithm");
-  gives(cube, shifted_cube(4, 1, 0), touching, 0);
-  gives(cube, shifted_cube(4, 4, 4), touching, 0);
-  gives(cube, shifted_cube(4, 6, -9), disjoint, 25);            // 9 - 4
-  gives(cube, turned({1, 0, 0}), overlapping, 9, "algorithm");  // z: 3
+  worked({cube, shifted_cube(1, 0, 0)}, overlapping, 9, "algorithm");  // 4 - 1
+  worked({cube, cube}, overlapping, 16, "algorithm");
+  worked({cube, shifted_cube(4, 1, 0)}, touching, 0);
+  worked({cube, shifted_cube(4, 4, 4)}, touching, 0);
+  worked({cube, shifted_cube(4, 6, -9)}, disjoint, 25);            // 9 - 4
+  worked({cube, turned({1, 0, 0})}, overlapping, 9, "algorithm");  // z: 3
 }
 
 TEST_CASE("obb_obb: where half axes are not at right angles the textbook test takes other axes than the faces'") {
@@ -146,25 +141,26 @@ TEST_CASE("obb_obb: where half axes are not at right angles the textbook test ta
   const Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {2, 2, 0}, {0, 0, 1}}};
   // Along (1, -1, 0) the other reaches 1 + 1 + 4. Its first corner there is its center - (3, -3, -3), over a side.
   const auto other = [](double x) { return Obb3d{{x, -x, -3}, {{1, 2, 2}, {2, 1, -2}, {2, -2, 1}}}; };
-  gives(sheared, other(4), touching, 0, "algorithm");                  // 8; 2 + 6
-  gives(sheared, other(4.25), disjoint, Rational(1, 8), "algorithm");  // 8.5; the normal's square is 2
-  gives(sheared, other(3.5), overlapping, Rational(1, 2));             // 7
+  worked({sheared, other(4)}, touching, 0, "algorithm");                  // 8; 2 + 6
+  worked({sheared, other(4.25)}, disjoint, Rational(1, 8), "algorithm");  // 8.5; the normal's square is 2
+  worked({sheared, other(3.5)}, overlapping, Rational(1, 2));             // 7
   // Here an edge of a and one of b make the normal of a's side.
-  gives(sheared, {{4, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}}, touching, 0);  // 4; 2 + 2
+  worked({sheared, {{4, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}}}, touching, 0);  // 4; 2 + 2
 }
 
 TEST_CASE("obb_obb: rounding, huge, subnormal and negative zero") {
   const Rational t = exact(tiny);
   const auto least = [](double x) { return Obb3d{{x, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}}; };
-  gives(least(0), least(2 * tiny), touching, 0);
-  gives(least(0), least(3 * tiny), disjoint, Rational(t * t), "rounding");
-  gives(least(0), least(tiny), overlapping, Rational(t * t), "algorithm");
+  worked({least(0), least(2 * tiny)}, touching, 0);
+  worked({least(0), least(3 * tiny)}, disjoint, Rational(t * t), "rounding");
+  worked({least(0), least(tiny)}, overlapping, Rational(t * t), "algorithm");
   const auto large = [](double x) { return Obb3d{{x, 0, 0}, {{huge, 0, 0}, {0, huge, 0}, {0, 0, 1}}}; };
-  gives(large(-huge), large(huge), touching, 0);
-  gives(large(-huge), {{huge, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, disjoint,
-        Rational((exact(huge) - 1) * (exact(huge) - 1)));
-  gives({{-0.0, 0, 0}, {{1, -0.0, 0}, {0, -1, -0.0}, {0, 0, 1}}}, {{-2, -0.0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}},
-        touching, 0);
+  worked({large(-huge), large(huge)}, touching, 0);
+  worked({large(-huge), {{huge, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, disjoint,
+         Rational((exact(huge) - 1) * (exact(huge) - 1)));
+  worked(
+      {{{-0.0, 0, 0}, {{1, -0.0, 0}, {0, -1, -0.0}, {0, 0, 1}}}, {{-2, -0.0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}},
+      touching, 0);
 }
 
 TEST_CASE("obb_obb: of two broken rules the first is named, a's before b's") {

@@ -16,11 +16,7 @@ const Kdop3d wedge{{{1, 0, 0}, {1, 1, 1}}, {{0, 4}, {-1, 6}}};
 Kdop3d one_slab(const Vector3d& normal, double min, double max) { return {{normal}, {{min, max}}}; }
 Kdop3d one_slab(const Kdop3d& kdop, std::size_t i) { return {{kdop.normals[i]}, {kdop.slabs[i]}}; }
 
-void worked(const Kdop3d& kdop, const Point3d& p, Location location, const std::optional<Rational>& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>({kdop, p}, location, by_reference);
-  CHECK(audit::ask_oracle<Row>(Row::Question{kdop, p}).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 /// Beyond the error bound of the contract from both ends.
 bool certain(const Vector3d& n, const Slabd& slab, const Point3d& p) {
@@ -85,36 +81,36 @@ ROBUST_LAW("point_in_kdop: p. 22's planes say of each end on which side the poin
 }
 
 TEST_CASE("point_in_kdop: p. 43's slabs worked by hand") {
-  worked(wedge, {1, 2, 0.5}, inside, 1);                                  // x = 1: 1 from 0; sum 3.5: 2.5^2 / 3
-  worked(wedge, {2, 2, 1}, inside, Rational(1, 3));                       // sum 5: 1 from 6
-  worked(wedge, {4, 1, 0}, boundary, 0);                                  // x = 4
-  worked(wedge, {0, -1, 0}, boundary, 0);                                 // an edge: x = 0, sum -1
-  worked(wedge, {5, 0, 0}, outside, 1);                                   // x = 5
-  worked(wedge, {2, 2, 3}, outside, Rational(1, 3));                      // sum 7
-  worked(wedge, {5, 5, 5}, outside, 27);                                  // sum 15, 9 beyond: 81 / 3; x is 1 beyond
-  worked(wedge, {4, 2, 2}, outside, Rational(4, 3));                      // at one end, sum 8
-  worked(one_slab({0, 0, 2}, 3, 3), {9, 9, 1.5}, boundary, 0);            // flat
-  worked(one_slab({0, 0, 2}, 3, 3), {9, 9, 2}, outside, Rational(1, 4));  // 1 beyond, 1 / 4
-  worked({{{1, 0, 0}, {1, 0, 0}}, {{0, 1}, {2, 3}}}, {1.5, 0, 0}, outside, Rational(1, 4));  // an empty solid
-  worked({{{1, 0, 0}, {-1, 0, 0}}, {{0, 1}, {-2, -1}}}, {1, 0, 0}, boundary, 0);  // slabs that touch: the plane x = 1
+  worked({wedge, {1, 2, 0.5}}, inside, 1);                                  // x = 1: 1 from 0; sum 3.5: 2.5^2 / 3
+  worked({wedge, {2, 2, 1}}, inside, Rational(1, 3));                       // sum 5: 1 from 6
+  worked({wedge, {4, 1, 0}}, boundary, 0);                                  // x = 4
+  worked({wedge, {0, -1, 0}}, boundary, 0);                                 // an edge: x = 0, sum -1
+  worked({wedge, {5, 0, 0}}, outside, 1);                                   // x = 5
+  worked({wedge, {2, 2, 3}}, outside, Rational(1, 3));                      // sum 7
+  worked({wedge, {5, 5, 5}}, outside, 27);                                  // sum 15, 9 beyond: 81 / 3; x is 1 beyond
+  worked({wedge, {4, 2, 2}}, outside, Rational(4, 3));                      // at one end, sum 8
+  worked({one_slab({0, 0, 2}, 3, 3), {9, 9, 1.5}}, boundary, 0);            // flat
+  worked({one_slab({0, 0, 2}, 3, 3), {9, 9, 2}}, outside, Rational(1, 4));  // 1 beyond, 1 / 4
+  worked({{{{1, 0, 0}, {1, 0, 0}}, {{0, 1}, {2, 3}}}, {1.5, 0, 0}}, outside, Rational(1, 4));  // an empty solid
+  worked({{{{1, 0, 0}, {-1, 0, 0}}, {{0, 1}, {-2, -1}}}, {1, 0, 0}}, boundary, 0);  // slabs that touch: the plane x = 1
 }
 
 TEST_CASE("point_in_kdop: where the sum of products rounds to an end") {
   // 0.1 * 3 is 0.3 as typed; 3 times the double 0.1 is 0x1.3333333333333_4p-2, halfway to the next above 0.3's double.
   const Rational beyond = 3 * exact(0.1) - exact(0.3);
-  worked(one_slab({3, 0, 0}, 0, 0.3), {0.1, 0, 0}, outside, Rational(beyond * beyond / 9));
-  worked(one_slab({1, 1, 0}, 0, 1), {1, 0x1p-60, 0}, outside, power_of_two(-121), "rounding");
-  worked(one_slab({1, 1, 0}, 0, 1), {1, -0x1p-60, 0}, inside, power_of_two(-121), "rounding");
+  worked({one_slab({3, 0, 0}, 0, 0.3), {0.1, 0, 0}}, outside, Rational(beyond * beyond / 9));
+  worked({one_slab({1, 1, 0}, 0, 1), {1, 0x1p-60, 0}}, outside, power_of_two(-121), "rounding");
+  worked({one_slab({1, 1, 0}, 0, 1), {1, -0x1p-60, 0}}, inside, power_of_two(-121), "rounding");
 }
 
 TEST_CASE("point_in_kdop: huge, subnormal and negative zero") {
-  worked(one_slab({1, 1, 1}, -greatest, greatest), {huge, huge, -huge}, inside,
+  worked({one_slab({1, 1, 1}, -greatest, greatest), {huge, huge, -huge}}, inside,
          Rational((exact(greatest) - exact(huge)) * (exact(greatest) - exact(huge)) / 3), "rounding");
-  worked(one_slab({tiny, 0, 0}, 0, tiny), {1, 0, 0}, boundary, 0);
-  worked(one_slab({tiny, 0, 0}, 0, tiny), {0.5, 0, 0}, inside, Rational(1, 4), "rounding");
-  worked(one_slab({1, 0, 0}, -0.0, 1), {0.0, 5, 5}, boundary, 0);
-  worked(one_slab({1, -0.0, 0}, 0.0, 1), {-0.0, 5, 5}, boundary, 0);
-  worked(one_slab({huge, 0, 0}, 0, 1), {huge, 0, 0}, outside,
+  worked({one_slab({tiny, 0, 0}, 0, tiny), {1, 0, 0}}, boundary, 0);
+  worked({one_slab({tiny, 0, 0}, 0, tiny), {0.5, 0, 0}}, inside, Rational(1, 4), "rounding");
+  worked({one_slab({1, 0, 0}, -0.0, 1), {0.0, 5, 5}}, boundary, 0);
+  worked({one_slab({1, -0.0, 0}, 0.0, 1), {-0.0, 5, 5}}, boundary, 0);
+  worked({one_slab({huge, 0, 0}, 0, 1), {huge, 0, 0}}, outside,
          Rational(power_of_two(0) * (exact(huge) * exact(huge) - 1) * (exact(huge) * exact(huge) - 1) /
                   (exact(huge) * exact(huge))));
 }

@@ -17,12 +17,7 @@ constexpr Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {2, 2, 0}, {0, 0, 1}}};
 /// Turned by the triple 3, 4, 5.
 constexpr Obb3d turned{{10, 0, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 5}}};
 
-/// A worked example and its margin.
-void gives(const Obb3d& box, const Point3d& point, Location expected, const Rational& margin,
-           const std::string& by_reference = "agree") {
-  example<Row>({box, point}, expected, by_reference);
-  CHECK(examined<Row>({box, point})->margin() == margin);
-}
+constexpr Worked<Row> worked;
 
 Vector3d reversed_axis(const Vector3d& v) { return {-v.x, -v.y, -v.z}; }
 
@@ -96,44 +91,44 @@ TEST_CASE("point_in_obb: a box is the convex polyhedron of its corners") {
 }
 
 TEST_CASE("point_in_obb: p. 27's boxes worked by hand") {
-  gives(cube, {1, 0, -1}, inside, 1);  // x: 2 - 1
-  gives(cube, {0, 0, 0}, inside, 4);
-  gives(cube, {2, 1, 0}, boundary, 0);
-  gives(cube, {-2, 2, 0}, boundary, 0);
-  gives(cube, {2, -2, 2}, boundary, 0);
-  gives(cube, {3, 0, 5}, outside, 9);  // z: 5 - 2
-  gives(cube, {2, 0, -3}, outside, 1);
+  worked({cube, {1, 0, -1}}, inside, 1);  // x: 2 - 1
+  worked({cube, {0, 0, 0}}, inside, 4);
+  worked({cube, {2, 1, 0}}, boundary, 0);
+  worked({cube, {-2, 2, 0}}, boundary, 0);
+  worked({cube, {2, -2, 2}}, boundary, 0);
+  worked({cube, {3, 0, 5}}, outside, 9);  // z: 5 - 2
+  worked({cube, {2, 0, -3}}, outside, 1);
   // The sides' planes are 3 x + 4 y = 30 +- 25 and -4 x + 3 y = -40 +- 25, of normals of length 5.
-  gives(turned, {11, 2, 0}, inside, Rational(14 * 14, 25));  // 41 - 55; the other way 2
-  gives(turned, {9, 7, 3}, boundary, 0);                     // 55; -15
-  gives(turned, {14, 3, 0}, inside, Rational(1, 25));        // 54; -47
-  gives(turned, {14, 4, 0}, outside, Rational(9, 25));       // 58; -44
+  worked({turned, {11, 2, 0}}, inside, Rational(14 * 14, 25));  // 41 - 55; the other way 2
+  worked({turned, {9, 7, 3}}, boundary, 0);                     // 55; -15
+  worked({turned, {14, 3, 0}}, inside, Rational(1, 25));        // 54; -47
+  worked({turned, {14, 4, 0}}, outside, Rational(9, 25));       // 58; -44
 }
 
 TEST_CASE("point_in_obb: where half axes are not at right angles the projections answer for another box") {
   // y between -2 and 2, x - y between -2 and 2, z between -1 and 1.
-  gives(sheared, {3, 2, 0}, boundary, 0, "algorithm");             // d . v = 10, v . v = 8
-  gives(sheared, {2, 1, 0}, inside, Rational(1, 2), "algorithm");  // d . u = 4 = u . u
-  gives(sheared, {1, -1.5, 0}, outside, Rational(1, 8), "algorithm");
-  gives(sheared, {1, 1, 0.5}, inside, Rational(1, 4));
-  gives(sheared, {4, 2, 1}, boundary, 0, "algorithm");
-  gives(sheared, {0, 0, 1}, boundary, 0);
-  gives(sheared, {9, 0, 0}, outside, Rational(49, 2));
+  worked({sheared, {3, 2, 0}}, boundary, 0, "algorithm");             // d . v = 10, v . v = 8
+  worked({sheared, {2, 1, 0}}, inside, Rational(1, 2), "algorithm");  // d . u = 4 = u . u
+  worked({sheared, {1, -1.5, 0}}, outside, Rational(1, 8), "algorithm");
+  worked({sheared, {1, 1, 0.5}}, inside, Rational(1, 4));
+  worked({sheared, {4, 2, 1}}, boundary, 0, "algorithm");
+  worked({sheared, {0, 0, 1}}, boundary, 0);
+  worked({sheared, {9, 0, 0}}, outside, Rational(49, 2));
 }
 
 TEST_CASE("point_in_obb: rounding, huge, subnormal and negative zero") {
   const Obb3d least{{0, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}};
   const Rational t = exact(tiny);
-  gives(least, {tiny, tiny, 0}, boundary, 0);
-  gives(least, {0, 0, 0}, inside, Rational(t * t), "rounding");
-  gives(least, {2 * tiny, 0, 0}, outside, Rational(t * t), "rounding");
+  worked({least, {tiny, tiny, 0}}, boundary, 0);
+  worked({least, {0, 0, 0}}, inside, Rational(t * t), "rounding");
+  worked({least, {2 * tiny, 0, 0}}, outside, Rational(t * t), "rounding");
   const Obb3d large{{-huge, 0, 0}, {{huge, 0, 0}, {0, huge, 0}, {0, 0, 1}}};
-  gives(large, {0, 0, 0}, boundary, 0);
-  gives(large, {huge, 0, 0}, outside, Rational(exact(huge) * exact(huge)), "rounding");
-  gives(large, {-huge, 1, 0}, inside, 1);
-  gives({{-0.0, 0, 0}, {{1, -0.0, 0}, {0, -1, -0.0}, {0, 0, 1}}}, {-1, -0.0, 0}, boundary, 0);
+  worked({large, {0, 0, 0}}, boundary, 0);
+  worked({large, {huge, 0, 0}}, outside, Rational(exact(huge) * exact(huge)), "rounding");
+  worked({large, {-huge, 1, 0}}, inside, 1);
+  worked({{{-0.0, 0, 0}, {{1, -0.0, 0}, {0, -1, -0.0}, {0, 0, 1}}}, {-1, -0.0, 0}}, boundary, 0);
   // As doubles, 0.1 + 0.2 is 2^-55 more than 0.3.
-  gives({{0.1, 0, 0}, {{0.2, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.3, 0, 0}, inside, power_of_two(-110));
+  worked({{{0.1, 0, 0}, {{0.2, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {0.3, 0, 0}}, inside, power_of_two(-110));
 }
 
 TEST_CASE("point_in_obb: of two broken rules the first is named, the box's before the point's") {

@@ -25,29 +25,6 @@ Ball with_radius(Ball ball, double radius) {
 
 Sphere3d ball_of(const Circle2d& disc, double z) { return {{disc.center.x, disc.center.y, z}, disc.radius}; }
 
-/// Distance and sum of the radii, squared.
-struct Squares {
-  Rational distance, reach;
-};
-template <class Ball>
-Squares squares(const Ball& a, const Ball& b) {
-  const auto squared = [](const Rational& x) { return Rational(x * x); };
-  Rational distance = squared(exact(b.center.x) - exact(a.center.x)) + squared(exact(b.center.y) - exact(a.center.y));
-  if constexpr (requires { a.center.z; }) distance += squared(exact(b.center.z) - exact(a.center.z));
-  return {distance, squared(exact(a.radius) + exact(b.radius))};
-}
-
-/// |S - R| exceeds its bound, of the contract.
-template <class Ball>
-bool certain(const Ball& a, const Ball& b) {
-  const auto between = b.center - a.center;
-  const double sum = a.radius + b.radius;
-  if (!finite(dot(between, between), sum * sum)) return false;
-  const auto [s, r] = squares(a, b);
-  const Rational u = unit();
-  return abs(s - r) > (5 + 11 * u) * u * s + (3 + 4 * u) * u * r + power_of_two(-1072);
-}
-
 constexpr Worked<Row> worked;
 
 }  // namespace
