@@ -2,6 +2,7 @@
 #include "catalogue/lines/parametric_circle.h"
 
 #include "proptests/forward_error.h"
+#include "proptests/rounded_answers.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -10,17 +11,7 @@ using Row = rows::parametric_circle;
 
 constexpr double pi = 0x1.921fb54442d18p+1;  // the nearest double, 1.2246467991473532e-16 short of it
 
-/// robust and the oracle, rounded, give this point; the reference gets this verdict.
-void gives(const Circle2d& circle, double u, const Point2d& expected, const std::string& by_reference = "agree") {
-  INFO(audit::one_line(audit::find_operation("parametric_circle")->print({numbers_of(Row::Question{circle, u})})));
-  const Point2d found = robust::parametric_circle(circle, u);
-  CHECK(found.x == expected.x);
-  CHECK(found.y == expected.y);
-  const auto truth = oracle::parametric_circle(circle, u).answer;
-  CHECK(audit::nearest(truth.x) == expected.x);
-  CHECK(audit::nearest(truth.y) == expected.y);
-  CHECK(audit::name_of(examined<Row>({circle, u})->judge_reference().verdict) == by_reference);
-}
+constexpr Gives<Row> gives;
 
 }  // namespace
 
@@ -64,33 +55,33 @@ TEST_CASE("parametric_circle: the squares of cosine and sine add up to 1 as near
 }
 
 TEST_CASE("parametric_circle: p. 8's (r cos u, r sin u) worked by hand") {
-  gives({{1, 2}, 3}, 0, {4, 2});
-  gives({{1, 2}, 0}, 12345, {1, 2});
+  gives({{{1, 2}, 3}, 0}, {4, 2});
+  gives({{{1, 2}, 0}, 12345}, {1, 2});
   // Digits of cos 1 and sin 1: OEIS A049470, A049469.
-  gives({{0, 0}, 1}, 1, {0.54030230586813971740093660744297660373, 0.84147098480789650665250232163029899962});
-  gives({{0, 0}, 0x1p10}, -1,
+  gives({{{0, 0}, 1}, 1}, {0.54030230586813971740093660744297660373, 0.84147098480789650665250232163029899962});
+  gives({{{0, 0}, 0x1p10}, -1},
         {0x1p10 * 0.54030230586813971740093660744297660373, -0x1p10 * 0.84147098480789650665250232163029899962});
   // sin(pi - d) = d and cos(pi - d) = -1 + d^2 / 2 up to terms far below an ulp; the same at half of each.
-  gives({{0, 0}, 1}, pi, {-1, 1.2246467991473531772260659e-16});
-  gives({{0, 0}, 1}, pi / 2, {6.1232339957367658861303299e-17, 1});
+  gives({{{0, 0}, 1}, pi}, {-1, 1.2246467991473531772260659e-16});
+  gives({{{0, 0}, 1}, pi / 2}, {6.1232339957367658861303299e-17, 1});
   // u - u^3 / 6: at 2^-30 the cube is far below half an ulp of u; 1 - u^2 / 2 = 1 - 2^-61 rounds to 1.
-  gives({{0, 0}, 1}, 0x1p-30, {1, 0x1p-30});
+  gives({{{0, 0}, 1}, 0x1p-30}, {1, 0x1p-30});
 }
 
 TEST_CASE("parametric_circle: what cancels is computed anew, not from a rounded cosine") {
   // -1 + cos(2^-30) = -2^-61 + 2^-120 / 24 - ...; the formula rounds the cosine to 1.
-  gives({{-1, 0}, 1}, 0x1p-30, {-0x1p-61, 0x1p-30}, "inexact");
+  gives({{{-1, 0}, 1}, 0x1p-30}, {-0x1p-61, 0x1p-30}, "inexact");
 }
 
 TEST_CASE("parametric_circle: huge and subnormal angles and radii, negative zero") {
-  gives({{0, 0}, 1}, tiny, {1, tiny});
-  gives({{0, 0}, tiny}, 1, {tiny, tiny});  // 0.54 and 0.84 of the least double round to it
-  gives({{0, 0}, tiny}, 1.5, {0, tiny});   // cos 1.5 = 0.07
-  gives({{0, 0}, 1}, -0.0, {1, 0});
-  gives({{huge, 0}, huge}, 0, {infinity, 0});
-  gives({{-huge, 0}, huge}, 0, {0, 0});
+  gives({{{0, 0}, 1}, tiny}, {1, tiny});
+  gives({{{0, 0}, tiny}, 1}, {tiny, tiny});  // 0.54 and 0.84 of the least double round to it
+  gives({{{0, 0}, tiny}, 1.5}, {0, tiny});   // cos 1.5 = 0.07
+  gives({{{0, 0}, 1}, -0.0}, {1, 0});
+  gives({{{huge, 0}, huge}, 0}, {infinity, 0});
+  gives({{{-huge, 0}, huge}, 0}, {0, 0});
   // 10^22 is a double; its sine is a well-known trap (K. C. Ng, "Good to the last bit").
-  gives({{0, 0}, 1}, 1e22, {0.52321478539513894549759447338470949214, -0.85220084976718880177270589375302936826});
+  gives({{{0, 0}, 1}, 1e22}, {0.52321478539513894549759447338470949214, -0.85220084976718880177270589375302936826});
 }
 
 TEST_CASE("parametric_circle: of two broken rules the first is named") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/planes/point_plane.h"
 
+#include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
 
@@ -24,17 +25,7 @@ double rounded(const Rational& number) { return audit::nearest(number); }
 /// The double nearest to 1 / sqrt(2) = 0.70710678118654752440.
 constexpr double root_half = 0x1.6a09e667f3bcdp-1;
 
-/// robust and the oracle, rounded, give this; the reference gets this verdict.
-void gives(const Row::Question& question, PlaneSide side, double distance, const std::string& by_reference = "agree") {
-  INFO(audit::one_line(audit::find_operation("point_plane")->print(audit::packed(question))));
-  const auto found = audit::ask_robust<Row>(question);
-  CHECK(found.side == side);
-  CHECK(found.signed_distance == distance);
-  const auto truth = audit::ask_oracle<Row>(question).answer;
-  CHECK(truth.side == side);
-  CHECK(audit::nearest(truth.signed_distance) == distance);
-  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
-}
+constexpr Gives<Row> gives;
 
 }  // namespace
 
@@ -109,14 +100,14 @@ TEST_CASE("point_plane: p. 22's N . p + d worked by hand") {
   example<Row>({{{2, 3, 6}, 0}, {-1, 0, 0}}, {PlaneSide::back, Rational(-2, 7)});  // -2 / sqrt(4 + 9 + 36)
   example<Row>({{{-4, 0, 3}, 10}, {1, 9, -2}}, {PlaneSide::on, 0});                // -4 - 6 + 10
   example<Row>({{{0.5, 0, 0}, 0}, {3, 1, 1}}, {PlaneSide::front, 3});              // 1.5 / 0.5
-  gives({{{1, 1, 0}, 0}, {1, 0, 5}}, PlaneSide::front, root_half);                 // 1 / sqrt(2)
-  gives({{{1, 0, -1}, 0}, {0, 5, 1}}, PlaneSide::back, -root_half);
+  gives({{{1, 1, 0}, 0}, {1, 0, 5}}, {PlaneSide::front, root_half});               // 1 / sqrt(2)
+  gives({{{1, 0, -1}, 0}, {0, 5, 1}}, {PlaneSide::back, -root_half});
 }
 
 TEST_CASE("point_plane: rounding hides a side, and moves a point off the plane") {
   // 10 times the double 0.1 is 1 + 2^-54: the product rounds to 1.
-  gives({{{10, 0, 0}, -1}, {0.1, 0, 0}}, PlaneSide::front, 0x1p-54 / 10, "rounding");
-  gives({{{1, 1, 1}, -0x1p53}, {0x1p53, 1, 0}}, PlaneSide::front, 0x1.279a74590331cp-1,
+  gives({{{10, 0, 0}, -1}, {0.1, 0, 0}}, {PlaneSide::front, 0x1p-54 / 10}, "rounding");
+  gives({{{1, 1, 1}, -0x1p53}, {0x1p53, 1, 0}}, {PlaneSide::front, 0x1.279a74590331cp-1},
         "rounding");  // 1 / sqrt(3) = 0.57735026918962576451
 }
 
@@ -134,14 +125,14 @@ TEST_CASE("point_plane: huge, subnormal and negative zero") {
   example<Row>({{{0, 0, 0.25}, -tiny}, {1, 1, tiny}}, {PlaneSide::back, Rational(-3 * audit::exact_value(tiny))});
   example<Row>({{{-0.0, 1, -0.0}, -0.0}, {-0.0, -0.0, huge}}, {PlaneSide::on, 0});
   // |E| / |N| = sqrt(3) huge is within the range, though 3 huge is not; 2 sqrt(3) huge is beyond it.
-  gives({{{1, 1, 1}, 0}, {huge, huge, huge}}, PlaneSide::front, 0x1.ed4df0150215ap+1023, "invalid");
-  gives({{{-1, -1, -1}, 0}, {1.5e308, 1.5e308, 1.5e308}}, PlaneSide::back, -infinity);
+  gives({{{1, 1, 1}, 0}, {huge, huge, huge}}, {PlaneSide::front, 0x1.ed4df0150215ap+1023}, "invalid");
+  gives({{{-1, -1, -1}, 0}, {1.5e308, 1.5e308, 1.5e308}}, {PlaneSide::back, -infinity});
 }
 
 TEST_CASE("point_plane: ties go to the even neighbour") {
-  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52, 0}}, PlaneSide::front, 0x1p52);
-  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52 + 1, 0}}, PlaneSide::front, 0x1p52 + 2);
-  gives({{{0, -2, 0}, -1}, {7, 0x1p52 + 1, 9}}, PlaneSide::back, -(0x1p52 + 2));
+  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52, 0}}, {PlaneSide::front, 0x1p52});
+  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52 + 1, 0}}, {PlaneSide::front, 0x1p52 + 2});
+  gives({{{0, -2, 0}, -1}, {7, 0x1p52 + 1, 9}}, {PlaneSide::back, -(0x1p52 + 2)});
 }
 
 TEST_CASE("point_plane: of two broken rules the first is named, also where only the side is asked") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/planes/polygon_normal.h"
 
+#include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
 
@@ -26,25 +27,13 @@ constexpr double third_root = 0x1.279a74590331cp-1;  // 1 / sqrt(3) = 0.57735026
 constexpr double sixth_root = 0x1.a20bd700c2c3ep-2,
                  two_sixth_roots = 0x1.a20bd700c2c3ep-1;  // 1 / sqrt(6) = 0.40824829046386301637
 
-/// robust, and the oracle rounded, give these numbers; the reference gets this verdict.
+constexpr Gives<Row> answers;
 void gives(const Polygon3d& polygon, const Vector3d& normal, const Vector3d& unit,
            const std::string& by_reference = "agree") {
-  const Row::Question question{polygon};
-  INFO(audit::one_line(audit::find_operation("polygon_normal")->print(audit::packed(question))));
-  const PolygonNormal<double> expected{NormalClass::proper, normal, unit};
-  CHECK(equal(robust::polygon_normal(polygon), expected));
-  const auto truth = audit::converted<double>(oracle::polygon_normal(polygon).answer,
-                                              [](const Rational& n) { return audit::nearest(n); });
-  CHECK(equal(truth, expected));
-  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
+  answers({polygon}, {NormalClass::proper, normal, unit}, by_reference);
 }
-
 void degenerate(const Polygon3d& polygon, const std::string& by_reference = "agree") {
-  const Row::Question question{polygon};
-  INFO(audit::one_line(audit::find_operation("polygon_normal")->print(audit::packed(question))));
-  CHECK(equal(robust::polygon_normal(polygon), {NormalClass::degenerate, std::nullopt, std::nullopt}));
-  CHECK(oracle::polygon_normal(polygon).answer.normal_class == NormalClass::degenerate);
-  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
+  answers({polygon}, {NormalClass::degenerate, std::nullopt, std::nullopt}, by_reference);
 }
 
 }  // namespace

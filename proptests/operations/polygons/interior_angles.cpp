@@ -2,6 +2,7 @@
 #include "catalogue/polygons/interior_angles.h"
 
 #include "proptests/forward_error.h"
+#include "proptests/rounded_answers.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -20,15 +21,7 @@ const Rational& digits_of_pi() {
 Rational exactly(double x) { return exact(x); }
 Rational exactly(const Rational& x) { return x; }
 
-/// robust and the oracle, rounded, give these angles; the reference gets this verdict.
-void gives(const Polygon2d& polygon, const std::vector<double>& expected, const std::string& by_reference = "agree") {
-  INFO(audit::one_line(audit::find_operation("interior_angles")->print(audit::packed(Row::Question{polygon}))));
-  CHECK(robust::interior_angles(polygon) == expected);
-  std::vector<double> truth;
-  for (const Rational& angle : oracle::interior_angles(polygon).answer) truth.push_back(audit::nearest(angle));
-  CHECK(truth == expected);
-  CHECK(audit::name_of(examined<Row>(Row::Question{polygon})->judge_reference().verdict) == by_reference);
-}
+constexpr Gives<Row> gives;
 
 /// Same numbers: for robust the same doubles, for the oracle rationals that round to them.
 bool same(const std::vector<double>& a, const std::vector<double>& b) { return a == b; }
@@ -89,27 +82,27 @@ LAW("interior_angles: the angles lie in (0, 2 pi) and add up to (n - 2) pi") {
 }
 
 TEST_CASE("interior_angles: p. 6's angles worked by hand") {
-  gives({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}, {pi / 2, pi / 2, pi / 2, pi / 2});
-  gives({{{0, 0}, {0, 4}, {2, 4}, {4, 4}, {4, 0}}}, {pi / 2, pi / 2, pi, pi / 2, pi / 2});
-  gives({{{0, 0}, {1, 0}, {0, 1}}}, {pi / 2, pi / 4, pi / 4});
+  gives({Polygon2d{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}}, {pi / 2, pi / 2, pi / 2, pi / 2});
+  gives({Polygon2d{{{0, 0}, {0, 4}, {2, 4}, {4, 4}, {4, 0}}}}, {pi / 2, pi / 2, pi, pi / 2, pi / 2});
+  gives({Polygon2d{{{0, 0}, {1, 0}, {0, 1}}}}, {pi / 2, pi / 4, pi / 4});
   // Tangents 1/2 and 2: OEIS A073000, A105199.
-  gives({{{0, 0}, {2, 0}, {2, 1}}},
+  gives({Polygon2d{{{0, 0}, {2, 0}, {2, 1}}}},
         {0.463647609000806116214256231461214402, pi / 2, 1.107148717794090503017065460178537040});
   // An L: 3 pi / 2 at (2, 2).
-  gives({{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}},
+  gives({Polygon2d{{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}}},
         {pi / 2, pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2});
-  gives({{{0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 0}, {0, 0}}},
+  gives({Polygon2d{{{0, 4}, {2, 4}, {2, 2}, {4, 2}, {4, 0}, {0, 0}}}},
         {pi / 2, pi / 2, 4.71238898038468985769396507491925432629575, pi / 2, pi / 2, pi / 2});
 }
 
 TEST_CASE("interior_angles: what acos loses near 0 and pi") {
   // atan x = x - x^3 / 3 + ...: 2^-60, and pi / 2 less that. Its cosine rounds to 1.
-  gives({{{0, 0}, {1, 0}, {1, 0x1p-60}}}, {0x1p-60, pi / 2, pi / 2}, "inexact");
+  gives({Polygon2d{{{0, 0}, {1, 0}, {1, 0x1p-60}}}}, {0x1p-60, pi / 2, pi / 2}, "inexact");
   // The least angle that is no double: half of the least double and below rounds to 0, three quarters to the least
   // double.
-  gives({{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1p-175}}}, {0, pi / 2, pi / 2}, "invalid");
-  gives({{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1.8p-175}}}, {tiny, pi / 2, pi / 2}, "invalid");
-  gives({{{0, 0}, {0x1p1000, 0}, {0x1p1000, tiny}}}, {0, pi / 2, pi / 2}, "invalid");
+  gives({Polygon2d{{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1p-175}}}}, {0, pi / 2, pi / 2}, "invalid");
+  gives({Polygon2d{{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1.8p-175}}}}, {tiny, pi / 2, pi / 2}, "invalid");
+  gives({Polygon2d{{{0, 0}, {0x1p1000, 0}, {0x1p1000, tiny}}}}, {0, pi / 2, pi / 2}, "invalid");
   // A notch of 2^-60 at its tip (0, 0): 2 pi less that is nearest to the double nearest to 2 pi.
   const std::vector<double> notched =
       robust::interior_angles({{{0, 0}, {1, 0}, {1, -1}, {-1, -1}, {-1, 1}, {1, 1}, {1, 0x1p-60}}});
