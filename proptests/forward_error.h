@@ -112,6 +112,17 @@ void contract(const std::string& sentence, const Claim& claim, int usual = 12) {
   never(audit::operation_of_row<Row>(), sentence, complaint, usual);
 }
 
+/// CONTRACT("orientation: ...", p0, p1, p) { return answer == truth.answer || ...; } is the test case of one such claim,
+/// in the types of the file's `Row`.
+#define CONTRACT(...) TOUCHSTONE_CONTRACT(__COUNTER__, __VA_ARGS__)
+#define TOUCHSTONE_CONTRACT(number, ...) TOUCHSTONE_CONTRACT_NUMBERED(number, __VA_ARGS__)
+#define TOUCHSTONE_CONTRACT_NUMBERED(number, sentence, ...)                                                  \
+  static bool keeps_##number(TOUCHSTONE_PARTS(truth, answer __VA_OPT__(, ) __VA_ARGS__));                    \
+  TEST_CASE(sentence) {                                                                                      \
+    proptests::contract<Row>(sentence, [](const auto&... argument) { return keeps_##number(argument...); }); \
+  }                                                                                                          \
+  static bool keeps_##number(TOUCHSTONE_PARTS(truth, answer __VA_OPT__(, ) __VA_ARGS__))
+
 /// The property that the formula in exact arithmetic is the truth.
 template <class Row>
 void right_in_exact_arithmetic() {

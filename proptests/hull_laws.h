@@ -36,6 +36,15 @@ auto corners_of(const Points& points, const Hull& hull) {
   return corners;
 }
 
+template <class Points>
+Points scaled_points(Points points, double factor) {
+  for (auto& p : points) {
+    p.x *= factor, p.y *= factor;
+    if constexpr (requires { p.z; }) p.z *= factor;
+  }
+  return points;
+}
+
 template <class Set>
 bool same_points(const Set& a, const Set& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin());

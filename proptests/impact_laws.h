@@ -75,4 +75,12 @@ inline constexpr auto observers_agree = [](const auto& ask, const auto& asked) {
   else return same(seen, ask(asked) + a_shift());
 };
 
+/// These three.
+template <class Row>
+void impact_laws() {
+  law<Row>("exchanged", bodies_may_be_exchanged);
+  law<Row>("unit of mass", masses_have_any_unit);
+  exact_law<Row>("observers", observers_agree);
+}
+
 }  // namespace touchstone::proptests

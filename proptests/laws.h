@@ -20,7 +20,7 @@ using Rational = oracle::Rational;
 using robust::Stage;
 namespace rows = audit::rows;
 
-inline constexpr double tiny = 5e-324, huge = 1e308;
+inline constexpr double tiny = 5e-324, huge = 1e308, greatest = std::numeric_limits<double>::max();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -138,6 +138,33 @@ void law(const std::string& sentence, const Holds& holds) {
       "oracle: " + sentence, [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; }, holds, 3);
 }
 
+/// LAW("orientation: both points are on their line", p0, p1) {
+///   return ask(Row::Question{p0, p1, p0}) == Side::on && ask(Row::Question{p0, p1, p1}) == Side::on;
+/// }
+/// is the test case of one law, in the types of the file's `Row`. It names as many of the question's parts as it needs,
+/// from the first on; the whole question is `asked`.
+#define LAW(...) TOUCHSTONE_LAW(law, __COUNTER__, __VA_ARGS__)
+#define ROBUST_LAW(...) TOUCHSTONE_LAW(robust_law, __COUNTER__, __VA_ARGS__)
+#define TOUCHSTONE_LAW(kind, number, ...) TOUCHSTONE_LAW_NUMBERED(kind, number, __VA_ARGS__)
+#define TOUCHSTONE_LAW_NUMBERED(kind, number, sentence, ...)                                       \
+  static bool holds_##number(TOUCHSTONE_PARTS(ask, asked __VA_OPT__(, ) __VA_ARGS__));             \
+  TEST_CASE(sentence) {                                                                            \
+    proptests::kind<Row>(sentence, [](const auto& ask, const auto& asked) {                        \
+      const auto holds = [&](const auto&... part) { return holds_##number(ask, asked, part...); }; \
+      return audit::applied(holds, asked);                                                         \
+    });                                                                                            \
+  }                                                                                                \
+  static bool holds_##number(TOUCHSTONE_PARTS(ask, asked __VA_OPT__(, ) __VA_ARGS__))
+
+/// a, b -> const auto& a, const auto& b, and whatever follows. Of up to nine.
+#define TOUCHSTONE_PARTS(...) TOUCHSTONE_THRICE(TOUCHSTONE_THRICE(TOUCHSTONE_PART(__VA_ARGS__))) const auto&...
+#define TOUCHSTONE_PART(name, ...) \
+  [[maybe_unused]] const auto &name, __VA_OPT__(TOUCHSTONE_NEXT TOUCHSTONE_NOTHING()(__VA_ARGS__))
+#define TOUCHSTONE_NEXT() TOUCHSTONE_PART
+#define TOUCHSTONE_NOTHING
+#define TOUCHSTONE_THRICE(...) TOUCHSTONE_ONCE(TOUCHSTONE_ONCE(TOUCHSTONE_ONCE(__VA_ARGS__)))
+#define TOUCHSTONE_ONCE(...) __VA_ARGS__
+
 /// Whether an answer's numbers are rationals (an answer of one word counts as exact).
 template <class Answer>
 inline constexpr bool is_exact = std::is_same_v<Answer, audit::rebound_t<Answer, Rational>>;
@@ -226,6 +253,16 @@ void example(const typename Row::Question& question, const exact_answer_t<Row>& 
   example(audit::operation_of_row<Row>(), audit::packed(question), audit::packed_as<audit::TrueNumber>(expected),
           by_reference);
 }
+
+/// The same, and the oracle's margin: `constexpr Worked<Row> worked;`
+template <class Row>
+struct Worked {
+  void operator()(const typename Row::Question& question, const exact_answer_t<Row>& expected, const Rational& margin,
+                  const std::string& by_reference = "agree") const {
+    example<Row>(question, expected, by_reference);
+    CHECK(*audit::ask_oracle<Row>(question).margin == margin);
+  }
+};
 
 /// Robust and oracle both refuse, naming this field and rule.
 void refused(const Operation& operation, const Question& question, const std::string& expected);

@@ -31,4 +31,40 @@ inline bool divided(const FirstContact<double>& answer, const FirstContact<doubl
   return scaled_number(*answer.t, *found.t, -k);
 }
 
+/// Velocities times a power of two, where that is exact, divide t by it. velocities: their numbers among the parts of the
+/// question, which may stand in a plane or in space.
+template <std::size_t... velocities>
+inline constexpr auto velocities_divide_t = [](const auto& ask, const auto& asked) {
+  const auto answer = ask(asked);
+  const auto kept = [&](auto question, int k) {
+    const auto faster = [k](auto& velocity) {
+      const auto w = times_two_to(velocity, k);
+      if (w) velocity = *w;
+      return w.has_value();
+    };
+    return !(faster(std::get<velocities>(question)) && ...) || divided(answer, ask(question), k);
+  };
+  for (const int k : {1, -2, 40, -40, 500})
+    if (!audit::applied([&](const auto&... part) { return kept(std::tuple(part...), k); }, asked)) return false;
+  return true;
+};
+
+/// In exact arithmetic the formula is right, but where the two meet at the start.
+template <class Row>
+void right_but_at_the_start() {
+  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+  const auto complaint = [&](const Question& question) -> std::string {
+    try {
+      const auto truth = row.solve(question).answer;
+      if (!truth.numbers.empty() && truth.numbers[0] == oracle::Surd(Rational(0))) return "";
+      const bool same =
+          audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
+      return same ? "" : "the formula is wrong even in exact arithmetic";
+    } catch (const InvalidInput&) {
+      return "";
+    }
+  };
+  never(audit::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start", complaint, 3);
+}
+
 }  // namespace touchstone::proptests

@@ -236,6 +236,11 @@ void checkers_agree() {
 }
 
 /// What robust and oracle refuse.
+inline Polygon2d times(double factor, Polygon2d polygon) {
+  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
+  return polygon;
+}
+
 template <class Row>
 void simple_rings_only() {
   refused<Row>({{{{0, 0}, {1, 0}}}}, "polygon", "at least 3 vertices");

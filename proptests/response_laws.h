@@ -30,6 +30,8 @@ void exact_law(const std::string& sentence, const Holds& holds) {
       [&](const auto& ask, const auto& asked) { return holds(ask, in_rationals(asked)); }, 3);
 }
 
+#define EXACT_LAW(...) TOUCHSTONE_LAW(exact_law, __COUNTER__, __VA_ARGS__)
+
 /// Where the contracts of `response` bound the formula's error: every number is 0 or between 2^-100 and 2^100 in size.
 template <class... Asked>
 bool moderate(const Asked&... asked) {
@@ -71,6 +73,20 @@ inline std::vector<Vector3d> same_plane(const Vector3d& n) {
     if (const auto stretched = longer(n, k)) found.push_back(*stretched);
   return found;
 }
+
+/// The normal's length and side do not matter; it is the question's part of that number.
+template <std::size_t normal>
+inline constexpr auto any_normal_of_the_plane = [](const auto& ask, const auto& asked) {
+  const auto answer = ask(asked);
+  const Vector3d& n = std::get<normal>(asked);
+  const auto keeps = [&](const Vector3d& other) {
+    auto question = asked;
+    std::get<normal>(question) = other;
+    return equal(ask(question), answer);
+  };
+  const auto normals = same_plane(n);
+  return std::all_of(normals.begin(), normals.end(), keeps) && (!on_small_lattice(std::tuple(n)) || keeps(3.0 * n));
+};
 
 /// Whether components are those times 2^k, as far as rounding keeps its relative place.
 template <class R>

@@ -40,6 +40,27 @@ bool on_small_lattice(const Asked& asked) {
   return whole;
 }
 
+/// A plane's equation times a power of two where that is exact, or times 3 on the lattice, is the same plane; it is the
+/// question's part of that number.
+template <std::size_t plane>
+inline constexpr auto any_equation_of_the_plane = [](const auto& ask, const auto& asked) {
+  const auto answer = ask(asked);
+  const auto keeps = [&](const Plane3d& other) {
+    auto question = asked;
+    std::get<plane>(question) = other;
+    return equal(ask(question), answer);
+  };
+  const auto times = [](const Plane3d& by, double factor) { return Plane3d{factor * by.normal, factor * by.offset}; };
+  const Plane3d& given = std::get<plane>(asked);
+  for (const int k : {1, -1, 60, -60, 500, -500}) {
+    const Plane3d longer = times(given, std::ldexp(1, k));
+    const auto& [x, y, z] = longer.normal;
+    if (!finite(x, y, z, longer.offset) || numbers_of(times(longer, std::ldexp(1, -k))) != numbers_of(given)) continue;
+    if (!keeps(longer)) return false;
+  }
+  return !on_small_lattice(asked) || keeps(times(given, 3));
+};
+
 /// N . p + d as the slide's formula computes it, and the bound e(E) of reference/planes/point_plane.h.
 struct HeightBound {
   double computed;
@@ -56,5 +77,27 @@ struct HeightBound {
   }
   bool certain() const { return !overflow && size(computed) > error; }
 };
+
+/// Distance of the centers and sum of the radii of two balls, squared.
+struct Squares {
+  Rational distance, reach;
+};
+template <class Ball>
+Squares squares(const Ball& a, const Ball& b) {
+  const auto squared = [](const Rational& x) { return Rational(x * x); };
+  Rational distance = squared(exact(b.center.x) - exact(a.center.x)) + squared(exact(b.center.y) - exact(a.center.y));
+  if constexpr (requires { a.center.z; }) distance += squared(exact(b.center.z) - exact(a.center.z));
+  return {distance, squared(exact(a.radius) + exact(b.radius))};
+}
+/// |S - R| exceeds its bound, of the contract of sphere_sphere.
+template <class Ball>
+bool certain(const Ball& a, const Ball& b) {
+  const auto between = b.center - a.center;
+  const double sum = a.radius + b.radius;
+  if (!finite(dot(between, between), sum * sum)) return false;
+  const auto [s, r] = squares(a, b);
+  const Rational u = unit();
+  return abs(s - r) > (5 + 11 * u) * u * s + (3 + 4 * u) * u * r + power_of_two(-1072);
+}
 
 }  // namespace touchstone::proptests

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cctype>
+#include <array>
 #include <cstdlib>
 #include <fstream>
-#include <map>
+#include <regex>
 #include <set>
 
 #include "proptests/drawn.h"
@@ -10,6 +10,8 @@
 
 namespace touchstone::proptests {
 namespace {
+
+using robust::Stage;
 
 /// Of a family; a third of it where a question is dear, and no more where they have had that many numbers.
 constexpr std::uint64_t drawn = 1500, drawn_dear = 500, most_numbers = 30'000;
@@ -30,13 +32,38 @@ std::set<std::string> possible_outcomes(const Operation& operation) {
   return words.empty() ? std::set<std::string>{"value"} : std::set<std::string>(words.begin(), words.end());
 }
 
+/// The stages of the answer or, where robust tells the stage of the decision alone, of the decision.
+const audit::StageFunctions& told_stages(const audit::RowFunctions& row) {
+  return row.stages.decided_by != nullptr ? row.stages : row.decision_stages;
+}
+
+const char* name_of(Stage stage) {
+  return std::array{"filter", "enclosed", "lattice", "exact"}[static_cast<std::size_t>(stage)];
+}
+
+/// "polygon[3]: simple: its edge must not meet edge 5" -> "polygon: simple: its edge must not meet edge"
+std::string rule_of(const std::string& refusal) {
+  static const std::regex indices(R"(\[[0-9]+\])"), named(R"((edge|vertex|->|, and) [0-9]+)");
+  return std::regex_replace(std::regex_replace(refusal, indices, ""), named, "$1");
+}
+
 struct Reached {
-  std::map<std::string, std::uint64_t> outcomes;
-  std::set<std::string> refusals;
+  std::set<std::string> outcomes, refused;
+  std::set<Stage> stages;
+
+  /// A line of the ledger.
+  std::string line(const std::string& family) const {
+    audit::Json line = {{"family", family}};
+    if (!outcomes.empty()) line["outcomes"] = outcomes;
+    for (const Stage stage : stages) line["stages"].push_back(name_of(stage));
+    if (!refused.empty()) line["refused"] = refused;
+    return line.dump();
+  }
 };
 
 Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
+  const auto decided_by = told_stages(operation.row()).decided_by;
   const std::uint64_t cases = operation.card().price == audit::Price::thin ? drawn : drawn_dear;
   std::uint64_t numbers = 0;
   for (std::uint64_t i = 0; i < cases && numbers < most_numbers; ++i) {
@@ -44,20 +71,13 @@ Reached reached_by(const Operation& operation, std::size_t family) {
     const audit::Question question = operation.draw(choices, family);
     numbers += question.numbers.size();
     try {
-      ++reached.outcomes[operation.examine(question)->outcome()];
+      reached.outcomes.insert(operation.examine(question)->outcome());
+      if (decided_by != nullptr) reached.stages.insert(decided_by(question, 0));
     } catch (const InvalidInput& refused) {
-      reached.refusals.insert(refused.what());
+      reached.refused.insert(rule_of(refused.what()));
     }
   }
   return reached;
-}
-
-/// "polygon[3]: simple: its edge must not meet edge 5" -> "simple: its edge must not meet edge"
-std::string rule_of(const std::string& refusal) {
-  std::string rule = refusal.substr(refusal.find(": ") + 2);
-  while (!rule.empty() && (std::isdigit(static_cast<unsigned char>(rule.back())) != 0 || rule.back() == ' '))
-    rule.pop_back();
-  return rule;
 }
 
 bool is_hard_case(const Operation& operation, const std::string& family) {
@@ -67,42 +87,52 @@ bool is_hard_case(const Operation& operation, const std::string& family) {
 
 }  // namespace
 
-EACH_OPERATION("every outcome is reached, and every family asks what it is meant to ask") {
+EACH_OPERATION("every outcome and stage is reached, and every family asks what it is meant to ask") {
   if (operation.card().is_method()) return;  // families and oracle are those of the operation
-  std::set<std::string> missing = possible_outcomes(operation);
-  const std::set<std::string> possible = missing;
-  audit::Json ledger = audit::Json::object();
+  const std::set<std::string> possible = possible_outcomes(operation);
+  std::set<std::string> missing = possible, missing_stages;
+  for (const auto& one : told_stages(operation.row()).each) missing_stages.insert(name_of(one.stage));
+  std::vector<std::string> ledger;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     const std::string& name = operation.families()[family];
     INFO(name);
-    ledger[name] = audit::Json::array();
     const Reached reached = reached_by(operation, family);
-    for (const auto& [outcome, count] : reached.outcomes) {
+    for (const std::string& outcome : reached.outcomes) {
       for (const std::string& word : split(outcome)) {
         CHECK(possible.count(word) == 1);
         missing.erase(word);
       }
-      ledger[name].push_back(outcome);
     }
-    for (const std::string& refusal : reached.refusals) CHECK(refusal.find("finite number") == std::string::npos);
+    for (const Stage stage : reached.stages) missing_stages.erase(name_of(stage));
+    for (const std::string& rule : reached.refused) CHECK(rule.find("finite number") == std::string::npos);
     // A family without a valid question is one that breaks a rule of its shape on purpose: always the same one.
     if (reached.outcomes.empty()) {
       std::set<std::string> rules;
-      for (const std::string& refusal : reached.refusals) rules.insert(rule_of(refusal));
+      for (const std::string& refusal : reached.refused) rules.insert(refusal.substr(refusal.find(": ") + 2));
       CHECK(rules.size() == 1);
       CHECK(is_hard_case(operation, name));
     }
+    ledger.push_back(reached.line(name));
   }
-  INFO("outcomes that no family reaches: " << Catch::Detail::stringify(missing));
+  INFO("no family reaches: " << Catch::Detail::stringify(missing) << Catch::Detail::stringify(missing_stages));
   CHECK(missing.empty());
-  // What the families reached when somebody last looked: a change of a family that loses an outcome shows here. Written
-  // anew, to be looked at, with TOUCHSTONE_WRITE_REACHED=1.
-  const std::string file = "proptests/agreement/reached/" + operation.name() + ".json";
-  if (std::getenv("TOUCHSTONE_WRITE_REACHED") != nullptr) std::ofstream(file) << ledger.dump(1) << '\n';
-  std::ifstream kept(file);
+  CHECK(missing_stages.empty());
+  // What the families reached when somebody last looked: a change of a family that loses an outcome, a stage or a
+  // refusal shows here. Written anew, to be looked at, with TOUCHSTONE_WRITE_REACHED=1.
+  const std::string file = "proptests/agreement/reached/" + operation.name() + ".jsonl";
   INFO(file);
+  if (std::getenv("TOUCHSTONE_WRITE_REACHED") != nullptr) {
+    std::ofstream written(file);
+    for (const std::string& line : ledger) written << line << '\n';
+  }
+  std::ifstream kept(file);
   REQUIRE(kept.good());
-  CHECK(audit::Json::parse(kept) == ledger);
+  std::string line;
+  for (const std::string& reached : ledger) {
+    std::getline(kept, line);
+    CHECK(line == reached);
+  }
+  CHECK(!std::getline(kept, line));
 }
 
 }  // namespace touchstone::proptests

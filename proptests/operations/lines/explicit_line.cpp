@@ -14,60 +14,41 @@ using Row = rows::explicit_line;
 
 Height other(Height h) { return h == Height::above ? Height::below : h == Height::below ? Height::above : Height::on; }
 
-Stage decided_by(double slope, double intercept, const Point2d& point) {
-  return robust::stages::explicit_line::ask(slope, intercept, point).stage;
-}
-
 }  // namespace
 
-TEST_CASE("explicit_line: reflected in the x axis above becomes below, in the y axis it stays") {
-  law<Row>("reflections", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    return ask(Row::Question{-m, -b, {p.x, -p.y}}) == other(ask(asked)) &&
-           ask(Row::Question{-m, b, {-p.x, p.y}}) == ask(asked);
-  });
+LAW("explicit_line: reflected in the x axis above becomes below, in the y axis it stays", m, b, p) {
+  return ask(Row::Question{-m, -b, {p.x, -p.y}}) == other(ask(asked)) &&
+         ask(Row::Question{-m, b, {-p.x, p.y}}) == ask(asked);
 }
 
-TEST_CASE("explicit_line: powers of two keep the answer") {
-  law<Row>("a steeper line and a nearer point", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    for (const int k : {1, 10, 300}) {
-      const double steeper = std::ldexp(m, k), nearer = std::ldexp(p.x, -k);
-      if (std::isfinite(steeper) && std::ldexp(nearer, k) == p.x &&
-          ask(Row::Question{steeper, b, {nearer, p.y}}) != ask(asked))
-        return false;
-    }
-    return true;
-  });
+LAW("explicit_line: powers of two keep the answer", m, b, p) {
+  for (const int k : {1, 10, 300}) {
+    const double steeper = std::ldexp(m, k), nearer = std::ldexp(p.x, -k);
+    if (std::isfinite(steeper) && std::ldexp(nearer, k) == p.x &&
+        ask(Row::Question{steeper, b, {nearer, p.y}}) != ask(asked))
+      return false;
+  }
+  return true;
 }
 
-TEST_CASE("explicit_line: shears and shifts of the lattice keep the answer") {
-  law<Row>("shear and shift", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    if (!on_lattice(asked)) return true;
-    const Height height = ask(asked);
-    return ask(Row::Question{m + 3, b, {p.x, p.y + 3 * p.x}}) == height &&
-           ask(Row::Question{m, b + 12345, {p.x, p.y + 12345}}) == height;
-  });
+LAW("explicit_line: shears and shifts of the lattice keep the answer", m, b, p) {
+  if (!on_lattice(asked)) return true;
+  const Height height = ask(asked);
+  return ask(Row::Question{m + 3, b, {p.x, p.y + 3 * p.x}}) == height &&
+         ask(Row::Question{m, b + 12345, {p.x, p.y + 12345}}) == height;
 }
 
-TEST_CASE("explicit_line: above the line is left of two of its points, from left to right") {
-  robust_law<Row>("as orientation", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    if (!on_lattice(asked)) return true;
-    const Side side = robust::orientation({0, b}, {1, m + b}, p);
-    const Height height = ask(asked);
-    return side == (height == Height::above ? Side::left : height == Height::below ? Side::right : Side::on);
-  });
+ROBUST_LAW("explicit_line: above the line is left of two of its points, from left to right", m, b, p) {
+  if (!on_lattice(asked)) return true;
+  const Side side = robust::orientation({0, b}, {1, m + b}, p);
+  const Height height = ask(asked);
+  return side == (height == Height::above ? Side::left : height == Height::below ? Side::right : Side::on);
 }
 
-TEST_CASE("explicit_line: the next double above is never lower") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const auto& [m, b, p] = asked;
-    const double higher = audit::moved_by_ulps(p.y, 1);
-    const Height height = ask(asked), then = ask(Row::Question{m, b, {p.x, higher}});
-    return height == Height::below || higher == p.y || then == Height::above;
-  });
+LAW("explicit_line: the next double above is never lower", m, b, p) {
+  const double higher = audit::moved_by_ulps(p.y, 1);
+  const Height height = ask(asked), then = ask(Row::Question{m, b, {p.x, higher}});
+  return height == Height::below || higher == p.y || then == Height::above;
 }
 
 TEST_CASE("explicit_line: p. 8's y - (m x + b) worked by hand") {
@@ -95,14 +76,6 @@ TEST_CASE("explicit_line: horizontal, huge, subnormal and negative zero") {
   example<Row>({tiny, tiny, {1, 2 * tiny}}, Height::on);
 }
 
-TEST_CASE("explicit_line: what is not finite is refused by its field") {
-  refused<Row>({not_a_number, 0, {0, 0}}, "slope", "finite number");
-  refused<Row>({infinity, not_a_number, {0, 0}}, "slope", "finite number");
-  refused<Row>({1, -infinity, {0, 0}}, "intercept", "finite number");
-  refused<Row>({1, 0, {infinity, 0}}, "point[0]", "finite number");
-  refused<Row>({1, 0, {0, not_a_number}}, "point[1]", "finite number");
-}
-
 TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may have to hold") {
   // y = -intercept = (2^53 - 1) 2^447, and -m x, positive and odd, ends so many digits below 2^500. The sum is almost
   // 2^501.
@@ -113,19 +86,8 @@ TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may 
     for (const double sign : {1.0, -1.0}) {
       const Height expected = sign > 0 ? Height::above : Height::below;
       CHECK(robust::explicit_line(-sign * most, -sign * y, {x, sign * y}) == expected);
-      const auto by_lattice = robust::stages::explicit_line::lattice(-sign * most, -sign * y, {x, sign * y});
-      CHECK((!by_lattice || *by_lattice == expected));
-      CHECK(static_cast<bool>(by_lattice) == (span <= 124));
     }
   }
-}
-
-TEST_CASE("explicit_line: each stage decides what is meant for it") {
-  CHECK(decided_by(2, 1, {3, 8}) == Stage::filter);
-  CHECK(decided_by(2, 1, {3, 7}) == Stage::lattice);
-  CHECK(decided_by(1, 0x1p53, {1, 0x1p53}) == Stage::lattice);
-  CHECK(decided_by(tiny, 0, {0.25, 0}) == Stage::lattice);
-  CHECK(decided_by(1, tiny, {1, 1}) == Stage::exact);  // 1074 places apart
 }
 
 }  // namespace touchstone::proptests

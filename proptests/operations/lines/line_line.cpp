@@ -2,7 +2,6 @@
 #include "catalogue/lines/line_line.h"
 
 #include "proptests/forward_error.h"
-#include "robust/lines/line_line.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -14,27 +13,19 @@ exact_answer_t<Row> crossing(const Rational& ta, const Rational& tb, const Ratio
 }
 const exact_answer_t<Row> parallel{LineRelation::parallel, {}, {}, {}}, same{LineRelation::same, {}, {}, {}};
 
-Stage decided_by(const Line2d& a, const Line2d& b) { return robust::stages::line_line::decision::ask(a, b).stage; }
-
 }  // namespace
 
-TEST_CASE("line_line: on a line given from q to p the crossing has the parameter 1 - t") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto answer = ask(asked), a_turned = ask(Row::Question{{a.q, a.p}, b}),
-               b_turned = ask(Row::Question{a, {b.q, b.p}});
-    return answer.relation == a_turned.relation && answer.relation == b_turned.relation &&
-           equal(answer.tb, a_turned.tb) && equal(answer.ta, b_turned.ta) && equal(answer.point, a_turned.point) &&
-           equal(answer.point, b_turned.point) && reversed(answer.ta, a_turned.ta) && reversed(answer.tb, b_turned.tb);
-  });
+LAW("line_line: on a line given from q to p the crossing has the parameter 1 - t", a, b) {
+  const auto answer = ask(asked), a_turned = ask(Row::Question{{a.q, a.p}, b}),
+             b_turned = ask(Row::Question{a, {b.q, b.p}});
+  return answer.relation == a_turned.relation && answer.relation == b_turned.relation &&
+         equal(answer.tb, a_turned.tb) && equal(answer.ta, b_turned.ta) && equal(answer.point, a_turned.point) &&
+         equal(answer.point, b_turned.point) && reversed(answer.ta, a_turned.ta) && reversed(answer.tb, b_turned.tb);
 }
 
-TEST_CASE("line_line: a line is the same as itself, whichever way it is given") {
-  law<Row>("itself", [](const auto& ask, const auto& asked) {
-    const auto& a = std::get<0>(asked);
-    return ask(Row::Question{a, a}).relation == LineRelation::same &&
-           ask(Row::Question{a, {a.q, a.p}}).relation == LineRelation::same;
-  });
+LAW("line_line: a line is the same as itself, whichever way it is given", a) {
+  return ask(Row::Question{a, a}).relation == LineRelation::same &&
+         ask(Row::Question{a, {a.q, a.p}}).relation == LineRelation::same;
 }
 
 TEST_CASE("line_line: p. 12's equations worked by hand") {
@@ -67,44 +58,25 @@ TEST_CASE("line_line: nearly parallel, huge, subnormal, beyond the range, negati
                "invalid");
 }
 
-TEST_CASE("line_line: what is not finite and a line of one point are refused by their field") {
-  refused<Row>({{{not_a_number, 0}, {1, 1}}, {{0, 1}, {1, 0}}}, "a[0][0]", "finite number");
-  refused<Row>({{{0, 0}, {1, infinity}}, {{0, 1}, {1, 0}}}, "a[1][1]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0, -infinity}, {1, 0}}}, "b[0][1]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {not_a_number, 0}}}, "b[1][0]", "finite number");
-  refused<Row>({{{2, 3}, {2, 3}}, {{0, 1}, {1, 0}}}, "a", "two distinct points");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0.0, 5}, {-0.0, 5}}}, "b", "two distinct points");
-}
-
-TEST_CASE("line_line: each stage decides what is meant for it") {
-  CHECK(decided_by({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {tiny, 0}}, {{0, 0}, {0, tiny}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {1, tiny}}, {{0, 1}, {1, 1}}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE(
-    "line_line: the formula in double is right beyond the margin of its contract, its numbers within their bounds") {
-  contract<Row>(
-      "the forward error bounds hold", [](const auto& truth, const auto& answer, const Line2d& a, const Line2d& b) {
-        const Vector2d da = a.q - a.p, db = b.q - b.p, w = b.p - a.p;
-        const CrossBound d(da, db, 3), na(w, db, 3), nb(w, da, 3);
-        if (d.overflow || *truth.margin <= d.before) return true;
-        if (answer.relation != LineRelation::crossing || truth.answer.relation != LineRelation::crossing) return false;
-        const QuotientBound ta(na, d), tb(nb, d);
-        if (ta.defined && !within(*answer.ta, *truth.answer.ta, ta.error)) return false;
-        if (tb.defined && !within(*answer.tb, *truth.answer.tb, tb.error)) return false;
-        const auto coordinate_kept = [&](double origin, double step, double computed, const Rational& exactly) {
-          const double product = ta.computed * step, sum = origin + product;
-          if (!ta.defined || !finite(product, sum)) return true;
-          const Rational u = unit();
-          const Rational bound =
-              (1 + u) * size(step) * ta.error + (2 + 2 * u) * u * size(product) + u * size(sum) + power_of_two(-1074);
-          return within(computed, exactly, bound);
-        };
-        return coordinate_kept(a.p.x, da.x, answer.point->x, truth.answer.point->x) &&
-               coordinate_kept(a.p.y, da.y, answer.point->y, truth.answer.point->y);
-      });
+CONTRACT("line_line: the formula in double is right beyond the margin of its contract, its numbers within their bounds",
+         a, b) {
+  const Vector2d da = a.q - a.p, db = b.q - b.p, w = b.p - a.p;
+  const CrossBound d(da, db, 3), na(w, db, 3), nb(w, da, 3);
+  if (d.overflow || *truth.margin <= d.before) return true;
+  if (answer.relation != LineRelation::crossing || truth.answer.relation != LineRelation::crossing) return false;
+  const QuotientBound ta(na, d), tb(nb, d);
+  if (ta.defined && !within(*answer.ta, *truth.answer.ta, ta.error)) return false;
+  if (tb.defined && !within(*answer.tb, *truth.answer.tb, tb.error)) return false;
+  const auto coordinate_kept = [&](double origin, double step, double computed, const Rational& exactly) {
+    const double product = ta.computed * step, sum = origin + product;
+    if (!ta.defined || !finite(product, sum)) return true;
+    const Rational u = unit();
+    const Rational bound =
+        (1 + u) * size(step) * ta.error + (2 + 2 * u) * u * size(product) + u * size(sum) + power_of_two(-1074);
+    return within(computed, exactly, bound);
+  };
+  return coordinate_kept(a.p.x, da.x, answer.point->x, truth.answer.point->x) &&
+         coordinate_kept(a.p.y, da.y, answer.point->y, truth.answer.point->y);
 }
 
 }  // namespace touchstone::proptests

@@ -2,7 +2,6 @@
 #include "catalogue/lines/orientation.h"
 
 #include "proptests/forward_error.h"
-#include "robust/lines/orientation.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -11,28 +10,18 @@ using Row = rows::orientation;
 
 Side other(Side side) { return side == Side::left ? Side::right : side == Side::right ? Side::left : Side::on; }
 
-Stage decided_by(const Point2d& p0, const Point2d& p1, const Point2d& p) {
-  return robust::stages::orientation::ask(p0, p1, p).stage;
-}
-
 }  // namespace
 
-TEST_CASE("orientation: two points swapped turn the side over, a cyclic shift keeps it") {
-  law<Row>("antisymmetric, and the same under cyclic shift", [](const auto& ask, const auto& asked) {
-    const auto& [p0, p1, p] = asked;
-    const Side side = ask(asked);
-    const auto of = [&](const Point2d& a, const Point2d& b, const Point2d& c) { return ask(Row::Question{a, b, c}); };
-    return of(p1, p, p0) == side && of(p, p0, p1) == side && of(p1, p0, p) == other(side) &&
-           of(p0, p, p1) == other(side) && of(p, p1, p0) == other(side);
-  });
+LAW("orientation: two points swapped turn the side over, a cyclic shift keeps it", p0, p1, p) {
+  const Side side = ask(asked);
+  const auto of = [&](const Point2d& a, const Point2d& b, const Point2d& c) { return ask(Row::Question{a, b, c}); };
+  return of(p1, p, p0) == side && of(p, p0, p1) == side && of(p1, p0, p) == other(side) &&
+         of(p0, p, p1) == other(side) && of(p, p1, p0) == other(side);
 }
 
-TEST_CASE("orientation: both points of the line are on it, and every point on a line of one point") {
-  law<Row>("p0 and p1 are on their line", [](const auto& ask, const auto& asked) {
-    const auto& [p0, p1, p] = asked;
-    return ask(Row::Question{p0, p1, p0}) == Side::on && ask(Row::Question{p0, p1, p1}) == Side::on &&
-           ask(Row::Question{p, p, p1}) == Side::on;
-  });
+LAW("orientation: both points of the line are on it, and every point on a line of one point", p0, p1, p) {
+  return ask(Row::Question{p0, p1, p0}) == Side::on && ask(Row::Question{p0, p1, p1}) == Side::on &&
+         ask(Row::Question{p, p, p1}) == Side::on;
 }
 
 TEST_CASE("orientation: p. 16's formula worked by hand") {
@@ -66,35 +55,14 @@ TEST_CASE("orientation: coincident points, huge, subnormal and negative zero") {
   example<Row>({{0, 0}, {huge, tiny}, {huge, 2 * tiny}}, Side::left);
 }
 
-TEST_CASE("orientation: what is not finite is refused by its field") {
-  refused<Row>({{not_a_number, 0}, {1, 0}, {0, 1}}, "p0[0]", "finite number");
-  refused<Row>({{0, -infinity}, {1, 0}, {0, 1}}, "p0[1]", "finite number");
-  refused<Row>({{0, 0}, {infinity, 0}, {0, 1}}, "p1[0]", "finite number");
-  refused<Row>({{0, 0}, {1, not_a_number}, {0, 1}}, "p1[1]", "finite number");
-  refused<Row>({{0, 0}, {1, 0}, {infinity, 1}}, "p[0]", "finite number");
-  refused<Row>({{0, 0}, {1, 0}, {0, not_a_number}}, "p[1]", "finite number");
+CONTRACT("orientation: the formula in double is right beyond the margin of its contract", p0, p1, p) {
+  const double left = (p.y - p0.y) * (p1.x - p0.x), right = (p.x - p0.x) * (p1.y - p0.y);
+  if (!finite(left, right, left - right)) return true;
+  const Rational u = unit();
+  const Rational bound = (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
+  return *truth.margin <= bound || answer == truth.answer;
 }
 
-TEST_CASE("orientation: each stage decides what is meant for it") {
-  CHECK(decided_by({0, 0}, {1, 0}, {0, 1}) == Stage::filter);
-  CHECK(decided_by({0, 0}, {1, 1}, {2, 2}) == Stage::lattice);  // no bound is below 0
-  CHECK(decided_by({0, 0}, {1, 1}, {1, 1 + 0x1p-52}) == Stage::lattice);
-  CHECK(decided_by({0, 0}, {0x1p1012, 0x1p1012}, {0x1p1013, 0x1p1013}) == Stage::lattice);  // too large for the filter
-  CHECK(decided_by({0, 0}, {tiny, 0}, {0, tiny}) == Stage::lattice);                        // too small for it
-  CHECK(decided_by({0, 0}, {1, tiny}, {2, 2 * tiny}) == Stage::exact);                      // 1074 places apart
-  CHECK(decided_by({-huge, 1}, {huge, tiny}, {0, 0}) == Stage::exact);
-}
-
-TEST_CASE("orientation: the formula in double is right beyond the margin of its contract") {
-  contract<Row>("the forward error bound holds",
-                [](const auto& truth, Side answer, const Point2d& p0, const Point2d& p1, const Point2d& p) {
-                  const double left = (p.y - p0.y) * (p1.x - p0.x), right = (p.x - p0.x) * (p1.y - p0.y);
-                  if (!finite(left, right, left - right)) return true;
-                  const Rational u = unit();
-                  const Rational bound = (3 + 16 * u) * u * (size(left) + size(right)) + power_of_two(-1073);
-                  return *truth.margin <= bound || answer == truth.answer;
-                });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("orientation: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

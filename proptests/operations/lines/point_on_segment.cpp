@@ -14,10 +14,6 @@ using Row = rows::point_on_segment;
 exact_answer_t<Row> on(const Rational& t) { return {Incidence::on, t}; }
 const exact_answer_t<Row> off{Incidence::off, std::nullopt};
 
-Stage decided_by(const Point2d& point, const Segment2d& segment) {
-  return robust::stages::point_on_segment::decision::ask(point, segment).stage;
-}
-
 /// tx or ty of the slide as computed, with the bound e(T) of the contract.
 struct Parameter {
   double computed;
@@ -33,32 +29,24 @@ struct Parameter {
 
 }  // namespace
 
-TEST_CASE("point_on_segment: on the reversed segment the point has the parameter 1 - t") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto answer = ask(asked), found = ask(Row::Question{p, {s.b, s.a}});
-    return found.relation == answer.relation && (s.a == s.b ? equal(answer, found) : reversed(answer.t, found.t));
-  });
+LAW("point_on_segment: on the reversed segment the point has the parameter 1 - t", p, s) {
+  const auto answer = ask(asked), found = ask(Row::Question{p, {s.b, s.a}});
+  return found.relation == answer.relation && (s.a == s.b ? equal(answer, found) : reversed(answer.t, found.t));
 }
 
-TEST_CASE("point_on_segment: both ends are on, at 0 and 1, and no point is off itself") {
-  law<Row>("ends", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto first = ask(Row::Question{s.a, s}), last = ask(Row::Question{s.b, s}),
-               itself = ask(Row::Question{p, {p, p}});
-    return first.t && *first.t == 0 && last.t && *last.t == (s.a == s.b ? 0 : 1) && itself.t && *itself.t == 0;
-  });
+LAW("point_on_segment: both ends are on, at 0 and 1, and no point is off itself", p, s) {
+  const auto first = ask(Row::Question{s.a, s}), last = ask(Row::Question{s.b, s}),
+             itself = ask(Row::Question{p, {p, p}});
+  return first.t && *first.t == 0 && last.t && *last.t == (s.a == s.b ? 0 : 1) && itself.t && *itself.t == 0;
 }
 
-TEST_CASE("point_on_segment: a point is on a segment exactly if the segment of length zero there meets it in t") {
-  robust_law<Row>("as segment_segment", [](const auto& ask, const auto& asked) {
-    const auto& [p, s] = asked;
-    const auto answer = ask(asked);
-    const auto met = robust::segment_segment({p, p}, s);
-    if (answer.relation == Incidence::off) return met.relation == SegmentRelation::disjoint;
-    return met.relation == SegmentRelation::point && met.tb == answer.t && *met.point == p &&
-           robust::orientation(s.a, s.b, p) == Side::on;
-  });
+ROBUST_LAW("point_on_segment: a point is on a segment exactly if the segment of length zero there meets it in t", p,
+           s) {
+  const auto answer = ask(asked);
+  const auto met = robust::segment_segment({p, p}, s);
+  if (answer.relation == Incidence::off) return met.relation == SegmentRelation::disjoint;
+  return met.relation == SegmentRelation::point && met.tb == answer.t && *met.point == p &&
+         robust::orientation(s.a, s.b, p) == Side::on;
 }
 
 TEST_CASE("point_on_segment: p. 11's formula worked by hand") {
@@ -96,46 +84,26 @@ TEST_CASE("point_on_segment: huge, subnormal and negative zero") {
   example<Row>({{-0.0, 0.0}, {{0.0, -0.0}, {-0.0, 0.0}}}, on(0), "algorithm");
 }
 
-TEST_CASE("point_on_segment: what is not finite is refused by its field") {
-  refused<Row>({{infinity, 0}, {{0, 0}, {1, 1}}}, "point[0]", "finite number");
-  refused<Row>({{0, not_a_number}, {{0, 0}, {1, 1}}}, "point[1]", "finite number");
-  refused<Row>({{0, 0}, {{not_a_number, 0}, {1, 1}}}, "segment[0][0]", "finite number");
-  refused<Row>({{0, 0}, {{0, infinity}, {1, 1}}}, "segment[0][1]", "finite number");
-  refused<Row>({{0, 0}, {{0, 0}, {-infinity, 1}}}, "segment[1][0]", "finite number");
-  refused<Row>({{9, 9}, {{0, 0}, {1, not_a_number}}}, "segment[1][1]", "finite number");
+CONTRACT("point_on_segment: the formula in double is rightly off beyond the margin of its contract", p, s) {
+  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x), ty(p.y - s.a.y, s.b.y - s.a.y);
+  bool certain = tx.defined && ty.defined && abs(exact(tx.computed) - exact(ty.computed)) > tx.error + ty.error;
+  if (tx.defined && ty.defined)
+    certain = certain || exact(tx.computed) < -tx.error || exact(tx.computed) > 1 + tx.error;
+  return !certain || (truth.answer.relation == Incidence::off && answer.relation == Incidence::off);
 }
 
-TEST_CASE("point_on_segment: each stage decides what is meant for it") {
-  CHECK(decided_by({1, 2}, {{0, 0}, {4, 4}}) == Stage::filter);
-  CHECK(decided_by({1, 1}, {{0, 0}, {4, 4}}) == Stage::lattice);
-  CHECK(decided_by({5, 5}, {{0, 0}, {4, 4}}) == Stage::lattice);  // on the line, which the filter cannot exclude
-  CHECK(decided_by({tiny, tiny}, {{0, 0}, {3 * tiny, 3 * tiny}}) == Stage::lattice);
-  CHECK(decided_by({1, tiny}, {{0, 0}, {2, 2 * tiny}}) == Stage::exact);  // 1074 places apart
+CONTRACT("point_on_segment: where the formula is rightly on, its t is within the bound of its contract", p, s) {
+  if (answer.relation == Incidence::off || truth.answer.relation == Incidence::off) return true;
+  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x);
+  return !tx.defined || within(*answer.t, *truth.answer.t, tx.error);
 }
 
-TEST_CASE("point_on_segment: the formula in double keeps its contract") {
-  contract<Row>(
-      "rightly off beyond the margin", [](const auto& truth, const auto& answer, const Point2d& p, const Segment2d& s) {
-        const Parameter tx(p.x - s.a.x, s.b.x - s.a.x), ty(p.y - s.a.y, s.b.y - s.a.y);
-        bool certain = tx.defined && ty.defined && abs(exact(tx.computed) - exact(ty.computed)) > tx.error + ty.error;
-        if (tx.defined && ty.defined)
-          certain = certain || exact(tx.computed) < -tx.error || exact(tx.computed) > 1 + tx.error;
-        return !certain || (truth.answer.relation == Incidence::off && answer.relation == Incidence::off);
-      });
-  contract<Row>("an answer on comes with a t within the bound where it is true",
-                [](const auto& truth, const auto& answer, const Point2d& p, const Segment2d& s) {
-                  if (answer.relation == Incidence::off || truth.answer.relation == Incidence::off) return true;
-                  const Parameter tx(p.x - s.a.x, s.b.x - s.a.x);
-                  return !tx.defined || within(*answer.t, *truth.answer.t, tx.error);
-                });
-  robust_law<Row>("along an axis the formula is off even in exact arithmetic", [](const auto&, const auto& asked) {
-    const auto& [p, s] = asked;
-    if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
-    const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
-    return reference::point_on_segment(audit::converted<audit::Exact>(p, in_exact),
-                                       audit::converted<audit::Exact>(s, in_exact))
-               .relation == Incidence::off;
-  });
+ROBUST_LAW("point_on_segment: along an axis the formula is off even in exact arithmetic", p, s) {
+  if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
+  const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
+  return reference::point_on_segment(audit::converted<audit::Exact>(p, in_exact),
+                                     audit::converted<audit::Exact>(s, in_exact))
+             .relation == Incidence::off;
 }
 
 }  // namespace touchstone::proptests

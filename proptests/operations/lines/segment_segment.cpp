@@ -3,7 +3,6 @@
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
-#include "robust/lines/segment_segment.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -19,33 +18,23 @@ Exact overlap(int ax, int ay, int bx, int by) {
 }
 const Exact disjoint{SegmentRelation::disjoint, {}, {}, {}, {}};
 
-Stage decided_by(const Segment2d& a, const Segment2d& b) {
-  return robust::stages::segment_segment::decision::ask(a, b).stage;
-}
-
 }  // namespace
 
-TEST_CASE("segment_segment: a reversed segment has the parameter 1 - t and all else as before") {
-  law<Row>("reversal", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto answer = ask(asked), turned = ask(Row::Question{{a.b, a.a}, b});
-    return answer.relation == turned.relation && equal(answer.tb, turned.tb) && equal(answer.point, turned.point) &&
-           equal(answer.overlap, turned.overlap) &&
-           (a.a == a.b ? equal(answer.ta, turned.ta) : reversed(answer.ta, turned.ta));
-  });
+LAW("segment_segment: a reversed segment has the parameter 1 - t and all else as before", a, b) {
+  const auto answer = ask(asked), turned = ask(Row::Question{{a.b, a.a}, b});
+  return answer.relation == turned.relation && equal(answer.tb, turned.tb) && equal(answer.point, turned.point) &&
+         equal(answer.overlap, turned.overlap) &&
+         (a.a == a.b ? equal(answer.ta, turned.ta) : reversed(answer.ta, turned.ta));
 }
 
-TEST_CASE("segment_segment: a segment meets itself in itself") {
-  law<Row>("itself", [](const auto& ask, const auto& asked) {
-    const auto& a = std::get<0>(asked);
-    const auto answer = ask(Row::Question{a, a});
-    if (a.a == a.b) return answer.relation == SegmentRelation::point && *answer.ta == 0 && *answer.tb == 0;
-    if (answer.relation != SegmentRelation::overlap) return false;
-    const bool in_order = a.a.x < a.b.x || (a.a.x == a.b.x && a.a.y < a.b.y);
-    const Point2d &first = in_order ? a.a : a.b, &last = in_order ? a.b : a.a;
-    const auto& [p, q] = *answer.overlap;
-    return p.x == first.x && p.y == first.y && q.x == last.x && q.y == last.y;
-  });
+LAW("segment_segment: a segment meets itself in itself", a) {
+  const auto answer = ask(Row::Question{a, a});
+  if (a.a == a.b) return answer.relation == SegmentRelation::point && *answer.ta == 0 && *answer.tb == 0;
+  if (answer.relation != SegmentRelation::overlap) return false;
+  const bool in_order = a.a.x < a.b.x || (a.a.x == a.b.x && a.a.y < a.b.y);
+  const Point2d &first = in_order ? a.a : a.b, &last = in_order ? a.b : a.a;
+  const auto& [p, q] = *answer.overlap;
+  return p.x == first.x && p.y == first.y && q.x == last.x && q.y == last.y;
 }
 
 TEST_CASE("segment_segment: p. 12's equations with p. 13's limits worked by hand") {
@@ -99,52 +88,32 @@ TEST_CASE("segment_segment: huge and subnormal") {
                "rounding");
 }
 
-TEST_CASE("segment_segment: what is not finite is refused by its field, however far apart the rest is") {
-  refused<Row>({{{not_a_number, 0}, {1, 1}}, {{0, 1}, {1, 0}}}, "a[0][0]", "finite number");
-  refused<Row>({{{0, 0}, {1, -infinity}}, {{7, 7}, {8, 9}}}, "a[1][1]", "finite number");
-  refused<Row>({{{0, 0}, {not_a_number, 0}}, {{1, 0}, {3, 0}}}, "a[1][0]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{7, infinity}, {8, 9}}}, "b[0][1]", "finite number");
-  refused<Row>({{{0, 0}, {1, 1}}, {{0, 1}, {not_a_number, 0}}}, "b[1][0]", "finite number");
-  refused<Row>({{{0, 0}, {0, 0}}, {{9, 9}, {9, infinity}}}, "b[1][1]", "finite number");
-}
-
-TEST_CASE("segment_segment: each stage decides what is meant for it") {
-  CHECK(decided_by({{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}}, {{3, 0}, {0, 3}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}}, {{2, 2}, {3, 3}}) == Stage::filter);  // by the boxes
-  CHECK(decided_by({{0, 0}, {2, 2}}, {{2, 2}, {5, 5}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {2, 2 * tiny}}, {{1, tiny}, {3, 3}}) == Stage::exact);  // a touch, 1074 places apart
-}
-
-TEST_CASE(
+CONTRACT(
     "segment_segment: the formula in double is right beyond the margin of its contract, its numbers within their "
-    "bounds") {
-  contract<Row>("the forward error bounds hold", [](const auto& truth, const auto& answer, const Segment2d& a,
-                                                    const Segment2d& b) {
-    const Vector2d da = a.b - a.a, db = b.b - b.a, w = b.a - a.a;
-    const CrossBound d(da, db, 3);
-    const QuotientBound ta(CrossBound(w, db, 3), d), tb(CrossBound(w, da, 3), d);
-    if (ta.certainly_outside() || tb.certainly_outside()) {
-      return answer.relation == SegmentRelation::disjoint && truth.answer.relation == SegmentRelation::disjoint;
-    }
-    if (!ta.certainly_inside() || !tb.certainly_inside()) return true;
-    return answer.relation == SegmentRelation::point && truth.answer.relation == SegmentRelation::point &&
-           within(*answer.ta, *truth.answer.ta, ta.error) && within(*answer.tb, *truth.answer.tb, tb.error);
-  });
-  robust_law<Row>("the formula never answers overlap, and calls collinear contacts disjoint in exact arithmetic",
-                  [](const auto& ask, const auto& asked) {
-                    const auto& [a, b] = asked;
-                    const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
-                    const auto formula = reference::segment_segment(audit::converted<audit::Exact>(a, in_exact),
-                                                                    audit::converted<audit::Exact>(b, in_exact));
-                    const bool collinear = robust::orientation(a.a, a.b, b.a) == Side::on &&
-                                           robust::orientation(a.a, a.b, b.b) == Side::on &&
-                                           robust::orientation(b.a, b.b, a.a) == Side::on &&
-                                           robust::orientation(b.a, b.b, a.b) == Side::on;
-                    return formula.relation == (collinear ? SegmentRelation::disjoint : ask(asked).relation) ||
-                           (!collinear && (a.a == a.b || b.a == b.b) && formula.relation == SegmentRelation::disjoint);
-                  });
+    "bounds",
+    a, b) {
+  const Vector2d da = a.b - a.a, db = b.b - b.a, w = b.a - a.a;
+  const CrossBound d(da, db, 3);
+  const QuotientBound ta(CrossBound(w, db, 3), d), tb(CrossBound(w, da, 3), d);
+  if (ta.certainly_outside() || tb.certainly_outside()) {
+    return answer.relation == SegmentRelation::disjoint && truth.answer.relation == SegmentRelation::disjoint;
+  }
+  if (!ta.certainly_inside() || !tb.certainly_inside()) return true;
+  return answer.relation == SegmentRelation::point && truth.answer.relation == SegmentRelation::point &&
+         within(*answer.ta, *truth.answer.ta, ta.error) && within(*answer.tb, *truth.answer.tb, tb.error);
+}
+
+ROBUST_LAW(
+    "segment_segment: the formula never answers overlap, and calls collinear contacts disjoint in exact arithmetic", a,
+    b) {
+  const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
+  const auto formula = reference::segment_segment(audit::converted<audit::Exact>(a, in_exact),
+                                                  audit::converted<audit::Exact>(b, in_exact));
+  const bool collinear =
+      robust::orientation(a.a, a.b, b.a) == Side::on && robust::orientation(a.a, a.b, b.b) == Side::on &&
+      robust::orientation(b.a, b.b, a.a) == Side::on && robust::orientation(b.a, b.b, a.b) == Side::on;
+  return formula.relation == (collinear ? SegmentRelation::disjoint : ask(asked).relation) ||
+         (!collinear && (a.a == a.b || b.a == b.b) && formula.relation == SegmentRelation::disjoint);
 }
 
 }  // namespace touchstone::proptests

@@ -13,39 +13,27 @@ Height other(Height h) { return h == Height::above ? Height::below : h == Height
 
 }  // namespace
 
-TEST_CASE("point_ground_plane: seen in a mirror on the ground, above is below") {
-  law<Row>("reflection", [](const auto& ask, const auto& asked) {
-    const Point3d& p = std::get<0>(asked);
-    return ask(Row::Question{{p.x, -p.y, p.z}}) == other(ask(asked));
-  });
+LAW("point_ground_plane: seen in a mirror on the ground, above is below", p) {
+  return ask(Row::Question{{p.x, -p.y, p.z}}) == other(ask(asked));
 }
 
-TEST_CASE("point_ground_plane: x and z play no part, turned, exchanged or replaced") {
-  law<Row>("along the ground", [](const auto& ask, const auto& asked) {
-    const Point3d& p = std::get<0>(asked);
-    const Height height = ask(asked);
-    for (const Point3d& moved : {Point3d{p.z, p.y, p.x}, {-p.z, p.y, p.x}, {-p.x, p.y, -p.z}, {0, p.y, huge}}) {
-      if (ask(Row::Question{moved}) != height) return false;
-    }
-    return true;
-  });
+LAW("point_ground_plane: x and z play no part, turned, exchanged or replaced", p) {
+  const Height height = ask(asked);
+  for (const Point3d& moved : {Point3d{p.z, p.y, p.x}, {-p.z, p.y, p.x}, {-p.x, p.y, -p.z}, {0, p.y, huge}}) {
+    if (ask(Row::Question{moved}) != height) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_ground_plane: the next double above is never lower, and only one height is on the ground") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const Point3d& p = std::get<0>(asked);
-    const double higher = audit::moved_by_ulps(p.y, 1);
-    const Height height = ask(asked), then = ask(Row::Question{{p.x, higher, p.z}});
-    return height == Height::below || higher == p.y || then == Height::above;
-  });
+LAW("point_ground_plane: the next double above is never lower, and only one height is on the ground", p) {
+  const double higher = audit::moved_by_ulps(p.y, 1);
+  const Height height = ask(asked), then = ask(Row::Question{{p.x, higher, p.z}});
+  return height == Height::below || higher == p.y || then == Height::above;
 }
 
-TEST_CASE("point_ground_plane: it is explicit_line with slope and intercept 0, seen along z") {
-  robust_law<Row>("as explicit_line", [](const auto& ask, const auto& asked) {
-    const Point3d& p = std::get<0>(asked);
-    return robust::explicit_line(0, 0, {p.x, p.y}) == ask(asked) &&
-           robust::explicit_line(-0.0, 0, {p.z, p.y}) == ask(asked);
-  });
+ROBUST_LAW("point_ground_plane: it is explicit_line with slope and intercept 0, seen along z", p) {
+  return robust::explicit_line(0, 0, {p.x, p.y}) == ask(asked) &&
+         robust::explicit_line(-0.0, 0, {p.z, p.y}) == ask(asked);
 }
 
 TEST_CASE("point_ground_plane: p. 20's sign of y worked by hand") {
@@ -63,17 +51,10 @@ TEST_CASE("point_ground_plane: huge, subnormal and negative zero") {
   example<Row>({{tiny, 0, tiny}}, Height::on);
 }
 
-TEST_CASE("point_ground_plane: what is not finite is refused by its field, also where it plays no part") {
-  refused<Row>({{infinity, 0, 0}}, "point[0]", "finite number");
-  refused<Row>({{0, not_a_number, 0}}, "point[1]", "finite number");
-  refused<Row>({{0, 1, -infinity}}, "point[2]", "finite number");
-  refused<Row>({{not_a_number, 1, -infinity}}, "point[0]", "finite number");
+CONTRACT("point_ground_plane: the formula in double is right everywhere, as in exact arithmetic") {
+  return answer == truth.answer;
 }
 
-TEST_CASE("point_ground_plane: the formula in double is right everywhere, as in exact arithmetic") {
-  contract<Row>("always right",
-                [](const auto& truth, const auto& answer, const Point3d&) { return answer == truth.answer; });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("point_ground_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/planes/point_plane.h"
 
+#include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
-#include "robust/planes/point_plane.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -22,121 +22,75 @@ PointPlane<R> turned(const PointPlane<R>& answer) {
 double rounded(double number) { return number; }
 double rounded(const Rational& number) { return audit::nearest(number); }
 
-Stage decided_by(const Plane3d& plane, const Point3d& point) {
-  return robust::stages::point_plane::decision::ask(plane, point).stage;
-}
-
-Plane3d times_two_to(const Plane3d& plane, int k) {
-  return {std::ldexp(1, k) * plane.normal, std::ldexp(plane.offset, k)};
-}
-
 /// The double nearest to 1 / sqrt(2) = 0.70710678118654752440.
 constexpr double root_half = 0x1.6a09e667f3bcdp-1;
 
-/// robust and the oracle, rounded, give this; the reference gets this verdict.
-void gives(const Row::Question& question, PlaneSide side, double distance, const std::string& by_reference = "agree") {
-  INFO(audit::one_line(audit::find_operation("point_plane")->print(audit::packed(question))));
-  const auto found = audit::ask_robust<Row>(question);
-  CHECK(found.side == side);
-  CHECK(found.signed_distance == distance);
-  const auto truth = audit::ask_oracle<Row>(question).answer;
-  CHECK(truth.side == side);
-  CHECK(audit::nearest(truth.signed_distance) == distance);
-  CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
-}
+constexpr Gives<Row> gives;
 
 }  // namespace
 
-TEST_CASE("point_plane: the plane turned over has the front behind, at the opposite distance") {
-  law<Row>("turned over", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    return equal(ask(Row::Question{{-1.0 * plane.normal, -plane.offset}, p}), turned(ask(asked)));
-  });
+LAW("point_plane: the plane turned over has the front behind, at the opposite distance", plane, p) {
+  return equal(ask(Row::Question{{-1.0 * plane.normal, -plane.offset}, p}), turned(ask(asked)));
 }
 
-TEST_CASE("point_plane: a point mirrored in the origin, with the offset's sign changed, is at the opposite distance") {
-  law<Row>("mirrored", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    return equal(ask(Row::Question{{plane.normal, -plane.offset}, {-p.x, -p.y, -p.z}}), turned(ask(asked)));
-  });
+LAW("point_plane: a point mirrored in the origin, with the offset's sign changed, is at the opposite distance", plane,
+    p) {
+  return equal(ask(Row::Question{{plane.normal, -plane.offset}, {-p.x, -p.y, -p.z}}), turned(ask(asked)));
 }
 
 TEST_CASE("point_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    const auto answer = ask(asked);
-    for (const int k : {1, -1, 40, -40, 500, -500}) {
-      const Plane3d longer = times_two_to(plane, k);
-      const bool exact = numbers_of(Row::Question{times_two_to(longer, -k), p}) == numbers_of(asked);
-      if (exact && finite(longer.normal.x, longer.normal.y, longer.normal.z, longer.offset) &&
-          !equal(ask(Row::Question{longer, p}), answer))
-        return false;
-    }
-    return !on_small_lattice(asked) || equal(ask(Row::Question{{3.0 * plane.normal, 3 * plane.offset}, p}), answer);
-  });
+  law<Row>("the same plane", any_equation_of_the_plane<0>);
 }
 
-TEST_CASE("point_plane: exchanges of the axes keep the answer") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(),
-                       [&](const AxisMap& map) { return equal(ask(map(asked)), answer); });
-  });
+LAW("point_plane: exchanges of the axes keep the answer") {
+  const auto answer = ask(asked);
+  return std::all_of(axis_maps.begin(), axis_maps.end(),
+                     [&](const AxisMap& map) { return equal(ask(map(asked)), answer); });
 }
 
-TEST_CASE("point_plane: a step across the plane keeps the answer, a shift of both keeps it, on the lattice") {
-  law<Row>("steps", [](const auto& ask, const auto& asked) {
-    const auto& [plane, p] = asked;
-    if (!on_small_lattice(asked) || audit::largest(plane.normal) > 0x1p20) return true;
-    const auto answer = ask(asked);
-    const Vector3d step = cross(plane.normal, Vector3d{3, -5, 7}), shift{11, -13, 17};
-    return equal(ask(Row::Question{plane, p + step}), answer) &&
-           equal(ask(Row::Question{{plane.normal, plane.offset - dot(plane.normal, shift)}, p + shift}), answer);
-  });
+LAW("point_plane: a step across the plane keeps the answer, a shift of both keeps it, on the lattice", plane, p) {
+  if (!on_small_lattice(asked) || audit::largest(plane.normal) > 0x1p20) return true;
+  const auto answer = ask(asked);
+  const Vector3d step = cross(plane.normal, Vector3d{3, -5, 7}), shift{11, -13, 17};
+  return equal(ask(Row::Question{plane, p + step}), answer) &&
+         equal(ask(Row::Question{{plane.normal, plane.offset - dot(plane.normal, shift)}, p + shift}), answer);
 }
 
-TEST_CASE("point_plane: lengths times a power of two are at that multiple of the distance") {
-  law<Row>("scales by powers of two", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    for (const int k : {1, -29, 300, -300, 1000, -1000}) {
-      auto larger = asked, back = asked;
-      Row::scale(larger, k);
-      back = larger;
-      Row::scale(back, -k);
-      if (numbers_of(back) != numbers_of(asked)) continue;
-      const auto found = ask(larger);
-      if (found.side != answer.side ||
-          !scaled_number(rounded(answer.signed_distance), rounded(found.signed_distance), k))
-        return false;
-    }
-    return true;
-  });
+LAW("point_plane: lengths times a power of two are at that multiple of the distance") {
+  const auto answer = ask(asked);
+  for (const int k : {1, -29, 300, -300, 1000, -1000}) {
+    auto larger = asked, back = asked;
+    Row::scale(larger, k);
+    back = larger;
+    Row::scale(back, -k);
+    if (numbers_of(back) != numbers_of(asked)) continue;
+    const auto found = ask(larger);
+    if (found.side != answer.side || !scaled_number(rounded(answer.signed_distance), rounded(found.signed_distance), k))
+      return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_plane: the side is the distance's sign, also where the distance rounds to zero") {
-  law<Row>("side and sign", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    if constexpr (is_exact<std::remove_cvref_t<decltype(answer)>>) {
-      return (answer.side == PlaneSide::on) == (sgn(answer.signed_distance) == 0) &&
-             (answer.side == PlaneSide::front) == (sgn(answer.signed_distance) > 0);
-    } else {
-      return answer.side == robust::point_plane_side(std::get<0>(asked), std::get<1>(asked)) &&
-             (answer.side == PlaneSide::back) == std::signbit(answer.signed_distance) &&
-             (answer.side != PlaneSide::on || answer.signed_distance == 0);
-    }
-  });
+LAW("point_plane: the side is the distance's sign, also where the distance rounds to zero") {
+  const auto answer = ask(asked);
+  if constexpr (is_exact<std::remove_cvref_t<decltype(answer)>>) {
+    return (answer.side == PlaneSide::on) == (sgn(answer.signed_distance) == 0) &&
+           (answer.side == PlaneSide::front) == (sgn(answer.signed_distance) > 0);
+  } else {
+    return answer.side == robust::point_plane_side(std::get<0>(asked), std::get<1>(asked)) &&
+           (answer.side == PlaneSide::back) == std::signbit(answer.signed_distance) &&
+           (answer.side != PlaneSide::on || answer.signed_distance == 0);
+  }
 }
 
-TEST_CASE("point_plane: over the ground it is point_ground_plane, and the distance is y") {
-  robust_law<Row>("over the ground", [](const auto& ask, const auto& asked) {
-    const Point3d& p = std::get<1>(asked);
-    for (const double up : {1.0, 3.0, tiny, huge}) {
-      const auto answer = ask(Row::Question{{{0, up, 0}, 0}, p});
-      const Height height = robust::point_ground_plane(p);
-      if (static_cast<int>(height) != static_cast<int>(answer.side) || answer.signed_distance != p.y) return false;
-    }
-    return true;
-  });
+ROBUST_LAW("point_plane: over the ground it is point_ground_plane, and the distance is y") {
+  const Point3d& p = std::get<1>(asked);
+  for (const double up : {1.0, 3.0, tiny, huge}) {
+    const auto answer = ask(Row::Question{{{0, up, 0}, 0}, p});
+    const Height height = robust::point_ground_plane(p);
+    if (static_cast<int>(height) != static_cast<int>(answer.side) || answer.signed_distance != p.y) return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_plane: p. 22's N . p + d worked by hand") {
@@ -146,14 +100,14 @@ TEST_CASE("point_plane: p. 22's N . p + d worked by hand") {
   example<Row>({{{2, 3, 6}, 0}, {-1, 0, 0}}, {PlaneSide::back, Rational(-2, 7)});  // -2 / sqrt(4 + 9 + 36)
   example<Row>({{{-4, 0, 3}, 10}, {1, 9, -2}}, {PlaneSide::on, 0});                // -4 - 6 + 10
   example<Row>({{{0.5, 0, 0}, 0}, {3, 1, 1}}, {PlaneSide::front, 3});              // 1.5 / 0.5
-  gives({{{1, 1, 0}, 0}, {1, 0, 5}}, PlaneSide::front, root_half);                 // 1 / sqrt(2)
-  gives({{{1, 0, -1}, 0}, {0, 5, 1}}, PlaneSide::back, -root_half);
+  gives({{{1, 1, 0}, 0}, {1, 0, 5}}, {PlaneSide::front, root_half});               // 1 / sqrt(2)
+  gives({{{1, 0, -1}, 0}, {0, 5, 1}}, {PlaneSide::back, -root_half});
 }
 
 TEST_CASE("point_plane: rounding hides a side, and moves a point off the plane") {
   // 10 times the double 0.1 is 1 + 2^-54: the product rounds to 1.
-  gives({{{10, 0, 0}, -1}, {0.1, 0, 0}}, PlaneSide::front, 0x1p-54 / 10, "rounding");
-  gives({{{1, 1, 1}, -0x1p53}, {0x1p53, 1, 0}}, PlaneSide::front, 0x1.279a74590331cp-1,
+  gives({{{10, 0, 0}, -1}, {0.1, 0, 0}}, {PlaneSide::front, 0x1p-54 / 10}, "rounding");
+  gives({{{1, 1, 1}, -0x1p53}, {0x1p53, 1, 0}}, {PlaneSide::front, 0x1.279a74590331cp-1},
         "rounding");  // 1 / sqrt(3) = 0.57735026918962576451
 }
 
@@ -171,25 +125,18 @@ TEST_CASE("point_plane: huge, subnormal and negative zero") {
   example<Row>({{{0, 0, 0.25}, -tiny}, {1, 1, tiny}}, {PlaneSide::back, Rational(-3 * audit::exact_value(tiny))});
   example<Row>({{{-0.0, 1, -0.0}, -0.0}, {-0.0, -0.0, huge}}, {PlaneSide::on, 0});
   // |E| / |N| = sqrt(3) huge is within the range, though 3 huge is not; 2 sqrt(3) huge is beyond it.
-  gives({{{1, 1, 1}, 0}, {huge, huge, huge}}, PlaneSide::front, 0x1.ed4df0150215ap+1023, "invalid");
-  gives({{{-1, -1, -1}, 0}, {1.5e308, 1.5e308, 1.5e308}}, PlaneSide::back, -infinity);
+  gives({{{1, 1, 1}, 0}, {huge, huge, huge}}, {PlaneSide::front, 0x1.ed4df0150215ap+1023}, "invalid");
+  gives({{{-1, -1, -1}, 0}, {1.5e308, 1.5e308, 1.5e308}}, {PlaneSide::back, -infinity});
 }
 
 TEST_CASE("point_plane: ties go to the even neighbour") {
-  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52, 0}}, PlaneSide::front, 0x1p52);
-  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52 + 1, 0}}, PlaneSide::front, 0x1p52 + 2);
-  gives({{{0, -2, 0}, -1}, {7, 0x1p52 + 1, 9}}, PlaneSide::back, -(0x1p52 + 2));
+  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52, 0}}, {PlaneSide::front, 0x1p52});
+  gives({{{0, 1, 0}, 0.5}, {0, 0x1p52 + 1, 0}}, {PlaneSide::front, 0x1p52 + 2});
+  gives({{{0, -2, 0}, -1}, {7, 0x1p52 + 1, 9}}, {PlaneSide::back, -(0x1p52 + 2)});
 }
 
-TEST_CASE("point_plane: what is not finite is refused by its field, and a plane without a normal") {
-  refused<Row>({{{infinity, 0, 0}, 0}, {0, 0, 0}}, "plane.normal[0]", "finite number");
-  refused<Row>({{{0, not_a_number, 0}, 0}, {0, 0, 0}}, "plane.normal[1]", "finite number");
-  refused<Row>({{{0, 0, -infinity}, infinity}, {0, 0, 0}}, "plane.normal[2]", "finite number");
+TEST_CASE("point_plane: of two broken rules the first is named, also where only the side is asked") {
   refused<Row>({{{0, 0, 0}, infinity}, {0, 0, 0}}, "plane.offset", "finite number");
-  refused<Row>({{{0, 1, 0}, 1}, {infinity, 0, 0}}, "point[0]", "finite number");
-  refused<Row>({{{0, 1, 0}, 1}, {0, not_a_number, 0}}, "point[1]", "finite number");
-  refused<Row>({{{0, 1, 0}, 1}, {0, 0, -infinity}}, "point[2]", "finite number");
-  refused<Row>({{{0, -0.0, 0}, 1}, {0, 0, 0}}, "plane.normal", "nonzero normal");
   refused<Row>({{{0, 0, 0}, 1}, {not_a_number, 0, 0}}, "plane.normal", "nonzero normal");
   const auto refusal_of_side = [](const Plane3d& plane) -> std::string {
     try {
@@ -204,30 +151,20 @@ TEST_CASE("point_plane: what is not finite is refused by its field, and a plane 
   CHECK(refusal_of_side({{0, 1, 0}, infinity}) == "plane.offset: finite number");
 }
 
-TEST_CASE("point_plane: each stage decides what is meant for it") {
-  CHECK(decided_by({{0, 1, 0}, -2}, {5, 3, 7}) == Stage::filter);
-  CHECK(decided_by({{2, 1, 2}, -9}, {1, 2, 2.5}) == Stage::lattice);
-  CHECK(decided_by({{10, 0, 0}, -1}, {0.1, 0, 0}) == Stage::lattice);
-  CHECK(decided_by({{0, tiny, 0}, 0}, {0, 1, 0}) == Stage::lattice);
-  CHECK(decided_by({{1, 1, 0}, -1}, {1, tiny, 0}) == Stage::exact);  // 1074 places apart
+CONTRACT("point_plane: the formula in double has the right side beyond the margin of its contract", plane, p) {
+  const HeightBound e(plane, p);
+  return !e.certain() || truth.answer.side == answer.side;
 }
 
-TEST_CASE("point_plane: the formula in double keeps its contract") {
-  contract<Row>("the right side beyond the margin",
-                [](const auto& truth, const auto& answer, const Plane3d& plane, const Point3d& p) {
-                  const HeightBound e(plane, p);
-                  return !e.certain() || truth.answer.side == answer.side;
-                });
-  contract<Row>("the distance within its bound", [](const auto& truth, const auto& answer, const Plane3d& plane,
-                                                    const Point3d& p) {
-    const HeightBound e(plane, p);
-    const double q = dot(plane.normal, plane.normal), length = std::sqrt(q);
-    if (e.overflow || !(q >= 0x1p-960) || !finite(q, answer.signed_distance)) return true;
-    const Rational u = unit();
-    return within(answer.signed_distance, truth.answer.signed_distance,
-                  (1 + 8 * u) * e.error / exact(length) + 5 * u * size(answer.signed_distance) + power_of_two(-1074));
-  });
-  right_in_exact_arithmetic<Row>();
+CONTRACT("point_plane: the formula in double has the distance within the bound of its contract", plane, p) {
+  const HeightBound e(plane, p);
+  const double q = dot(plane.normal, plane.normal), length = std::sqrt(q);
+  if (e.overflow || !(q >= 0x1p-960) || !finite(q, answer.signed_distance)) return true;
+  const Rational u = unit();
+  return within(answer.signed_distance, truth.answer.signed_distance,
+                (1 + 8 * u) * e.error / exact(length) + 5 * u * size(answer.signed_distance) + power_of_two(-1074));
 }
+
+TEST_CASE("point_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

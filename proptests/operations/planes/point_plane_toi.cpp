@@ -3,7 +3,6 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/planes/point_plane_toi.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -18,33 +17,23 @@ Answer at(HitRelation option_1, const Rational& t, const Point3<Rational>& point
 }
 const Answer in_front{{misses}, {misses, std::nullopt, std::nullopt}};
 
-Stage decided_by(const Plane3d& plane, const Point3d& start, const Point3d& end) {
-  return robust::stages::point_plane_toi::ask(plane, start, end).stage;
-}
-
 const Plane3d ground{{0, 1, 0}, 0};
 
 }  // namespace
 
-TEST_CASE("point_plane_toi: the relations are the sides of the two ends") {
-  robust_law<Row>("as point_plane", [](const auto& ask, const auto& asked) {
-    const auto& [plane, start, end] = asked;
-    const auto answer = ask(asked);
-    const bool starts = robust::point_plane_side(plane, start) != PlaneSide::front,
-               ends = robust::point_plane_side(plane, end) != PlaneSide::front;
-    return (answer.option_1.relation == hit) == ends && (answer.option_2.relation == hit) == (starts || ends);
-  });
+ROBUST_LAW("point_plane_toi: the relations are the sides of the two ends", plane, start, end) {
+  const auto answer = ask(asked);
+  const bool starts = robust::point_plane_side(plane, start) != PlaneSide::front,
+             ends = robust::point_plane_side(plane, end) != PlaneSide::front;
+  return (answer.option_1.relation == hit) == ends && (answer.option_2.relation == hit) == (starts || ends);
 }
 
-TEST_CASE("point_plane_toi: option 2 finds whatever option 1 finds, at t in [0, 1]; at rest they agree") {
-  law<Row>("options", [](const auto& ask, const auto& asked) {
-    const auto& [plane, start, end] = asked;
-    const auto answer = ask(asked), rest = ask(Row::Question{plane, end, end});
-    const auto& t = answer.option_2.t;
-    return (answer.option_1.relation == misses || answer.option_2.relation == hit) && (!t || (*t >= 0 && *t <= 1)) &&
-           rest.option_1.relation == rest.option_2.relation && rest.option_1.relation == answer.option_1.relation &&
-           (!rest.option_2.t || *rest.option_2.t == 0);
-  });
+LAW("point_plane_toi: option 2 finds whatever option 1 finds, at t in [0, 1]; at rest they agree", plane, start, end) {
+  const auto answer = ask(asked), rest = ask(Row::Question{plane, end, end});
+  const auto& t = answer.option_2.t;
+  return (answer.option_1.relation == misses || answer.option_2.relation == hit) && (!t || (*t >= 0 && *t <= 1)) &&
+         rest.option_1.relation == rest.option_2.relation && rest.option_1.relation == answer.option_1.relation &&
+         (!rest.option_2.t || *rest.option_2.t == 0);
 }
 
 TEST_CASE("point_plane_toi: the exact point of contact is on the plane, the start itself, or behind") {
@@ -63,58 +52,39 @@ TEST_CASE("point_plane_toi: the exact point of contact is on the plane, the star
       3);
 }
 
-TEST_CASE("point_plane_toi: backwards through the plane turned over the same point is met at 1 - t") {
-  law<Row>("backwards", [](const auto& ask, const auto& asked) {
-    const auto& [plane, start, end] = asked;
-    const auto answer = ask(asked), back = ask(Row::Question{{-1.0 * plane.normal, -plane.offset}, end, start});
-    if (answer.option_1.relation == misses || (answer.option_2.t && *answer.option_2.t == 0)) return true;
-    return equal(back.option_2.point, answer.option_2.point) && reversed(answer.option_2.t, back.option_2.t);
-  });
+LAW("point_plane_toi: backwards through the plane turned over the same point is met at 1 - t", plane, start, end) {
+  const auto answer = ask(asked), back = ask(Row::Question{{-1.0 * plane.normal, -plane.offset}, end, start});
+  if (answer.option_1.relation == misses || (answer.option_2.t && *answer.option_2.t == 0)) return true;
+  return equal(back.option_2.point, answer.option_2.point) && reversed(answer.option_2.t, back.option_2.t);
 }
 
-TEST_CASE("point_plane_toi: the plane's equation times a power of two is the same plane") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [plane, start, end] = asked;
-    const auto answer = ask(asked);
-    for (const int k : {1, -1, 40, -40, 500, -500}) {
-      const Plane3d longer{std::ldexp(1, k) * plane.normal, std::ldexp(plane.offset, k)};
-      const Plane3d back{std::ldexp(1, -k) * longer.normal, std::ldexp(longer.offset, -k)};
-      const bool exact = numbers_of(Row::Question{back, start, end}) == numbers_of(asked);
-      if (exact && finite(longer.normal.x, longer.normal.y, longer.normal.z, longer.offset) &&
-          !equal(ask(Row::Question{longer, start, end}), answer))
-        return false;
-    }
-    return true;
-  });
+TEST_CASE("point_plane_toi: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
+  law<Row>("the same plane", any_equation_of_the_plane<0>);
 }
 
-TEST_CASE("point_plane_toi: exchanges of the axes exchange the point's coordinates") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(),
-                       [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
-  });
+LAW("point_plane_toi: exchanges of the axes exchange the point's coordinates") {
+  const auto answer = ask(asked);
+  return std::all_of(axis_maps.begin(), axis_maps.end(),
+                     [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
 }
 
-TEST_CASE("point_plane_toi: lengths times a power of two keep t and the relations, and move the point with them") {
-  law<Row>("scales by powers of two", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    for (const int k : {1, -29, 300, -300, 1000, -1000}) {
-      auto larger = asked;
-      Row::scale(larger, k);
-      auto back = larger;
-      Row::scale(back, -k);
-      if (numbers_of(back) != numbers_of(asked)) continue;
-      const auto found = ask(larger);
-      const auto &p = answer.option_2.point, &q = found.option_2.point;
-      if (found.option_1.relation != answer.option_1.relation || found.option_2.relation != answer.option_2.relation)
-        return false;
-      if (!equal(found.option_2.t, answer.option_2.t) || p.has_value() != q.has_value()) return false;
-      if (p && !(scaled_number(p->x, q->x, k) && scaled_number(p->y, q->y, k) && scaled_number(p->z, q->z, k)))
-        return false;
-    }
-    return true;
-  });
+LAW("point_plane_toi: lengths times a power of two keep t and the relations, and move the point with them") {
+  const auto answer = ask(asked);
+  for (const int k : {1, -29, 300, -300, 1000, -1000}) {
+    auto larger = asked;
+    Row::scale(larger, k);
+    auto back = larger;
+    Row::scale(back, -k);
+    if (numbers_of(back) != numbers_of(asked)) continue;
+    const auto found = ask(larger);
+    const auto &p = answer.option_2.point, &q = found.option_2.point;
+    if (found.option_1.relation != answer.option_1.relation || found.option_2.relation != answer.option_2.relation)
+      return false;
+    if (!equal(found.option_2.t, answer.option_2.t) || p.has_value() != q.has_value()) return false;
+    if (p && !(scaled_number(p->x, q->x, k) && scaled_number(p->y, q->y, k) && scaled_number(p->z, q->z, k)))
+      return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_plane_toi: p. 23's E0 / (E0 - E1) worked by hand") {
@@ -159,54 +129,32 @@ TEST_CASE("point_plane_toi: huge, subnormal and negative zero") {
   example<Row>({ground, {-0.0, -0.0, -0.0}, {-0.0, 1, 0}}, at(misses, 0, {0, 0, 0}));
 }
 
-TEST_CASE("point_plane_toi: what is not finite is refused by its field, and a plane without a normal") {
-  refused<Row>({{{0, infinity, 0}, 0}, {0, 0, 0}, {0, 0, 0}}, "plane.normal[1]", "finite number");
-  refused<Row>({{{0, 1, 0}, not_a_number}, {0, 0, 0}, {0, 0, 0}}, "plane.offset", "finite number");
-  refused<Row>({ground, {0, not_a_number, 0}, {0, 0, 0}}, "start[1]", "finite number");
-  refused<Row>({ground, {0, 1, 0}, {0, 0, infinity}}, "end[2]", "finite number");
-  refused<Row>({ground, {infinity, 1, 0}, {0, 1, 0}}, "start[0]", "finite number");
-  refused<Row>({{{0, -0.0, 0}, 5}, {0, 1, 0}, {0, 1, 0}}, "plane.normal", "nonzero normal");
-}
-
-TEST_CASE("point_plane_toi: each stage decides what is meant for it") {
-  CHECK(decided_by(ground, {0, 3, 0}, {4, 1, 8}) == Stage::filter);
-  CHECK(decided_by(ground, {0, -3, 0}, {4, 1, 8}) == Stage::filter);
-  CHECK(decided_by({{0, 1, 0}, -1}, {0, 3, 0}, {4, -1, 8}) == Stage::enclosed);  // numbers have to be found
-  CHECK(decided_by(ground, {0, 3, 0}, {4, -1, 8}) == Stage::lattice);            // y = 0: no enclosure proves that
-  CHECK(decided_by(ground, {0, 0, 0}, {4, 1, 8}) == Stage::lattice);
-  CHECK(decided_by(ground, {tiny, 3, 0}, {4, -1, 8}) == Stage::exact);  // 1074 places apart
-}
-
-TEST_CASE("point_plane_toi: the formula in double keeps its contract") {
-  contract<Row>(
-      "relations, t and point beyond the margin",
-      [](const auto& truth, const auto& answer, const Plane3d& plane, const Point3d& start, const Point3d& end) {
-        const HeightBound first(plane, start), last(plane, end);
-        if (first.overflow || last.overflow) return true;
-        const Rational u = unit(), e0 = exact(first.computed), e1 = exact(last.computed);
-        if (last.certain() && answer.option_1.relation != truth.answer.option_1.relation) return false;
-        if (!(e0 > first.error)) return true;
-        const double difference = first.computed - last.computed, t = first.computed / difference;
-        if (e1 > last.error + 2 * u * e0 && e0 > power_of_two(-1074) * abs(e0 - e1))
-          return answer.option_2.relation == misses && truth.answer.option_2.relation == misses;
-        if (!(e1 < -last.error)) return true;
-        if (answer.option_2.relation != hit || truth.answer.option_2.relation != hit) return !finite(difference);
-        if (!finite(difference)) return true;
-        const Rational gap = exact(difference), f = first.error + last.error + u * gap;
-        if (!(f < gap)) return true;
-        const Rational error = (first.error + exact(t) * f) / (gap - f) + 2 * u * exact(t) + power_of_two(-1074);
-        if (!within(*answer.option_2.t, *truth.answer.option_2.t, error)) return false;
-        const auto close = [&](double from, double to, double computed, const Rational& right) {
-          const double v = to - from;
-          if (!finite(v, t * v, computed)) return true;
-          return within(
-              computed, right,
-              (1 + 2 * u) * size(v) * error + 3 * u * exact(t) * size(v) + u * size(computed) + power_of_two(-1073));
-        };
-        const auto& p = *answer.option_2.point;
-        const auto& q = *truth.answer.option_2.point;
-        return close(start.x, end.x, p.x, q.x) && close(start.y, end.y, p.y, q.y) && close(start.z, end.z, p.z, q.z);
-      });
+CONTRACT("point_plane_toi: the formula in double keeps its contract", plane, start, end) {
+  const HeightBound first(plane, start), last(plane, end);
+  if (first.overflow || last.overflow) return true;
+  const Rational u = unit(), e0 = exact(first.computed), e1 = exact(last.computed);
+  if (last.certain() && answer.option_1.relation != truth.answer.option_1.relation) return false;
+  if (!(e0 > first.error)) return true;
+  const double difference = first.computed - last.computed, t = first.computed / difference;
+  if (e1 > last.error + 2 * u * e0 && e0 > power_of_two(-1074) * abs(e0 - e1))
+    return answer.option_2.relation == misses && truth.answer.option_2.relation == misses;
+  if (!(e1 < -last.error)) return true;
+  if (answer.option_2.relation != hit || truth.answer.option_2.relation != hit) return !finite(difference);
+  if (!finite(difference)) return true;
+  const Rational gap = exact(difference), f = first.error + last.error + u * gap;
+  if (!(f < gap)) return true;
+  const Rational error = (first.error + exact(t) * f) / (gap - f) + 2 * u * exact(t) + power_of_two(-1074);
+  if (!within(*answer.option_2.t, *truth.answer.option_2.t, error)) return false;
+  const auto close = [&](double from, double to, double computed, const Rational& right) {
+    const double v = to - from;
+    if (!finite(v, t * v, computed)) return true;
+    return within(
+        computed, right,
+        (1 + 2 * u) * size(v) * error + 3 * u * exact(t) * size(v) + u * size(computed) + power_of_two(-1073));
+  };
+  const auto& p = *answer.option_2.point;
+  const auto& q = *truth.answer.option_2.point;
+  return close(start.x, end.x, p.x, q.x) && close(start.y, end.y, p.y, q.y) && close(start.z, end.z, p.z, q.z);
 }
 
 }  // namespace touchstone::proptests

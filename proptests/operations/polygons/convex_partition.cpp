@@ -2,19 +2,11 @@
 #include "catalogue/polygons/convex_partition.h"
 
 #include "proptests/partition_laws.h"
-#include "robust/polygons/convex_partition.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::convex_partition;
-
-Stage decided_by(const Polygon2d& polygon) { return robust::stages::convex_partition::ask(polygon).stage; }
-
-Polygon2d times(double factor, Polygon2d polygon) {
-  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
-  return polygon;
-}
 
 /// How many vertices of a lattice ring are reflex.
 std::size_t reflex(const Polygon2d& ring) {
@@ -34,15 +26,12 @@ TEST_CASE("convex_partition: pieces fit, from any vertex, either way round, in e
   pieces_fit<Row>("pieces");
 }
 
-TEST_CASE(
-    "convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
-    "reflex angle") {
-  law<Row>("the number of pieces", [](const auto& ask, const auto& asked) {
-    const Polygon2d& ring = std::get<0>(asked);
-    if (!on_lattice(asked)) return true;
-    const std::size_t r = reflex(ring), pieces = ask(asked).size();
-    return pieces <= 2 * r + 1 && 2 * pieces >= r + 2;
-  });
+LAW("convex_partition: at most 2 r + 1 pieces for r reflex vertices, so one if there is none, and enough to end every "
+    "reflex angle",
+    ring) {
+  if (!on_lattice(asked)) return true;
+  const std::size_t r = reflex(ring), pieces = ask(asked).size();
+  return pieces <= 2 * r + 1 && 2 * pieces >= r + 2;
 }
 
 TEST_CASE("convex_partition: rings with one partition that leaves no diagonal to take out, worked by hand") {
@@ -64,12 +53,6 @@ TEST_CASE("convex_partition: huge, subnormal, and where the formula's products l
 
 TEST_CASE("convex_partition: rings that are not simple are refused by the first offending vertex") {
   simple_rings_only<Row>();
-}
-
-TEST_CASE("convex_partition: the latest stage is that of the hardest decision") {
-  CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {0.3, 1}}}) == Stage::lattice);
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0.3, 1}}}) == Stage::exact);
 }
 
 TEST_CASE("convex_partition: the checker and that of certificates say the same of altered answers") {

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "catalogue/explained.h"
-#include "catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "catalogue/families/rings.h"
+#include "catalogue/polygons/polygon_convexity_interior_angles.h"
 #include "proptests/forward_error.h"
 #include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
@@ -36,68 +36,54 @@ void both(const Polygon2d& polygon, const PolygonConvexity& expected, const std:
   example<ByAngles>({polygon}, expected, by_angles);
 }
 
-Stage decided_by(const Polygon2d& polygon) { return robust::stages::polygon_convexity::ask(polygon).stage; }
-
 }  // namespace
 
-TEST_CASE("polygon_convexity: the ring from another vertex on is the same, the other way round it turns over") {
-  law<Row>("rotation and reversal of the list", [](const auto& ask, const auto& asked) {
-    const PolygonConvexity answer = ask(asked);
-    Polygon2d ring = std::get<0>(asked);
-    std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
-    if (!equal(ask(Row::Question{ring}), answer)) return false;
-    std::reverse(ring.vertices.begin(), ring.vertices.end());
-    return equal(ask(Row::Question{ring}), turned_over(answer));
-  });
+LAW("polygon_convexity: the ring from another vertex on is the same, the other way round it turns over") {
+  const PolygonConvexity answer = ask(asked);
+  Polygon2d ring = std::get<0>(asked);
+  std::rotate(ring.vertices.begin(), ring.vertices.begin() + 1, ring.vertices.end());
+  if (!equal(ask(Row::Question{ring}), answer)) return false;
+  std::reverse(ring.vertices.begin(), ring.vertices.end());
+  return equal(ask(Row::Question{ring}), turned_over(answer));
 }
 
-TEST_CASE("polygon_convexity: a repeated vertex makes a ring degenerate, a spike makes it no longer simple") {
-  law<Row>("repeated vertex and spike", [](const auto& ask, const auto& asked) {
-    const Polygon2d& ring = std::get<0>(asked);
-    const PolygonConvexity answer = ask(asked);
-    Polygon2d repeated = ring, spiked = ring;
-    repeated.vertices.insert(repeated.vertices.begin(), Point2d(ring[0]));
-    if (!equal(ask(Row::Question{repeated}), degenerate)) return false;
-    if (answer.polygon_class == PolygonClass::degenerate) return true;
-    // Along the first edge and back: one of those detours lies on the ring itself.
-    spiked.vertices.insert(spiked.vertices.begin(), {ring[0], ring[1]});
-    return equal(ask(Row::Question{spiked}), not_simple);
-  });
+LAW("polygon_convexity: a repeated vertex makes a ring degenerate, a spike makes it no longer simple", ring) {
+  const PolygonConvexity answer = ask(asked);
+  Polygon2d repeated = ring, spiked = ring;
+  repeated.vertices.insert(repeated.vertices.begin(), Point2d(ring[0]));
+  if (!equal(ask(Row::Question{repeated}), degenerate)) return false;
+  if (answer.polygon_class == PolygonClass::degenerate) return true;
+  // Along the first edge and back: one of those detours lies on the ring itself.
+  spiked.vertices.insert(spiked.vertices.begin(), {ring[0], ring[1]});
+  return equal(ask(Row::Question{spiked}), not_simple);
 }
 
-TEST_CASE("polygon_convexity: a vertex in the middle of an edge takes strictness away and nothing else") {
-  law<Row>("flat vertex", [](const auto& ask, const auto& asked) {
-    if (!on_lattice(asked)) return true;
-    PolygonConvexity answer = ask(asked);
-    Polygon2d ring = std::get<0>(asked);
-    const Point2d p = ring[0], q = ring[1];
-    for (Point2d& vertex : ring.vertices) vertex = {2 * vertex.x, 2 * vertex.y};
-    if (!(p == q)) ring.vertices.insert(ring.vertices.begin() + 1, {p.x + q.x, p.y + q.y});
-    answer.strict = false;
-    return equal(ask(Row::Question{ring}), answer);
-  });
+LAW("polygon_convexity: a vertex in the middle of an edge takes strictness away and nothing else") {
+  if (!on_lattice(asked)) return true;
+  PolygonConvexity answer = ask(asked);
+  Polygon2d ring = std::get<0>(asked);
+  const Point2d p = ring[0], q = ring[1];
+  for (Point2d& vertex : ring.vertices) vertex = {2 * vertex.x, 2 * vertex.y};
+  if (!(p == q)) ring.vertices.insert(ring.vertices.begin() + 1, {p.x + q.x, p.y + q.y});
+  answer.strict = false;
+  return equal(ask(Row::Question{ring}), answer);
 }
 
-TEST_CASE("polygon_convexity: any three corners of a strictly convex ring, in order, go the same way round") {
-  law<Row>("triangles of corners", [](const auto& ask, const auto& asked) {
-    const Polygon2d& ring = std::get<0>(asked);
-    const PolygonConvexity answer = ask(asked);
-    if (!answer.strict) return answer.polygon_class == PolygonClass::convex || !answer.strict;
-    for (std::size_t i = 2; i < ring.size(); ++i) {
-      if (!equal(ask(Row::Question{Polygon2d{{ring[0], ring[i - 1], ring[i]}}}), answer)) return false;
-    }
-    return true;
-  });
+LAW("polygon_convexity: any three corners of a strictly convex ring, in order, go the same way round", ring) {
+  const PolygonConvexity answer = ask(asked);
+  if (!answer.strict) return answer.polygon_class == PolygonClass::convex || !answer.strict;
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    if (!equal(ask(Row::Question{Polygon2d{{ring[0], ring[i - 1], ring[i]}}}), answer)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("polygon_convexity: convex and concave rings are those that the search for edges that meet finds simple") {
-  robust_law<Row>("simple or not", [](const auto& ask, const auto& asked) {
-    const PolygonConvexity answer = ask(asked);
-    const bool simple = !robust::ring_defect(std::get<0>(asked));
-    const bool proper = answer.polygon_class == PolygonClass::convex || answer.polygon_class == PolygonClass::concave;
-    return simple == proper && (answer.orientation == Winding::none) == !proper &&
-           (!answer.strict || answer.polygon_class == PolygonClass::convex);
-  });
+ROBUST_LAW("polygon_convexity: convex and concave rings are those that the search for edges that meet finds simple") {
+  const PolygonConvexity answer = ask(asked);
+  const bool simple = !robust::ring_defect(std::get<0>(asked));
+  const bool proper = answer.polygon_class == PolygonClass::convex || answer.polygon_class == PolygonClass::concave;
+  return simple == proper && (answer.orientation == Winding::none) == !proper &&
+         (!answer.strict || answer.polygon_class == PolygonClass::convex);
 }
 
 TEST_CASE("polygon_convexity: p. 5's line test and p. 6's angles worked by hand") {
@@ -161,20 +147,6 @@ TEST_CASE("polygon_convexity: rounding bends flat vertices and straightens bent 
   both({{{0, 0}, {huge / 2, huge / 4}, {huge, 0.75 * huge}}}, convex_ccw, "rounding", "rounding");
 }
 
-TEST_CASE("polygon_convexity: fewer than three vertices and what is not finite are refused by their field") {
-  refused<Row>({Polygon2d{}}, "polygon", "at least 3 vertices");
-  refused<Row>({Polygon2d{{{0, 0}, {1, 1}}}}, "polygon", "at least 3 vertices");
-  refused<Row>({Polygon2d{{{0, 0}, {1, not_a_number}, {1, 1}}}}, "polygon[1][1]", "finite number");
-  refused<Row>({Polygon2d{{{0, 0}, {1, 0}, {1, 1}, {-infinity, 1}}}}, "polygon[3][0]", "finite number");
-}
-
-TEST_CASE("polygon_convexity: the last stage that a turn needs is told") {
-  CHECK(decided_by({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}) == Stage::lattice);
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {0, 4}}}) == Stage::exact);
-  CHECK(decided_by({{{0, 0}, {0, 0}, {4, 4}}}) == Stage::filter);  // no turn is asked
-}
-
 TEST_CASE("polygon_convexity: rings of a thousand vertices") {
   // On the parabola y = x^2, closed by its chord: strictly convex. A zigzag below a roof: concave.
   Polygon2d parabola, zigzag;
@@ -234,20 +206,21 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
     return !certain || answer.orientation == truth.answer.orientation;
   });
   std::uint64_t promised = 0;
-  contract<ByAngles>("the margin of the interior angles",
-                     [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
-                       if (truth.answer.orientation == Winding::none) return true;
-                       for (std::size_t i = 0; i < ring.size(); ++i) {
-                         const auto corner = moderate_corner(ring, i);
-                         if (!corner) return true;
-                         const auto& [v, w] = *corner;
-                         const Rational sine = cross(v, w);
-                         if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
-                       }
-                       ++promised;
-                       return equal(answer, truth.answer);
-                     },
-                     96);
+  contract<ByAngles>(
+      "the margin of the interior angles",
+      [&](const auto& truth, const PolygonConvexity& answer, const Polygon2d& ring) {
+        if (truth.answer.orientation == Winding::none) return true;
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const auto corner = moderate_corner(ring, i);
+          if (!corner) return true;
+          const auto& [v, w] = *corner;
+          const Rational sine = cross(v, w);
+          if (sine * sine <= dot(v, v) * dot(w, w) * power_of_two(-40)) return true;
+        }
+        ++promised;
+        return equal(answer, truth.answer);
+      },
+      96);
   CHECK(promised > 100);
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "proptests/laws.h"
-#include "robust/polygons/polygon_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -22,33 +21,26 @@ Polygon2d rotated(Polygon2d ring) {
   return ring;
 }
 
-Stage decided_by(const Polygon2d& a, const Polygon2d& b) { return robust::stages::polygon_polygon::ask(a, b).stage; }
-
 }  // namespace
 
-TEST_CASE("polygon_polygon: which comes first, where a ring begins and which way it runs do not matter") {
-  law<Row>("reversal and rotation", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const Contact contact = ask(asked);
-    return ask(Row::Question{reversed(a), b}) == contact && ask(Row::Question{a, rotated(b)}) == contact;
-  });
+LAW("polygon_polygon: which comes first, where a ring begins and which way it runs do not matter", a, b) {
+  const Contact contact = ask(asked);
+  return ask(Row::Question{reversed(a), b}) == contact && ask(Row::Question{a, rotated(b)}) == contact;
 }
 
-TEST_CASE("polygon_polygon: a polygon overlaps itself, and touches its image in the line of an edge of its box") {
-  law<Row>("itself", [](const auto& ask, const auto& asked) {
-    const Polygon2d& a = std::get<0>(asked);
-    return ask(Row::Question{a, rotated(reversed(a))}) == Contact::overlapping;
-  });
-  law<Row>("mirrored", [](const auto& ask, const auto& asked) {
-    Polygon2d a = std::get<0>(asked), image;
-    double right = a[0].x;
-    for (const Point2d& p : a.vertices) right = std::max(right, p.x);
-    for (const Point2d& p : a.vertices) image.vertices.push_back({2 * right - p.x, p.y});
-    for (std::size_t i = 0; i < a.size(); ++i) {  // only where the image is exact
-      if (std::fabs(a[i].x) > 0x1p50 || a[i].x != std::trunc(a[i].x)) return true;
-    }
-    return ask(Row::Question{a, image}) == Contact::touching;
-  });
+LAW("polygon_polygon: a polygon overlaps itself", a) {
+  return ask(Row::Question{a, rotated(reversed(a))}) == Contact::overlapping;
+}
+
+LAW("polygon_polygon: a polygon touches its image in the line of an edge of its box") {
+  Polygon2d a = std::get<0>(asked), image;
+  double right = a[0].x;
+  for (const Point2d& p : a.vertices) right = std::max(right, p.x);
+  for (const Point2d& p : a.vertices) image.vertices.push_back({2 * right - p.x, p.y});
+  for (std::size_t i = 0; i < a.size(); ++i) {  // only where the image is exact
+    if (std::fabs(a[i].x) > 0x1p50 || a[i].x != std::trunc(a[i].x)) return true;
+  }
+  return ask(Row::Question{a, image}) == Contact::touching;
 }
 
 TEST_CASE("polygon_polygon: p. 18's tests worked by hand") {
@@ -87,21 +79,6 @@ TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {
   const double above = std::nextafter(4.0, 5.0), below = std::nextafter(4.0, 3.0);
   example<Row>({square, {{{above, 2}, {6, 1}, {6, 3}}}}, Contact::disjoint);
   example<Row>({square, {{{below, 2}, {6, 1}, {6, 3}}}}, Contact::overlapping);
-}
-
-TEST_CASE("polygon_polygon: what is no simple polygon is refused by its vertex") {
-  refused<Row>({{{{0, 0}, {1, 0}}}, square}, "a", "at least 3 vertices");
-  refused<Row>({square, {{{0, 0}, {1, 0}, {1, not_a_number}}}}, "b[2][1]", "finite number");
-  refused<Row>({square, {{{0, 0}, {1, 0}, {1, 0}, {0, 1}}}}, "b[1]", "different from the next vertex");
-  refused<Row>({{{{0, 0}, {2, 0}, {0, 2}, {2, 2}}}, square}, "a[1]", "simple: its edge must not meet edge 3");
-  refused<Row>({{{{0, 0}, {2, 0}, {1, 0}, {1, 5}}}, square}, "a[0]", "simple: its edge must not meet edge 1");
-  refused<Row>({{{{0, 0}, {2, 0}, {4, 0}}}, square}, "a[0]", "simple: its edge must not meet edge 2");
-}
-
-TEST_CASE("polygon_polygon: turns that a filter cannot tell go on to the next stage") {
-  CHECK(decided_by(square, {{{1.5, 1}, {9.5, 2}, {9, 9}}}) == Stage::filter);
-  CHECK(decided_by(square, {{{4, 2}, {6, 1}, {6, 3}}}) == Stage::lattice);
-  CHECK(decided_by({{{0, 0}, {2, 2 * tiny}, {0, 1}}}, {{{1, tiny}, {3, 3}, {0.5, 3}}}) == Stage::exact);
 }
 
 }  // namespace touchstone::proptests

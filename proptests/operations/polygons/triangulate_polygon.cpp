@@ -2,19 +2,11 @@
 #include "catalogue/polygons/triangulate_polygon.h"
 
 #include "proptests/partition_laws.h"
-#include "robust/polygons/triangulate_polygon.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::triangulate_polygon;
-
-Stage decided_by(const Polygon2d& polygon) { return robust::stages::triangulate_polygon::ask(polygon).stage; }
-
-Polygon2d times(double factor, Polygon2d polygon) {
-  for (Point2d& p : polygon.vertices) p = {factor * p.x, factor * p.y};
-  return polygon;
-}
 
 }  // namespace
 
@@ -22,17 +14,15 @@ TEST_CASE("triangulate_polygon: triangles fit, from any vertex, either way round
   pieces_fit<Row>("triangles");
 }
 
-TEST_CASE("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
-  law<Row>("n - 2 triangles", [](const auto& ask, const auto& asked) {
-    const std::size_t n = std::get<0>(asked).size();
-    std::set<Index> corners;
-    const IndexLists triangles = ask(asked);
-    for (const auto& triangle : triangles) {
-      if (triangle.size() != 3) return false;
-      corners.insert(triangle.begin(), triangle.end());
-    }
-    return triangles.size() == n - 2 && corners.size() == n;
-  });
+LAW("triangulate_polygon: n - 2 triangles, and every vertex is a corner") {
+  const std::size_t n = std::get<0>(asked).size();
+  std::set<Index> corners;
+  const IndexLists triangles = ask(asked);
+  for (const auto& triangle : triangles) {
+    if (triangle.size() != 3) return false;
+    corners.insert(triangle.begin(), triangle.end());
+  }
+  return triangles.size() == n - 2 && corners.size() == n;
 }
 
 TEST_CASE("triangulate_polygon: rings with one triangulation, worked by hand") {
@@ -56,12 +46,6 @@ TEST_CASE("triangulate_polygon: huge, subnormal, and where the formula's product
 
 TEST_CASE("triangulate_polygon: rings that are not simple are refused by the first offending vertex") {
   simple_rings_only<Row>();
-}
-
-TEST_CASE("triangulate_polygon: the latest stage is that of the hardest decision") {
-  CHECK(decided_by({{{0, 0}, {1, 0}, {0.3, 1}}}) == Stage::filter);
-  CHECK(decided_by({{{0, 0}, {1, 0}, {2, 0}, {3, 1}}}) == Stage::lattice);          // flat
-  CHECK(decided_by({{{0, 0}, {1, tiny}, {2, 2 * tiny}, {3, 1}}}) == Stage::exact);  // flat, 1074 places apart
 }
 
 TEST_CASE("triangulate_polygon: a comb of 20,000 vertices, upright and lying") {

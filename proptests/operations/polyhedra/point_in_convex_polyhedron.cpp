@@ -5,7 +5,6 @@
 
 #include "proptests/space_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
-#include "robust/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -29,10 +28,6 @@ const Meshd cube{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {0, 0, 4}, {4, 0, 
                   {0, 6, 2},
                   {1, 3, 7},
                   {1, 7, 5}}};
-
-Stage decided_by(const Meshd& mesh, const Point3d& point) {
-  return robust::stages::point_in_convex_polyhedron::ask(mesh, point).stage;
-}
 
 template <class Change>
 Row::Question with_each_point(Row::Question question, const Change& change) {
@@ -78,12 +73,7 @@ Meshd with_vertex(Meshd mesh, std::size_t place, const Point3d& p) {
 /// Of the vertices of large meshes, whose every question takes vertices times faces steps, only some are asked about.
 std::size_t step(const Meshd& mesh) { return 1 + mesh.vertices.size() / 16; }
 
-/// A worked example and its margin.
-void gives(const Meshd& mesh, const Point3d& point, Location expected, const Rational& margin,
-           const std::string& by_reference = "agree") {
-  example<Row>({mesh, point}, expected, by_reference);
-  CHECK(examined<Row>({mesh, point})->margin() == margin);
-}
+constexpr Worked<Row> worked;
 
 /// Whether every E of the slide is certain by the bound of the contract. What overflows stays infinite or NaN up to E.
 bool certain(const Meshd& mesh, const Point3d& p) {
@@ -123,77 +113,63 @@ Meshd double_pyramid(const Polygon2d& ring) {
 
 }  // namespace
 
-TEST_CASE("point_in_convex_polyhedron: powers of two of each axis, where they are exact, keep the answer") {
-  law<Row>("each axis by its own power of two", [](const auto& ask, const auto& asked) {
-    const auto stretched = [](const Row::Question& question, int x, int y, int z) {
-      return with_each_point(question, [=](Point3d& p) {
-        p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
-      });
-    };
-    const Location location = ask(asked);
-    for (const auto& [x, y, z] :
-         {std::array{1, 1, 1}, {-29, 30, 0}, {0, -300, 300}, {700, 0, -500}, {-900, -900, -900}}) {
-      const auto image = stretched(asked, x, y, z);
-      const bool exact = numbers_of(stretched(image, -x, -y, -z)) == numbers_of(asked);
-      if (exact && ask(image) != location) return false;
-    }
-    return true;
-  });
+LAW("point_in_convex_polyhedron: powers of two of each axis, where they are exact, keep the answer") {
+  const auto stretched = [](const Row::Question& question, int x, int y, int z) {
+    return with_each_point(question, [=](Point3d& p) {
+      p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+    });
+  };
+  const Location location = ask(asked);
+  for (const auto& [x, y, z] :
+       {std::array{1, 1, 1}, {-29, 30, 0}, {0, -300, 300}, {700, 0, -500}, {-900, -900, -900}}) {
+    const auto image = stretched(asked, x, y, z);
+    const bool exact = numbers_of(stretched(image, -x, -y, -z)) == numbers_of(asked);
+    if (exact && ask(image) != location) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_in_convex_polyhedron: it does not matter in which order faces and vertices are listed") {
-  law<Row>("order", [](const auto& ask, const auto& asked) {
-    const auto& [mesh, p] = asked;
-    const Location location = ask(asked);
-    const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
-    Meshd permuted = mesh;
-    std::reverse(permuted.faces.begin(), permuted.faces.end());
-    std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
-    const auto last = static_cast<Index>(mesh.vertices.size() - 1);
-    Meshd renumbered = with_each_face(mesh, [last](Face& f) { f = {last - f.a, last - f.b, last - f.c}; });
-    std::reverse(renumbered.vertices.begin(), renumbered.vertices.end());
-    return ask(Row::Question{corners, p}) == location && ask(Row::Question{permuted, p}) == location &&
-           ask(Row::Question{renumbered, p}) == location;
-  });
+LAW("point_in_convex_polyhedron: it does not matter in which order faces and vertices are listed", mesh, p) {
+  const Location location = ask(asked);
+  const Meshd corners = with_each_face(mesh, [](Face& f) { f = {f.b, f.c, f.a}; });
+  Meshd permuted = mesh;
+  std::reverse(permuted.faces.begin(), permuted.faces.end());
+  std::rotate(permuted.faces.begin(), permuted.faces.begin() + 1, permuted.faces.end());
+  const auto last = static_cast<Index>(mesh.vertices.size() - 1);
+  Meshd renumbered = with_each_face(mesh, [last](Face& f) { f = {last - f.a, last - f.b, last - f.c}; });
+  std::reverse(renumbered.vertices.begin(), renumbered.vertices.end());
+  return ask(Row::Question{corners, p}) == location && ask(Row::Question{permuted, p}) == location &&
+         ask(Row::Question{renumbered, p}) == location;
 }
 
-TEST_CASE("point_in_convex_polyhedron: a mesh turned inside out, or listed twice, is the same solid") {
-  law<Row>("the same solid", [](const auto& ask, const auto& asked) {
-    const auto& [mesh, p] = asked;
-    const Location location = ask(asked);
-    return ask(Row::Question{turned_inside_out(mesh), p}) == location &&
-           ask(Row::Question{together(mesh, mesh), p}) == location;
-  });
+LAW("point_in_convex_polyhedron: a mesh turned inside out, or listed twice, is the same solid", mesh, p) {
+  const Location location = ask(asked);
+  return ask(Row::Question{turned_inside_out(mesh), p}) == location &&
+         ask(Row::Question{together(mesh, mesh), p}) == location;
 }
 
-TEST_CASE("point_in_convex_polyhedron: the vertices of faces are on the boundary, and none is outside") {
-  law<Row>("vertices", [](const auto& ask, const auto& asked) {
-    const Meshd& mesh = std::get<0>(asked);
-    std::set<Index> used;
-    for (const Face& f : mesh.faces) used.insert({f.a, f.b, f.c});
-    for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
-      const Location location = ask(Row::Question{mesh, mesh.vertices[v]});
-      if (location == outside || (used.count(static_cast<Index>(v)) == 1 && location != boundary)) return false;
-    }
-    return true;
-  });
+LAW("point_in_convex_polyhedron: the vertices of faces are on the boundary, and none is outside", mesh) {
+  std::set<Index> used;
+  for (const Face& f : mesh.faces) used.insert({f.a, f.b, f.c});
+  for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
+    const Location location = ask(Row::Question{mesh, mesh.vertices[v]});
+    if (location == outside || (used.count(static_cast<Index>(v)) == 1 && location != boundary)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_in_convex_polyhedron: the middle of two points of the solid is not outside, on the lattice") {
-  law<Row>("middles", [](const auto& ask, const auto& asked) {
-    const auto& [mesh, p] = asked;
-    if (!on_small_lattice(asked)) return true;
-    const Meshd twice = times(2, mesh);
-    const auto middle_is_outside = [&](const Point3d& a, const Point3d& b) {
-      return ask(Row::Question{twice, {a.x + b.x, a.y + b.y, a.z + b.z}}) == outside;
-    };
-    const bool holds_point = ask(asked) != outside;
-    for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
-      if (middle_is_outside(mesh.vertices[0], mesh.vertices[v])) return false;
-      if (holds_point && middle_is_outside(p, mesh.vertices[v])) return false;
-    }
-    return true;
-  });
+LAW("point_in_convex_polyhedron: the middle of two points of the solid is not outside, on the lattice", mesh, p) {
+  if (!on_small_lattice(asked)) return true;
+  const Meshd twice = times(2, mesh);
+  const auto middle_is_outside = [&](const Point3d& a, const Point3d& b) {
+    return ask(Row::Question{twice, {a.x + b.x, a.y + b.y, a.z + b.z}}) == outside;
+  };
+  const bool holds_point = ask(asked) != outside;
+  for (std::size_t v = 0; v < mesh.vertices.size(); v += step(mesh)) {
+    if (middle_is_outside(mesh.vertices[0], mesh.vertices[v])) return false;
+    if (holds_point && middle_is_outside(p, mesh.vertices[v])) return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its base in the base") {
@@ -215,47 +191,49 @@ TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its ba
 
 TEST_CASE("point_in_convex_polyhedron: p. 53's side tests worked by hand") {
   // The faces' planes are x = 0, y = 0, z = 0 and x + y + z = 4; |x + y + z - 4| / sqrt(3) from the last.
-  gives(tetrahedron, {1, 1, 1}, inside, Rational(1, 3));
-  gives(tetrahedron, {0.5, 1, 1}, inside, Rational(1, 4));
-  gives(tetrahedron, {1, 1, 2}, boundary, 0);
-  gives(tetrahedron, {2, 2, 0}, boundary, 0);
-  gives(tetrahedron, {4, 0, 0}, boundary, 0);
-  gives(tetrahedron, {2, 2, 1}, outside, Rational(1, 3));
-  gives(tetrahedron, {-1, 0, 0}, outside, 1);  // on two planes, beyond the edge that they share
-  gives(tetrahedron, {-1, -3, 0}, outside, 9);
-  gives(cube, {2, 2, 2}, inside, 4);
-  gives(cube, {1, 2, 3}, inside, 1);
-  gives(cube, {2, 2, 4}, boundary, 0);  // on the edge that the two triangles of a side share
-  gives(cube, {3, 4, 4}, boundary, 0);
-  gives(cube, {3, 4, 5}, outside, 1);
-  gives(turned_inside_out(cube), {1, 2, 3}, inside, 1);
-  gives(turned_inside_out(cube), {5, 2, 7}, outside, 9);
+  worked({tetrahedron, {1, 1, 1}}, inside, Rational(1, 3));
+  worked({tetrahedron, {0.5, 1, 1}}, inside, Rational(1, 4));
+  worked({tetrahedron, {1, 1, 2}}, boundary, 0);
+  worked({tetrahedron, {2, 2, 0}}, boundary, 0);
+  worked({tetrahedron, {4, 0, 0}}, boundary, 0);
+  worked({tetrahedron, {2, 2, 1}}, outside, Rational(1, 3));
+  worked({tetrahedron, {-1, 0, 0}}, outside, 1);  // on two planes, beyond the edge that they share
+  worked({tetrahedron, {-1, -3, 0}}, outside, 9);
+  worked({cube, {2, 2, 2}}, inside, 4);
+  worked({cube, {1, 2, 3}}, inside, 1);
+  worked({cube, {2, 2, 4}}, boundary, 0);  // on the edge that the two triangles of a side share
+  worked({cube, {3, 4, 4}}, boundary, 0);
+  worked({cube, {3, 4, 5}}, outside, 1);
+  worked({turned_inside_out(cube), {1, 2, 3}}, inside, 1);
+  worked({turned_inside_out(cube), {5, 2, 7}}, outside, 9);
 }
 
 TEST_CASE("point_in_convex_polyhedron: flat vertices, unused ones, and a surface twice round its solid") {
   const Meshd unused = with_vertex(tetrahedron, 4, {1, 1, 1});
-  gives(unused, {1, 1, 1}, inside, Rational(1, 3));
+  worked({unused, {1, 1, 1}}, inside, Rational(1, 3));
   // A face in three parts about its middle; two faces in two parts about the middle of their edge.
-  gives(with_faces(with_vertex(times(3, tetrahedron), 4, {4, 4, 4}),
-                   {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}),
-        {4, 4, 4}, boundary, 0);
-  gives(with_faces(with_vertex(tetrahedron, 4, {2, 0, 0}),
-                   {{0, 2, 4}, {4, 2, 1}, {0, 4, 3}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}}),
-        {1, 1, 1}, inside, Rational(1, 3));
-  gives(together(tetrahedron, tetrahedron), {1, 1, 1}, inside, Rational(1, 3));
-  gives(together(tetrahedron, tetrahedron), {2, 2, 1}, outside, Rational(1, 3));
+  worked({with_faces(with_vertex(times(3, tetrahedron), 4, {4, 4, 4}),
+                     {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}}),
+          {4, 4, 4}},
+         boundary, 0);
+  worked({with_faces(with_vertex(tetrahedron, 4, {2, 0, 0}),
+                     {{0, 2, 4}, {4, 2, 1}, {0, 4, 3}, {4, 1, 3}, {0, 3, 2}, {1, 2, 3}}),
+          {1, 1, 1}},
+         inside, Rational(1, 3));
+  worked({together(tetrahedron, tetrahedron), {1, 1, 1}}, inside, Rational(1, 3));
+  worked({together(tetrahedron, tetrahedron), {2, 2, 1}}, outside, Rational(1, 3));
 }
 
 TEST_CASE("point_in_convex_polyhedron: rounding, huge, subnormal and negative zero") {
   // As doubles, 0.1 + 0.2 + 0.7 = 1 - 2^-55.
-  gives(times(0.25, tetrahedron), {0.1, 0.2, 0.7}, inside, power_of_two(-110) / 3, "rounding");
+  worked({times(0.25, tetrahedron), {0.1, 0.2, 0.7}}, inside, power_of_two(-110) / 3, "rounding");
   example<Row>({times(huge / 4, tetrahedron), {huge / 2, huge / 4, huge / 8}}, inside,
                "rounding");                                                          // infinity - infinity
   example<Row>({times(tiny, tetrahedron), {tiny, tiny, tiny}}, inside, "rounding");  // every product is 0
   example<Row>({times(tiny, tetrahedron), {2 * tiny, 2 * tiny, tiny}}, outside, "rounding");
-  gives(times(-0.25, tetrahedron), {-0.0, -0.5, -0.25}, boundary, 0);
+  worked({times(-0.25, tetrahedron), {-0.0, -0.5, -0.25}}, boundary, 0);
   // Beyond x = 0 by the least number, squared.
-  gives(tetrahedron, {-tiny, 1, 1}, outside, power_of_two(-2148));
+  worked({tetrahedron, {-tiny, 1, 1}}, outside, power_of_two(-2148));
 }
 
 TEST_CASE("point_in_convex_polyhedron: meshes are refused by the first rule that they break") {
@@ -304,26 +282,11 @@ TEST_CASE("point_in_convex_polyhedron: meshes are refused by the first rule that
   refuses(together(tetrahedron, turned_inside_out(tetrahedron)), "mesh.faces[4]", beyond("3"));
 }
 
-TEST_CASE("point_in_convex_polyhedron: a point that is not finite is refused by its field") {
-  refused<Row>({tetrahedron, {not_a_number, infinity, 0}}, "point[0]", "finite number");
-  refused<Row>({tetrahedron, {0, infinity, 0}}, "point[1]", "finite number");
-  refused<Row>({tetrahedron, {9, 9, -infinity}}, "point[2]", "finite number");
+CONTRACT("point_in_convex_polyhedron: the formula in double is right where the bound of its contract says so", mesh,
+         p) {
+  return !certain(mesh, p) || answer == truth.answer;
 }
 
-TEST_CASE("point_in_convex_polyhedron: the stage is that of the hardest side") {
-  CHECK(decided_by(tetrahedron, {1, 1, 1}) == Stage::filter);
-  CHECK(decided_by(tetrahedron, {5, 5, 5}) == Stage::filter);
-  CHECK(decided_by(tetrahedron, {1, 1, 2}) == Stage::lattice);
-  CHECK(decided_by(cube, {1, 2, 3}) == Stage::lattice);          // two triangles in one plane
-  CHECK(decided_by(tetrahedron, {1, 1, tiny}) == Stage::exact);  // 1076 places
-}
-
-TEST_CASE("point_in_convex_polyhedron: the formula in double is right where the bound of its contract says so") {
-  contract<Row>("the forward error bound holds",
-                [](const auto& truth, Location answer, const Meshd& mesh, const Point3d& p) {
-                  return !certain(mesh, p) || answer == truth.answer;
-                });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("point_in_convex_polyhedron: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

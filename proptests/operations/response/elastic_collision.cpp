@@ -2,74 +2,47 @@
 #include "catalogue/response/elastic_collision.h"
 
 #include "proptests/impact_laws.h"
-#include "robust/response/elastic_collision.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::elastic_collision;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::elastic_collision::ask(value...).stage; }, q);
-}
-
 }  // namespace
 
-TEST_CASE("elastic_collision: momentum and energy are kept, the relative velocity along the normal is turned round") {
-  exact_law<Row>("conserved", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const ExactVelocities after = ask(asked);
-    return same(momentum_of(m, after), momentum_of(m, v)) && doubled_energy(m, after) == doubled_energy(m, v) &&
-           dot(after.first - after.second, n) == -dot(v.first - v.second, n);
-  });
+EXACT_LAW("elastic_collision: momentum and energy are kept, the relative velocity along the normal is turned round", m,
+          v, n) {
+  const ExactVelocities after = ask(asked);
+  return same(momentum_of(m, after), momentum_of(m, v)) && doubled_energy(m, after) == doubled_energy(m, v) &&
+         dot(after.first - after.second, n) == -dot(v.first - v.second, n);
 }
 
-TEST_CASE("elastic_collision: what is across the normal stays, and a second bounce undoes the first") {
-  exact_law<Row>("across and twice", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const ExactVelocities after = ask(asked);
-    return same(cross(after.first - v.first, n), none()) && same(cross(after.second - v.second, n), none()) &&
-           same(ask(std::tuple(m, after, n)), v);
-  });
+EXACT_LAW("elastic_collision: what is across the normal stays, and a second bounce undoes the first", m, v, n) {
+  const ExactVelocities after = ask(asked);
+  return same(cross(after.first - v.first, n), none()) && same(cross(after.second - v.second, n), none()) &&
+         same(ask(std::tuple(m, after, n)), v);
 }
 
-TEST_CASE("elastic_collision: exchanged bodies, other units of mass and other observers") {
-  law<Row>("exchanged", bodies_may_be_exchanged);
-  law<Row>("unit of mass", masses_have_any_unit);
-  exact_law<Row>("observers", observers_agree);
-}
+TEST_CASE("elastic_collision: exchanged bodies, other units of mass and other observers") { impact_laws<Row>(); }
 
 TEST_CASE("elastic_collision: the normal's length and side do not matter") {
-  law<Row>("the same normal", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{m, v, other}), answer)) return false;
-    return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{m, v, 3.0 * n}), answer);
-  });
+  law<Row>("the same plane", any_normal_of_the_plane<2>);
 }
 
-TEST_CASE("elastic_collision: bodies of one mass exchange what they have along the normal") {
-  robust_law<Row>("along an axis", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const auto found = ask(Row::Question{{m.first, m.first}, v, {0, 1, 0}});
-    return equal(found, Velocitiesd{{v.first.x, v.second.y, v.first.z}, {v.second.x, v.first.y, v.second.z}});
-  });
+ROBUST_LAW("elastic_collision: bodies of one mass exchange what they have along the normal", m, v) {
+  const auto found = ask(Row::Question{{m.first, m.first}, v, {0, 1, 0}});
+  return equal(found, Velocitiesd{{v.first.x, v.second.y, v.first.z}, {v.second.x, v.first.y, v.second.z}});
 }
 
-TEST_CASE("elastic_collision: the heavier the other body, the nearer to a bounce off a plane that moves with it") {
-  exact_law<Row>("immovable in the limit", [](const auto& ask, const auto& asked) {
-    const auto& [m, v, n] = asked;
-    const Motion3 apart = v.first - v.second;
-    const Motion3 part = Rational(dot(apart, n) / dot(n, n)) * n;
-    const Motion3 off_a_wall = v.first - Rational(2) * part;
-    const ExactVelocities after = ask(asked);
-    const Rational lighter = m.first / (m.first + m.second);
-    return same(after.first - off_a_wall, Rational(2 * lighter) * part) &&
-           same(after.second - v.second, Rational(2 * lighter) * part);
-  });
+EXACT_LAW("elastic_collision: the heavier the other body, the nearer to a bounce off a plane that moves with it", m, v,
+          n) {
+  const Motion3 apart = v.first - v.second;
+  const Motion3 part = Rational(dot(apart, n) / dot(n, n)) * n;
+  const Motion3 off_a_wall = v.first - Rational(2) * part;
+  const ExactVelocities after = ask(asked);
+  const Rational lighter = m.first / (m.first + m.second);
+  return same(after.first - off_a_wall, Rational(2 * lighter) * part) &&
+         same(after.second - v.second, Rational(2 * lighter) * part);
 }
 
 TEST_CASE("elastic_collision: p. 69 worked by hand") {
@@ -99,36 +72,20 @@ TEST_CASE("elastic_collision: huge, subnormal and negative zero") {
   CHECK((plus_zero(zeros.first.x) && plus_zero(zeros.first.y) && plus_zero(zeros.second.x)));
 }
 
-TEST_CASE("elastic_collision: what is not finite is refused by its field, masses and normals as the contract says") {
-  refused<Row>({{infinity, 0}, {{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "masses[0]", "finite number");
+TEST_CASE("elastic_collision: of two broken rules the first is named") {
   refused<Row>({{1, 0}, {{infinity, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "masses[1]", "mass > 0");
-  refused<Row>({{-tiny, 1}, {{0, 0, 0}, {0, 0, 0}}, {1, 0, 0}}, "masses[0]", "mass > 0");
   refused<Row>({{1, 1}, {{0, not_a_number, 0}, {0, 0, 0}}, {0, 0, 0}}, "velocities[0][1]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {0, 0, -infinity}}, {0, 0, 0}}, "velocities[1][2]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {0, 0, 0}}, {0, 0, infinity}}, "normal[2]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {0, 0, 0}}, {0, -0.0, 0}}, "normal", "nonzero normal");
 }
 
-TEST_CASE("elastic_collision: each stage decides what is meant for it") {
-  CHECK(decided_by({{1, 3}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}) == Stage::enclosed);
-  CHECK(decided_by({{1, 0x1p60}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}) == Stage::enclosed);
-  CHECK(decided_by({{1, 0x1.8p60}, {{1, 0, 0}, {0, 1, 0}}, {1, 2, 3}}) == Stage::exact);
-  CHECK(decided_by({{1, 3}, {{1, 2, 3}, {1, 2, 3}}, {0.1, 0.2, 0.3}}) == Stage::enclosed);
-  CHECK(decided_by({{1, 3}, {{1, -1, 0}, {0, 0, 0}}, {1, 1, 0}}) == Stage::exact);  // 0 beside products that cancel
-  CHECK(decided_by({{1, 1}, {{1, 0, 0}, {0, 0, 0}}, {1, 0, 0}}) == Stage::exact);   // a component of 0
+CONTRACT("elastic_collision: the formula in double keeps its contract", masses, velocities, normal) {
+  if (!moderate(masses, velocities, normal)) return true;
+  const Motion3 v = exactly(velocities.first), w = exactly(velocities.second), n = exactly(normal);
+  const Rational m1 = exact(masses.first), m2 = exact(masses.second), r = condition(v - w, n);
+  const auto along = [&](const Rational& other) { return Rational(14 * 2 * other / (m1 + m2) * r); };
+  return within_bounds(answer.first, truth.answer.first, n, along(m2), v, 2) &&
+         within_bounds(answer.second, truth.answer.second, n, along(m1), w, 2);
 }
 
-TEST_CASE("elastic_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Velocitiesd& answer, const Massesd& masses,
-                                      const Velocitiesd& velocities, const Vector3d& normal) {
-    if (!moderate(masses, velocities, normal)) return true;
-    const Motion3 v = exactly(velocities.first), w = exactly(velocities.second), n = exactly(normal);
-    const Rational m1 = exact(masses.first), m2 = exact(masses.second), r = condition(v - w, n);
-    const auto along = [&](const Rational& other) { return Rational(14 * 2 * other / (m1 + m2) * r); };
-    return within_bounds(answer.first, truth.answer.first, n, along(m2), v, 2) &&
-           within_bounds(answer.second, truth.answer.second, n, along(m1), w, 2);
-  });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("elastic_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

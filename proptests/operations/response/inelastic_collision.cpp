@@ -2,51 +2,31 @@
 #include "catalogue/response/inelastic_collision.h"
 
 #include "proptests/impact_laws.h"
-#include "robust/response/inelastic_collision.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::inelastic_collision;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Massesd& masses, const Velocitiesd& velocities) {
-  return robust::stages::inelastic_collision::ask(masses, velocities).stage;
-}
-
 }  // namespace
 
-TEST_CASE("inelastic_collision: momentum is kept, and the energy of the relative motion is lost") {
-  exact_law<Row>("momentum and energy", [](const auto& ask, const auto& asked) {
-    const auto& [m, v] = asked;
-    const Motion3 together = ask(asked), apart = v.first - v.second;
-    const ExactVelocities after{together, together};
-    const Rational reduced = m.first * m.second / (m.first + m.second);
-    return same(momentum_of(m, after), momentum_of(m, v)) &&
-           doubled_energy(m, v) - doubled_energy(m, after) == reduced * dot(apart, apart);
-  });
+EXACT_LAW("inelastic_collision: momentum is kept, and the energy of the relative motion is lost", m, v) {
+  const Motion3 together = ask(asked), apart = v.first - v.second;
+  const ExactVelocities after{together, together};
+  const Rational reduced = m.first * m.second / (m.first + m.second);
+  return same(momentum_of(m, after), momentum_of(m, v)) &&
+         doubled_energy(m, v) - doubled_energy(m, after) == reduced * dot(apart, apart);
 }
 
-TEST_CASE("inelastic_collision: the velocity is between those before, nearer to the heavier body's") {
-  exact_law<Row>("lever", [](const auto& ask, const auto& asked) {
-    const auto& [m, v] = asked;
-    const Motion3 together = ask(asked);
-    return same(m.first * (together - v.first), m.second * (v.second - together));
-  });
+EXACT_LAW("inelastic_collision: the velocity is between those before, nearer to the heavier body's", m, v) {
+  const Motion3 together = ask(asked);
+  return same(m.first * (together - v.first), m.second * (v.second - together));
 }
 
-TEST_CASE("inelastic_collision: exchanged bodies, other units of mass and other observers") {
-  law<Row>("exchanged", bodies_may_be_exchanged);
-  law<Row>("unit of mass", masses_have_any_unit);
-  exact_law<Row>("observers", observers_agree);
-}
+TEST_CASE("inelastic_collision: exchanged bodies, other units of mass and other observers") { impact_laws<Row>(); }
 
-TEST_CASE("inelastic_collision: equal velocities stay what they are") {
-  robust_law<Row>("in company", [](const auto& ask, const auto& asked) {
-    const auto& [m, v] = asked;
-    return equal(ask(Row::Question{m, {v.first, v.first}}), v.first);
-  });
+ROBUST_LAW("inelastic_collision: equal velocities stay what they are", m, v) {
+  return equal(ask(Row::Question{m, {v.first, v.first}}), v.first);
 }
 
 TEST_CASE("inelastic_collision: p. 70 worked by hand") {
@@ -73,37 +53,22 @@ TEST_CASE("inelastic_collision: ties go to the even neighbour") {
   CHECK(found.z == -0x1p52);
 }
 
-TEST_CASE("inelastic_collision: what is not finite is refused by its field, and a mass that is not positive") {
-  refused<Row>({{infinity, 0}, {{0, 0, 0}, {0, 0, 0}}}, "masses[0]", "finite number");
+TEST_CASE("inelastic_collision: of two broken rules the first is named") {
   refused<Row>({{0, not_a_number}, {{0, 0, 0}, {0, 0, 0}}}, "masses[1]", "finite number");
-  refused<Row>({{0, -1}, {{0, 0, 0}, {0, 0, 0}}}, "masses[0]", "mass > 0");
   refused<Row>({{1, -tiny}, {{infinity, 0, 0}, {0, 0, 0}}}, "masses[1]", "mass > 0");
-  refused<Row>({{1, -0.0}, {{0, 0, 0}, {0, 0, 0}}}, "masses[1]", "mass > 0");
-  refused<Row>({{1, 1}, {{0, 0, infinity}, {0, 0, 0}}}, "velocities[0][2]", "finite number");
-  refused<Row>({{1, 1}, {{0, 0, 0}, {not_a_number, 0, 0}}}, "velocities[1][0]", "finite number");
 }
 
-TEST_CASE("inelastic_collision: each stage decides what is meant for it") {
-  CHECK(decided_by({1, 3}, {{1, 0, 0}, {0, 1, 0}}) == Stage::enclosed);
-  CHECK(decided_by({1, 0x1p-100}, {{1, 0, 0}, {0, 1, 0}}) == Stage::enclosed);
-  CHECK(decided_by({1, 0x1p-101}, {{1, 0, 0}, {0, 1, 0}}) == Stage::exact);
-  CHECK(decided_by({1, 1}, {{1, 0, 0}, {-1, 1, 0}}) == Stage::exact);               // a component of 0
-  CHECK(decided_by({1, 1}, {{0x1p53, 0, 0}, {0x1p53 + 2, 1, 0}}) == Stage::exact);  // a tie
+CONTRACT("inelastic_collision: the formula in double keeps its contract", masses, velocities) {
+  if (!moderate(masses, velocities)) return true;
+  const Rational m1 = exact(masses.first), m2 = exact(masses.second);
+  const auto kept = [&](double found, const Rational& exactly, double v, double w) {
+    return within(found, exactly, 5 * unit() * (m1 * size(v) + m2 * size(w)) / (m1 + m2));
+  };
+  const auto& [v, w] = velocities;
+  return kept(answer.x, truth.answer.x, v.x, w.x) && kept(answer.y, truth.answer.y, v.y, w.y) &&
+         kept(answer.z, truth.answer.z, v.z, w.z);
 }
 
-TEST_CASE("inelastic_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound",
-                [](const auto& truth, const Vector3d& answer, const Massesd& masses, const Velocitiesd& velocities) {
-                  if (!moderate(masses, velocities)) return true;
-                  const Rational m1 = exact(masses.first), m2 = exact(masses.second);
-                  const auto kept = [&](double found, const Rational& exactly, double v, double w) {
-                    return within(found, exactly, 5 * unit() * (m1 * size(v) + m2 * size(w)) / (m1 + m2));
-                  };
-                  const auto& [v, w] = velocities;
-                  return kept(answer.x, truth.answer.x, v.x, w.x) && kept(answer.y, truth.answer.y, v.y, w.y) &&
-                         kept(answer.z, truth.answer.z, v.z, w.z);
-                });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("inelastic_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

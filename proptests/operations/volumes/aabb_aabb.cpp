@@ -3,7 +3,6 @@
 
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
-#include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -16,31 +15,12 @@ constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, ov
 constexpr Aabb2d square{{0, 0}, {4, 4}};
 constexpr Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 
-/// Holds of a pair of boxes, in the plane or in space: `holds(ask, a, b)`.
-template <class Holds>
-auto of_boxes(const Holds& holds) {
-  return [holds](const auto& ask, const auto& asked) {
-    return audit::applied([&](const auto& a, const auto& b) { return holds(ask, a, b); }, asked);
-  };
-}
-
 template <class Box>
 bool flat(const Box& box) {
   bool any = box.min.x == box.max.x || box.min.y == box.max.y;
   if constexpr (requires { box.min.z; }) any = any || box.min.z == box.max.z;
   return any;
 }
-
-/// The box of the images of a box's points: a map that turns an axis over exchanges min and max.
-template <class Map, class Box>
-Box image(const Map& map, const Box& box) {
-  Box result = map(box);
-  audit::put_in_order(result);
-  return result;
-}
-
-const auto& axis_maps_of(const Aabb2d&) { return axis_symmetries; }
-const auto& axis_maps_of(const Aabb3d&) { return axis_maps; }
 
 std::size_t sides_of(const Aabb2d&) { return 4; }
 std::size_t sides_of(const Aabb3d&) { return 6; }
@@ -76,96 +56,55 @@ auto on_axis(const auto& ask, double a_min, double a_max, double b_min, double b
   return ask(InPlane{{{a_min, 0}, {a_max, 1}}, {{b_min, 0}, {b_max, 1}}});
 }
 
-template <class Boxes>
-void worked(const Boxes& boxes, Contact contact, const Rational& margin, const std::string& by_reference = "agree") {
-  example<Row>(boxes, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(boxes).margin == margin);
-}
-
-template <class Box>
-Stage decided_by(const Box& a, const Box& b) {
-  return robust::stages::aabb_aabb::ask(a, b).stage;
-}
+constexpr Worked<Row> worked;
 
 }  // namespace
 
-TEST_CASE("aabb_aabb: the boxes may be exchanged") {
-  law<Row>("argument swap", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             return ask(std::tuple(a, b)) == ask(std::tuple(b, a));
-           }));
+LAW("aabb_aabb: a box overlaps itself, unless it is flat: then it touches itself", a) {
+  return ask(std::tuple(a, a)) == (flat(a) ? touching : overlapping);
 }
 
-TEST_CASE("aabb_aabb: a box overlaps itself, unless it is flat: then it touches itself") {
-  law<Row>("with itself", of_boxes([](const auto& ask, const auto& a, const auto&) {
-             return ask(std::tuple(a, a)) == (flat(a) ? touching : overlapping);
-           }));
+LAW("aabb_aabb: a flat box overlaps nothing", a, b) {
+  return ask(std::tuple(a, b)) != overlapping || (!flat(a) && !flat(b));
 }
 
-TEST_CASE("aabb_aabb: a flat box overlaps nothing") {
-  law<Row>("flat", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             return ask(std::tuple(a, b)) != overlapping || (!flat(a) && !flat(b));
-           }));
+LAW("aabb_aabb: lattice vectors keep the answer") {
+  if (!on_lattice(asked)) return true;
+  auto moved = asked;
+  audit::for_each_number(moved, [](double& number) { number += 0x1p44 + 3; });
+  return ask(moved) == ask(asked);
 }
 
-TEST_CASE(
-    "aabb_aabb: exchanges of the axes with signs keep the answer, min and max exchanged where an axis is turned over") {
-  law<Row>("axes", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             const Contact contact = ask(std::tuple(a, b));
-             for (const auto& map : axis_maps_of(a))
-               if (ask(std::tuple(image(map, a), image(map, b))) != contact) return false;
-             return true;
-           }));
+LAW("aabb_aabb: a box that grows never loses contact", a, b) {
+  const Contact contact = ask(std::tuple(a, b));
+  for (std::size_t side = 0; side < sides_of(a); ++side)
+    if (ask(std::tuple(grown(a, side), b)) < contact) return false;
+  return ask(std::tuple(hull(a, b), b)) >= std::max<Contact>(contact, touching);
 }
 
-TEST_CASE("aabb_aabb: powers of two and lattice vectors keep the answer") {
-  law<Row>("scales by powers of two", scales<Row>);
-  law<Row>("moved", [](const auto& ask, const auto& asked) {
-    if (!on_lattice(asked)) return true;
-    auto moved = asked;
-    audit::for_each_number(moved, [](double& number) { number += 0x1p44 + 3; });
-    return ask(moved) == ask(asked);
-  });
+LAW("aabb_aabb: boxes that touch side by side are disjoint once one of them has moved off by an ulp", a, b) {
+  auto beside = b;
+  beside.min.x = a.max.x, beside.max.x = std::max(a.max.x, b.max.x);
+  auto off = beside;
+  off.min.x = audit::moved_by_ulps(off.min.x, 1), off.max.x = audit::moved_by_ulps(off.max.x, 1);
+  return ask(std::tuple(a, beside)) != overlapping && (off.min.x == a.max.x || ask(std::tuple(a, off)) == disjoint);
 }
 
-TEST_CASE("aabb_aabb: a box that grows never loses contact") {
-  law<Row>("monotone", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             const Contact contact = ask(std::tuple(a, b));
-             for (std::size_t side = 0; side < sides_of(a); ++side)
-               if (ask(std::tuple(grown(a, side), b)) < contact) return false;
-             return ask(std::tuple(hull(a, b), b)) >= std::max<Contact>(contact, touching);
-           }));
+LAW("aabb_aabb: p. 45-47's intervals: the contact of boxes is the least of those on their axes", a, b) {
+  Contact least = std::min<Contact>(on_axis(ask, a.min.x, a.max.x, b.min.x, b.max.x),
+                                    on_axis(ask, a.min.y, a.max.y, b.min.y, b.max.y));
+  if constexpr (requires { a.min.z; })
+    least = std::min<Contact>(least, on_axis(ask, a.min.z, a.max.z, b.min.z, b.max.z));
+  return ask(std::tuple(a, b)) == least;
 }
 
-TEST_CASE("aabb_aabb: boxes that touch side by side are disjoint once one of them has moved off by an ulp") {
-  law<Row>("an ulp off", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             auto beside = b;
-             beside.min.x = a.max.x, beside.max.x = std::max(a.max.x, b.max.x);
-             auto off = beside;
-             off.min.x = audit::moved_by_ulps(off.min.x, 1), off.max.x = audit::moved_by_ulps(off.max.x, 1);
-             return ask(std::tuple(a, beside)) != overlapping &&
-                    (off.min.x == a.max.x || ask(std::tuple(a, off)) == disjoint);
-           }));
-}
-
-TEST_CASE("aabb_aabb: p. 45-47's intervals: the contact of boxes is the least of those on their axes") {
-  law<Row>("axis by axis", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             Contact least = std::min<Contact>(on_axis(ask, a.min.x, a.max.x, b.min.x, b.max.x),
-                                               on_axis(ask, a.min.y, a.max.y, b.min.y, b.max.y));
-             if constexpr (requires { a.min.z; })
-               least = std::min<Contact>(least, on_axis(ask, a.min.z, a.max.z, b.min.z, b.max.z));
-             return ask(std::tuple(a, b)) == least;
-           }));
-}
-
-TEST_CASE("aabb_aabb: boxes of the plane made one high have the answer of the plane; made flat they touch at most") {
-  law<Row>("extruded", of_boxes([](const auto& ask, const auto& a, const auto& b) {
-             if constexpr (requires { a.min.z; }) return true;
-             else {
-               const Contact contact = ask(std::tuple(a, b));
-               return ask(InSpace{extruded(a, 1), extruded(b, 1)}) == contact &&
-                      ask(InSpace{extruded(a, 0), extruded(b, 0)}) == std::min<Contact>(contact, touching);
-             }
-           }));
+LAW("aabb_aabb: boxes of the plane made one high have the answer of the plane; made flat they touch at most", a, b) {
+  if constexpr (requires { a.min.z; }) return true;
+  else {
+    const Contact contact = ask(std::tuple(a, b));
+    return ask(InSpace{extruded(a, 1), extruded(b, 1)}) == contact &&
+           ask(InSpace{extruded(a, 0), extruded(b, 0)}) == std::min<Contact>(contact, touching);
+  }
 }
 
 TEST_CASE("aabb_aabb: p. 45-47's boxes in the plane, apart, side by side and one over the other, worked by hand") {
@@ -199,7 +138,6 @@ TEST_CASE("aabb_aabb: a flat box inside of another only touches it; the test for
 }
 
 TEST_CASE("aabb_aabb: huge, subnormal and negative zero") {
-  constexpr double greatest = std::numeric_limits<double>::max();
   worked(InPlane{{{0, 0}, {tiny, 1}}, {{2 * tiny, 0}, {1, 1}}}, disjoint, exact(tiny));
   worked(InPlane{{{0, 0}, {tiny, 1}}, {{tiny, 0}, {1, 1}}}, touching, 0);
   worked(InPlane{{{0, 0}, {2 * tiny, 1}}, {{tiny, 0}, {1, 1}}}, overlapping, exact(tiny));
@@ -216,38 +154,17 @@ TEST_CASE("aabb_aabb: as typed they touch, as doubles they need not") {
   worked(InPlane{{{0, 0}, {0.1 + 0.2, 1}}, {{0.3, 0}, {2, 1}}}, overlapping, power_of_two(-54));
 }
 
-TEST_CASE("aabb_aabb: what is not finite is refused by its field, and a min above its max") {
-  const Aabb2d twisted{{5, 0}, {4, 4}};
-  refused<Row>(InPlane{{{infinity, 0}, {4, 4}}, square}, "a.min[0]", "finite number");
-  refused<Row>(InPlane{{{0, 0}, {4, not_a_number}}, square}, "a.max[1]", "finite number");
-  refused<Row>(InPlane{square, {{0, 0}, {infinity, 4}}}, "b.max[0]", "finite number");
-  refused<Row>(InPlane{square, {{0, -infinity}, {4, 4}}}, "b.min[1]", "finite number");
-  refused<Row>(InSpace{cube, {{0, 0, not_a_number}, {4, 4, 4}}}, "b.min[2]", "finite number");
-  refused<Row>(InSpace{{{0, 0, 0}, {4, 4, infinity}}, cube}, "a.max[2]", "finite number");
-  refused<Row>(InPlane{twisted, square}, "a.max[0]", "min <= max");
-  refused<Row>(InPlane{square, {{0, 5}, {4, 4}}}, "b.max[1]", "min <= max");
-  refused<Row>(InSpace{cube, {{0, 0, tiny}, {4, 4, 0}}}, "b.max[2]", "min <= max");
-  // A shape's numbers come before its rules, the first shape before the second.
+TEST_CASE(
+    "aabb_aabb: of two broken rules the first is named: a shape's numbers come before its rules, the first shape "
+    "before the second") {
   refused<Row>(InPlane{{{5, 0}, {4, infinity}}, square}, "a.max[1]", "finite number");
-  refused<Row>(InPlane{twisted, {{not_a_number, 0}, {4, 4}}}, "a.max[0]", "min <= max");
+  refused<Row>(InPlane{{{5, 0}, {4, 4}}, {{not_a_number, 0}, {4, 4}}}, "a.max[0]", "min <= max");
 }
 
-TEST_CASE("aabb_aabb: each stage decides what is meant for it") {
-  CHECK(decided_by(square, {{6, 1}, {9, 3}}) == Stage::filter);
-  CHECK(decided_by(square, {{3, 1}, {9, 3}}) == Stage::filter);
-  CHECK(decided_by(cube, {{1, 1, -3}, {2, 2, -1}}) == Stage::filter);
-  CHECK(decided_by(square, {{4, 1}, {9, 3}}) == Stage::exact);         // a difference of 0 proves nothing
-  CHECK(decided_by(cube, {{5, 1, 1}, {6, 1, 2}}) == Stage::exact);     // flat
-  CHECK(decided_by({{-huge, 0}, {huge, 1}}, square) == Stage::exact);  // the extents' sum overflows
-  CHECK(decided_by({{0, 0}, {tiny, 1}}, Aabb2d{{2 * tiny, 0}, {1, 1}}) == Stage::filter);  // subnormal, but not 0
-}
-
-TEST_CASE("aabb_aabb: the formula in double keeps its contract") {
-  contract<Row>("right but for flat boxes inside", [](const auto& truth, Contact answer, const auto& a, const auto& b) {
-    const bool interiors = !flat(a) && !flat(b);
-    if (interiors || *truth.margin > 0) return answer == truth.answer;
-    return answer == truth.answer || (answer == overlapping && truth.answer == touching);
-  });
+CONTRACT("aabb_aabb: the formula in double keeps its contract", a, b) {
+  const bool interiors = !flat(a) && !flat(b);
+  if (interiors || *truth.margin > 0) return answer == truth.answer;
+  return answer == truth.answer || (answer == overlapping && truth.answer == touching);
 }
 
 TEST_CASE("aabb_aabb: the formula has no rounding: in double it answers as in exact arithmetic") {

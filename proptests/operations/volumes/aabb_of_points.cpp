@@ -2,7 +2,6 @@
 #include "catalogue/volumes/aabb_of_points.h"
 
 #include "proptests/space_laws.h"
-#include "robust/volumes/aabb_of_points.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -12,8 +11,6 @@ using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
 using Box2 = Aabb2<Rational>;
 using Box3 = Aabb3<Rational>;
-
-constexpr double greatest = std::numeric_limits<double>::max();
 
 /// Holds of points, in the plane or in space: `holds(box_of, points)`, box_of: points -> their box.
 template <class Holds>
@@ -45,11 +42,6 @@ Points without(Points points, std::size_t i) {
 template <class Points, class Answer>
 void worked(const Points& points, const Answer& box) {
   example<Row>(std::tuple(points), box);
-}
-
-template <class Points>
-Stage decided_by(const Points& points) {
-  return robust::stages::aabb_of_points::ask(points).stage;
 }
 
 }  // namespace
@@ -124,30 +116,14 @@ TEST_CASE("aabb_of_points: huge, subnormal and negative zero") {
          Box2{{power_of_two(-1022) - least, 1}, {power_of_two(-1022), 2}});
 }
 
-TEST_CASE("aabb_of_points: no points, and what is not finite, are refused") {
-  refused<Row>(std::tuple(InPlane{}), "points", "at least 1 point");
-  refused<Row>(std::tuple(InSpace{}), "points", "at least 1 point");
-  refused<Row>(std::tuple(InPlane{{0, infinity}}), "points[0][1]", "finite number");
-  refused<Row>(std::tuple(InPlane{{0, 0}, {not_a_number, infinity}}), "points[1][0]", "finite number");
-  refused<Row>(std::tuple(InSpace{{0, 0, 0}, {1, 1, -infinity}, {2, 2, 2}}), "points[1][2]", "finite number");
-  refused<Row>(std::tuple(InSpace{{0, -infinity, 0}, {1, infinity, 1}}), "points[0][1]", "finite number");
+CONTRACT("aabb_of_points: the formula in double is right everywhere, as in exact arithmetic") {
+  const auto right = ends(truth.answer);
+  const auto found = ends(answer);
+  for (std::size_t i = 0; i < right.size(); ++i)
+    if (exact(found[i]) != right[i]) return false;
+  return found.size() == right.size();
 }
 
-TEST_CASE("aabb_of_points: each stage decides what is meant for it") {
-  CHECK(decided_by(InPlane{{1, 5}, {4, 2}}) == Stage::filter);
-  CHECK(decided_by(InSpace{{0, 0, 0}, {tiny, -1, 2}}) == Stage::filter);  // subnormals are read as they are
-  CHECK(decided_by(InPlane{{greatest, 1}, {greatest, 2}}) == Stage::exact);
-}
-
-TEST_CASE("aabb_of_points: the formula in double is right everywhere, as in exact arithmetic") {
-  contract<Row>("always right", [](const auto& truth, const auto& answer, const auto&) {
-    const auto right = ends(truth.answer);
-    const auto found = ends(answer);
-    for (std::size_t i = 0; i < right.size(); ++i)
-      if (exact(found[i]) != right[i]) return false;
-    return found.size() == right.size();
-  });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("aabb_of_points: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

@@ -6,7 +6,6 @@
 #include "proptests/space_laws.h"
 #include "robust/hulls/solid.h"
 #include "robust/kernel/control_word.h"
-#include "robust/volumes/convex_hull.h"
 #include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests {
@@ -15,19 +14,12 @@ namespace {
 using Row = rows::convex_hull;
 using Points = Row::Points;
 
-Points scaled_points(Points points, double factor) {
-  for (Point3d& p : points) p = {factor * p.x, factor * p.y, factor * p.z};
-  return points;
-}
-
 Points cube(int size) {
   Points points;
   for (int i = 0; i < size * size * size; ++i)
     points.push_back({1.0 * (i % size), 1.0 * (i / size % size), 1.0 * (i / size / size)});
   return points;
 }
-
-Stage decided_by(const Points& points) { return robust::stages::convex_hull::ask(points).stage; }
 
 /// The faces of points that are not in one plane, found with far points looked for, or without.
 std::vector<Face> faces_looking_far_from(std::size_t count, const Points& points) {
@@ -123,32 +115,25 @@ TEST_CASE("convex_hull: symmetries and powers of two carry hulls to hulls") {
   robust_law<Row>("scales", scales<Row>);
 }
 
-TEST_CASE("convex_hull: robust gives the faces that the contract of robust names: those of the oracle, in its order") {
-  robust_law<Row>("canonical", [](const auto& ask, const auto& asked) {
-    const ConvexHull hull = ask(asked);
-    return hull.dimension != 3 || equal(hull, audit::ask_oracle<Row>(asked).answer);
-  });
+ROBUST_LAW("convex_hull: robust gives the faces that the contract of robust names: those of the oracle, in its order") {
+  const ConvexHull hull = ask(asked);
+  return hull.dimension != 3 || equal(hull, audit::ask_oracle<Row>(asked).answer);
 }
 
-TEST_CASE("convex_hull: looking for far points first changes nothing") {
-  robust_law<Row>("near and far", [](const auto& ask, const auto& asked) {
-    const Points& points = std::get<0>(asked);
-    const ConvexHull hull = ask(asked);
-    return !hull.faces || (faces_looking_far_from(5, points) == *hull.faces &&
-                           faces_looking_far_from(points.size() + 1, points) == *hull.faces);
-  });
+ROBUST_LAW("convex_hull: looking for far points first changes nothing", points) {
+  const ConvexHull hull = ask(asked);
+  return !hull.faces || (faces_looking_far_from(5, points) == *hull.faces &&
+                         faces_looking_far_from(points.size() + 1, points) == *hull.faces);
 }
 
-TEST_CASE("convex_hull: points in the plane z = 0 have the hull that they have in the plane") {
-  robust_law<Row>("in the plane", [](const auto& ask, const auto& asked) {
-    Points flat = std::get<0>(asked);
-    std::vector<Point2d> seen;
-    for (Point3d& p : flat) p.z = 0, seen.push_back({p.x, p.y});
-    const ConvexHull hull = ask(std::tuple(flat));
-    const ConvexHull2 in_plane = robust::convex_hull_2d(seen);
-    return hull.dimension == in_plane.dimension && hull.polygon == in_plane.polygon && hull.point == in_plane.point &&
-           hull.segment == in_plane.segment;
-  });
+ROBUST_LAW("convex_hull: points in the plane z = 0 have the hull that they have in the plane") {
+  Points flat = std::get<0>(asked);
+  std::vector<Point2d> seen;
+  for (Point3d& p : flat) p.z = 0, seen.push_back({p.x, p.y});
+  const ConvexHull hull = ask(std::tuple(flat));
+  const ConvexHull2 in_plane = robust::convex_hull_2d(seen);
+  return hull.dimension == in_plane.dimension && hull.polygon == in_plane.polygon && hull.point == in_plane.point &&
+         hull.segment == in_plane.segment;
 }
 
 TEST_CASE("convex_hull: points, segments, polygons and solids worked by hand") {
@@ -203,27 +188,6 @@ TEST_CASE("convex_hull: margins by hand") {
   CHECK(*margin({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 1, 1}}) ==
         16);  // each face and the point: 16, once 16
   CHECK(*margin(cube(2)) == 0);
-}
-
-TEST_CASE("convex_hull: an empty list and what is not finite are refused") {
-  refused<Row>({Points{}}, "points", "at least 1 point");
-  refused<Row>({Points{{0, 0, 0}, {1, 0, not_a_number}}}, "points[1][2]", "finite number");
-  refused<Row>({Points{{infinity, 0, 0}}}, "points[0][0]", "finite number");
-  Points many = cloud(0, 1000, 20);
-  many[777].y = -infinity;
-  refused<Row>({many}, "points[777][1]", "finite number");
-}
-
-TEST_CASE("convex_hull: the latest stage is that of the hardest decision") {
-  const Points skew{{0.1, 0, 0}, {1, 0.1, 0.2}, {0.3, 1, 0.1}, {0.2, 0.3, 1}};
-  CHECK(decided_by(skew) == Stage::filter);
-  CHECK(decided_by(cube(2)) == Stage::lattice);
-  const double third = 1.0 / 3, ninth = 1.0 / 9;
-  CHECK(decided_by(
-            {{third, 0, -third}, {0, ninth, -ninth}, {third, ninth, -(third + ninth)}, {0, 0, 0}, {0.1, 0.7, 0.3}}) !=
-        Stage::filter);
-  // The plane z = x, its points 70 places apart.
-  CHECK(decided_by({{0, 0, 0}, {1, 0, 1}, {0, 1, 0}, {1, 1, 1}, {0x1p-70, 1, 0x1p-70}, {0, 0, 3}}) == Stage::exact);
 }
 
 TEST_CASE("convex_hull: the checkers say the same of altered answers") {

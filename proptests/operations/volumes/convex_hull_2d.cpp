@@ -3,20 +3,12 @@
 
 #include "proptests/hull_laws.h"
 #include "proptests/polygons_from_elsewhere.h"
-#include "robust/volumes/convex_hull_2d.h"
 
 namespace touchstone::proptests {
 namespace {
 
 using Row = rows::convex_hull_2d;
 using Points = Row::Points;
-
-Points scaled_points(Points points, double factor) {
-  for (Point2d& p : points) p = {factor * p.x, factor * p.y};
-  return points;
-}
-
-Stage decided_by(const Points& points) { return robust::stages::convex_hull_2d::ask(points).stage; }
 
 /// The squared cosine of an angle with its sign, exactly.
 Rational squared_cosine(const Vector2<Rational>& v, const Vector2<Rational>& w) {
@@ -78,22 +70,20 @@ TEST_CASE("convex_hull_2d: symmetries, integer maps and powers of two carry hull
   law<Row>("scales", scales<Row>);
 }
 
-TEST_CASE("convex_hull_2d: robust begins with the lexicographically least point, and names the first of equal ones") {
-  robust_law<Row>("canonical", [](const auto& ask, const auto& asked) {
-    const Points& points = std::get<0>(asked);
-    const ConvexHull2 hull = ask(asked);
-    std::vector<Index> ring = hull.polygon.value_or(std::vector<Index>());
-    if (hull.point) ring = {*hull.point};
-    if (hull.segment) ring = {hull.segment->i, hull.segment->j};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Point2d &p = points[i], &least = points[ring[0]];
-      if (p.x < least.x || (p.x == least.x && p.y < least.y)) return false;
-      for (const Index k : ring) {
-        if (p == points[k] && i < k) return false;
-      }
+ROBUST_LAW("convex_hull_2d: robust begins with the lexicographically least point, and names the first of equal ones",
+           points) {
+  const ConvexHull2 hull = ask(asked);
+  std::vector<Index> ring = hull.polygon.value_or(std::vector<Index>());
+  if (hull.point) ring = {*hull.point};
+  if (hull.segment) ring = {hull.segment->i, hull.segment->j};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point2d &p = points[i], &least = points[ring[0]];
+    if (p.x < least.x || (p.x == least.x && p.y < least.y)) return false;
+    for (const Index k : ring) {
+      if (p == points[k] && i < k) return false;
     }
-    return true;
-  });
+  }
+  return true;
 }
 
 TEST_CASE("convex_hull_2d: points, segments and polygons worked by hand") {
@@ -133,18 +123,6 @@ TEST_CASE("convex_hull_2d: margins by hand") {
   CHECK(*margin({{0, 0}, {3, 0}, {0, 3}}) == 9);
   CHECK(*margin({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 1}}) == 4);  // the edge below and the point over it
   CHECK(*margin({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {4, 4}}) == 0);
-}
-
-TEST_CASE("convex_hull_2d: an empty list and what is not finite are refused") {
-  refused<Row>({Points{}}, "points", "at least 1 point");
-  refused<Row>({Points{{0, 0}, {1, not_a_number}}}, "points[1][1]", "finite number");
-  refused<Row>({Points{{infinity, 0}}}, "points[0][0]", "finite number");
-}
-
-TEST_CASE("convex_hull_2d: the latest stage is that of the hardest decision") {
-  CHECK(decided_by({{0, 0}, {1, 0}, {0.3, 1}}) == Stage::filter);
-  CHECK(decided_by({{0, 0}, {1, 1}, {2, 2}, {3, 1}}) == Stage::lattice);
-  CHECK(decided_by({{0, 0}, {1, tiny}, {2, 2 * tiny}, {3, 1}}) == Stage::exact);
 }
 
 TEST_CASE("convex_hull_2d: the checkers say the same of altered answers") {

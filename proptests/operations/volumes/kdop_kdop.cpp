@@ -12,7 +12,6 @@ namespace {
 using Row = rows::kdop_kdop;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
-constexpr double greatest = std::numeric_limits<double>::max();
 const std::vector<Vector3d> x_and_sum{{1, 0, 0}, {1, 1, 1}};
 
 Row::Question of_slabs(const std::vector<Slabd>& a, const std::vector<Slabd>& b) {
@@ -20,85 +19,62 @@ Row::Question of_slabs(const std::vector<Slabd>& a, const std::vector<Slabd>& b)
   return {{normals, a}, {normals, b}};
 }
 
-void worked(const Row::Question& q, Contact contact, const Rational& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>(q, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(q).margin == margin);
-}
+constexpr Worked<Row> worked;
 
 bool any_flat(const Kdop3d& kdop) {
   return std::any_of(kdop.slabs.begin(), kdop.slabs.end(), [](const Slabd& s) { return s.min == s.max; });
 }
 
-Stage decided_by(const Row::Question& q) {
-  return robust::stages::kdop_kdop::ask(std::get<0>(q), std::get<1>(q)).stage;
-}
-
 }  // namespace
 
-TEST_CASE("kdop_kdop: the contact is the least of those of the slabs alone, which are those of boxes") {
-  law<Row>("slab by slab", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    Contact least = overlapping;
-    for (std::size_t i = 0; i < a.slabs.size(); ++i) {
-      const Slabd &s = a.slabs[i], &t = b.slabs[i];
-      const Contact alone = ask(std::tuple(Kdop3d{{a.normals[i]}, {s}}, Kdop3d{{b.normals[i]}, {t}}));
-      if (alone != robust::aabb_aabb(Aabb2d{{s.min, 0}, {s.max, 1}}, Aabb2d{{t.min, 0}, {t.max, 1}})) return false;
-      least = std::min<Contact>(least, alone);
-    }
-    return ask(asked) == least;
-  });
+LAW("kdop_kdop: the contact is the least of those of the slabs alone, which are those of boxes", a, b) {
+  Contact least = overlapping;
+  for (std::size_t i = 0; i < a.slabs.size(); ++i) {
+    const Slabd &s = a.slabs[i], &t = b.slabs[i];
+    const Contact alone = ask(std::tuple(Kdop3d{{a.normals[i]}, {s}}, Kdop3d{{b.normals[i]}, {t}}));
+    if (alone != robust::aabb_aabb(Aabb2d{{s.min, 0}, {s.max, 1}}, Aabb2d{{t.min, 0}, {t.max, 1}})) return false;
+    least = std::min<Contact>(least, alone);
+  }
+  return ask(asked) == least;
 }
 
-TEST_CASE("kdop_kdop: the order of the slabs does not matter, nor what the normals are") {
-  law<Row>("permuted", [](const auto& ask, const auto& asked) {
-    auto [a, b] = asked;
-    for (Kdop3d* kdop : {&a, &b}) {
-      std::reverse(kdop->normals.begin(), kdop->normals.end()), std::reverse(kdop->slabs.begin(), kdop->slabs.end());
-      for (Vector3d& n : kdop->normals) n = {1, n.y, n.x};
-    }
-    return ask(std::tuple(a, b)) == ask(asked);
-  });
+LAW("kdop_kdop: the order of the slabs does not matter, nor what the normals are") {
+  auto [a, b] = asked;
+  for (Kdop3d* kdop : {&a, &b}) {
+    std::reverse(kdop->normals.begin(), kdop->normals.end()), std::reverse(kdop->slabs.begin(), kdop->slabs.end());
+    for (Vector3d& n : kdop->normals) n = {1, n.y, n.x};
+  }
+  return ask(std::tuple(a, b)) == ask(asked);
 }
 
-TEST_CASE("kdop_kdop: slabs may be written with opposite normals") {
-  law<Row>("opposite", [](const auto& ask, const auto& asked) {
-    auto [a, b] = asked;
-    for (Kdop3d* kdop : {&a, &b}) {
-      for (Vector3d& n : kdop->normals) n = {-n.x, -n.y, -n.z};
-      for (Slabd& s : kdop->slabs) s = {-s.max, -s.min};
-    }
-    return ask(std::tuple(a, b)) == ask(asked);
-  });
+LAW("kdop_kdop: slabs may be written with opposite normals") {
+  auto [a, b] = asked;
+  for (Kdop3d* kdop : {&a, &b}) {
+    for (Vector3d& n : kdop->normals) n = {-n.x, -n.y, -n.z};
+    for (Slabd& s : kdop->slabs) s = {-s.max, -s.min};
+  }
+  return ask(std::tuple(a, b)) == ask(asked);
 }
 
-TEST_CASE("kdop_kdop: a k-DOP overlaps itself, unless a slab is flat: then it touches itself, and whatever it meets") {
-  law<Row>("with itself", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    if (ask(std::tuple(a, a)) != (any_flat(a) ? touching : overlapping)) return false;
-    return ask(asked) != overlapping || (!any_flat(a) && !any_flat(b));
-  });
+LAW("kdop_kdop: a k-DOP overlaps itself, unless a slab is flat: then it touches itself, and whatever it meets", a, b) {
+  if (ask(std::tuple(a, a)) != (any_flat(a) ? touching : overlapping)) return false;
+  return ask(asked) != overlapping || (!any_flat(a) && !any_flat(b));
 }
 
-TEST_CASE("kdop_kdop: slabs that grow never lose contact") {
-  law<Row>("monotone", [](const auto& ask, const auto& asked) {
-    auto [a, b] = asked;
-    for (Slabd& s : a.slabs) s = {audit::moved_by_ulps(s.min, -1), audit::moved_by_ulps(s.max, 1)};
-    return ask(std::tuple(a, b)) >= ask(asked);
-  });
+LAW("kdop_kdop: slabs that grow never lose contact") {
+  auto [a, b] = asked;
+  for (Slabd& s : a.slabs) s = {audit::moved_by_ulps(s.min, -1), audit::moved_by_ulps(s.max, 1)};
+  return ask(std::tuple(a, b)) >= ask(asked);
 }
 
-TEST_CASE("kdop_kdop: k-DOPs that are disjoint have no point in common; those that have one are not") {
-  robust_law<Row>("conservative", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const double x = a.slabs[0].min;
-    for (const Point3d& p : {Point3d{0, 0, 0}, Point3d{x, 0, 0}, Point3d{x, x, x}, Point3d{1, 1, 1}}) {
-      const Location in_a = robust::point_in_kdop(a, p), in_b = robust::point_in_kdop(b, p);
-      if (in_a != Location::outside && in_b != Location::outside && ask(asked) == disjoint) return false;
-      if (in_a == Location::inside && in_b == Location::inside && ask(asked) != overlapping) return false;
-    }
-    return true;
-  });
+ROBUST_LAW("kdop_kdop: k-DOPs that are disjoint have no point in common; those that have one are not", a, b) {
+  const double x = a.slabs[0].min;
+  for (const Point3d& p : {Point3d{0, 0, 0}, Point3d{x, 0, 0}, Point3d{x, x, x}, Point3d{1, 1, 1}}) {
+    const Location in_a = robust::point_in_kdop(a, p), in_b = robust::point_in_kdop(b, p);
+    if (in_a != Location::outside && in_b != Location::outside && ask(asked) == disjoint) return false;
+    if (in_a == Location::inside && in_b == Location::inside && ask(asked) != overlapping) return false;
+  }
+  return true;
 }
 
 TEST_CASE("kdop_kdop: p. 43's slabs worked by hand") {
@@ -137,37 +113,17 @@ TEST_CASE("kdop_kdop: huge, subnormal and negative zero") {
   example<Row>({{{{1, 0.0, -0.0}}, {{0, 1}}}, {{{1, -0.0, 0.0}}, {{0, 1}}}}, overlapping);  // the same normal
 }
 
-TEST_CASE("kdop_kdop: k-DOPs that are not valid, and normals that are not the same, are refused") {
+TEST_CASE("kdop_kdop: of two broken rules the first is named: a's, then b's, then those of both") {
   const Kdop3d a{x_and_sum, {{0, 4}, {0, 8}}};
-  refused<Row>({Kdop3d{}, a}, "a.normals", "at least 1 normal");
-  refused<Row>({a, Kdop3d{}}, "b.normals", "at least 1 normal");
   refused<Row>({a, {x_and_sum, {{0, 4}}}}, "b.slabs", "as many slabs as normals");
-  refused<Row>({a, {{{1, 0, 0}}, {{0, 4}}}}, "b.normals", "the same normals as a");
-  refused<Row>({a, {{{1, 0, 0}, {1, 1, 2}}, {{0, 4}, {0, 8}}}}, "b.normals[1]", "the same normal as in a");
-  refused<Row>({a, {{{2, 0, 0}, {1, 1, 1}}, {{0, 8}, {0, 8}}}}, "b.normals[0]", "the same normal as in a");
   refused<Row>({a, {{{1, 0, tiny}, {1, 1, 1}}, {{9, 9}, {0, 8}}}}, "b.normals[0]", "the same normal as in a");
-  refused<Row>({{{{0, -0.0, 0}}, {{0, 1}}}, {{{0, 0, 0}}, {{2, 3}}}}, "a.normals[0]", "nonzero normal");
-  refused<Row>({a, {x_and_sum, {{0, 4}, {8, 0}}}}, "b.slabs[1][1]", "min <= max");
-  refused<Row>({a, {x_and_sum, {{0, infinity}, {0, 8}}}}, "b.slabs[0][1]", "finite number");
-  refused<Row>({{{{1, not_a_number, 0}}, {{0, 1}}}, {{{1, not_a_number, 0}}, {{2, 3}}}}, "a.normals[0][1]",
-               "finite number");
-  // a's rules, then b's, then those of both.
   refused<Row>({{{{1, 0, 0}}, {{4, 0}}}, {{{0, 0, 0}}, {{0, 1}}}}, "a.slabs[0][1]", "min <= max");
   refused<Row>({a, {{{0, 0, 0}}, {{0, 1}}}}, "b.normals[0]", "nonzero normal");
 }
 
-TEST_CASE("kdop_kdop: each stage decides what is meant for it") {
-  CHECK(decided_by(of_slabs({{0, 4}, {0, 8}}, {{3, 9}, {-5, 1}})) == Stage::filter);
-  CHECK(decided_by(of_slabs({{0, 4}, {0, 8}}, {{5, 9}, {-5, 1}})) == Stage::filter);
-  CHECK(decided_by(of_slabs({{0, 4}, {0, 8}}, {{4, 9}, {-5, 1}})) == Stage::exact);  // a difference of 0 proves nothing
-  CHECK(decided_by(of_slabs({{0, 4}}, {{9, 9}})) == Stage::exact);                   // flat
-}
-
-TEST_CASE("kdop_kdop: the formula in double keeps its contract") {
-  contract<Row>("right but for flat slabs within", [](const auto& truth, Contact answer, const auto& a, const auto& b) {
-    const bool flat = any_flat(a) || any_flat(b);
-    return answer == truth.answer || (flat && answer == overlapping && truth.answer == touching);
-  });
+CONTRACT("kdop_kdop: the formula in double keeps its contract", a, b) {
+  const bool flat = any_flat(a) || any_flat(b);
+  return answer == truth.answer || (flat && answer == overlapping && truth.answer == touching);
 }
 
 }  // namespace touchstone::proptests

@@ -19,14 +19,7 @@ constexpr Obb3d cube{{0, 0, 0}, {{2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
 Obb3d turned(const Point3d& center) { return {center, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}}; }
 Obb3d shifted_cube(double x, double y, double z) { return {{x, y, z}, cube.half_axes}; }
 
-/// A worked example and its margin.
-void gives(const Obb3d& a, const Obb3d& b, Contact expected, const Rational& margin,
-           const std::string& by_reference = "agree") {
-  example<Row>({a, b}, expected, by_reference);
-  CHECK(examined<Row>({a, b})->margin() == margin);
-}
-
-Stage decided_by(const Obb3d& a, const Obb3d& b) { return robust::stages::obb_obb::ask(a, b).stage; }
+constexpr Worked<Row> worked;
 
 /// The box around 0 of all differences of a point of each, where it is one: half axes in the order of the axes.
 bool straight(const HalfAxes<double>& h) {
@@ -77,86 +70,71 @@ struct Gap {
 
 }  // namespace
 
-TEST_CASE("obb_obb: half axes may be exchanged and reversed") {
-  law<Row>("half axes", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    const auto& [u, v, w] = a.half_axes;
-    const auto& [x, y, z] = b.half_axes;
-    const Contact contact = ask(asked);
-    return ask(Row::Question{{a.center, {v, u, w}}, b}) == contact &&
-           ask(Row::Question{a, {b.center, {z, {-x.x, -x.y, -x.z}, y}}}) == contact;
-  });
+LAW("obb_obb: half axes may be exchanged and reversed", a, b) {
+  const auto& [u, v, w] = a.half_axes;
+  const auto& [x, y, z] = b.half_axes;
+  const Contact contact = ask(asked);
+  return ask(Row::Question{{a.center, {v, u, w}}, b}) == contact &&
+         ask(Row::Question{a, {b.center, {z, {-x.x, -x.y, -x.z}, y}}}) == contact;
 }
 
-TEST_CASE("obb_obb: a box overlaps itself and every box around its center") {
-  law<Row>("with itself", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    return ask(Row::Question{a, a}) == overlapping && ask(Row::Question{a, {a.center, b.half_axes}}) == overlapping;
-  });
+LAW("obb_obb: a box overlaps itself and every box around its center", a, b) {
+  return ask(Row::Question{a, a}) == overlapping && ask(Row::Question{a, {a.center, b.half_axes}}) == overlapping;
 }
 
-TEST_CASE("obb_obb: boxes touch where one stands an edge's length beside itself, and part an ulp of one axis farther") {
-  law<Row>("beside itself", [](const auto& ask, const auto& asked) {
-    const Obb3d& a = std::get<0>(asked);
-    if (!on_lattice(asked)) return true;
-    const auto beside = [&](double r, double s, double t) {
-      return ask(Row::Question{a, {audit::halves_along(a, r, s, t), a.half_axes}});
-    };
-    return beside(4, 0, 0) == touching && beside(-4, 4, 0) == touching && beside(4, 4, -4) == touching &&
-           beside(2, -2, 2) == overlapping && beside(0, 6, 0) == disjoint;
-  });
+LAW("obb_obb: boxes touch where one stands an edge's length beside itself, and part an ulp of one axis farther", a) {
+  if (!on_lattice(asked)) return true;
+  const auto beside = [&](double r, double s, double t) {
+    return ask(Row::Question{a, {audit::halves_along(a, r, s, t), a.half_axes}});
+  };
+  return beside(4, 0, 0) == touching && beside(-4, 4, 0) == touching && beside(4, 4, -4) == touching &&
+         beside(2, -2, 2) == overlapping && beside(0, 6, 0) == disjoint;
 }
 
-TEST_CASE("obb_obb: a corner of one box in the other means that they meet") {
-  robust_law<Row>("corners", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    if (!on_lattice(asked)) return true;
-    const Contact contact = ask(asked);
-    for (const double r : {-2.0, 2.0})
-      for (const double s : {-2.0, 2.0})
-        for (const double t : {-2.0, 2.0}) {
-          const Location location = robust::point_in_obb(a, audit::halves_along(b, r, s, t));
-          if (contact < (location == Location::inside     ? overlapping
-                         : location == Location::boundary ? touching
-                                                          : disjoint))
-            return false;
-        }
-    return true;
-  });
+ROBUST_LAW("obb_obb: a corner of one box in the other means that they meet", a, b) {
+  if (!on_lattice(asked)) return true;
+  const Contact contact = ask(asked);
+  for (const double r : {-2.0, 2.0})
+    for (const double s : {-2.0, 2.0})
+      for (const double t : {-2.0, 2.0}) {
+        const Location location = robust::point_in_obb(a, audit::halves_along(b, r, s, t));
+        if (contact < (location == Location::inside     ? overlapping
+                       : location == Location::boundary ? touching
+                                                        : disjoint))
+          return false;
+      }
+  return true;
 }
 
-TEST_CASE("obb_obb: boxes along the axes have the contact of aabb_aabb") {
-  robust_law<Row>("straight boxes", [](const auto& ask, const auto& asked) {
-    const auto& [a, b] = asked;
-    if (!on_lattice(asked) || !straight(a.half_axes) || !straight(b.half_axes)) return true;
-    return robust::aabb_aabb(aabb_of(a), aabb_of(b)) == ask(asked);
-  });
+ROBUST_LAW("obb_obb: boxes along the axes have the contact of aabb_aabb", a, b) {
+  if (!on_lattice(asked) || !straight(a.half_axes) || !straight(b.half_axes)) return true;
+  return robust::aabb_aabb(aabb_of(a), aabb_of(b)) == ask(asked);
 }
 
 TEST_CASE("obb_obb: p. 27's boxes worked by hand") {
   // A corner of the turned box at its center - (7, 0) + (0, 1) = center + (-7, 1); it reaches 7 along x and y.
-  gives(cube, turned({9, 0.5, 0}), touching, 0);
-  gives(cube, turned({10, 0.5, 0}), disjoint, 1);
-  gives(cube, turned({8.5, 0.5, 0}), overlapping, Rational(1, 4), "algorithm");  // parallel edges, as below
-  gives(cube, turned({0, 0, 3}), touching, 0);
-  gives(cube, turned({0, 0, 4}), disjoint, 1);
+  worked({cube, turned({9, 0.5, 0})}, touching, 0);
+  worked({cube, turned({10, 0.5, 0})}, disjoint, 1);
+  worked({cube, turned({8.5, 0.5, 0})}, overlapping, Rational(1, 4), "algorithm");  // parallel edges, as below
+  worked({cube, turned({0, 0, 3})}, touching, 0);
+  worked({cube, turned({0, 0, 4})}, disjoint, 1);
   // On 3 x + 4 y: 14 of the cube, 25 of the turned box; |3 * 6 + 4 * 6| = 42 is 3 more.
-  gives(cube, turned({6, 6, 0}), disjoint, Rational(9, 25));
+  worked({cube, turned({6, 6, 0})}, disjoint, Rational(9, 25));
   // Edges that cross: (0, 1, 1) x (1, 0, 0) and such; boxes turned by 45 degrees about x and about y.
   const Obb3d ridge{{0, 0, 0}, {{4, 0, 0}, {0, 1, 1}, {0, -1, 1}}};
   const auto other = [](double z) { return Obb3d{{0, 0, z}, {{1, 0, 1}, {0, 4, 0}, {-1, 0, 1}}}; };
-  gives(ridge, other(4), touching, 0);
-  gives(ridge, other(5), disjoint, 1);
-  gives(ridge, other(3), overlapping, 1);
+  worked({ridge, other(4)}, touching, 0);
+  worked({ridge, other(5)}, disjoint, 1);
+  worked({ridge, other(3)}, overlapping, 1);
 }
 
 TEST_CASE("obb_obb: parallel edges make an axis that is zero, on which the textbook test sees a touch") {
-  gives(cube, shifted_cube(1, 0, 0), overlapping, 9, "algorithm");  // 4 - 1
-  gives(cube, cube, overlapping, 16, "algorithm");
-  gives(cube, shifted_cube(4, 1, 0), touching, 0);
-  gives(cube, shifted_cube(4, 4, 4), touching, 0);
-  gives(cube, shifted_cube(4, 6, -9), disjoint, 25);            // 9 - 4
-  gives(cube, turned({1, 0, 0}), overlapping, 9, "algorithm");  // z: 3
+  worked({cube, shifted_cube(1, 0, 0)}, overlapping, 9, "algorithm");  // 4 - 1
+  worked({cube, cube}, overlapping, 16, "algorithm");
+  worked({cube, shifted_cube(4, 1, 0)}, touching, 0);
+  worked({cube, shifted_cube(4, 4, 4)}, touching, 0);
+  worked({cube, shifted_cube(4, 6, -9)}, disjoint, 25);            // 9 - 4
+  worked({cube, turned({1, 0, 0})}, overlapping, 9, "algorithm");  // z: 3
 }
 
 TEST_CASE("obb_obb: where half axes are not at right angles the textbook test takes other axes than the faces'") {
@@ -164,69 +142,51 @@ TEST_CASE("obb_obb: where half axes are not at right angles the textbook test ta
   const Obb3d sheared{{0, 0, 0}, {{2, 0, 0}, {2, 2, 0}, {0, 0, 1}}};
   // Along (1, -1, 0) the other reaches 1 + 1 + 4. Its first corner there is its center - (3, -3, -3), over a side.
   const auto other = [](double x) { return Obb3d{{x, -x, -3}, {{1, 2, 2}, {2, 1, -2}, {2, -2, 1}}}; };
-  gives(sheared, other(4), touching, 0, "algorithm");                  // 8; 2 + 6
-  gives(sheared, other(4.25), disjoint, Rational(1, 8), "algorithm");  // 8.5; the normal's square is 2
-  gives(sheared, other(3.5), overlapping, Rational(1, 2));             // 7
+  worked({sheared, other(4)}, touching, 0, "algorithm");                  // 8; 2 + 6
+  worked({sheared, other(4.25)}, disjoint, Rational(1, 8), "algorithm");  // 8.5; the normal's square is 2
+  worked({sheared, other(3.5)}, overlapping, Rational(1, 2));             // 7
   // Here an edge of a and one of b make the normal of a's side.
-  gives(sheared, {{4, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}}, touching, 0);  // 4; 2 + 2
+  worked({sheared, {{4, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 2}}}}, touching, 0);  // 4; 2 + 2
 }
 
 TEST_CASE("obb_obb: rounding, huge, subnormal and negative zero") {
   const Rational t = exact(tiny);
   const auto least = [](double x) { return Obb3d{{x, 0, 0}, {{tiny, 0, 0}, {0, tiny, 0}, {0, 0, tiny}}}; };
-  gives(least(0), least(2 * tiny), touching, 0);
-  gives(least(0), least(3 * tiny), disjoint, Rational(t * t), "rounding");
-  gives(least(0), least(tiny), overlapping, Rational(t * t), "algorithm");
+  worked({least(0), least(2 * tiny)}, touching, 0);
+  worked({least(0), least(3 * tiny)}, disjoint, Rational(t * t), "rounding");
+  worked({least(0), least(tiny)}, overlapping, Rational(t * t), "algorithm");
   const auto large = [](double x) { return Obb3d{{x, 0, 0}, {{huge, 0, 0}, {0, huge, 0}, {0, 0, 1}}}; };
-  gives(large(-huge), large(huge), touching, 0);
-  gives(large(-huge), {{huge, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, disjoint,
-        Rational((exact(huge) - 1) * (exact(huge) - 1)));
-  gives({{-0.0, 0, 0}, {{1, -0.0, 0}, {0, -1, -0.0}, {0, 0, 1}}}, {{-2, -0.0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}},
-        touching, 0);
+  worked({large(-huge), large(huge)}, touching, 0);
+  worked({large(-huge), {{huge, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}}, disjoint,
+         Rational((exact(huge) - 1) * (exact(huge) - 1)));
+  worked(
+      {{{-0.0, 0, 0}, {{1, -0.0, 0}, {0, -1, -0.0}, {0, 0, 1}}}, {{-2, -0.0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}}}},
+      touching, 0);
 }
 
-TEST_CASE("obb_obb: what is not finite and dependent half axes are refused, a before b") {
-  const std::string finite = "finite number", independent = "linearly independent";
+TEST_CASE("obb_obb: of two broken rules the first is named, a's before b's") {
   const Obb3d flat{{0, 0, 0}, {{1, 1, 0}, {0, 1, 1}, {1, 2, 1}}}, bad{{0, infinity, 0}, flat.half_axes};
-  refused<Row>({bad, flat}, "a.center[1]", finite);
-  refused<Row>({flat, bad}, "a.half_axes", independent);
-  refused<Row>({cube, bad}, "b.center[1]", finite);
-  refused<Row>({cube, flat}, "b.half_axes", independent);
-  refused<Row>({{{9, 9, 9}, flat.half_axes}, cube}, "a.half_axes", independent);
-  refused<Row>({cube, {{0, 0, 0}, {{1, 0, 0}, {0, not_a_number, 0}, {0, 0, 1}}}}, "b.half_axes[1][1]", finite);
-  refused<Row>({cube, {{9, 9, 9}, {{1, 0, 0}, {0, 0, 0}, {0, 0, 1}}}}, "b.half_axes", independent);
+  refused<Row>({bad, flat}, "a.center[1]", "finite number");
+  refused<Row>({flat, bad}, "a.half_axes", "linearly independent");
 }
 
-TEST_CASE("obb_obb: each stage decides what is meant for it") {
-  CHECK(decided_by(cube, turned({10, 0.5, 0})) == Stage::filter);
-  CHECK(decided_by(cube, shifted_cube(1, 0, 0)) == Stage::filter);  // axes that are zero
-  CHECK(decided_by(cube, turned({1, 0, 0})) == Stage::filter);      // one is
-  CHECK(decided_by(turned({0, 0, 0}), turned({1, 0, 0})) == Stage::filter);
-  CHECK(decided_by(cube, shifted_cube(4, 6, 0)) == Stage::filter);  // on one axis they touch, another separates
-  CHECK(decided_by(cube, shifted_cube(4, 1, 0)) == Stage::lattice);
-  CHECK(decided_by(cube, shifted_cube(4, 0x1p-80, 0)) == Stage::exact);
-  CHECK(decided_by({{0, 0, 0}, {{0x1p300, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, cube) == Stage::exact);  // the guard
-}
-
-TEST_CASE("obb_obb: the formula in double is that in exact arithmetic where the bound of its contract says so") {
-  contract<Row>("the forward error bound holds", [](const auto& truth, Contact answer, const Obb3d& a, const Obb3d& b) {
-    const std::vector<Vector3d> edges{a.half_axes.u, a.half_axes.v, a.half_axes.w,
-                                      b.half_axes.u, b.half_axes.v, b.half_axes.w};
-    const Point3d &p = a.center, &q = b.center;
-    const Vector3<Rational> d{Rational(exact(q.x) - exact(p.x)), Rational(exact(q.y) - exact(p.y)),
-                              Rational(exact(q.z) - exact(p.z))};
-    std::vector<Gap> gaps;
-    for (const Vector3d& edge : edges) gaps.emplace_back(q - p, d, edges, edge, nullptr);
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 3; j < 6; ++j) gaps.emplace_back(q - p, d, edges, edges[i], &edges[j]);
-    bool separated = false;
-    for (const Gap& each : gaps) {
-      if (!each.certain()) return true;
-      separated = separated || each.gap > 0;
-    }
-    if (answer != (separated ? disjoint : overlapping)) return false;
-    return answer == truth.answer || !(orthogonal(a.half_axes) && orthogonal(b.half_axes));
-  });
+CONTRACT("obb_obb: the formula in double is that in exact arithmetic where the bound of its contract says so", a, b) {
+  const std::vector<Vector3d> edges{a.half_axes.u, a.half_axes.v, a.half_axes.w,
+                                    b.half_axes.u, b.half_axes.v, b.half_axes.w};
+  const Point3d &p = a.center, &q = b.center;
+  const Vector3<Rational> d{Rational(exact(q.x) - exact(p.x)), Rational(exact(q.y) - exact(p.y)),
+                            Rational(exact(q.z) - exact(p.z))};
+  std::vector<Gap> gaps;
+  for (const Vector3d& edge : edges) gaps.emplace_back(q - p, d, edges, edge, nullptr);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 3; j < 6; ++j) gaps.emplace_back(q - p, d, edges, edges[i], &edges[j]);
+  bool separated = false;
+  for (const Gap& each : gaps) {
+    if (!each.certain()) return true;
+    separated = separated || each.gap > 0;
+  }
+  if (answer != (separated ? disjoint : overlapping)) return false;
+  return answer == truth.answer || !(orthogonal(a.half_axes) && orthogonal(b.half_axes));
 }
 
 }  // namespace touchstone::proptests

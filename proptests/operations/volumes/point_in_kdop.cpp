@@ -3,7 +3,6 @@
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
-#include "robust/volumes/point_in_kdop.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -11,20 +10,13 @@ namespace {
 using Row = rows::point_in_kdop;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
-constexpr double greatest = std::numeric_limits<double>::max();
 /// 0 <= x <= 4, -1 <= x + y + z <= 6
 const Kdop3d wedge{{{1, 0, 0}, {1, 1, 1}}, {{0, 4}, {-1, 6}}};
 
 Kdop3d one_slab(const Vector3d& normal, double min, double max) { return {{normal}, {{min, max}}}; }
 Kdop3d one_slab(const Kdop3d& kdop, std::size_t i) { return {{kdop.normals[i]}, {kdop.slabs[i]}}; }
 
-void worked(const Kdop3d& kdop, const Point3d& p, Location location, const std::optional<Rational>& margin,
-            const std::string& by_reference = "agree") {
-  example<Row>({kdop, p}, location, by_reference);
-  CHECK(audit::ask_oracle<Row>(Row::Question{kdop, p}).margin == margin);
-}
-
-Stage decided_by(const Kdop3d& kdop, const Point3d& p) { return robust::stages::point_in_kdop::ask(kdop, p).stage; }
+constexpr Worked<Row> worked;
 
 /// Beyond the error bound of the contract from both ends.
 bool certain(const Vector3d& n, const Slabd& slab, const Point3d& p) {
@@ -36,139 +28,104 @@ bool certain(const Vector3d& n, const Slabd& slab, const Point3d& p) {
 
 }  // namespace
 
-TEST_CASE("point_in_kdop: the location is the last, in the order inside, boundary, outside, of those in the slabs") {
-  law<Row>("slab by slab", [](const auto& ask, const auto& asked) {
-    const auto& [kdop, p] = asked;
-    Location last = inside;
-    for (std::size_t i = 0; i < kdop.normals.size(); ++i)
-      last = std::max<Location>(last, ask(std::tuple(one_slab(kdop, i), p)));
-    return ask(asked) == last;
-  });
+LAW("point_in_kdop: the location is the last, in the order inside, boundary, outside, of those in the slabs", kdop, p) {
+  Location last = inside;
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i)
+    last = std::max<Location>(last, ask(std::tuple(one_slab(kdop, i), p)));
+  return ask(asked) == last;
 }
 
-TEST_CASE("point_in_kdop: the order of the slabs does not matter, nor that one is there twice") {
-  law<Row>("permuted", [](const auto& ask, const auto& asked) {
-    auto [kdop, p] = asked;
-    std::reverse(kdop.normals.begin(), kdop.normals.end()), std::reverse(kdop.slabs.begin(), kdop.slabs.end());
-    kdop.normals.push_back(kdop.normals[0]), kdop.slabs.push_back(kdop.slabs[0]);
-    return ask(std::tuple(kdop, p)) == ask(asked);
-  });
+LAW("point_in_kdop: the order of the slabs does not matter, nor that one is there twice") {
+  auto [kdop, p] = asked;
+  std::reverse(kdop.normals.begin(), kdop.normals.end()), std::reverse(kdop.slabs.begin(), kdop.slabs.end());
+  kdop.normals.push_back(kdop.normals[0]), kdop.slabs.push_back(kdop.slabs[0]);
+  return ask(std::tuple(kdop, p)) == ask(asked);
 }
 
-TEST_CASE("point_in_kdop: a slab may be written with the opposite normal") {
-  law<Row>("opposite", [](const auto& ask, const auto& asked) {
-    auto [kdop, p] = asked;
-    for (Vector3d& n : kdop.normals) n = {-n.x, -n.y, -n.z};
-    for (Slabd& slab : kdop.slabs) slab = {-slab.max, -slab.min};
-    return ask(std::tuple(kdop, p)) == ask(asked);
-  });
+LAW("point_in_kdop: a slab may be written with the opposite normal") {
+  auto [kdop, p] = asked;
+  for (Vector3d& n : kdop.normals) n = {-n.x, -n.y, -n.z};
+  for (Slabd& slab : kdop.slabs) slab = {-slab.max, -slab.min};
+  return ask(std::tuple(kdop, p)) == ask(asked);
 }
 
-TEST_CASE("point_in_kdop: a normal and its slab times a power of two say the same") {
-  law<Row>("normals of any length", [](const auto& ask, const auto& asked) {
-    const auto times = [](Kdop3d kdop, int k) {
-      audit::for_each_number(kdop, [k](double& number) { number = std::ldexp(number, k); });
-      return kdop;
-    };
-    const auto& [kdop, p] = asked;
-    for (const int k : {1, -40, 500, -500}) {
-      const Kdop3d longer = times(kdop, k);
-      if (numbers_of(times(longer, -k)) == numbers_of(kdop) && ask(std::tuple(longer, p)) != ask(asked)) return false;
-    }
-    return true;
-  });
+LAW("point_in_kdop: a normal and its slab times a power of two say the same") {
+  const auto times = [](Kdop3d kdop, int k) {
+    audit::for_each_number(kdop, [k](double& number) { number = std::ldexp(number, k); });
+    return kdop;
+  };
+  const auto& [kdop, p] = asked;
+  for (const int k : {1, -40, 500, -500}) {
+    const Kdop3d longer = times(kdop, k);
+    if (numbers_of(times(longer, -k)) == numbers_of(kdop) && ask(std::tuple(longer, p)) != ask(asked)) return false;
+  }
+  return true;
 }
 
-TEST_CASE("point_in_kdop: flat slabs at an end of a slab hold the point at most on the boundary") {
-  law<Row>("flattened", [](const auto& ask, const auto& asked) {
-    auto [kdop, p] = asked;
-    for (Slabd& slab : kdop.slabs) slab.max = slab.min;
-    const Location flat = ask(std::tuple(kdop, p));
-    return flat != inside && (flat == outside || ask(asked) == boundary);
-  });
+LAW("point_in_kdop: flat slabs at an end of a slab hold the point at most on the boundary") {
+  auto [kdop, p] = asked;
+  for (Slabd& slab : kdop.slabs) slab.max = slab.min;
+  const Location flat = ask(std::tuple(kdop, p));
+  return flat != inside && (flat == outside || ask(asked) == boundary);
 }
 
-TEST_CASE("point_in_kdop: p. 22's planes say of each end on which side the point lies") {
-  robust_law<Row>("as point_plane", [](const auto& ask, const auto& asked) {
-    const auto& [kdop, p] = asked;
-    for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
-      const auto over = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].min}, p),
-                 beyond = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].max}, p);
-      const bool excluded = over == PlaneSide::back || beyond == PlaneSide::front;
-      const bool at_end = over == PlaneSide::on || beyond == PlaneSide::on;
-      if (ask(std::tuple(one_slab(kdop, i), p)) != (excluded ? outside : at_end ? boundary : inside)) return false;
-    }
-    return true;
-  });
+ROBUST_LAW("point_in_kdop: p. 22's planes say of each end on which side the point lies", kdop, p) {
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+    const auto over = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].min}, p),
+               beyond = robust::point_plane_side({kdop.normals[i], -kdop.slabs[i].max}, p);
+    const bool excluded = over == PlaneSide::back || beyond == PlaneSide::front;
+    const bool at_end = over == PlaneSide::on || beyond == PlaneSide::on;
+    if (ask(std::tuple(one_slab(kdop, i), p)) != (excluded ? outside : at_end ? boundary : inside)) return false;
+  }
+  return true;
 }
 
 TEST_CASE("point_in_kdop: p. 43's slabs worked by hand") {
-  worked(wedge, {1, 2, 0.5}, inside, 1);                                  // x = 1: 1 from 0; sum 3.5: 2.5^2 / 3
-  worked(wedge, {2, 2, 1}, inside, Rational(1, 3));                       // sum 5: 1 from 6
-  worked(wedge, {4, 1, 0}, boundary, 0);                                  // x = 4
-  worked(wedge, {0, -1, 0}, boundary, 0);                                 // an edge: x = 0, sum -1
-  worked(wedge, {5, 0, 0}, outside, 1);                                   // x = 5
-  worked(wedge, {2, 2, 3}, outside, Rational(1, 3));                      // sum 7
-  worked(wedge, {5, 5, 5}, outside, 27);                                  // sum 15, 9 beyond: 81 / 3; x is 1 beyond
-  worked(wedge, {4, 2, 2}, outside, Rational(4, 3));                      // at one end, sum 8
-  worked(one_slab({0, 0, 2}, 3, 3), {9, 9, 1.5}, boundary, 0);            // flat
-  worked(one_slab({0, 0, 2}, 3, 3), {9, 9, 2}, outside, Rational(1, 4));  // 1 beyond, 1 / 4
-  worked({{{1, 0, 0}, {1, 0, 0}}, {{0, 1}, {2, 3}}}, {1.5, 0, 0}, outside, Rational(1, 4));  // an empty solid
-  worked({{{1, 0, 0}, {-1, 0, 0}}, {{0, 1}, {-2, -1}}}, {1, 0, 0}, boundary, 0);  // slabs that touch: the plane x = 1
+  worked({wedge, {1, 2, 0.5}}, inside, 1);                                  // x = 1: 1 from 0; sum 3.5: 2.5^2 / 3
+  worked({wedge, {2, 2, 1}}, inside, Rational(1, 3));                       // sum 5: 1 from 6
+  worked({wedge, {4, 1, 0}}, boundary, 0);                                  // x = 4
+  worked({wedge, {0, -1, 0}}, boundary, 0);                                 // an edge: x = 0, sum -1
+  worked({wedge, {5, 0, 0}}, outside, 1);                                   // x = 5
+  worked({wedge, {2, 2, 3}}, outside, Rational(1, 3));                      // sum 7
+  worked({wedge, {5, 5, 5}}, outside, 27);                                  // sum 15, 9 beyond: 81 / 3; x is 1 beyond
+  worked({wedge, {4, 2, 2}}, outside, Rational(4, 3));                      // at one end, sum 8
+  worked({one_slab({0, 0, 2}, 3, 3), {9, 9, 1.5}}, boundary, 0);            // flat
+  worked({one_slab({0, 0, 2}, 3, 3), {9, 9, 2}}, outside, Rational(1, 4));  // 1 beyond, 1 / 4
+  worked({{{{1, 0, 0}, {1, 0, 0}}, {{0, 1}, {2, 3}}}, {1.5, 0, 0}}, outside, Rational(1, 4));  // an empty solid
+  worked({{{{1, 0, 0}, {-1, 0, 0}}, {{0, 1}, {-2, -1}}}, {1, 0, 0}}, boundary, 0);  // slabs that touch: the plane x = 1
 }
 
 TEST_CASE("point_in_kdop: where the sum of products rounds to an end") {
   // 0.1 * 3 is 0.3 as typed; 3 times the double 0.1 is 0x1.3333333333333_4p-2, halfway to the next above 0.3's double.
   const Rational beyond = 3 * exact(0.1) - exact(0.3);
-  worked(one_slab({3, 0, 0}, 0, 0.3), {0.1, 0, 0}, outside, Rational(beyond * beyond / 9));
-  worked(one_slab({1, 1, 0}, 0, 1), {1, 0x1p-60, 0}, outside, power_of_two(-121), "rounding");
-  worked(one_slab({1, 1, 0}, 0, 1), {1, -0x1p-60, 0}, inside, power_of_two(-121), "rounding");
+  worked({one_slab({3, 0, 0}, 0, 0.3), {0.1, 0, 0}}, outside, Rational(beyond * beyond / 9));
+  worked({one_slab({1, 1, 0}, 0, 1), {1, 0x1p-60, 0}}, outside, power_of_two(-121), "rounding");
+  worked({one_slab({1, 1, 0}, 0, 1), {1, -0x1p-60, 0}}, inside, power_of_two(-121), "rounding");
 }
 
 TEST_CASE("point_in_kdop: huge, subnormal and negative zero") {
-  worked(one_slab({1, 1, 1}, -greatest, greatest), {huge, huge, -huge}, inside,
+  worked({one_slab({1, 1, 1}, -greatest, greatest), {huge, huge, -huge}}, inside,
          Rational((exact(greatest) - exact(huge)) * (exact(greatest) - exact(huge)) / 3), "rounding");
-  worked(one_slab({tiny, 0, 0}, 0, tiny), {1, 0, 0}, boundary, 0);
-  worked(one_slab({tiny, 0, 0}, 0, tiny), {0.5, 0, 0}, inside, Rational(1, 4), "rounding");
-  worked(one_slab({1, 0, 0}, -0.0, 1), {0.0, 5, 5}, boundary, 0);
-  worked(one_slab({1, -0.0, 0}, 0.0, 1), {-0.0, 5, 5}, boundary, 0);
-  worked(one_slab({huge, 0, 0}, 0, 1), {huge, 0, 0}, outside,
+  worked({one_slab({tiny, 0, 0}, 0, tiny), {1, 0, 0}}, boundary, 0);
+  worked({one_slab({tiny, 0, 0}, 0, tiny), {0.5, 0, 0}}, inside, Rational(1, 4), "rounding");
+  worked({one_slab({1, 0, 0}, -0.0, 1), {0.0, 5, 5}}, boundary, 0);
+  worked({one_slab({1, -0.0, 0}, 0.0, 1), {-0.0, 5, 5}}, boundary, 0);
+  worked({one_slab({huge, 0, 0}, 0, 1), {huge, 0, 0}}, outside,
          Rational(power_of_two(0) * (exact(huge) * exact(huge) - 1) * (exact(huge) * exact(huge) - 1) /
                   (exact(huge) * exact(huge))));
 }
 
-TEST_CASE("point_in_kdop: no normals, lists that differ, zero normals, ends in no order and what is not finite") {
-  const Point3d p{1, 1, 1};
-  refused<Row>({Kdop3d{}, p}, "kdop.normals", "at least 1 normal");
-  refused<Row>({{{}, {{0, 1}}}, p}, "kdop.normals", "at least 1 normal");
-  refused<Row>({{{{1, 0, 0}, {0, 1, 0}}, {{0, 1}}}, p}, "kdop.slabs", "as many slabs as normals");
-  refused<Row>({{{{1, 0, 0}}, {{0, 1}, {0, 1}}}, p}, "kdop.slabs", "as many slabs as normals");
-  refused<Row>({{{{1, 0, 0}, {0, -0.0, 0}}, {{0, 1}, {0, 1}}}, {9, 9, 9}}, "kdop.normals[1]", "nonzero normal");
-  refused<Row>({{{{1, 0, 0}, {0, 1, 0}}, {{2, 3}, {1, 0}}}, p}, "kdop.slabs[1][1]", "min <= max");
-  refused<Row>({one_slab({1, 0, 0}, tiny, 0), {9, 0, 0}}, "kdop.slabs[0][1]", "min <= max");
-  refused<Row>({one_slab({1, infinity, 0}, 2, 1), p}, "kdop.normals[0][1]", "finite number");
-  refused<Row>({one_slab({1, 0, 0}, -infinity, 1), p}, "kdop.slabs[0][0]", "finite number");
-  refused<Row>({one_slab({1, 0, 0}, 0, not_a_number), p}, "kdop.slabs[0][1]", "finite number");
-  refused<Row>({wedge, {0, not_a_number, 0}}, "point[1]", "finite number");
-  refused<Row>({one_slab({1, 0, 0}, 2, 1), {infinity, 0, 0}}, "kdop.slabs[0][1]", "min <= max");  // the k-DOP first
+TEST_CASE("point_in_kdop: of two broken rules the first is named, the k-DOP's before the point's") {
+  refused<Row>({one_slab({1, infinity, 0}, 2, 1), {1, 1, 1}}, "kdop.normals[0][1]", "finite number");
+  refused<Row>({one_slab({1, 0, 0}, 2, 1), {infinity, 0, 0}}, "kdop.slabs[0][1]", "min <= max");
 }
 
-TEST_CASE("point_in_kdop: each stage decides what is meant for it") {
-  CHECK(decided_by(wedge, {1, 2, 0.5}) == Stage::filter);
-  CHECK(decided_by(wedge, {2, 2, 3}) == Stage::filter);
-  CHECK(decided_by(wedge, {4, 1, 0}) == Stage::lattice);                      // at an end
-  CHECK(decided_by(one_slab({0, 0, 2}, 3, 3), {9, 9, 1}) == Stage::lattice);  // flat
-  CHECK(decided_by(one_slab({1, 1, 0}, 0, 1), {1, 0x1p-200, 0}) == Stage::exact);
-  CHECK(decided_by({{{1, 1, 0}, {1, 0, 0}}, {{0, 1}, {3, 4}}}, {1, 0x1p-200, 0}) == Stage::filter);  // x < 3 alone
+CONTRACT("point_in_kdop: the formula in double keeps its contract and is right in exact arithmetic", kdop, p) {
+  for (std::size_t i = 0; i < kdop.normals.size(); ++i)
+    if (!certain(kdop.normals[i], kdop.slabs[i], p)) return true;
+  return answer == truth.answer;
 }
 
-TEST_CASE("point_in_kdop: the formula in double keeps its contract and is right in exact arithmetic") {
-  contract<Row>("beyond the bound", [](const auto& truth, Location answer, const Kdop3d& kdop, const Point3d& p) {
-    for (std::size_t i = 0; i < kdop.normals.size(); ++i)
-      if (!certain(kdop.normals[i], kdop.slabs[i], p)) return true;
-    return answer == truth.answer;
-  });
-  right_in_exact_arithmetic<Row>();
-}
+TEST_CASE("point_in_kdop: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
 }  // namespace touchstone::proptests

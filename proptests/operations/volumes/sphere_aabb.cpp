@@ -15,14 +15,6 @@ using InSpace = Row::InSpace;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
 
-/// Holds of a ball and a box, or in the plane: `holds(ask, sphere, aabb)`.
-template <class Holds>
-auto of_solids(const Holds& holds) {
-  return [holds](const auto& ask, const auto& asked) {
-    return audit::applied([&](const auto& sphere, const auto& aabb) { return holds(ask, sphere, aabb); }, asked);
-  };
-}
-
 template <class Ball>
 Ball with_radius(Ball ball, double radius) {
   ball.radius = radius;
@@ -57,73 +49,54 @@ bool certain(const Ball& ball, const Box& box) {
   return abs(s - r) > (5 + 11 * u) * u * s + u * r + power_of_two(-1072);
 }
 
-template <class Solids>
-void worked(const Solids& solids, Contact contact, const Rational& margin, const std::string& by_reference = "agree") {
-  example<Row>(solids, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(solids).margin == margin);
-}
-
-template <class Ball, class Box>
-Stage decided_by(const Ball& ball, const Box& box) {
-  return robust::stages::sphere_aabb::ask(ball, box).stage;
-}
+constexpr Worked<Row> worked;
 
 const Aabb2d square{{0, 0}, {4, 4}};
 const Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 
 }  // namespace
 
-TEST_CASE("sphere_aabb: a ball that grows never loses contact, and one that touched overlaps a box with an interior") {
-  law<Row>("monotone", of_solids([](const auto& ask, const auto& ball, const auto& box) {
-             const double larger = audit::moved_by_ulps(ball.radius, 1);
-             const Contact contact = ask(std::tuple(ball, box)), then = ask(std::tuple(with_radius(ball, larger), box));
-             if (larger == ball.radius || contact == disjoint) return then >= contact;
-             return then == (flat(box) ? touching : overlapping);
-           }));
+LAW("sphere_aabb: a ball that grows never loses contact, and one that touched overlaps a box with an interior", ball,
+    box) {
+  const double larger = audit::moved_by_ulps(ball.radius, 1);
+  const Contact contact = ask(std::tuple(ball, box)), then = ask(std::tuple(with_radius(ball, larger), box));
+  if (larger == ball.radius || contact == disjoint) return then >= contact;
+  return then == (flat(box) ? touching : overlapping);
 }
 
-TEST_CASE("sphere_aabb: a point and a flat box overlap nothing") {
-  law<Row>("no interior", of_solids([](const auto& ask, const auto& ball, const auto& box) {
-             auto thin = box;
-             thin.min.y = thin.max.y;
-             return ask(std::tuple(with_radius(ball, 0), box)) != overlapping &&
-                    ask(std::tuple(with_radius(ball, -0.0), box)) != overlapping &&
-                    ask(std::tuple(ball, thin)) != overlapping;
-           }));
+LAW("sphere_aabb: a point and a flat box overlap nothing", ball, box) {
+  auto thin = box;
+  thin.min.y = thin.max.y;
+  return ask(std::tuple(with_radius(ball, 0), box)) != overlapping &&
+         ask(std::tuple(with_radius(ball, -0.0), box)) != overlapping && ask(std::tuple(ball, thin)) != overlapping;
 }
 
-TEST_CASE("sphere_aabb: a ball meets the box exactly if it meets the nearest point, and that as balls do") {
-  robust_law<Row>("nearest point", of_solids([](const auto& ask, const auto& ball, const auto& box) {
-                    using Ball = std::remove_cvref_t<decltype(ball)>;
-                    using Box = std::remove_cvref_t<decltype(box)>;
-                    const auto nearest = robust::closest_point_on_aabb(ball.center, box);
-                    const Contact contact = robust::sphere_sphere(ball, Ball{nearest, 0});
-                    return (ask(std::tuple(ball, box)) == disjoint) == (contact == disjoint) &&
-                           ask(std::tuple(ball, Box{nearest, nearest})) == contact;
-                  }));
+ROBUST_LAW("sphere_aabb: a ball meets the box exactly if it meets the nearest point, and that as balls do", ball, box) {
+  using Ball = std::remove_cvref_t<decltype(ball)>;
+  using Box = std::remove_cvref_t<decltype(box)>;
+  const auto nearest = robust::closest_point_on_aabb(ball.center, box);
+  const Contact contact = robust::sphere_sphere(ball, Ball{nearest, 0});
+  return (ask(std::tuple(ball, box)) == disjoint) == (contact == disjoint) &&
+         ask(std::tuple(ball, Box{nearest, nearest})) == contact;
 }
 
-TEST_CASE("sphere_aabb: a ball around a corner overlaps the box, unless one of them has no interior") {
-  law<Row>("corner", of_solids([](const auto& ask, const auto& ball, const auto& box) {
-             using Ball = std::remove_cvref_t<decltype(ball)>;
-             const Contact expected = ball.radius == 0 || flat(box) ? touching : overlapping;
-             return ask(std::tuple(Ball{box.min, ball.radius}, box)) == expected &&
-                    ask(std::tuple(Ball{box.max, ball.radius}, box)) == expected;
-           }));
+LAW("sphere_aabb: a ball around a corner overlaps the box, unless one of them has no interior", ball, box) {
+  using Ball = std::remove_cvref_t<decltype(ball)>;
+  const Contact expected = ball.radius == 0 || flat(box) ? touching : overlapping;
+  return ask(std::tuple(Ball{box.min, ball.radius}, box)) == expected &&
+         ask(std::tuple(Ball{box.max, ball.radius}, box)) == expected;
 }
 
-TEST_CASE("sphere_aabb: a disc and a rectangle have the contact of a ball and a box over them") {
-  law<Row>("in space", of_solids([](const auto& ask, const auto& ball, const auto& box) {
-             if constexpr (requires { ball.center.z; }) return true;
-             else {
-               const auto in_space = [&](double z, double low, double high) {
-                 return ask(InSpace{{{ball.center.x, ball.center.y, z}, ball.radius},
-                                    {{box.min.x, box.min.y, low}, {box.max.x, box.max.y, high}}});
-               };
-               const Contact contact = ask(std::tuple(ball, box));
-               return in_space(0, -tiny, tiny) == contact && in_space(huge, 0, huge) == contact;
-             }
-           }));
+LAW("sphere_aabb: a disc and a rectangle have the contact of a ball and a box over them", ball, box) {
+  if constexpr (requires { ball.center.z; }) return true;
+  else {
+    const auto in_space = [&](double z, double low, double high) {
+      return ask(InSpace{{{ball.center.x, ball.center.y, z}, ball.radius},
+                         {{box.min.x, box.min.y, low}, {box.max.x, box.max.y, high}}});
+    };
+    const Contact contact = ask(std::tuple(ball, box));
+    return in_space(0, -tiny, tiny) == contact && in_space(huge, 0, huge) == contact;
+  }
 }
 
 TEST_CASE("sphere_aabb: p. 48-50's squares worked by hand, in the plane") {
@@ -177,43 +150,16 @@ TEST_CASE("sphere_aabb: rounding, huge, subnormal and negative zero") {
          Rational(4 * exact(huge) * exact(huge) - 1));
 }
 
-TEST_CASE("sphere_aabb: what is not finite, a negative radius and a min above its max are refused by their field") {
-  const Circle2d disc{{0, 0}, 1};
-  const Sphere3d ball{{0, 0, 0}, 1};
-  refused<Row>(InPlane{{{infinity, 0}, 1}, square}, "sphere.center[0]", "finite number");
-  refused<Row>(InSpace{{{0, 0, not_a_number}, 1}, cube}, "sphere.center[2]", "finite number");
-  refused<Row>(InPlane{{{1, 1}, infinity}, square}, "sphere.radius", "finite number");
-  refused<Row>(InPlane{{{1, 1}, -tiny}, square}, "sphere.radius", "radius >= 0");
-  refused<Row>(InSpace{{{1, 1, 1}, -9}, cube}, "sphere.radius", "radius >= 0");
-  refused<Row>(InPlane{disc, {{-infinity, 0}, {4, 4}}}, "aabb.min[0]", "finite number");
-  refused<Row>(InPlane{disc, {{0, 0}, {4, infinity}}}, "aabb.max[1]", "finite number");
-  refused<Row>(InPlane{disc, {{0, not_a_number}, {4, 4}}}, "aabb.min[1]", "finite number");
-  refused<Row>(InSpace{ball, {{0, 0, 0}, {4, 4, not_a_number}}}, "aabb.max[2]", "finite number");
-  refused<Row>(InPlane{disc, {{5, 0}, {4, 4}}}, "aabb.max[0]", "min <= max");
-  refused<Row>(InSpace{ball, {{0, 0, tiny}, {4, 4, 0}}}, "aabb.max[2]", "min <= max");
-  // The ball comes before the box, a shape's numbers before its rules.
+TEST_CASE("sphere_aabb: of two broken rules the first is named: the ball's before the box's, numbers before rules") {
   refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, {4, 4, 4}}}, "sphere.radius", "radius >= 0");
-  refused<Row>(InSpace{ball, {{5, 0, 0}, {4, 4, infinity}}}, "aabb.max[2]", "finite number");
+  refused<Row>(InSpace{{{0, 0, 0}, 1}, {{5, 0, 0}, {4, 4, infinity}}}, "aabb.max[2]", "finite number");
 }
 
-TEST_CASE("sphere_aabb: each stage decides what is meant for it") {
-  CHECK(decided_by(Circle2d{{7, 8}, 4}, square) == Stage::filter);
-  CHECK(decided_by(Circle2d{{7, 8}, 6}, square) == Stage::filter);
-  CHECK(decided_by(Sphere3d{{2, 2, 2}, 1}, cube) == Stage::filter);
-  CHECK(decided_by(Circle2d{{7, 8}, 5}, square) == Stage::lattice);
-  CHECK(decided_by(Sphere3d{{2, 2, 2}, -0.0}, cube) == Stage::lattice);              // a sign that has to be looked at
-  CHECK(decided_by(Circle2d{{9, 9}, 1}, Aabb2d{{0, 0}, {0, 4}}) == Stage::lattice);  // flat
-  CHECK(decided_by(Circle2d{{-0x1p70, 0}, 0x1p70}, Aabb2d{{0, -1}, {1, 1}}) == Stage::exact);  // 70 places apart
-}
-
-TEST_CASE("sphere_aabb: the formula in double keeps its contract") {
-  contract<Row>("right beyond its bound, but for flat boxes",
-                [](const auto& truth, Contact answer, const auto& ball, const auto& box) {
-                  if (!certain(ball, box)) return true;
-                  const auto [s, r] = squares(ball, box);
-                  return answer == (s > r ? disjoint : overlapping) &&
-                         (answer == truth.answer || (truth.answer == touching && flat(box)));
-                });
+CONTRACT("sphere_aabb: the formula in double keeps its contract", ball, box) {
+  if (!certain(ball, box)) return true;
+  const auto [s, r] = squares(ball, box);
+  return answer == (s > r ? disjoint : overlapping) &&
+         (answer == truth.answer || (truth.answer == touching && flat(box)));
 }
 
 }  // namespace touchstone::proptests

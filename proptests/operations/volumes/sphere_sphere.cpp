@@ -3,7 +3,6 @@
 
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
-#include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::proptests {
 namespace {
@@ -13,14 +12,6 @@ using InPlane = Row::InPlane;
 using InSpace = Row::InSpace;
 
 constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
-
-/// Holds of a pair of balls or discs: `holds(ask, a, b)`.
-template <class Holds>
-auto of_balls(const Holds& holds) {
-  return [holds](const auto& ask, const auto& asked) {
-    return audit::applied([&](const auto& a, const auto& b) { return holds(ask, a, b); }, asked);
-  };
-}
 
 template <class Ball>
 bool is_point(const Ball& ball) {
@@ -34,85 +25,43 @@ Ball with_radius(Ball ball, double radius) {
 
 Sphere3d ball_of(const Circle2d& disc, double z) { return {{disc.center.x, disc.center.y, z}, disc.radius}; }
 
-/// Distance and sum of the radii, squared.
-struct Squares {
-  Rational distance, reach;
-};
-template <class Ball>
-Squares squares(const Ball& a, const Ball& b) {
-  const auto squared = [](const Rational& x) { return Rational(x * x); };
-  Rational distance = squared(exact(b.center.x) - exact(a.center.x)) + squared(exact(b.center.y) - exact(a.center.y));
-  if constexpr (requires { a.center.z; }) distance += squared(exact(b.center.z) - exact(a.center.z));
-  return {distance, squared(exact(a.radius) + exact(b.radius))};
-}
-
-/// |S - R| exceeds its bound, of the contract.
-template <class Ball>
-bool certain(const Ball& a, const Ball& b) {
-  const auto between = b.center - a.center;
-  const double sum = a.radius + b.radius;
-  if (!finite(dot(between, between), sum * sum)) return false;
-  const auto [s, r] = squares(a, b);
-  const Rational u = unit();
-  return abs(s - r) > (5 + 11 * u) * u * s + (3 + 4 * u) * u * r + power_of_two(-1072);
-}
-
-template <class Balls>
-void worked(const Balls& balls, Contact contact, const Rational& margin, const std::string& by_reference = "agree") {
-  example<Row>(balls, contact, by_reference);
-  CHECK(*audit::ask_oracle<Row>(balls).margin == margin);
-}
-
-template <class Ball>
-Stage decided_by(const Ball& a, const Ball& b) {
-  return robust::stages::sphere_sphere::ask(a, b).stage;
-}
+constexpr Worked<Row> worked;
 
 }  // namespace
 
-TEST_CASE("sphere_sphere: a ball overlaps itself, unless it is a point: then it touches itself") {
-  law<Row>("with itself", of_balls([](const auto& ask, const auto& a, const auto&) {
-             return ask(std::tuple(a, a)) == (is_point(a) ? touching : overlapping);
-           }));
+LAW("sphere_sphere: a ball overlaps itself, unless it is a point: then it touches itself", a) {
+  return ask(std::tuple(a, a)) == (is_point(a) ? touching : overlapping);
 }
 
-TEST_CASE("sphere_sphere: a point overlaps nothing") {
-  law<Row>("points", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             return (ask(std::tuple(a, b)) != overlapping || (!is_point(a) && !is_point(b))) &&
-                    ask(std::tuple(with_radius(a, 0), b)) != overlapping &&
-                    ask(std::tuple(a, with_radius(b, -0.0))) != overlapping;
-           }));
+LAW("sphere_sphere: a point overlaps nothing", a, b) {
+  return (ask(std::tuple(a, b)) != overlapping || (!is_point(a) && !is_point(b))) &&
+         ask(std::tuple(with_radius(a, 0), b)) != overlapping &&
+         ask(std::tuple(a, with_radius(b, -0.0))) != overlapping;
 }
 
-TEST_CASE("sphere_sphere: a ball that grows never loses contact, and one that touched overlaps") {
-  law<Row>("monotone", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             const double larger = audit::moved_by_ulps(a.radius, 1);
-             const Contact contact = ask(std::tuple(a, b)), then = ask(std::tuple(with_radius(a, larger), b));
-             if (larger == a.radius || contact == disjoint) return then >= contact;
-             return then == (is_point(b) ? touching : overlapping);
-           }));
+LAW("sphere_sphere: a ball that grows never loses contact, and one that touched overlaps", a, b) {
+  const double larger = audit::moved_by_ulps(a.radius, 1);
+  const Contact contact = ask(std::tuple(a, b)), then = ask(std::tuple(with_radius(a, larger), b));
+  if (larger == a.radius || contact == disjoint) return then >= contact;
+  return then == (is_point(b) ? touching : overlapping);
 }
 
-TEST_CASE("sphere_sphere: only the sum of the radii counts, but for points") {
-  law<Row>("radii dealt out", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             if (!on_lattice(std::tuple(a, b)) || is_point(a) || is_point(b)) return true;
-             const double sum = a.radius + b.radius;
-             const Contact contact = ask(std::tuple(a, b));
-             return ask(std::tuple(with_radius(a, b.radius), with_radius(b, a.radius))) == contact &&
-                    ask(std::tuple(with_radius(a, sum / 2), with_radius(b, sum / 2))) == contact &&
-                    ask(std::tuple(with_radius(a, 0), with_radius(b, sum))) == std::min<Contact>(contact, touching);
-           }));
+LAW("sphere_sphere: only the sum of the radii counts, but for points", a, b) {
+  if (!on_lattice(std::tuple(a, b)) || is_point(a) || is_point(b)) return true;
+  const double sum = a.radius + b.radius;
+  const Contact contact = ask(std::tuple(a, b));
+  return ask(std::tuple(with_radius(a, b.radius), with_radius(b, a.radius))) == contact &&
+         ask(std::tuple(with_radius(a, sum / 2), with_radius(b, sum / 2))) == contact &&
+         ask(std::tuple(with_radius(a, 0), with_radius(b, sum))) == std::min<Contact>(contact, touching);
 }
 
-TEST_CASE("sphere_sphere: discs have the contact of balls with their centers and radii") {
-  law<Row>("in space", of_balls([](const auto& ask, const auto& a, const auto& b) {
-             if constexpr (requires { a.center.z; }) return true;
-             else {
-               const Contact contact = ask(std::tuple(a, b));
-               return ask(InSpace{ball_of(a, 0), ball_of(b, -0.0)}) == contact &&
-                      ask(InSpace{ball_of(a, huge), ball_of(b, huge)}) == contact;
-             }
-           }));
+LAW("sphere_sphere: discs have the contact of balls with their centers and radii", a, b) {
+  if constexpr (requires { a.center.z; }) return true;
+  else {
+    const Contact contact = ask(std::tuple(a, b));
+    return ask(InSpace{ball_of(a, 0), ball_of(b, -0.0)}) == contact &&
+           ask(InSpace{ball_of(a, huge), ball_of(b, huge)}) == contact;
+  }
 }
 
 TEST_CASE("sphere_sphere: p. 44's squares worked by hand, in the plane") {
@@ -157,42 +106,17 @@ TEST_CASE("sphere_sphere: rounding, huge, subnormal and negative zero") {
   worked(InSpace{{{0, 0, 0}, huge}, {{0, 0, 1}, 1}}, overlapping, Rational(2 * exact(huge) + 1));  // less huge^2
 }
 
-TEST_CASE("sphere_sphere: what is not finite and a negative radius are refused by their field") {
-  const Circle2d disc{{0, 0}, 1};
-  const Sphere3d ball{{0, 0, 0}, 1};
-  refused<Row>(InPlane{{{infinity, 0}, 1}, disc}, "a.center[0]", "finite number");
-  refused<Row>(InPlane{disc, {{0, not_a_number}, 1}}, "b.center[1]", "finite number");
-  refused<Row>(InPlane{disc, {{0, 0}, infinity}}, "b.radius", "finite number");
-  refused<Row>(InPlane{{{0, 0}, -tiny}, disc}, "a.radius", "radius >= 0");
-  refused<Row>(InPlane{{{0, 0}, -9}, {{3, 0}, 1}}, "a.radius", "radius >= 0");
-  refused<Row>(InPlane{disc, {{9, 9}, -1}}, "b.radius", "radius >= 0");
-  refused<Row>(InSpace{{{0, 0, -infinity}, 1}, ball}, "a.center[2]", "finite number");
-  refused<Row>(InSpace{ball, {{0, 0, not_a_number}, 1}}, "b.center[2]", "finite number");
-  refused<Row>(InSpace{ball, {{0, 9, 0}, -9}}, "b.radius", "radius >= 0");
+TEST_CASE(
+    "sphere_sphere: of two broken rules the first is named: numbers before rules, the first shape before the second") {
   refused<Row>(InSpace{{{0, 0, 0}, not_a_number}, {{0, 0, 0}, -1}}, "a.radius", "finite number");
-  // The first shape comes before the second.
   refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, 1}}, "a.radius", "radius >= 0");
 }
 
-TEST_CASE("sphere_sphere: each stage decides what is meant for it") {
-  const Sphere3d ball{{0, 0, 0}, 2};
-  CHECK(decided_by(ball, {{3, 4, 0}, 2}) == Stage::filter);
-  CHECK(decided_by(ball, {{3, 4, 0}, 4}) == Stage::filter);
-  CHECK(decided_by(ball, {{1, 1, 0}, 0}) == Stage::filter);
-  CHECK(decided_by(ball, {{1, 1, 0}, -0.0}) == Stage::lattice);  // a sign that has to be looked at
-  CHECK(decided_by(ball, {{3, 4, 0}, 3}) == Stage::lattice);
-  CHECK(decided_by(Circle2d{{0, 0}, 2}, {{3, 4}, 3}) == Stage::lattice);
-  CHECK(decided_by(Circle2d{{-0x1p70, 0}, 0x1p70}, {{1, 0}, 1}) == Stage::exact);  // 70 places apart
-}
-
-TEST_CASE("sphere_sphere: the formula in double keeps its contract") {
-  contract<Row>("right beyond its bound, but for points inside",
-                [](const auto& truth, Contact answer, const auto& a, const auto& b) {
-                  if (!certain(a, b)) return true;
-                  const auto [s, r] = squares(a, b);
-                  return answer == (s > r ? disjoint : overlapping) &&
-                         (answer == truth.answer || (truth.answer == touching && (is_point(a) || is_point(b))));
-                });
+CONTRACT("sphere_sphere: the formula in double keeps its contract", a, b) {
+  if (!certain(a, b)) return true;
+  const auto [s, r] = squares(a, b);
+  return answer == (s > r ? disjoint : overlapping) &&
+         (answer == truth.answer || (truth.answer == touching && (is_point(a) || is_point(b))));
 }
 
 }  // namespace touchstone::proptests
