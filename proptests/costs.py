@@ -31,7 +31,8 @@ LIMITS = {"building": 7, "building fixed": 450, "testing thin": 18, "minutes": 1
 MINUTES_HOLD_TO = 25  # operations, for which the limit of the minutes is meant
 CACHED = 0.15  # s; an object that takes less came out of ccache
 # Tests that ask every operation of the catalogue.
-ASK_ALL = re.compile(r"^(agreement|vectors|mutation|flags)/|^oracle/(certificates|checkers_agree|simplest_truth)$"
+ASK_ALL = re.compile(r"^(agreement|vectors|mutation|flags)/"
+                     r"|^oracle/(certificates|checkers_agree|tampered_claims|simplest_truth)$"
                      r"|^(codec/(choices|shapes)|engines/documented|program/vectors|robust/environments)$")
 # A chapter's name stands alone in a file's name, or after what is made for each chapter.
 CHAPTER_FILE = r"^(?:check_|certify_|test_|rows_)?{}(?:_\d+)?$"
