@@ -41,7 +41,7 @@ class Tampering {
   static std::vector<json> malformed(const json& claim, const Place& place) {
     std::vector<json> result;
     for (const json& junk : {json(nullptr), json::array(), json::object(), json("junk"), json(true)}) {
-      if (!(claim[place].is_boolean() && junk.is_boolean())) replace(claim, place, junk, result);
+      if (claim[place].is_string() || claim[place].type() != junk.type()) replace(claim, place, junk, result);
     }
     if (claim[place].is_object()) replace(claim, place / "more", "1", result);
     if (claim[place.parent_pointer()].is_object() && place.back() != "method") {  // an optional field
@@ -94,6 +94,7 @@ class Tampering {
   std::vector<json> others(const json& value, const std::string& name) const {
     std::vector<json> result;
     if (value.is_array() && !value.empty()) {
+      result.push_back(json::array());
       result.push_back(value), result.back().push_back(value.back());
       result.push_back(value), std::reverse(result.back().begin(), result.back().end());
       result.push_back(json(value.size(), value[0]));
