@@ -3,6 +3,7 @@
 # in ctest, named FOLDER/FILE.
 # A folder with a CMakeLists.txt builds itself; proptests/install is a project of its own that uses the installed package.
 
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
 find_package(Catch2 QUIET)
 find_package(rapidcheck QUIET)
 if(NOT Catch2_FOUND OR NOT rapidcheck_FOUND)
@@ -82,7 +83,6 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
   endforeach()
 endif()
 
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(rooms_line_up ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/rooms_line_up.py)
 add_test(NAME rooms_line_up/self_check COMMAND ${rooms_line_up} --self-check)
 add_test(NAME costs/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/costs.py --self-check)
@@ -98,6 +98,7 @@ add_test(NAME proofs/self_check COMMAND ${prove} --self-check)
 add_test(NAME proofs COMMAND ${prove} --share --jobs 1 --work ${PROJECT_BINARY_DIR}/proofs)
 set_tests_properties(proofs PROPERTIES SKIP_RETURN_CODE 77)
 if(TARGET touchstone)
+  include(vector_tests)
   add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)
   if(NOT TOUCHSTONE_TEST_ROBUST_ALONE)
     add_test(NAME documentation COMMAND ${documentation} --program $<TARGET_FILE:touchstone>)

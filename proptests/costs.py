@@ -31,7 +31,8 @@ LIMITS = {"building": 7, "building fixed": 450, "testing thin": 18, "minutes": 1
 MINUTES_HOLD_TO = 25  # operations, for which the limit of the minutes is meant
 CACHED = 0.15  # s; an object that takes less came out of ccache
 # Tests that ask every operation of the catalogue.
-ASK_ALL = re.compile(r"^(agreement|vectors|selftests|flags)/|^oracle/(certificates|checkers_agree|simplest_truth)$"
+ASK_ALL = re.compile(r"^(agreement|vectors|mutation|flags)/"
+                     r"|^oracle/(certificates|checkers_agree|tampered_claims|simplest_truth)$"
                      r"|^(codec/(choices|shapes)|engines/documented|program/vectors|robust/environments)$")
 # A chapter's name stands alone in a file's name, or after what is made for each chapter.
 CHAPTER_FILE = r"^(?:check_|certify_|test_|rows_)?{}(?:_\d+)?$"
@@ -239,17 +240,17 @@ def self_check():
     done = "".join(f"1/9 Testing: {name}\n{said}Test time = {seconds} sec\n" for name, seconds, said in (
         ("lines/touch", "  2.00", ""),
         ("agreement/a", "  4.00", "1.500 s: touch: x\n1.000 s: touch_all: x\n0.5 s: y\n"),
-        ("selftests/mutants", " 20.00", "30.0 s: touch_all: mutants\n6.0 s: touch: mutants\n"),
+        ("mutation/mutants_are_killed", " 20.00", "30.0 s: touch_all: mutants\n6.0 s: touch: mutants\n"),
         ("vectors/hold", "  1.00", ""), ("install/prefix", "  7.00", "")))
     claims = "oracle/certificates/"
     files = {"build/release/.ninja_log": "# ninja log v5\n" + log, "build/release/Testing/Temporary/LastTest.log": done,
              "build/release/x/CTestTestfile.cmake":
-                 'set_tests_properties([=[selftests/mutants]=] PROPERTIES  PROCESSORS "2" TIMEOUT "9")\n',
+                 'set_tests_properties([=[mutation/mutants_are_killed]=] PROPERTIES  PROCESSORS "2" TIMEOUT "9")\n',
              "reference/lines/touch.h": "1\n2\n", "catalogue/lines/touch_slowly.h": "1\n",
              "robust/kernel/touch.h": "1\n",
              claims + "check_lines.cpp": "Complaint check_touch(const Claim& c) {\n  x;\n}\n\nvoid f() {\n}\n",
              claims + "certify_lines.py": "def check_touch(c):\n    x\n\n    y\n\n\ndef check_touch_all(c):\n    z\n",
-             claims + "claims/touch.jsonl": "{}\n", "proptests/selftests/mutants/touch.json": "[\n]\n"}
+             claims + "claims/touch.jsonl": "{}\n", "proptests/mutation/mutants/touch.jsonl": "{}\n{}\n"}
     for output in ("a/touch", "a/touch_all", "a/touch_slowly", "rows/lines", "kernel/outlines", "a/quick"):
         files[f"build/release/{output}.cpp.o"] = ""
     with tempfile.TemporaryDirectory() as folder:

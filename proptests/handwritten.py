@@ -28,6 +28,6 @@ def handwritten(root, chapters, names):
         in_cpp = re.compile(rf"^\S[^\n;]*\bcheck_{operation}\([^;{{]*\{{\n.*?^\}}\n", re.MULTILINE | re.DOTALL)
         in_python = re.compile(rf"^def (?:check|truth)_{operation}\(.*\n(?:[ \t].*\n|\n(?=[ \t]))*", re.MULTILINE)
         own += sum(body.count("\n") for body in in_cpp.findall(cpp) + in_python.findall(python))
-        data = (root / f"proptests/selftests/mutants/{operation}.json", certificates / f"claims/{operation}.jsonl")
+        data = (root / f"proptests/mutation/mutants/{operation}.jsonl", certificates / f"claims/{operation}.jsonl")
         found[operation] = (own, sum(map(lines, data)))
     return found

@@ -43,7 +43,7 @@ static std::string failure_of(const std::string& name, const std::function<void(
   return message.str();
 }
 
-/// Weak, so that the program which asks mutants (proptests/selftests/by_properties.cpp) can put its own in its place.
+/// Weak, so that the program which asks mutants (proptests/mutation/by_properties.cpp) can put its own in its place.
 [[gnu::weak]] void demand(const std::string& name, const std::function<std::string()>& complaint) {
   const std::string said = complaint();
   if (said.empty()) {

@@ -119,8 +119,8 @@ def evidence(tree, operations):
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
         if not corpus.is_dir() or not any(corpus.iterdir()):
             yield f"fuzz/corpus/{name}: missing or empty (./dev seeds {name})"
-        listed = f"proptests/selftests/mutants/{name}.json"
-        mutants = len(json.loads((tree.root / listed).read_text(encoding="utf-8"))) if (tree.root / listed).is_file() else 0
+        listed = f"proptests/mutation/mutants/{name}.jsonl"
+        mutants = (tree.root / listed).read_text(encoding="utf-8").count("\n") if (tree.root / listed).is_file() else 0
         if mutants < FEWEST_MUTANTS:
             yield f"{listed}: {mutants} mutants of {name}, fewer than {FEWEST_MUTANTS}"
         if not re.search(rf'\{{\s*"{name}"\s*,\s*check_', checks[".cpp"]):
@@ -256,7 +256,7 @@ def right_tree():
     files["vectors/touch.jsonl"] = CLAIM
     files["oracle/certificates/claims/touch.jsonl"] = CLAIM + FALSE_CLAIM
     files["fuzz/corpus/touch/seed"] = "seed"
-    files["proptests/selftests/mutants/touch.json"] = json.dumps(6 * [{}])
+    files["proptests/mutation/mutants/touch.jsonl"] = 6 * "{}\n"
     files["oracle/certificates/check_lines.cpp"] = 'Checks checks_of_lines() { return {{"touch", check_touch}}; }\n'
     files["oracle/certificates/certify_lines.py"] = "def check_touch(claim):\n    pass\n"
     files["README.md"] = "| `meet`, `touch` | do they touch? |\n"
@@ -296,13 +296,13 @@ PLANTED = [
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),
     ("fuzz/corpus/touch/seed", None, "fuzz/corpus/touch: missing"),
-    ("proptests/selftests/mutants/touch.json", json.dumps(5 * [{}]), "5 mutants of touch, fewer than 6"),
+    ("proptests/mutation/mutants/touch.jsonl", 5 * "{}\n", "5 mutants of touch, fewer than 6"),
     ("oracle/certificates/check_lines.cpp", '{{"touched", check_touched}}', "no check of touch in the table"),
     ("oracle/certificates/certify_lines.py", "def check_touched(claim):\n", "no function check_touch"),
     ("oracle/certificates/claims/touch.jsonl", FALSE_CLAIM, "claims/touch.jsonl: no true claim of touch"),
     ("oracle/certificates/claims/touch.jsonl", CLAIM, "claims/touch.jsonl: no false claim of touch"),
     ("oracle/certificates/claims/touch.jsonl", None, "claims/touch.jsonl: no true claim of touch"),
-    ("proptests/selftests/mutants/touch.json", None, "0 mutants of touch, fewer than 6"),
+    ("proptests/mutation/mutants/touch.jsonl", None, "0 mutants of touch, fewer than 6"),
     ("README.md", "| `touched` | does it? |\nof `touch`\n", "README.md: no row names `touch`"),
 ]
 

@@ -144,11 +144,10 @@ def table(program, operations):
         if not whole:
             doubts.append("no world is asked as a whole")
         stages = stages_of(chapter, name)
-        mutants = len(json.loads(text_of(f"proptests/selftests/mutants/{name}.json")))
         lines.append("| " + " | ".join([
             f"`{name}`", KINDS[operation["kind"]], "; ".join(opinion) or "-",
             ", ".join(f"`{kind}`" for kind in certificate_kinds(name)), world, ", ".join(stages) or "-",
-            ", ".join(filters_of(chapter, name)) or "-", str(mutants),
+            ", ".join(filters_of(chapter, name)) or "-", str(lines_of(f"proptests/mutation/mutants/{name}.jsonl")),
             f"{lines_of(f'vectors/{name}.jsonl'):,}", "; ".join(doubts) or "-"]) + " |")
     return lines, asked
 
@@ -208,8 +207,7 @@ def numbers(operations, asked):
     manifest = json.loads(text_of("vectors/manifest.json"))
     gates = importlib.import_module("gates").GATES
     environments = re.search(r"environment_count = (\d+);", text_of("catalogue/judge/environment.h")).group(1)
-    mutants = sum(len(json.loads(path.read_text(encoding="utf-8")))
-                  for path in (ROOT / "proptests/selftests/mutants").glob("*.json"))
+    mutants = sum(lines_of(path) for path in (ROOT / "proptests/mutation/mutants").glob("*.jsonl"))
     true, false = claims()
     truths, without = importlib.import_module("simplest_truth").found()
     rows = [

@@ -42,9 +42,9 @@ def check_aabb_of_points(claim):
     least, greatest = claim.list("least"), claim.list("greatest")
     expect(len(least) == len(greatest) == axes, "certificate: two places for each axis")
     for k in range(axes):
-        first = everything[place(least[k], len(everything), "point")][k]
-        last = everything[place(greatest[k], len(everything), "point")][k]
-        expect(first == low[k] and last == high[k], "certificate: the point has another coordinate")
+        expect(everything[place(least[k], len(everything), "point")][k] == low[k]
+               and everything[place(greatest[k], len(everything), "point")][k] == high[k],
+               "certificate: the point has another coordinate")
         expect(all(low[k] <= p[k] <= high[k] for p in everything), "truth: a point is not in the box")
 
 

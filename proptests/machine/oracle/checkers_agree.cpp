@@ -2,8 +2,6 @@
 #include <gmpxx.h>
 #include <sys/wait.h>
 
-#include <set>
-
 #include "oracle/certificates/check.h"
 #include "proptests/catch.h"
 #include "proptests/machine/oracle/claims.h"
@@ -19,12 +17,10 @@ const char* const script = "proptests/machine/oracle/checkers_agree.py ";
 /// What both checkers were shown, and what the C++ one said.
 struct Shown {
   std::vector<std::string> claims, verdicts;
-  int accepted = 0;
 
   bool accepts(const json& claim) {
     const auto refused = certify::refuse(claim);
     claims.push_back(claim.dump()), verdicts.push_back(refused.value_or("accepted"));
-    accepted += !refused;
     return !refused;
   }
 
@@ -33,8 +29,6 @@ struct Shown {
     return python_finds_nothing(script + all_claims.path() + " " + all_verdicts.path());
   }
 };
-
-json one_of(Choices& choices, const json& list) { return list[choices.below(list.size())]; }
 
 /// The pointers of all leaves below one field; an empty list is none.
 std::vector<json::json_pointer> leaves(const json& claim, const char* field) {
@@ -55,21 +49,6 @@ std::vector<json::json_pointer> some_of(std::vector<json::json_pointer> places) 
   if (places.size() > enough) places.resize(enough);
   return places;
 }
-
-/// Every kind of certificate, each once.
-json kinds_of(const std::vector<json>& claims) {
-  std::set<std::string> kinds;
-  for (const json& claim : claims) {
-    for (const auto& place : leaves(claim, "certificate")) {
-      if (place.back() == "kind") kinds.insert(claim[place].get<std::string>());
-    }
-  }
-  return kinds;
-}
-
-const json junk = {nullptr,  true,           -7,         2.5,      "",    "x",   "1/0", "0/5", "-0",  "+1",
-                   "1e5",    " 1",           "1 ",       "0x1p+0", "nan", "inf", "0x",  "--",  "1/-", "0x.",
-                   "0x1p-1", "0x1p99999999", "-0x1.8p3", 1e308};
 
 /// An exact value near to, or made from, the one that stands there.
 std::string altered(Choices& choices, const std::string& text) {
@@ -287,38 +266,6 @@ TEST_CASE("certificates: both checkers refuse another truth, for the same reason
     }
   }
   CHECK(shown.claims.size() > 500);
-  CHECK(shown.said_in_python_too());
-}
-
-TEST_CASE("certificates: both checkers say the same of altered certificates and of junk in any place") {
-  Shown shown;
-  Choices choices = Choices::seeded(audit::seed_of(1, "altered", 0));
-  const auto claims = drawn_claims("altered", 2);
-  const json kinds = kinds_of(claims);
-  for (const json& claim : claims) {
-    for (const auto& place : some_of(leaves(claim, "certificate"))) {
-      json broken = claim;
-      broken[place] =
-          place.back() == "kind" ? one_of(choices, kinds).get<std::string>() : altered(choices, claim[place]);
-      shown.accepts(broken);
-    }
-    for (const char* field : {"input", "truth", "certificate"}) {
-      const auto places = leaves(claim, field);
-      if (places.empty()) continue;
-      json broken = claim;
-      broken[places[choices.below(places.size())]] = one_of(choices, junk);
-      shown.accepts(broken);
-      broken = claim;
-      const bool may_be_left_out = broken[field].begin().key() == "method";
-      broken[field].erase(broken[field].begin());
-      if (!may_be_left_out) CHECK(!shown.accepts(broken));
-      broken = claim;
-      broken[field]["more"] = "1";
-      CHECK(!shown.accepts(broken));
-    }
-  }
-  CHECK(shown.accepted > 0);  // a certificate may be altered and still prove the truth
-  CHECK(shown.claims.size() > 20 * static_cast<std::size_t>(shown.accepted) / 19);
   CHECK(shown.said_in_python_too());
 }
 
