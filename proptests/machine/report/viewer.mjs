@@ -84,6 +84,39 @@ test('viewer: from before x is to the right and y up; a quarter turn brings z th
   assert.deepEqual(place(z, quarter), [66, 150]);
   assert.deepEqual(place(z, above), [200, 284]);
   assert.deepEqual(place(y, above), [200, 150]);
+  assert.deepEqual(place(x, {...above, cosYaw: 0, sinYaw: 1}), [200, 284]);
+});
+
+test('viewer: a plane is a square about its point, twice its normal to each side', () => {
+  // From straight above, its corners are farthest from the middle: 134 / sqrt(2) pixels in each direction.
+  const plane = figure('plane', [o, [0, 40000, 0]]), above = drawn([plane], {...fromBefore, cosPitch: 0, sinPitch: 1});
+  const corners = / face" d="M(.*?)Z"/.exec(above)[1].split('L').sort();
+  assert.deepEqual(corners, ['105.2 244.8', '105.2 55.2', '294.8 244.8', '294.8 55.2']);
+  assert.match(drawn([plane], fromBefore), / head" d="M200 102.6L/);  // 150 - 134 / (2 sqrt(2))
+});
+
+test('viewer: what is nearer is drawn later', () => {
+  for (const points of [[z, [0, 0, -end]], [[0, 0, -end], z]]) {
+    const kinds = points.map(p => figure(p[2] > 0 ? 'point' : 'sphere', [p], {radius: 10}));
+    const svg = drawn(kinds, fromBefore);
+    assert.ok(svg.indexOf('r="4.2"') > svg.indexOf('r="3.2"'));
+  }
+});
+
+test('viewer: nothing hides the rim of an open surface', () => {
+  const away = figure('mesh', [x, y, z], {faces: [[0, 2, 1]]});
+  assert.deepEqual(strokes(drawn([away])), {...none, faces: 1, edges: 3});
+});
+
+test('viewer: labels do not cover one another', () => {
+  const near = [0, 900, 1800].map(at => figure('point', [[at, 0, 0]], {label: `a long label ${at}`}));
+  const svg = drawn([...near, figure('point', [x])], fromBefore);
+  const boxes = [...svg.matchAll(/<text class="q\d" x="(.*?)" y="(.*?)">(.*?)</g)]
+      .map(([, left, base, words]) => ({left: +left, right: +left + 6.9 * words.length, bottom: +base + 3.5}));
+  assert.equal(boxes.length, 4);
+  for (const a of boxes)
+    for (const b of boxes)
+      assert.ok(a === b || a.right <= b.left || b.right <= a.left || Math.abs(a.bottom - b.bottom) >= 15);
 });
 
 test('viewer: a mesh is drawn without a face that names no vertex', () => {
@@ -98,8 +131,9 @@ test('viewer: what is too small to see gets a dot, and one point alone is in the
 });
 
 test('viewer: every number is finite, whatever coincides', () => {
-  const kinds = [figure('segment', [o, o]), figure('arrow', [o, o]), figure('polygon', [o, o, o]), figure('box', [o, o]),
-                 figure('sphere', [o], {radius: 0}), figure('mesh', [o, o, o], {faces: [[0, 1, 2]]}),
+  const kinds = [figure('segment', [o, o]), figure('arrow', [o, o]), figure('polygon', [o, o, o]),
+                 figure('box', [o, o]), figure('sphere', [o], {radius: 0}),
+                 figure('mesh', [o, o, o], {faces: [[0, 1, 2]]}),
                  figure('plane', [[3 * end, -3 * end, 1], [3 * end, -3 * end, 40001]])];
   for (const one of [...kinds.map(kind => [kind]), kinds, []])
     for (const turn of [viewer.firstTurn, fromBefore]) assert.doesNotMatch(drawn(one, turn), /NaN|Infinity|undefined/);
