@@ -71,7 +71,7 @@ TEST_CASE("figures in space: a thin scene is stretched and says so, one with a s
   Scene scene;
   ask_for(scene, "box", Aabb3d{{0, 0, 0}, {100, 1, 100}});
   const Json thin = space_model(scene, "");
-  CHECK(thin["remarks"] == Json({"y stretched 1e2 times"}));
+  CHECK(thin["remarks"] == Json({"y stretched 50 times"}));  // to half of the longest side
   CHECK_FALSE(thin.contains("bar"));
   ask_for(scene, "sphere", Sphere3d{{50, 0, 50}, 50});
   const Json round = space_model(scene, "");
