@@ -246,7 +246,7 @@ int run_program(int argc, const char* const* argv) {
   program.require_subcommand(0, 1);
   program.option_defaults()->always_capture_default();
   program.set_version_flag("--version", version, "Version, compiler and libraries");
-  program.footer(std::string("Limits: ") + limits_in_words() + "\n\nExit codes: " + exit_codes_in_words());
+  program.footer(std::string("Limits: ") + limits_in_words + "\n\nExit codes: " + exit_codes_in_words);
   bool man = false;
   program.add_flag("--man", man, "Prints the manual page: touchstone --man | man -l -");
   std::string shell;

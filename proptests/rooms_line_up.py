@@ -44,7 +44,7 @@ NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs"}, "oracle": {"exac
 # cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 FEWEST_MUTANTS = 6
-CODE = {".h", ".cpp", ".py", ".mjs"}
+CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
 LONGEST = 400
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)

@@ -4,18 +4,62 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/invalid_input.h"
+
 namespace touchstone::audit {
 namespace {
 
-/// All numbers in a field of an answer; empty where one is not finite.
-std::vector<double> numbers_in(const Json& field) {
+double finite_number(const Json& json, const std::string& field) {
+  if (!json.is_number()) throw InvalidInput(field, "expected a number");
+  return json.get<double>();
+}
+
+/// The corners that a list of indices names; empty where one is no point of the plane.
+std::vector<double> corners_of(const Json& indices, const Json& points) {
   std::vector<double> numbers;
-  const Json flat = field.flatten();
-  for (const auto& number : flat) {
-    if (!number.is_number()) return {};
-    numbers.push_back(number.get<double>());
+  for (const Json& index : indices) {
+    const double at = index.is_number() ? index.get<double>() : -1;
+    if (!(at >= 0 && at < static_cast<double>(points.size()))) return {};
+    const Json& point = points[static_cast<std::size_t>(at)];
+    if (!point.is_array() || point.size() != 2) return {};
+    for (const Json& coordinate : point) {
+      if (!coordinate.is_number()) return {};
+      numbers.push_back(coordinate.get<double>());
+    }
   }
   return numbers;
+}
+
+bool all_indices(const Shape& shape) {
+  return (shape.kind == Shape::Kind::list || shape.kind == Shape::Kind::record) &&
+         std::all_of(shape.parts.begin(), shape.parts.end(),
+                     [](const Shape::Part& part) { return part.shape->kind == Shape::Kind::index; });
+}
+
+/// Draws what has a figure; indices mean `points`.
+void draw_parts(Scene& said, const Shape& shape, const Json& json, const std::string& field, const Json& points) {
+  if (shape.draw != nullptr) {
+    try {
+      Tape<double> tape;
+      read_json<double>(shape, json, field, tape, finite_number);
+      Cursor<double> at(tape);
+      shape.draw(said, field, at, false);
+    } catch (const InvalidInput&) {
+      // An answer of another alternative, or none at all.
+    }
+  } else if (shape.kind == Shape::Kind::optional || shape.kind == Shape::Kind::choice) {
+    for (const Shape::Part& part : shape.parts) draw_parts(said, *part.shape, json, field, points);
+  } else if (all_indices(shape) && json.is_array()) {
+    const std::vector<double> ring = corners_of(json, points);
+    if (ring.size() >= 4)
+      said.figures.push_back({ring.size() > 4 ? Figure::Kind::polygon : Figure::Kind::segment, field, ring});
+  } else if (shape.kind == Shape::Kind::list && json.is_array()) {
+    for (const Json& element : json) draw_parts(said, *shape.parts[0].shape, element, field, points);
+  } else if (shape.kind == Shape::Kind::record && json.is_object()) {
+    for (const Shape::Part& part : shape.parts) {
+      if (json.contains(part.name)) draw_parts(said, *part.shape, json[part.name], part.name, points);
+    }
+  }
 }
 
 /// The extent of a scene's figures in their coordinates, dimension by dimension.
@@ -41,113 +85,63 @@ struct Extents {
   }
 };
 
+bool is_round(const Figure& figure) { return figure.kind == Figure::Kind::circle; }
+bool is_round(const SpaceFigure& figure) { return figure.kind == SpaceFigure::Kind::sphere; }
+bool is_endless(const Figure& figure) { return figure.kind == Figure::Kind::line || figure.kind == Figure::Kind::ray; }
+bool is_endless(const SpaceFigure& figure) { return figure.kind == SpaceFigure::Kind::plane; }
+
 template <class AnyFigure>
-bool is_the_truth(const std::vector<AnyFigure>& figures, const std::vector<double>& numbers) {
-  return std::any_of(figures.begin(), figures.end(),
-                     [&](const AnyFigure& figure) { return figure.answer && figure.numbers == numbers; });
-}
-
-void draw_in_the_plane(Scene& scene, const Json& answer) {
-  struct Drawn {
-    const char* field;
-    Figure::Kind kind;
-    std::size_t numbers;
+void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::size_t dimension) {
+  const auto coordinates = [&](const AnyFigure& figure) {
+    return is_round(figure) ? dimension : figure.numbers.size();
   };
-  Extents extents{2};
-  for (const Figure& figure : scene.figures) {
-    const bool circle = figure.kind == Figure::Kind::circle;
-    extents.put(figure.numbers, circle ? 2 : figure.numbers.size(), circle ? figure.numbers[2] : 0);
+  Extents extents{dimension};
+  for (const AnyFigure& figure : drawn) {
+    if constexpr (std::is_same_v<AnyFigure, SpaceFigure>)
+      if (is_endless(figure)) continue;
+    extents.put(figure.numbers, coordinates(figure), is_round(figure) ? figure.numbers[dimension] : 0);
   }
-  for (const Drawn& drawn : {Drawn{"point", Figure::Kind::point, 2}, Drawn{"overlap", Figure::Kind::segment, 4}}) {
-    if (!answer.contains(drawn.field)) continue;
-    const std::vector<double> numbers = numbers_in(answer[drawn.field]);
-    if (is_the_truth(scene.figures, numbers)) return;
-    if (numbers.size() == drawn.numbers && extents.near(numbers, numbers.size()))
-      scene.figures.push_back({drawn.kind, "answered", numbers, false, true});
-  }
-}
-
-/// The corners that a list of indices names; empty where one is no point of the question.
-std::vector<double> corners_of(const Json& indices, const Json& points) {
-  std::vector<double> numbers;
-  for (const Json& index : indices) {
-    if (!index.is_number()) return {};
-    const double at = index.get<double>();
-    if (!(at >= 0 && at < static_cast<double>(points.size()))) return {};
-    const std::vector<double> point = numbers_in(points[static_cast<std::size_t>(at)]);
-    if (point.size() != 2) return {};
-    numbers.insert(numbers.end(), point.begin(), point.end());
-  }
-  return numbers;
-}
-
-/// Pieces of a polygon, and a hull, are answered as lists of the question's points.
-void draw_indices(Scene& scene, const Json& answer, const Json& input) {
-  const char* const of = input.contains("polygon") ? "polygon" : "points";
-  if (!input.contains(of) || !input[of].is_array()) return;
-  std::vector<std::vector<double>> rings;
-  for (const char* field : {"triangles", "pieces"}) {
-    if (!answer.contains(field) || !answer[field].is_array()) continue;
-    for (const Json& piece : answer[field])
-      rings.push_back(piece.is_array() ? corners_of(piece, input[of]) : std::vector<double>());
-  }
-  if (answer.contains("polygon") && answer["polygon"].is_array())
-    rings.push_back(corners_of(answer["polygon"], input[of]));
-  for (std::vector<double>& ring : rings) {
-    if (ring.size() >= 4) scene.figures.push_back({Figure::Kind::polygon, "answered", std::move(ring), false, true});
-  }
-  if (answer.contains("segment") && answer["segment"].is_array()) {
-    std::vector<double> ends = corners_of(answer["segment"], input[of]);
-    if (ends.size() == 4) scene.figures.push_back({Figure::Kind::segment, "answered", std::move(ends), false, true});
-  }
-}
-
-void draw_in_space(Scene& scene, const Json& answer) {
-  using Kind = SpaceFigure::Kind;
-  struct Drawn {
-    const char* field;
-    Kind kind;
-    std::size_t numbers;
-  };
-  Extents extents{3};
-  std::vector<SpaceFigure> answered;
-  for (const SpaceFigure& figure : scene.space) {
-    const bool sphere = figure.kind == Kind::sphere;
-    if (figure.kind != Kind::plane)
-      extents.put(figure.numbers, sphere ? 3 : figure.numbers.size(), sphere ? figure.numbers[3] : 0);
-    // A vector stands where the truth's does.
-    if (!figure.answer || figure.kind != Kind::arrow || !answer.contains(figure.label)) continue;
-    const std::vector<double> vector = numbers_in(answer[figure.label]);
-    if (vector.size() != 3) continue;
-    std::vector<double> numbers = figure.numbers;
-    for (std::size_t i = 0; i < 3; ++i) numbers[i + 3] = numbers[i] + vector[i];
-    answered.push_back({Kind::arrow, "answered", std::move(numbers), {}, false, true});
-  }
-  for (const Drawn& drawn :
-       {Drawn{"point", Kind::point, 3}, Drawn{"overlap", Kind::segment, 6}, Drawn{"segment", Kind::segment, 6},
-        Drawn{"sphere", Kind::sphere, 4}, Drawn{"aabb", Kind::box, 6}}) {
-    if (!answer.contains(drawn.field)) continue;
-    std::vector<double> numbers = numbers_in(answer[drawn.field]);
-    if (numbers.size() == drawn.numbers)
-      answered.push_back({drawn.kind, "answered", std::move(numbers), {}, false, true});
-  }
-  for (SpaceFigure& figure : answered) {
-    const std::size_t coordinates = figure.kind == Kind::sphere ? 3 : figure.numbers.size();
-    if (!is_the_truth(scene.space, figure.numbers) && extents.near(figure.numbers, coordinates))
-      scene.space.push_back(std::move(figure));
+  for (AnyFigure& figure : said) {
+    const auto truth = std::find_if(drawn.begin(), drawn.end(), [&](const AnyFigure& other) {
+      return other.answer && other.kind == figure.kind && other.label == figure.label;
+    });
+    if (figure.kind == AnyFigure::Kind::arrow) {
+      // A vector stands where the truth's does.
+      if (truth == drawn.end()) continue;
+      for (std::size_t i = 0; i < dimension; ++i) {
+        figure.numbers[i] = truth->numbers[i];
+        figure.numbers[i + dimension] += truth->numbers[i];
+      }
+    }
+    const bool true_one = std::any_of(drawn.begin(), drawn.end(), [&](const AnyFigure& other) {
+      return other.answer && other.numbers == figure.numbers;
+    });
+    if (true_one || is_endless(figure) || !extents.near(figure.numbers, coordinates(figure))) continue;
+    figure.label = "answered";
+    figure.said = true;
+    drawn.push_back(std::move(figure));
   }
 }
 
 }  // namespace
 
-void draw_answered(Scene& scene, const Json& answer, const Json& input) {
-  if (!answer.is_object()) return;
-  if (!scene.figures.empty()) {
-    draw_in_the_plane(scene, answer);
-    if (input.is_object()) draw_indices(scene, answer, input);
-    return;
+void draw_answered(Scene& scene, const Operation& operation, const Json& answer, const Json& input) {
+  Json points;
+  for (const Json& field : input) {
+    if (points.is_null() && field.is_array() && !field.empty() && field[0].is_array()) points = field;
   }
-  if (!scene.space.empty()) draw_in_space(scene, answer);
+  Scene said;
+  const std::string bare = operation.card().answer;
+  if (!bare.empty() && answer.is_object() && answer.contains(bare)) {
+    draw_parts(said, operation.answer_shape(), answer[bare], bare, points);
+  } else {
+    draw_parts(said, operation.answer_shape(), answer, "", points);
+  }
+  if (!scene.figures.empty()) {
+    take_over(scene.figures, std::move(said.figures), 2);
+  } else {
+    take_over(scene.space, std::move(said.space), 3);
+  }
 }
 
 }  // namespace touchstone::audit

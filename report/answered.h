@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/codec/json.h"
-#include "catalogue/scene.h"
+#include "catalogue/operation.h"
 
 namespace touchstone::audit {
 
-/// Adds what was answered, where it can be drawn, differs from the truth, and lies where the input does: else it
-/// would shrink everything else to a dot.
-/// `input`: the question, whose points an answer of indices means.
-void draw_answered(Scene& scene, const Json& answer, const Json& input = nullptr);
+/// Adds what was answered to the scene of an operation's question `input`, by the shape of its answers: where it can be
+/// drawn, differs from the truth, and lies where the input does: else it would shrink everything else to a dot.
+void draw_answered(Scene& scene, const Operation& operation, const Json& answer, const Json& input);
 
 }  // namespace touchstone::audit

@@ -13,7 +13,7 @@
 #include "report/answered.h"
 #include "report/html_parts.h"
 #include "report/phrases.h"
-#include "report/space_svg.h"
+#include "report/space_model.h"
 #include "report/svg.h"
 
 namespace touchstone::audit {
@@ -46,7 +46,7 @@ bool is_said(const std::string& note, const Json& truth) {
 }
 
 std::string drawn(const Scene& scene, const std::string& title, const std::string& caption) {
-  const std::string svg = scene.figures.empty() ? space_svg(scene, title) : scene_svg(scene, title);
+  const std::string svg = scene.figures.empty() ? space_figure(scene, title) : scene_svg(scene, title);
   return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>";
 }
 
@@ -77,7 +77,7 @@ std::string figures(const Operation& operation, const Finding& finding, const Js
                     wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
                             escaped(sentence(operation, plain(finding.answer))) + ".";
   Scene both = scene;
-  draw_answered(both, plain(finding.answer), operation.print(question));
+  draw_answered(both, operation, plain(finding.answer), operation.print(question));
   if (!shows_an_answer(both)) {
     const std::string more = notes.empty() ? "" : "<br><span class=\"quiet\">" + escaped(notes) + "</span>";
     return drawn(scene, title, right + " " + wrong + more);
@@ -123,19 +123,6 @@ std::string certificate(const Examination& question) {
          "compares.</p></details>";
 }
 
-/// Exact values of many digits as decimals.
-Json with_short_numbers(const Json& answer) {
-  if (answer.is_structured()) {
-    Json result = answer;
-    for (Json& part : result) part = with_short_numbers(part);
-    return result;
-  }
-  if (!answer.is_string()) return answer;
-  const std::string& text = answer.get_ref<const std::string&>();
-  const bool exact = text.size() > 12 && text.find_first_not_of("-0123456789/") == std::string::npos;
-  return exact ? Json(readable(mpq_class(text), 12)) : answer;
-}
-
 }  // namespace
 
 std::string name_of(Speaker speaker, const Declaration& declaration) {
@@ -144,7 +131,7 @@ std::string name_of(Speaker speaker, const Declaration& declaration) {
 
 std::string sentence(const Operation& operation, const Json& answer) {
   constexpr std::size_t longest = 120;
-  const Json in_short = with_short_numbers(answer);
+  const Json in_short = readable(answer, 12, 6);
   std::string text = phrase(operation, in_short);
   if (text.empty()) text = one_line(in_short);
   return text.size() > longest ? text.substr(0, longest) + " \u2026" : text;

@@ -10,7 +10,7 @@
 namespace touchstone::audit {
 
 /// Maps side by side with legends and what they show; the engine and robust see the same grid. With all that the page's
-/// script (map_script.h) needs. `repeat`: how an engine is asked again.
+/// script (map.js) needs. `repeat`: how an engine is asked again.
 std::string map_section(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat = {});
 
 /// A map alone, for light and dark screens, `alt` for those who cannot see it.

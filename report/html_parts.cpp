@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/html_parts.h"
 
+#include <embedded.h>  // made by the build
 #include <fmt/format.h>
 
 #include "report/html_map.h"
 #include "report/html_style.h"
-#include "report/map_script.h"
-#include "report/space_script.h"
-#include "report/space_svg.h"
+#include "report/space_model.h"
 
 namespace touchstone::audit {
 namespace {
@@ -60,7 +59,7 @@ std::string with_breaks(const std::string& text, const std::string& after) {
 
 std::string page(const std::string& title, const std::string& body) {
   const std::string parts =
-      std::string(has_space_svg(body) ? space_script : "") + (has_map_section(body) ? map_script : "");
+      std::string(has_space_figure(body) ? viewer_script : "") + (has_map_section(body) ? map_script : "");
   const std::string script = parts.empty() ? "" : "\n<script>" + parts + "</script>";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
          "content=\"width=device-width,initial-scale=1\">\n<title>" +

@@ -2,7 +2,7 @@
 #include "report/html_style.h"
 
 #include "report/palette.h"
-#include "report/space_svg.h"
+#include "report/space_model.h"
 #include "report/svg.h"
 
 namespace touchstone::audit {

@@ -8,45 +8,40 @@
 namespace touchstone::audit {
 namespace {
 
+/// How an enumerator is said. `beside`: of those types alone that have that other enumerator too.
 struct Phrase {
-  const char *operation, *word, *words;  ///< operation "": of every operation
+  const char *word, *words, *beside = nullptr;
 };
 
 constexpr Phrase phrases[] = {
-    {"explicit_line", "on", "on the line"},
-    {"explicit_line", "above", "above the line"},
-    {"explicit_line", "below", "below the line"},
-    {"orientation", "on", "on it"},
-    {"point_on_segment", "on", "on the segment"},
-    {"point_on_segment", "off", "not on the segment"},
-    {"point_ground_plane", "on", "on the ground"},
-    {"point_ground_plane", "above", "above the ground"},
-    {"point_ground_plane", "below", "below the ground"},
-    {"polygon_convexity", "none", "no orientation"},
-    {"polygon_normal", "proper", "it has a normal"},
-    {"polygon_normal", "degenerate", "degenerate: no normal"},
-    {"line_line", "same", "the same line"},
-    {"line_line", "parallel", "parallel lines"},
-    {"line_line", "crossing", "lines that cross"},
-    {"segment_segment", "disjoint", "no common point"},
-    {"", "left", "left of the line"},
-    {"", "right", "right of the line"},
-    {"", "on", "on it"},
-    {"", "front", "in front of the plane"},
-    {"", "back", "behind the plane"},
-    {"", "boundary", "on the boundary"},
-    {"", "disjoint", "apart"},
-    {"", "touching", "just touching"},
-    {"", "point", "a common point"},
-    {"", "overlap", "an overlap"},
-    {"", "none", "no hit"},
-    {"", "hit", "a hit"},
-    {"", "never", "no hit"},
-    {"", "not_simple", "crossing itself"},
-    {"", "ccw", "counter-clockwise"},
-    {"", "cw", "clockwise"},
-    {"", "true", "yes"},
-    {"", "false", "no"},
+    {"left", "left of the line"},
+    {"on", "on it"},
+    {"off", "not on it"},
+    {"right", "right of the line"},
+    {"above", "above it"},
+    {"below", "below it"},
+    {"front", "in front of the plane"},
+    {"back", "behind the plane"},
+    {"boundary", "on the boundary"},
+    {"same", "the same line"},
+    {"parallel", "parallel lines"},
+    {"crossing", "lines that cross"},
+    {"disjoint", "no common point", "overlap"},
+    {"disjoint", "apart"},
+    {"touching", "just touching"},
+    {"point", "a common point"},
+    {"overlap", "an overlap"},
+    {"none", "no orientation", "ccw"},
+    {"none", "no hit"},
+    {"hit", "a hit"},
+    {"never", "no hit"},
+    {"not_simple", "crossing itself"},
+    {"proper", "it has a normal"},
+    {"degenerate", "degenerate: no normal", "proper"},
+    {"ccw", "counter-clockwise"},
+    {"cw", "clockwise"},
+    {"true", "yes"},
+    {"false", "no"},
 };
 
 std::string in_parentheses(const Json& numbers) {
@@ -97,8 +92,10 @@ std::string phrase(const Operation& operation, const std::string& word) {
   const std::size_t slash = word.find('/');
   if (slash != std::string::npos)
     return phrase(operation, word.substr(0, slash)) + ", " + phrase(operation, word.substr(slash + 1));
+  const std::vector<std::string> all = operation.words();
   for (const Phrase& entry : phrases) {
-    if (word == entry.word && (entry.operation[0] == '\0' || operation.name() == entry.operation)) return entry.words;
+    const bool meant = entry.beside == nullptr || std::find(all.begin(), all.end(), entry.beside) != all.end();
+    if (word == entry.word && meant) return entry.words;
   }
   std::string words = word;
   std::replace(words.begin(), words.end(), '_', ' ');

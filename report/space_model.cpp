@@ -1,282 +1,145 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/space_model.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <map>
+
+#include "report/axes.h"
+#include "report/labels.h"
+#include "report/space_scale.h"
 
 namespace touchstone::audit {
 namespace {
 
-constexpr std::size_t most_items = 3000, most_labels = 40, most_places = 12, parts_apart = 4, longest_numbered = 20;
-constexpr int small_extent = steps_of_box / 40;  // about three pixels
-constexpr int dot_of_point = 42, dot_of_end = 32, dot_of_centre = 18;
+constexpr const char* opening = "<div class=\"space-figure\" data-space=\"";
+constexpr std::size_t most_corners = 3000;
+constexpr int normal_length = 2 * steps_of_box / 5, longest_bar = 9 * steps_of_box / 10;
 
-using Kind = SpaceFigure::Kind;
-
-/// Two figures of one list have the same colour.
-std::string list_of(const std::string& label) { return label.substr(0, label.find('[')); }
-
-/// Directions of length 1 for the eye: a plane's normal and two across it.
-struct Directions {
-  std::array<double, 3> normal, across, along;
-};
-
-std::array<double, 3> of_length_one(const std::array<double, 3>& v) {
-  const double size = std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
-  const double x = v[0] / size, y = v[1] / size, z = v[2] / size, length = std::sqrt(x * x + y * y + z * z);
-  return {x / length, y / length, z / length};
+const char* name_of(SpaceFigure::Kind kind) {
+  constexpr const char* names[] = {"point", "segment", "arrow", "plane", "polygon", "box", "sphere", "mesh"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
-std::array<double, 3> crossed(const std::array<double, 3>& v, const std::array<double, 3>& w) {
-  return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
-}
-
-Directions directions_of(const SpaceFigure& plane) {
+/// The point at which a plane is shown, and the tip of its normal.
+std::array<SpacePoint, 2> normal_of(const SpaceFigure& plane, const SpaceScale& scale) {
   // Subnormal coordinates have few digits, but as many as there are.
-  const std::array<double, 3> normal = of_length_one({plane.numbers[0], plane.numbers[1], plane.numbers[2]});
-  // The axis that is least along the normal; of equal ones the first, so that a level plane lies along x and z.
-  std::size_t least = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    if (std::fabs(normal[i]) < std::fabs(normal[least])) least = i;
-  }
-  std::array<double, 3> axis{};
-  axis[least] = 1;
-  const std::array<double, 3> across = of_length_one(crossed(normal, axis));
-  return {normal, across, crossed(normal, across)};
+  const std::vector<double>& n = plane.numbers;
+  const double size = std::max({std::fabs(n[0]), std::fabs(n[1]), std::fabs(n[2])});
+  const std::array<double, 3> way{n[0] / size, n[1] / size, n[2] / size};
+  const double length = std::sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
+  const SpacePoint foot = scale.at(scale.foot(plane));
+  SpacePoint tip = foot;
+  for (std::size_t i = 0; i < 3; ++i) tip[i] += static_cast<int>(std::floor(way[i] / length * normal_length + 0.5));
+  return {foot, tip};
 }
 
-class Builder {
- public:
-  explicit Builder(const std::vector<SpaceFigure>& figures) {
-    model_.scale = SpaceScale::of(figures);
-    for (const SpaceFigure& figure : figures) ++size_of_list_[list_of(figure.label)];
-    std::size_t part = 0, drawn = 0;
-    std::string before;
-    for (const SpaceFigure& figure : figures) {
-      const bool of_question = !figure.answer && !figure.said;
-      const std::string list = list_of(figure.label);
-      if (of_question && !figure.label.empty() && drawn > 0 && list != before) ++part;
-      if (of_question && !figure.label.empty()) before = list, ++drawn;
-      style_ = figure.said            ? "said"
-               : figure.answer        ? "truth"
-               : figure.label.empty() ? "aid"
-                                      : "q" + std::to_string(part % parts_apart);
-      if (weight(figure) + model_.items.size() > most_items) {
-        ++model_.left_out;
-        continue;
-      }
-      build(figure);
-    }
-    measure_reach();
-  }
+Json json_of(const SpaceFigure& figure, const SpaceScale& scale) {
+  Json json{{"kind", name_of(figure.kind)},
+            {"label", figure.label},
+            {"whose", figure.said     ? "answer"
+                      : figure.answer ? "truth"
+                                      : "question"},
+            {"points", Json::array()}};
+  for (const ExactPlace& place : places_of(figure)) json["points"].push_back(scale.at(place));
+  if (figure.kind == SpaceFigure::Kind::plane) json["points"] = normal_of(figure, scale);
+  if (figure.kind == SpaceFigure::Kind::sphere) json["radius"] = scale.radius_in_steps(figure);
+  if (figure.kind == SpaceFigure::Kind::mesh) json["faces"] = figure.faces;
+  return json;
+}
 
-  SpaceModel model() && { return std::move(model_); }
+/// "x: 1 to 3", or "x: 1000000.5 ± 2e-9" where the two would look alike.
+std::string span_in_words(char axis, const mpq_class& low, const mpq_class& high) {
+  const std::string start = std::string(1, axis) + ": ";
+  if (low == high) return start + about(low, 9);
+  const mpq_class size = abs(low) < abs(high) ? mpq_class(abs(high)) : mpq_class(abs(low)), wide = high - low;
+  if (1000 * wide > size) return start + about(low, 5) + " to " + about(high, 5);
+  return start + about(mpq_class((low + high) / 2), 9) + " \u00b1 " + about(mpq_class(wide / 2), 2);
+}
 
- private:
-  static std::size_t weight(const SpaceFigure& figure) {
-    std::size_t weight = figure.numbers.size() / 3 + 1;
-    for (const auto& face : figure.faces) weight += 1 + face.size();
-    return figure.kind == Kind::box ? 24 : weight;
+/// Empty where there is one scale.
+std::string stretch_in_words(const SpaceScale& scale) {
+  const auto& per_unit = scale.steps_per_unit;
+  const mpq_class& least = *std::min_element(per_unit.begin(), per_unit.end());
+  std::string words;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (per_unit[i] == least) continue;
+    words += (words.empty() ? "" : ", ") + std::string(1, "xyz"[i]) + " stretched " +
+             about(mpq_class(per_unit[i] / least), 2) + " times";
   }
+  return words;
+}
 
-  int add(const SpacePoint& point) {
-    model_.points.push_back(point);
-    return static_cast<int>(model_.points.size()) - 1;
+/// "In space: sphere a, 7 × point points, truth: mesh; x: 0 to 1; ..."
+std::string in_words(const Json& model, const std::vector<std::string>& notes) {
+  std::vector<std::pair<std::string, std::size_t>> lists;
+  for (const Json& figure : model["figures"]) {
+    const std::string label = figure["label"], kind = figure["kind"], list = label.substr(0, label.find('['));
+    const std::string name = (figure["whose"] == "truth" ? "truth: " : "") + kind + (list.empty() ? "" : " ") + list;
+    if (lists.empty() || lists.back().first != name) lists.emplace_back(name, 0);
+    ++lists.back().second;
   }
-  int add(const ExactPlace& place) { return add(model_.scale.at(place)); }
-  int add(const SpacePoint& start, const std::array<double, 3>& way, double length) {
-    const auto along = [length](int from, double part) {
-      return from + static_cast<int>(std::floor(part * length + 0.5));
-    };
-    return add(SpacePoint{along(start.x, way[0]), along(start.y, way[1]), along(start.z, way[2])});
+  std::string text = "In space: ";
+  for (const auto& [name, count] : lists) {
+    text += (&name == &lists[0].first ? "" : ", ") + (count > 1 ? fmt::format("{} \u00d7 ", count) : "") + name;
   }
-  const SpacePoint& point(int i) const { return model_.points[static_cast<std::size_t>(i)]; }
-
-  void item(SpaceItem::Kind kind, std::vector<int> numbers) {
-    if (kind == SpaceItem::Kind::face) ++faces_;
-    model_.items.push_back({kind, style_, std::move(numbers)});
-  }
-
-  /// The first element of a list bears its name, the others their numbers; of a long list the first alone is named.
-  std::string text_of(const SpaceFigure& figure) const {
-    const std::string list = list_of(figure.label), number = figure.label.substr(list.size());
-    const bool long_list = size_of_list_.at(list) > longest_numbered;
-    if (!number.empty() && number != "[0]") return long_list ? "" : number;
-    return (figure.answer ? "truth: " : "") + (long_list ? list : figure.label);
-  }
-
-  void label(const SpaceFigure& figure, std::vector<int> places, int radius = 0) {
-    const std::string text = text_of(figure);
-    if (text.empty() || model_.labels.size() >= most_labels) return;
-    if (places.size() > most_places) places.resize(most_places);
-    model_.labels.push_back({text, style_, std::move(places), radius});
-  }
-
-  /// A point of a straight piece, `hundredths` of the way.
-  int between(int a, int b, int hundredths) {
-    const auto part = [hundredths](int from, int to) {
-      return static_cast<int>(from + static_cast<long long>(to - from) * hundredths / 100);
-    };
-    const SpacePoint p = point(a), q = point(b);
-    return add(SpacePoint{part(p.x, q.x), part(p.y, q.y), part(p.z, q.z)});
-  }
-
-  /// Faces with their edges. An edge knows its faces, so that it is drawn as hidden where all of them look away.
-  std::vector<int> solid(const std::vector<std::vector<int>>& faces, bool closed) {
-    std::map<std::pair<int, int>, std::size_t> edges;
-    std::vector<std::vector<int>> numbers;
-    for (const std::vector<int>& face : faces) {
-      item(SpaceItem::Kind::face, face);
-      for (std::size_t i = 0; i < face.size(); ++i) {
-        const int a = face[i], b = face[(i + 1) % face.size()];
-        const auto [at, is_new] = edges.emplace(std::minmax(a, b), numbers.size());
-        if (is_new) numbers.push_back({a, b});
-        if (closed) numbers[at->second].push_back(faces_ - 1);
-      }
-    }
-    std::vector<int> middles;
-    for (std::vector<int>& edge : numbers) {
-      if (middles.size() < most_places) middles.push_back(between(edge[0], edge[1], 50));
-      // With one face it is a rim, which nothing of its surface hides.
-      if (edge.size() == 3) edge.pop_back();
-      item(SpaceItem::Kind::edge, std::move(edge));
-    }
-    return middles;
-  }
-
-  /// What would be too small to see gets a dot.
-  void dot_if_small(int first, int last) {
-    const SpacePoint& p = point(first);
-    for (int i = first; i <= last; ++i) {
-      const SpacePoint& q = point(i);
-      if (std::max({std::abs(q.x - p.x), std::abs(q.y - p.y), std::abs(q.z - p.z)}) > small_extent) return;
-    }
-    item(SpaceItem::Kind::dot, {first, dot_of_end});
-  }
-
-  void build_plane(const SpaceFigure& figure) {
-    const int centre = add(model_.scale.foot(figure));
-    const SpacePoint at = point(centre);
-    const Directions ways = directions_of(figure);
-    const double half = model_.scale.only_planes ? steps_of_box : 0.8 * steps_of_box;
-    std::vector<int> corners;
-    for (const auto& [u, v] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
-      std::array<double, 3> way{};
-      for (std::size_t i = 0; i < 3; ++i) way[i] = u * ways.across[i] + v * ways.along[i];
-      corners.push_back(add(at, way, half));
-    }
-    std::vector<int> places = solid({corners}, false);
-    places.insert(places.begin(), corners.begin(), corners.end());
-    item(SpaceItem::Kind::arrow, {centre, add(at, ways.normal, half / 2)});
-    label(figure, places);
-  }
-
-  void build(const SpaceFigure& figure) {
-    if (figure.kind == Kind::plane) return build_plane(figure);
-    const int first = static_cast<int>(model_.points.size());
-    for (const ExactPlace& place : places_of(figure)) add(place);
-    const int last = static_cast<int>(model_.points.size()) - 1;
-    switch (figure.kind) {
-      case Kind::plane: return;
-      case Kind::point:
-        if (figure.answer) {
-          item(SpaceItem::Kind::ring, {first});
-        } else {
-          item(SpaceItem::Kind::dot, {first, dot_of_point});
-        }
-        return label(figure, {first});
-      case Kind::segment:
-      case Kind::arrow: {
-        const bool arrow = figure.kind == Kind::arrow;
-        item(arrow ? SpaceItem::Kind::arrow : SpaceItem::Kind::edge, {first, last});
-        if (!figure.label.empty()) item(SpaceItem::Kind::dot, {first, dot_of_end});
-        if (!figure.label.empty() && !arrow) item(SpaceItem::Kind::dot, {last, dot_of_end});
-        std::vector<int> places;
-        for (const int hundredths : {50, 30, 70, 85, 15}) places.push_back(between(first, last, hundredths));
-        return label(figure, places);
-      }
-      case Kind::polygon: {
-        std::vector<int> ring;
-        for (int i = first; i <= last; ++i) ring.push_back(i);
-        const std::vector<int> places = solid({ring}, false);
-        dot_if_small(first, last);
-        return label(figure, places);
-      }
-      case Kind::box: return build_box(figure, first);
-      case Kind::sphere: {
-        const int radius = model_.scale.radius_in_steps(figure);
-        item(SpaceItem::Kind::dot, {first, radius > small_extent ? dot_of_centre : dot_of_end});
-        if (radius > 0) item(SpaceItem::Kind::ball, {first, radius});
-        return label(figure, {first}, radius);
-      }
-      case Kind::mesh: return build_mesh(figure, first, last);
-    }
-  }
-
-  void build_box(const SpaceFigure& figure, int first) {
-    const SpacePoint low = point(first), high = point(first + 1);
-    std::vector<int> corner;  // bit 0: x, bit 1: y, bit 2: z
-    for (int i = 0; i < 8; ++i) {
-      corner.push_back(add(SpacePoint{i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}));
-    }
-    std::vector<std::vector<int>> faces;
-    for (const auto& [a, b, c, d] :
-         {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
-      faces.push_back({corner[a], corner[b], corner[c], corner[d]});
-    }
-    const std::vector<int> places = solid(faces, true);
-    dot_if_small(first, first + 1);
-    label(figure, places);
-  }
-
-  void build_mesh(const SpaceFigure& figure, int first, int last) {
-    std::vector<std::vector<int>> faces;
-    std::vector<bool> used(static_cast<std::size_t>(last - first + 1));
-    for (const auto& given : figure.faces) {
-      // A face may name a vertex that is not there: the input is refused, and drawn without it.
-      if (std::any_of(given.begin(), given.end(), [&](std::uint32_t i) { return i >= used.size(); })) continue;
-      std::vector<int> face;
-      for (const std::uint32_t i : given) face.push_back(first + static_cast<int>(i)), used[i] = true;
-      faces.push_back(std::move(face));
-    }
-    std::vector<int> places = solid(faces, true);
-    for (std::size_t i = 0; i < used.size(); ++i) {
-      if (!used[i]) item(SpaceItem::Kind::dot, {first + static_cast<int>(i), dot_of_end});
-    }
-    dot_if_small(first, last);
-    if (places.empty()) places.push_back(first);
-    label(figure, places);
-  }
-
-  void measure_reach() {
-    double farthest = 0;
-    const auto offer = [&](const SpacePoint& p, double radius) {
-      const double x = p.x, y = p.y, z = p.z;
-      farthest = std::max(farthest, std::sqrt(x * x + y * y + z * z) + radius);
-    };
-    for (const SpacePoint& p : model_.points) offer(p, 0);
-    for (const SpaceItem& item : model_.items) {
-      if (item.kind == SpaceItem::Kind::ball) offer(point(item.numbers[0]), item.numbers[1]);
-    }
-    if (farthest > 0) model_.reach = static_cast<int>(std::ceil(farthest));
-  }
-
-  SpaceModel model_;
-  std::map<std::string, std::size_t> size_of_list_;
-  std::string style_;
-  int faces_ = 0;
-};
+  for (const char* lines : {"spans", "remarks"})
+    for (const std::string line : model[lines]) text += "; " + line;
+  for (const std::string& note : notes) text += "; " + note;
+  return text + ".";
+}
 
 }  // namespace
 
-SpaceModel space_model(const Scene& scene) {
-  std::vector<SpaceFigure> figures;
-  for (const SpaceFigure& figure : scene.space) {
-    if (drawable(figure)) figures.push_back(figure);
-  }
-  if (figures.empty()) return {};
-  return Builder(figures).model();
+std::string space_style() {
+  return ".fig.space{max-width:100%}.space .face{fill:var(--c);fill-opacity:.1}.space .truth.face{fill-opacity:.06}"
+         ".fig.space .stroke{stroke-width:1.4;stroke-linecap:round;stroke-linejoin:round}"
+         ".fig.space .q0.stroke{stroke-width:2.2}.fig.space .q1.stroke{stroke-width:1.7}"
+         ".fig.space .truth.stroke{stroke-width:3.4}"
+         ".fig.space .many .stroke{stroke-width:.8}"
+         ".fig.space .stroke.thin{stroke-width:.8;stroke-opacity:.7}"
+         ".fig.space .stroke.hid{stroke-width:1;stroke-dasharray:2 4;stroke-opacity:.6}"
+         ".turns{cursor:grab;touch-action:pan-y;user-select:none;-webkit-user-select:none}"
+         ".turns:active{cursor:grabbing}.turns:focus:not(:focus-visible){outline:none}";
 }
+
+Json space_model(const Scene& scene, const std::string& title) {
+  std::vector<SpaceFigure> figures;
+  std::copy_if(scene.space.begin(), scene.space.end(), std::back_inserter(figures), drawable);
+  if (figures.empty()) return nullptr;
+  const SpaceScale scale = SpaceScale::of(figures);
+  Json model{{"title", title}, {"figures", Json::array()}, {"spans", Json::array()}, {"remarks", Json::array()}};
+  std::size_t corners = 0, left_out = 0;
+  for (const SpaceFigure& figure : figures) {
+    std::size_t own = figure.numbers.size() / 3 + 1;
+    for (const auto& face : figure.faces) own += 1 + face.size();
+    if (corners + own > most_corners) {
+      ++left_out;
+      continue;
+    }
+    corners += own;
+    model["figures"].push_back(json_of(figure, scale));
+  }
+  for (std::size_t i = 0; i < 3; ++i) model["spans"].push_back(span_in_words("xyz"[i], scale.low[i], scale.high[i]));
+  const std::string stretched = stretch_in_words(scale);
+  if (stretched.empty()) {
+    const mpq_class length = round_length(mpq_class(2 * longest_bar / scale.steps_per_unit[0]));
+    model["bar"] = {mpq_class(length * scale.steps_per_unit[0]).get_d(), about(length, 1)};
+  } else {
+    model["remarks"].push_back(stretched);
+  }
+  if (left_out > 0) model["remarks"].push_back(fmt::format("{} more are not drawn", left_out));
+  return model;
+}
+
+std::string space_figure(const Scene& scene, const std::string& title) {
+  const Json model = space_model(scene, title);
+  if (model.is_null()) return "";
+  return opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene.notes)) +
+         "</p></noscript></div>";
+}
+
+bool has_space_figure(const std::string& html) { return html.find(opening) != std::string::npos; }
 
 }  // namespace touchstone::audit

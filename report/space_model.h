@@ -2,42 +2,24 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "catalogue/codec/json.h"
 #include "catalogue/scene.h"
-#include "report/space_scale.h"
 
-/// A scene in space as strokes between points in whole steps (space_scale.h): 5e-324 and 1e308 in one scene neither
-/// vanish nor overflow, and whoever turns it goes on in doubles.
 namespace touchstone::audit {
 
-/// What one stroke of the pen draws.
-struct SpaceItem {
-  enum class Kind { face, edge, arrow, ball, dot, ring };
-  Kind kind = Kind::dot;
-  std::string style;  ///< class of the style sheet: q0 ... q3 by part of the question, truth, said, aid
-  /// face: its corners; edge: its two ends, then its faces, counted among the items that are faces; arrow: start,
-  /// tip; ball: centre, radius in steps; dot: place, radius in tenths of a pixel; ring: place.
-  std::vector<int> numbers;
-};
+/// A scene's figures in space as report/viewer.js takes them, coordinates brought to its steps exactly (space_scale.h).
+/// null where no figure has its numbers, all finite.
+Json space_model(const Scene& scene, const std::string& title);
 
-/// A text that wants to stand beside one of several points, or round the ball about its one point.
-struct SpaceLabel {
-  std::string text, style;
-  std::vector<int> places;
-  int radius = 0;
-};
+/// The element of a page in which the script draws the model. Without scripts it says in words what is drawn. Empty
+/// where there is nothing to draw.
+std::string space_figure(const Scene& scene, const std::string& title);
 
-struct SpaceModel {
-  std::vector<SpacePoint> points;
-  std::vector<SpaceItem> items;
-  std::vector<SpaceLabel> labels;
-  int reach = steps_of_box;  ///< no point is further from the middle, however the scene is turned
-  SpaceScale scale;
-  std::size_t left_out = 0;  ///< figures that were too many
-};
+/// Whether a page has such an element, and so is in need of the script.
+bool has_space_figure(const std::string& html);
 
-/// No items where the scene has no figure in space whose numbers are finite.
-SpaceModel space_model(const Scene& scene);
+/// The style sheet of such figures, beside that of figures in the plane (svg.h).
+std::string space_style();
 
 }  // namespace touchstone::audit

@@ -44,7 +44,6 @@ int nearest_whole(const mpq_class& value) {
 
 }  // namespace
 
-/// Whether a figure has its numbers, all finite, and a plane a normal: a formula's answer may have neither.
 bool drawable(const SpaceFigure& figure) {
   const std::vector<double>& n = figure.numbers;
   if (!std::all_of(n.begin(), n.end(), [](double x) { return std::isfinite(x); })) return false;
@@ -61,7 +60,6 @@ bool drawable(const SpaceFigure& figure) {
   return false;
 }
 
-/// The points of a figure that are given by coordinates; a plane has none.
 std::vector<ExactPlace> places_of(const SpaceFigure& figure) {
   std::vector<ExactPlace> places;
   if (figure.kind == Kind::plane) return places;
@@ -84,7 +82,6 @@ SpaceScale SpaceScale::of(const std::vector<SpaceFigure>& figures) {
     for (const ExactPlace& place : places_of(figure)) box.put(place, room);
     one_scale = one_scale || figure.kind == Kind::sphere || figure.kind == Kind::plane;
   }
-  scale.only_planes = box.empty;
   if (!box.empty) scale.middle_but_planes = box.middle();
   for (const SpaceFigure& figure : figures) {
     if (figure.kind == Kind::plane) box.put(scale.foot(figure));
@@ -108,9 +105,9 @@ SpaceScale SpaceScale::of(const std::vector<SpaceFigure>& figures) {
 }
 
 SpacePoint SpaceScale::at(const ExactPlace& place) const {
-  int steps[3];
+  SpacePoint steps;
   for (std::size_t i = 0; i < 3; ++i) steps[i] = nearest_whole(mpq_class((place[i] - middle[i]) * steps_per_unit[i]));
-  return {steps[0], steps[1], steps[2]};
+  return steps;
 }
 
 int SpaceScale::radius_in_steps(const SpaceFigure& sphere) const {

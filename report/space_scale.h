@@ -14,10 +14,7 @@ namespace touchstone::audit {
 /// Steps from the middle of the scene's box to the end of its longest side.
 constexpr int steps_of_box = 100000;
 
-struct SpacePoint {
-  int x = 0, y = 0, z = 0;
-};
-
+using SpacePoint = std::array<int, 3>;
 using ExactPlace = std::array<mpq_class, 3>;
 
 /// Whether a figure has its numbers, all finite, and a plane a normal: a formula's answer may have neither.
@@ -32,7 +29,6 @@ struct SpaceScale {
   ExactPlace low, high, middle;             ///< the scene's box
   std::array<mpq_class, 3> steps_per_unit;  ///< along x, y, z
   ExactPlace middle_but_planes;  ///< of the box of everything but planes; the origin where there is nothing else
-  bool only_planes = false;
 
   /// Each axis takes its own scale where the extents are far apart, so that a thin scene is still seen; not where a
   /// figure is a sphere, which would not be one any more, or a plane, whose normal would not be upright.

@@ -8,6 +8,7 @@
 
 #include "audit/repeat.h"
 #include "catalogue/codec/plain.h"
+#include "report/viewport.h"
 
 namespace touchstone::audit {
 namespace {
@@ -20,15 +21,15 @@ bool is_exact_value(const std::string& text) {
 }
 
 /// Long exact values made short.
-Json abbreviated(const Json& answer) {
+Json abbreviated(const Json& answer, std::size_t most, std::size_t digits_kept) {
   if (answer.is_string()) {
     const std::string& text = answer.get_ref<const std::string&>();
-    if (text.size() > 48 && is_exact_value(text)) return readable(mpq_class(text), 48, 20);
+    if (text.size() > most && is_exact_value(text)) return readable(mpq_class(text), most, digits_kept);
     return answer;
   }
   if (!answer.is_structured()) return answer;
   Json result = answer;
-  for (Json& part : result) part = abbreviated(part);
+  for (Json& part : result) part = abbreviated(part, most, digits_kept);
   return result;
 }
 
@@ -191,24 +192,16 @@ std::string why(const Finding& finding, const Operation* operation, Speaker spea
 std::string readable(const mpq_class& exact, std::size_t most, std::size_t digits_kept) {
   std::string whole = exact.get_str();
   if (whole.size() <= most) return whole;
-  mp_exp_t exponent = 0;
-  const mpf_class rounded(exact, 192);
-  std::string digits = rounded.get_str(exponent, 10, digits_kept);
-  const std::string sign = digits[0] == '-' ? "-" : "";
-  digits.erase(0, sign.size());
-  const long power = static_cast<long>(exponent) - 1;
-  if (power >= 0 && power < 6) {
-    digits.resize(std::max<std::size_t>(digits.size(), static_cast<std::size_t>(power) + 1), '0');
-    const std::string fraction = digits.substr(static_cast<std::size_t>(power) + 1);
-    return "about " + sign + digits.substr(0, static_cast<std::size_t>(power) + 1) +
-           (fraction.empty() ? "" : "." + fraction);
-  }
-  if (power < 0 && power > -5)
-    return "about " + sign + "0." + std::string(static_cast<std::size_t>(-power - 1), '0') + digits;
-  return fmt::format("about {}{}{}{}e{:+d}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), power);
+  std::string text = about(exact, digits_kept);
+  const std::size_t power = text.find('e');
+  if (power != std::string::npos && text[power + 1] != '-') text.insert(power + 1, "+");
+  return "about " + text;
 }
 
-Json readable(const Json& answer) { return abbreviated(plain(answer)); }
+Json readable(const Json& answer, std::size_t most, std::size_t digits_kept) {
+  return abbreviated(plain(answer), most, digits_kept);
+}
+
 std::string word_in(const Json& answer) {
   if (answer.is_boolean()) return answer.get<bool>() ? "true" : "false";
   if (!answer.is_object()) return "value";

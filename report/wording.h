@@ -36,7 +36,7 @@ std::string not_asked_in_words(const Cell& cell);
 /// characters.
 std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);
 /// Any answer for the eye: numbers as they were typed become numbers, long exact values are abbreviated.
-Json readable(const Json& answer);
+Json readable(const Json& answer, std::size_t most = 48, std::size_t digits = 20);
 
 /// The first word in an answer ("left", "overlap"), or "value".
 std::string word_in(const Json& answer);

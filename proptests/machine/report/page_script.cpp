@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <unistd.h>
-
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <memory>
-
-#include "catalogue/codec/json.h"
 #include "proptests/catch.h"
+#include "proptests/machine/report/in_node.h"
 #include "report/html.h"
 #include "report/map_image.h"
 #include "report/phrases.h"
@@ -18,27 +10,11 @@
 namespace touchstone::audit {
 namespace {
 
-bool there_is_node() { return std::system("node -e 'new DecompressionStream(\"deflate\")' >/dev/null 2>&1") == 0; }
-
 /// What the page shows at first and after each step.
 std::vector<Json> shown(const std::string& page, const std::string& hash, const std::vector<std::string>& steps) {
-  const auto file = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_map.html");
-  write_whole_file(file.string(), page);
-  std::string command = "node proptests/machine/report/page_script.mjs '" + file.string() + "' '" + hash + "'";
-  for (const std::string& step : steps) command += " '" + step + "'";
-  std::string text;
-  {
-    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-    REQUIRE(pipe);
-    std::array<char, 4096> part{};
-    while (std::size_t n = std::fread(part.data(), 1, part.size(), pipe.get())) text.append(part.data(), n);
-  }
-  std::filesystem::remove(file);
-  std::vector<Json> lines;
-  for (std::size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
-    lines.push_back(Json::parse(text.substr(at, end - at)));
-  }
-  return lines;
+  std::vector<std::string> arguments{hash};
+  arguments.insert(arguments.end(), steps.begin(), steps.end());
+  return lines_of_node("page_script.mjs", page, arguments);
 }
 
 void check_pixel(const Json& seen, const Operation& operation, const MapGrid& grid, int column, int row) {
@@ -60,10 +36,7 @@ void check_pixel(const Json& seen, const Operation& operation, const MapGrid& gr
 }  // namespace
 
 TEST_CASE("page script: a click, a key, a drag and a link choose a pixel, and what is shown of it is true") {
-  if (!there_is_node()) {
-    WARN("skipped: there is no node that can run the page's script");
-    return;
-  }
+  if (!there_is_node()) return;
   const Operation& operation = *find_operation("orientation");
   const auto maps = failure_maps(operation, 2);
   const MapGrid& grid = maps[0].grid;
@@ -81,10 +54,7 @@ TEST_CASE("page script: a click, a key, a drag and a link choose a pixel, and wh
 }
 
 TEST_CASE("page script: it begins where the formula fails") {
-  if (!there_is_node()) {
-    WARN("skipped: there is no node that can run the page's script");
-    return;
-  }
+  if (!there_is_node()) return;
   const Operation& operation = *find_operation("orientation");
   const auto seen = shown(map_page(operation, failure_maps(operation, 2)), "", {});
   REQUIRE(seen.size() == 1);

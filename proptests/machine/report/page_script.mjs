@@ -1,42 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs the script of a page with failure maps in node, with as much of a browser as it needs, and does what a reader
-// does. Each step ("hash C,R", "click M X Y", "key NAME [shift]", "drag DX DY": pixels of maps and lenses 512 and 150
-// wide) prints one line of JSON: what the page shows then.
+// Runs the script of a page with failure maps in node, and does what a reader does. Each step ("click M X Y",
+// "key NAME [shift]", "drag DX DY": pixels of maps and lenses 512 and 150 wide) prints one line of JSON: what the page
+// shows then.
 //
 // page_script.mjs PAGE FIRST-HASH STEP...
 import {readFileSync} from 'node:fs';
+import {Element, documentOf, plain} from './browser.mjs';
 
 const [file, hash, ...steps] = process.argv.slice(2);
 const page = readFileSync(file, 'utf8');
-const plain = html => html.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, n) => String.fromCharCode(n))
-    .replace(/&quot;/g, '"').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
 
-class Element {
-  constructor(width) {
-    Object.assign(this, {width, style: {}, dataset: {}, heard: {}, classes: [], innerHTML: '', parts: {}, attributes: {}});
-    this.classList = {add: name => this.classes.push(name)};
-  }
-  addEventListener(type, listener) { (this.heard[type] ??= []).push(listener); }
-  send(type, event) {
-    for (const listener of this.heard[type] ?? []) listener({button: 0, pointerId: 1, preventDefault() {}, ...event});
-  }
-  append(child) { this.child = child; }
-  closest() { return this.frame; }
-  getAttribute(name) { return this.attributes[name]; }
-  get src() { return this.attributes.src; }
-  getBoundingClientRect() { return {left: 0, top: 0, width: this.width, height: this.width}; }
-  setPointerCapture() {}
-  scrollIntoView() { this.scrolled = true; }
+class Section extends Element {
   insertAdjacentHTML(_, html) {
-    this.added = html;
     this.parts['.lens-view'] = html.match(/class="lens-view"/g).map(() => new Element(150));
-    this.parts['.answers'] = [new Element(0)];
+    this.parts['.answers'] = [new Element()];
   }
-  querySelectorAll(selector) { return this.parts[selector]; }
-  querySelector(selector) { return this.parts[selector][0]; }
 }
 
-const section = new Element(0);
+const section = new Section();
 section.dataset.map = plain(/<div class="mapped" data-map="([^"]*)"/.exec(page)[1]);
 section.parts['.map img'] = [...page.matchAll(/<div class="map">.*?<img [^>]*? src="([^"]*)"/gs)].map(found => {
   const image = new Element(512);
@@ -44,10 +25,7 @@ section.parts['.map img'] = [...page.matchAll(/<div class="map">.*?<img [^>]*? s
   image.attributes.src = found[1];
   return image;
 });
-globalThis.document = {
-  querySelectorAll: selector => selector === '[data-map]' ? [section] : [],
-  createElement: () => new Element(0),
-};
+globalThis.document = documentOf({'[data-map]': [section]});
 globalThis.location = {hash};
 globalThis.matchMedia = () => ({addEventListener() {}});
 (0, eval)(/<script>([\s\S]*)<\/script>/.exec(page)[1]);

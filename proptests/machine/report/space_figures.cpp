@@ -3,11 +3,12 @@
 
 #include "catalogue/figures.h"
 #include "proptests/catch.h"
+#include "proptests/machine/report/in_node.h"
 #include "report/answered.h"
+#include "report/html_parts.h"
 #include "report/space_model.h"
-#include "report/space_svg.h"
 
-/// Scenes in space as the report draws them.
+/// Scenes in space as a page holds them; what its script draws of them: viewer.mjs.
 namespace touchstone::audit {
 namespace {
 
@@ -16,59 +17,98 @@ void ask_for(Scene& scene, const std::string& label, const Shape& shape) {
   draw(scene, label, shape, false);
 }
 
-std::size_t times_in(const std::string& text, const std::string& part) {
-  std::size_t times = 0;
-  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++times;
-  return times;
+Scene every_kind() {
+  Scene scene;
+  ask_for(scene, "p", Point3d{1, 2, 3});
+  ask_for(scene, "v", Vector3d{1, 0, 0});
+  ask_for(scene, "plane", Plane3d{{0, 1, 0}, -1});
+  ask_for(scene, "polygon", Polygon3d{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}});
+  ask_for(scene, "box", Aabb3d{{0, 0, 0}, {1, 1, 1}});
+  ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
+  ask_for(scene, "mesh", Meshd{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  scene.space.push_back({SpaceFigure::Kind::segment, "segment", {0, 0, 0, 1, 1, 1}});
+  draw(scene, "point", Point3d{0, 1, 0}, true);
+  return scene;
 }
 
 }  // namespace
 
-TEST_CASE("figures in space: 5e-324 beside 1e308 gives finite pixels") {
+TEST_CASE("figures in space: between 5e-324 and 1.7e308 every point is within the box of steps") {
   Scene scene;
   ask_for(scene, "a", Point3d{1e308, -1e308, 5e-324});
   ask_for(scene, "b", Sphere3d{{0, 0, 0}, 1.7e308});
   ask_for(scene, "plane", Plane3d{{5e-324, 1e308, 0}, 1e308});
-  const std::string svg = space_svg(scene, "huge");
-  CHECK(has_space_svg(svg));
-  CHECK(times_in(svg, "nan") == 0);
-  CHECK(times_in(svg, "inf") == 0);
-  const SpaceModel model = space_model(scene);
-  for (const SpacePoint& p : model.points) CHECK(std::hypot(p.x, p.y, p.z) <= model.reach);
+  const Json model = space_model(scene, "huge");
+  REQUIRE(model["figures"].size() == 3);
+  CHECK(model["figures"][1]["radius"] == 100000);
+  for (const Json& figure : model["figures"])
+    for (const Json& point : figure["points"])
+      for (const Json& coordinate : point) CHECK(std::abs(coordinate.get<int>()) <= 100000);
 }
 
 TEST_CASE("figures in space: neighbouring doubles are two places") {
   Scene scene;
   ask_for(scene, "a", Point3d{1, 0, 0});
   ask_for(scene, "b", Point3d{1 + 0x1p-52, 0, 0});
-  const SpaceModel model = space_model(scene);
-  REQUIRE(model.points.size() >= 2);
-  CHECK(model.points[0].x == -steps_of_box);
-  CHECK(model.points[1].x == steps_of_box);
+  const Json model = space_model(scene, "near");
+  CHECK(model["figures"][0]["points"] == Json({{-100000, 0, 0}}));
+  CHECK(model["figures"][1]["points"] == Json({{100000, 0, 0}}));
+  CHECK(model["spans"][0] == "x: 1 \u00b1 1.1e-16");
 }
 
-TEST_CASE("figures in space: of a box from before, above and the right three faces look at the reader") {
+TEST_CASE(
+    "figures in space: a plane is shown where it is nearest to the rest, its normal of one length for all sizes") {
+  for (const double size : {1.0, 1e300, 0x1p-1074}) {
+    Scene scene;
+    ask_for(scene, "a", Point3d{-1, 0, 0});
+    ask_for(scene, "b", Point3d{1, 2, 0});
+    ask_for(scene, "plane", Plane3d{{0, -size, 0}, 0});
+    CHECK(space_model(scene, "")["figures"][2]["points"] == Json({{0, -100000, 0}, {0, -140000, 0}}));
+  }
+}
+
+TEST_CASE("figures in space: a thin scene is stretched and says so, one with a sphere is not and has a bar") {
   Scene scene;
-  ask_for(scene, "box", Aabb3d{{0, 0, 0}, {1, 1, 1}});
-  CHECK(times_in(space_svg(scene, "box"), "q0 stroke hid") == 3);  // the edges of the one corner that is behind
+  ask_for(scene, "box", Aabb3d{{0, 0, 0}, {100, 1, 100}});
+  const Json thin = space_model(scene, "");
+  CHECK(thin["remarks"] == Json({"y stretched 50 times"}));  // to half of the longest side
+  CHECK_FALSE(thin.contains("bar"));
+  ask_for(scene, "sphere", Sphere3d{{50, 0, 50}, 50});
+  const Json round = space_model(scene, "");
+  CHECK(round["remarks"].empty());
+  CHECK(round["bar"] == Json({40000.0, "20"}));
 }
 
-TEST_CASE("figures in space: a plane without a normal, an infinite point and a face without its vertex are not drawn") {
+TEST_CASE("figures in space: a plane without a normal and an infinite point are not drawn") {
   Scene scene;
   ask_for(scene, "plane", Plane3d{{0, 0, 0}, 1});
   ask_for(scene, "point", Point3d{HUGE_VAL, 0, 0});
-  CHECK(space_svg(scene, "nothing").empty());
-  ask_for(scene, "mesh", Meshd{{{0, 0, 0}, {1, 0, 0}}, {{0, 1, 7}}});
-  CHECK(space_model(scene).items.size() == 2);  // the vertices alone
+  CHECK(space_figure(scene, "nothing").empty());
+}
+
+TEST_CASE("figures in space: a page says in words what its script draws, and has the script with it") {
+  const std::string html = page("figures", space_figure(every_kind(), "every kind"));
+  CHECK_THAT(html, ContainsSubstring("<noscript><p>In space: point p, arrow v, plane plane, polygon polygon, box box, "
+                                     "sphere sphere, mesh mesh, segment segment, truth: point point; x: -1 to 1"));
+  CHECK_THAT(html, ContainsSubstring("; p: (1, 2, 3)"));
+  if (!there_is_node()) return;
+  const std::vector<Json> drawn = lines_of_node("drawn_page.mjs", html, {});
+  REQUIRE(drawn.size() == 1);
+  const std::string svg = drawn[0];
+  for (const char* label : {"p", "v", "plane", "polygon", "box", "sphere", "mesh", "segment", "truth: point"})
+    CHECK_THAT(svg, ContainsSubstring(std::string(">") + label + "</text>"));
+  CHECK_THAT(svg, ContainsSubstring("<title>every kind</title>"));
+  CHECK_THAT(svg, !ContainsSubstring("NaN"));
 }
 
 TEST_CASE("figures in space: a wrong point is drawn beside the truth, the right one is not drawn twice") {
+  const Operation& operation = *find_operation("closest_point_on_aabb");
   Scene scene;
   ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
   draw(scene, "point", Point3d{0, 1, 0}, true);
-  draw_answered(scene, Json::parse(R"({"point":[0,1,0]})"));
+  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0]})"), {});
   CHECK(scene.space.size() == 2);
-  draw_answered(scene, Json::parse(R"({"point":[0,1,0.5]})"));
+  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0.5]})"), {});
   REQUIRE(scene.space.size() == 3);
   CHECK(scene.space[2].said);
 }

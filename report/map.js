@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "report/map_script.h"
-
-namespace touchstone::audit {
-
-const char* const map_script = R"js(
+// Walks over a failure map: a click, a drag or the arrow keys choose a pixel, and the page says which question
+// it is and what was answered. The data of a map is what report/html_map.cpp writes into its section.
 (() => {
 'use strict';
 const side = 256, around = 7, cells = 2 * around + 1;
@@ -49,8 +46,8 @@ async function walk(section) {
     for (const cross of crosses) cross.style.left = percent(column), cross.style.top = percent(row);
     lenses.forEach((lens, m) => {
       const left = column - around, top = row - around;
-      lens.innerHTML = `<image href="${images[m].currentSrc || images[m].src}" x="${-left}" y="${-top}" width="${side}" ` +
-          `height="${side}" style="image-rendering:pixelated"/>` +
+      lens.innerHTML = `<image href="${images[m].currentSrc || images[m].src}" x="${-left}" y="${-top}" ` +
+          `width="${side}" height="${side}" style="image-rendering:pixelated"/>` +
           `<circle class="point" cx="${around + 0.5}" cy="${around + 0.5}" r="0.42"/>`;
     });
     const truth = answer(1, column, row);
@@ -61,8 +58,8 @@ async function walk(section) {
     const row_of = (who, one) => `<tr><th scope="row">${escaped(who)}</th><td>${escaped(one.says)}</td><td>` +
         `<span class="badge ${one.verdict}">${one.verdict}</span></td></tr>`;
     answers.innerHTML = `<p>${escaped(map.x)} = <code>${xs[column]}</code>, ${escaped(map.y)} = ` +
-        `<code>${ys[row]}</code></p><table class="said"><tbody><tr class="truth"><th scope="row">truth, exact</th><td>` +
-        `${escaped(truth.verdict === 'agree' ? truth.says : 'see below')}</td><td></td></tr>` +
+        `<code>${ys[row]}</code></p><table class="said"><tbody><tr class="truth"><th scope="row">truth, exact</th>` +
+        `<td>${escaped(truth.verdict === 'agree' ? truth.says : 'see below')}</td><td></td></tr>` +
         map.maps.map((one, m) => row_of(one.who, answer(m, column, row))).join('') + `</tbody></table>` +
         `<p class="small quiet">The input, and the line that asks it again:</p>` +
         `<pre class="input">${escaped(filled(map.input, column, row))}</pre>` +
@@ -125,6 +122,3 @@ async function walk(section) {
 if (typeof DecompressionStream === 'undefined') return;
 for (const section of document.querySelectorAll('[data-map]')) walk(section);
 })();
-)js";
-
-}  // namespace touchstone::audit

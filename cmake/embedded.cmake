@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+# A file NAME of another language -> NAME_script, its text, in the header embedded.h: pages of a report carry their
+# scripts in themselves, and the program prints its completion.
+
+set(scripts "")
+foreach(file report/viewer.js report/map.js program/completion.bash)
+  set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
+  file(READ ${PROJECT_SOURCE_DIR}/${file} script)
+  cmake_path(GET file STEM name)
+  string(APPEND scripts "constexpr const char* ${name}_script = R\"text(${script})text\";\n")
+endforeach()
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/embedded/embedded.h @ONLY CONTENT [[
+#pragma once
+
+namespace touchstone::audit {
+
+@scripts@
+}  // namespace touchstone::audit
+]])
+set_source_files_properties(${PROJECT_SOURCE_DIR}/report/html_parts.cpp ${PROJECT_SOURCE_DIR}/program/documentation.cpp
+                            PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/embedded)

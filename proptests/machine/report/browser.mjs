@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// As much of a browser as the scripts of a report's pages need.
+
+export const plain = html => html.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, n) => String.fromCharCode(n))
+    .replace(/&quot;/g, '"').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&amp;/g, '&');
+
+export class Element {
+  constructor(width = 0) {
+    Object.assign(this, {width, style: {}, dataset: {}, heard: {}, innerHTML: '', parts: {}, attributes: {}});
+    this.classList = {add() {}};
+  }
+  addEventListener(type, listener) { (this.heard[type] ??= []).push(listener); }
+  // Whether a listener has dealt with the event.
+  send(type, event) {
+    let prevented = false;
+    for (const listener of this.heard[type] ?? [])
+      listener({button: 0, pointerId: 1, preventDefault() { prevented = true; }, ...event});
+    return prevented;
+  }
+  append(child) { this.child = child; }
+  closest() { return this.frame; }
+  getAttribute(name) { return this.attributes[name]; }
+  get src() { return this.attributes.src; }
+  getBoundingClientRect() { return {left: 0, top: 0, width: this.width, height: this.width}; }
+  setPointerCapture() {}
+  scrollIntoView() { this.scrolled = true; }
+  querySelectorAll(selector) { return this.parts[selector]; }
+  querySelector(selector) { return (this.parts[selector] ??= [new Element()])[0]; }
+}
+
+// A document in which these are the elements of each selector.
+export const documentOf = elements => ({
+  querySelectorAll: selector => elements[selector] ?? [],
+  createElement: () => new Element(),
+});

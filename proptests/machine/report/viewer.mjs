@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// What report/viewer.js draws of a model, and how it turns. Expected places follow from its projection: from before, x
+// is to the right and y up, and what is farthest from the middle is 134 pixels from it.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import test from 'node:test';
+import {Element, documentOf, plain} from './browser.mjs';
+
+const script = readFileSync(new URL('../../../report/viewer.js', import.meta.url), 'utf8');
+const viewer = new Function('document', script + '\nreturn viewer;')(documentOf({}));
+const fromBefore = {cosYaw: 1, sinYaw: 0, cosPitch: 1, sinPitch: 0};
+const end = 100000, o = [0, 0, 0], x = [end, 0, 0], y = [0, end, 0], z = [0, 0, end];
+
+const figure = (kind, points, more = {}) => ({kind, label: kind, whose: 'question', points, ...more});
+const modelOf = (...figures) => ({title: 'a title', figures, spans: ['x: 0', 'y: 0', 'z: 0'], remarks: []});
+const drawn = (figures, turn = viewer.firstTurn) => viewer.picture(new viewer.Strokes(modelOf(...figures)), turn);
+const count = (svg, pattern) => (svg.match(new RegExp(pattern, 'g')) ?? []).length;
+const strokes = svg => ({
+  faces: count(svg, ' face"'), edges: count(svg, ' stroke( hid)?" d='), hidden: count(svg, ' stroke hid" d='),
+  heads: count(svg, ' head"'), dots: count(svg, ' dot"'), rings: count(svg, ' ring"'),
+});
+const texts = svg => [...svg.matchAll(/<text class="(q\d|truth|said|aid)"[^>]*>(.*?)<\/text>/g)].map(
+    found => [found[1], plain(found[2])]);
+const none = {faces: 0, edges: 0, hidden: 0, heads: 0, dots: 0, rings: 0};
+const tetrahedron = figure('mesh', [o, x, y, z], {faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]});
+
+for (const [one, wanted] of [
+  [figure('point', [x]), {dots: 1}],
+  [figure('segment', [o, x]), {edges: 1, dots: 2}],
+  [figure('arrow', [o, x]), {edges: 1, heads: 1, dots: 1}],
+  [figure('plane', [o, y]), {faces: 1, edges: 5, heads: 1}],
+  [figure('polygon', [x, y, z]), {faces: 1, edges: 3}],
+  [figure('box', [o, [end, end, end]]), {faces: 6, edges: 12, hidden: 3}],
+  [figure('sphere', [o], {radius: end}), {faces: 1, edges: 0, dots: 1}],
+  [tetrahedron, {faces: 4, edges: 6, hidden: 3}],
+]) {
+  test(`viewer: ${one.kind} is drawn, with its label`, () => {
+    const svg = drawn([one]);
+    assert.deepEqual(strokes(svg), {...none, ...wanted});
+    assert.deepEqual(texts(svg), [['q0', one.kind]]);
+  });
+}
+
+test('viewer: a sphere is an outline with an equator and meridians', () => {
+  const svg = drawn([figure('sphere', [o], {radius: end})], fromBefore);
+  assert.equal(count(svg, '<circle class="q0 stroke" cx="200" cy="150" r="134"/>'), 1);
+  assert.equal(count(svg, 'stroke thin"'), 1);
+  assert.equal(count(svg, 'stroke hid thin"'), 1);
+});
+
+test('viewer: the truth is a ring and says so, an answer has a colour of its own', () => {
+  const svg = drawn([figure('point', [x]), figure('point', [y], {whose: 'truth'}),
+                     figure('point', [z], {whose: 'answer', label: 'answered'}),
+                     tetrahedron, {...tetrahedron, whose: 'truth', label: ''}]);
+  assert.equal(strokes(svg).rings, 1);
+  assert.deepEqual(texts(svg), [['q0', 'point'], ['truth', 'truth: point'], ['said', 'answered'], ['q1', 'mesh'],
+                                ['truth', 'truth']]);
+});
+
+test('viewer: a list has one colour and its name once, a line drawn to help none', () => {
+  const list = [...Array(3).keys()].map(i => figure('point', [[end - i * 60000, 0, 0]], {label: `points[${i}]`}));
+  const svg = drawn([...list, figure('segment', [o, y], {label: ''}), figure('point', [z])]);
+  assert.deepEqual(texts(svg), [['q0', 'points[0]'], ['q0', '[1]'], ['q0', '[2]'], ['q1', 'point']]);
+  assert.equal(count(svg, 'class="aid stroke"'), 1);
+  const bare = [0, 1].map(i => figure('point', [[i * end, 0, 0]], {label: `[${i}]`}));
+  assert.deepEqual(texts(drawn(bare)), [['q0', '[0]'], ['q0', '[1]']]);
+  const long = [...Array(21).keys()].map(i => figure('point', [[i * 4000, 0, 0]], {label: `points[${i}]`}));
+  assert.deepEqual(texts(drawn(long)), [['q0', 'points']]);
+});
+
+test('viewer: a label is no markup', () => {
+  const svg = drawn([figure('point', [x], {label: '<b>&"'})]);
+  assert.ok(!svg.includes('<b>'));
+  assert.deepEqual(texts(svg), [['q0', '<b>&"']]);
+});
+
+test('viewer: from before x is to the right and y up; a quarter turn brings z there', () => {
+  const place = (p, turn) =>
+      /<circle class="q0 dot" cx="(.*?)" cy="(.*?)"/.exec(drawn([figure('point', [p])], turn)).slice(1, 3).map(Number);
+  const quarter = {...fromBefore, cosYaw: 0, sinYaw: 1}, above = {...fromBefore, cosPitch: 0, sinPitch: 1};
+  assert.deepEqual(place(x, fromBefore), [334, 150]);
+  assert.deepEqual(place(y, fromBefore), [200, 16]);
+  assert.deepEqual(place(z, fromBefore), [200, 150]);
+  assert.deepEqual(place(z, quarter), [66, 150]);
+  assert.deepEqual(place(z, above), [200, 284]);
+  assert.deepEqual(place(y, above), [200, 150]);
+  assert.deepEqual(place(x, {...above, cosYaw: 0, sinYaw: 1}), [200, 284]);
+});
+
+test('viewer: a plane is a square about its point, twice its normal to each side', () => {
+  // From straight above, its corners are farthest from the middle: 134 / sqrt(2) pixels in each direction.
+  const plane = figure('plane', [o, [0, 40000, 0]]), above = drawn([plane], {...fromBefore, cosPitch: 0, sinPitch: 1});
+  const corners = / face" d="M(.*?)Z"/.exec(above)[1].split('L').sort();
+  assert.deepEqual(corners, ['105.2 244.8', '105.2 55.2', '294.8 244.8', '294.8 55.2']);
+  assert.match(drawn([plane], fromBefore), / head" d="M200 102.6L/);  // 150 - 134 / (2 sqrt(2))
+});
+
+test('viewer: what is nearer is drawn later', () => {
+  for (const points of [[z, [0, 0, -end]], [[0, 0, -end], z]]) {
+    const kinds = points.map(p => figure(p[2] > 0 ? 'point' : 'sphere', [p], {radius: 10}));
+    const svg = drawn(kinds, fromBefore);
+    assert.ok(svg.indexOf('r="4.2"') > svg.indexOf('r="3.2"'));
+  }
+});
+
+test('viewer: nothing hides the rim of an open surface', () => {
+  const away = figure('mesh', [x, y, z], {faces: [[0, 2, 1]]});
+  assert.deepEqual(strokes(drawn([away])), {...none, faces: 1, edges: 3});
+});
+
+test('viewer: labels do not cover one another', () => {
+  const near = [0, 900, 1800].map(at => figure('point', [[at, 0, 0]], {label: `a long label ${at}`}));
+  const svg = drawn([...near, figure('point', [x])], fromBefore);
+  const boxes = [...svg.matchAll(/<text class="q\d" x="(.*?)" y="(.*?)">(.*?)</g)]
+      .map(([, left, base, words]) => ({left: +left, right: +left + 6.9 * words.length, bottom: +base + 3.5}));
+  assert.equal(boxes.length, 4);
+  for (const a of boxes)
+    for (const b of boxes)
+      assert.ok(a === b || a.right <= b.left || b.right <= a.left || Math.abs(a.bottom - b.bottom) >= 15);
+});
+
+test('viewer: a mesh is drawn without a face that names no vertex', () => {
+  const mesh = figure('mesh', [o, x], {faces: [[0, 1, 7]]});
+  assert.deepEqual(strokes(drawn([mesh])), {...none, dots: 2});
+});
+
+test('viewer: what is too small to see gets a dot, and one point alone is in the middle', () => {
+  const small = figure('polygon', [x, [end - 9, 0, 0], [end, 9, 0]]), far = figure('point', [o]);
+  assert.equal(strokes(drawn([small, far])).dots, 2);
+  assert.match(drawn([figure('point', [o])]), /cx="200" cy="150"/);
+});
+
+test('viewer: every number is finite, whatever coincides', () => {
+  const kinds = [figure('segment', [o, o]), figure('arrow', [o, o]), figure('polygon', [o, o, o]),
+                 figure('box', [o, o]), figure('sphere', [o], {radius: 0}),
+                 figure('mesh', [o, o, o], {faces: [[0, 1, 2]]}),
+                 figure('plane', [[3 * end, -3 * end, 1], [3 * end, -3 * end, 40001]])];
+  for (const one of [...kinds.map(kind => [kind]), kinds, []])
+    for (const turn of [viewer.firstTurn, fromBefore]) assert.doesNotMatch(drawn(one, turn), /NaN|Infinity|undefined/);
+});
+
+// A figure on a page, what it shows, and the frames that it asks for.
+function shown(...figures) {
+  const place = new Element(), group = place.querySelector('.turning'), svg = place.querySelector('svg');
+  const frames = [];
+  globalThis.requestAnimationFrame = frame => frames.push(frame);
+  viewer.show(place, modelOf(...figures));
+  const first = /<g class="turning">(.*?)<\/g>/s.exec(place.innerHTML)[1];
+  group.innerHTML = first;
+  return {first, svg, place, now() {
+    for (const frame of frames.splice(0)) frame();
+    return group.innerHTML;
+  }};
+}
+
+test('viewer: the first view is the same everywhere: no function of which a browser has its own is asked', () => {
+  const {sin, cos} = Math, refused = () => { throw new Error('asked'); };
+  Object.assign(Math, {sin: refused, cos: refused});
+  try {
+    assert.equal(shown(tetrahedron).first, drawn([tetrahedron]));
+  } finally {
+    Object.assign(Math, {sin, cos});
+  }
+});
+
+test('viewer: the arrow keys turn the figure, and Home turns it back', () => {
+  const page = shown(tetrahedron), press = (key, more = {}) => page.svg.send('keydown', {key, ...more});
+  const views = ['ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown'].map(key => {
+    assert.ok(press(key));
+    return page.now();
+  });
+  assert.equal(new Set([page.first, ...views.slice(0, 3)]).size, 4);
+  assert.equal(views[3], page.first);
+  press('ArrowLeft');
+  press('ArrowLeft');
+  assert.notEqual(page.now(), page.first);
+  assert.ok(press('Home'));
+  assert.equal(page.now(), page.first);
+  assert.ok(!press('Tab') && !press('ArrowLeft', {ctrlKey: true}));
+  assert.equal(page.now(), page.first);
+});
+
+test('viewer: it turns no further than to see from straight above or below', () => {
+  const page = shown(tetrahedron), turned = (key, times) => {
+    for (let i = 0; i < times; ++i) page.svg.send('keydown', {key});
+    return page.now();
+  };
+  assert.equal(turned('ArrowDown', 24), turned('ArrowDown', 3));
+  assert.notEqual(turned('ArrowUp', 1), turned('ArrowUp', 1));
+});
+
+test('viewer: a drag turns it, by the pointer that holds it, until it lets go', () => {
+  const page = shown(tetrahedron), send = (type, clientX, clientY, more = {}) =>
+      page.svg.send(type, {clientX, clientY, ...more});
+  send('pointermove', 50, 50);
+  send('pointerdown', 10, 10, {button: 2});
+  send('pointermove', 50, 50);
+  assert.equal(page.now(), page.first);
+  send('pointerdown', 10, 10);
+  send('pointermove', 50, 50, {pointerId: 2});
+  assert.equal(page.now(), page.first);
+  send('pointermove', 50, 10);
+  const turned = page.now();
+  assert.notEqual(turned, page.first);
+  send('pointermove', 10, 10);
+  assert.equal(page.now(), page.first);
+  for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) {
+    send('pointerdown', 10, 10);
+    send(end, 10, 10);
+    send('pointermove', 50, 10);
+    assert.equal(page.now(), page.first);
+  }
+});
+
+test('viewer: below the frame stand the spans, then a bar as long as it says, then remarks', () => {
+  const place = new Element();
+  viewer.show(place, {...modelOf(figure('segment', [o, x])), bar: [end / 2, '0.5'], remarks: ['a remark']});
+  const below = plain(place.innerHTML.replace(/<g class="turning">.*?<\/g>/s, '').replaceAll('</text>', '\n'));
+  for (const line of ['x: 0', 'y: 0', 'z: 0', '0.5', 'a remark']) assert.ok(below.includes(line));
+  assert.match(place.innerHTML, /<path class="tick" d="M333 307v6m0 -3h67m0 -3v6"\/>/);
+  assert.match(place.innerHTML, /<title>a title<\/title>/);
+});
