@@ -18,7 +18,7 @@ std::vector<double> numbers_in(const Json& field) {
   return numbers;
 }
 
-/// The extent of a scene's figures in their coordinates, dimension by dimension.
+/// The extent of a drawing's figures in their coordinates, dimension by dimension.
 struct Extents {
   std::size_t dimension;
   double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
@@ -47,23 +47,23 @@ bool is_the_truth(const std::vector<AnyFigure>& figures, const std::vector<doubl
                      [&](const AnyFigure& figure) { return figure.answer && figure.numbers == numbers; });
 }
 
-void draw_in_the_plane(Scene& scene, const Json& answer) {
+void draw_in_the_plane(Drawing& drawing, const Json& answer) {
   struct Drawn {
     const char* field;
     Figure::Kind kind;
     std::size_t numbers;
   };
   Extents extents{2};
-  for (const Figure& figure : scene.figures) {
+  for (const Figure& figure : drawing.figures) {
     const bool circle = figure.kind == Figure::Kind::circle;
     extents.put(figure.numbers, circle ? 2 : figure.numbers.size(), circle ? figure.numbers[2] : 0);
   }
   for (const Drawn& drawn : {Drawn{"point", Figure::Kind::point, 2}, Drawn{"overlap", Figure::Kind::segment, 4}}) {
     if (!answer.contains(drawn.field)) continue;
     const std::vector<double> numbers = numbers_in(answer[drawn.field]);
-    if (is_the_truth(scene.figures, numbers)) return;
+    if (is_the_truth(drawing.figures, numbers)) return;
     if (numbers.size() == drawn.numbers && extents.near(numbers, numbers.size()))
-      scene.figures.push_back({drawn.kind, "answered", numbers, false, true});
+      drawing.figures.push_back({drawn.kind, "answered", numbers, false, true});
   }
 }
 
@@ -82,7 +82,7 @@ std::vector<double> corners_of(const Json& indices, const Json& points) {
 }
 
 /// Pieces of a polygon, and a hull, are answered as lists of the question's points.
-void draw_indices(Scene& scene, const Json& answer, const Json& input) {
+void draw_indices(Drawing& drawing, const Json& answer, const Json& input) {
   const char* const of = input.contains("polygon") ? "polygon" : "points";
   if (!input.contains(of) || !input[of].is_array()) return;
   std::vector<std::vector<double>> rings;
@@ -94,15 +94,15 @@ void draw_indices(Scene& scene, const Json& answer, const Json& input) {
   if (answer.contains("polygon") && answer["polygon"].is_array())
     rings.push_back(corners_of(answer["polygon"], input[of]));
   for (std::vector<double>& ring : rings) {
-    if (ring.size() >= 4) scene.figures.push_back({Figure::Kind::polygon, "answered", std::move(ring), false, true});
+    if (ring.size() >= 4) drawing.figures.push_back({Figure::Kind::polygon, "answered", std::move(ring), false, true});
   }
   if (answer.contains("segment") && answer["segment"].is_array()) {
     std::vector<double> ends = corners_of(answer["segment"], input[of]);
-    if (ends.size() == 4) scene.figures.push_back({Figure::Kind::segment, "answered", std::move(ends), false, true});
+    if (ends.size() == 4) drawing.figures.push_back({Figure::Kind::segment, "answered", std::move(ends), false, true});
   }
 }
 
-void draw_in_space(Scene& scene, const Json& answer) {
+void draw_in_space(Drawing& drawing, const Json& answer) {
   using Kind = SpaceFigure::Kind;
   struct Drawn {
     const char* field;
@@ -111,7 +111,7 @@ void draw_in_space(Scene& scene, const Json& answer) {
   };
   Extents extents{3};
   std::vector<SpaceFigure> answered;
-  for (const SpaceFigure& figure : scene.space) {
+  for (const SpaceFigure& figure : drawing.space) {
     const bool sphere = figure.kind == Kind::sphere;
     if (figure.kind != Kind::plane)
       extents.put(figure.numbers, sphere ? 3 : figure.numbers.size(), sphere ? figure.numbers[3] : 0);
@@ -133,21 +133,21 @@ void draw_in_space(Scene& scene, const Json& answer) {
   }
   for (SpaceFigure& figure : answered) {
     const std::size_t coordinates = figure.kind == Kind::sphere ? 3 : figure.numbers.size();
-    if (!is_the_truth(scene.space, figure.numbers) && extents.near(figure.numbers, coordinates))
-      scene.space.push_back(std::move(figure));
+    if (!is_the_truth(drawing.space, figure.numbers) && extents.near(figure.numbers, coordinates))
+      drawing.space.push_back(std::move(figure));
   }
 }
 
 }  // namespace
 
-void draw_answered(Scene& scene, const Json& answer, const Json& input) {
+void draw_answered(Drawing& drawing, const Json& answer, const Json& input) {
   if (!answer.is_object()) return;
-  if (!scene.figures.empty()) {
-    draw_in_the_plane(scene, answer);
-    if (input.is_object()) draw_indices(scene, answer, input);
+  if (!drawing.figures.empty()) {
+    draw_in_the_plane(drawing, answer);
+    if (input.is_object()) draw_indices(drawing, answer, input);
     return;
   }
-  if (!scene.space.empty()) draw_in_space(scene, answer);
+  if (!drawing.space.empty()) draw_in_space(drawing, answer);
 }
 
 }  // namespace touchstone::audit

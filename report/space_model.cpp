@@ -270,7 +270,7 @@ class Builder {
 
 }  // namespace
 
-SpaceModel space_model(const Scene& scene) {
+SpaceModel space_model(const Drawing& scene) {
   std::vector<SpaceFigure> figures;
   for (const SpaceFigure& figure : scene.space) {
     if (drawable(figure)) figures.push_back(figure);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 #include "report/space_scale.h"
 
 /// A scene in space as strokes between points in whole steps (space_scale.h): 5e-324 and 1e308 in one scene neither
@@ -38,6 +38,6 @@ struct SpaceModel {
 };
 
 /// No items where the scene has no figure in space whose numbers are finite.
-SpaceModel space_model(const Scene& scene);
+SpaceModel space_model(const Drawing& scene);
 
 }  // namespace touchstone::audit

@@ -83,7 +83,7 @@ std::string space_style() {
 
 bool has_space_svg(const std::string& html) { return html.find(opening) != std::string::npos; }
 
-std::string space_svg(const Scene& scene, const std::string& title) {
+std::string space_svg(const Drawing& scene, const std::string& title) {
   const SpaceModel model = space_model(scene);
   if (model.items.empty()) return "";
   const Frame& frame = space_frame.frame;

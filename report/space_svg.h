@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 
 namespace touchstone::audit {
 
 /// A scene's figures in space as SVG, seen from before, above and the right, with what the script of the page needs
 /// to turn them. `title` is what a screen reader says. Empty where there is nothing to draw.
-std::string space_svg(const Scene& scene, const std::string& title);
+std::string space_svg(const Drawing& scene, const std::string& title);
 
 /// Whether a page has such a figure, and so is in need of the script.
 bool has_space_svg(const std::string& html);

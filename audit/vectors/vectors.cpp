@@ -32,11 +32,10 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   line["input"] = with_names(input);
   try {
     const auto examination = operation.examine(question);
-    Json all = explained(operation, question, *examination);
-    line["truth"] = all["truth"];
+    line["truth"] = examination->truth();
     line["rounded"] = examination->rounded_truth();
-    if (all.contains("margin")) line["margin"] = all["margin"];
-    line["certificate"] = all["certificate"];
+    if (examination->margin()) line["margin"] = written(*examination->margin());
+    line["certificate"] = certificate_json(examination->certificate());
     line["flags"] = flags_of(question, *examination);
     const Json as_typed = truth_of_decimals(operation, input);
     if (!as_typed.is_null() && as_typed != line["truth"] && family.starts_with("typed")) line["as_typed"] = as_typed;

@@ -132,11 +132,11 @@ TEST_CASE("pages: pieces that were answered are drawn at the polygon's vertices,
   const Json input = Json::parse(R"({"polygon":[[0,0],[4,0],[4,4],[0,4]]})");
   for (const auto& [answer, drawn] :
        {std::pair(R"({"triangles":[[0,1,2],[0,2,3]]})", 2), std::pair(R"({"triangles":[[0,1,4]]})", 0)}) {
-    Scene scene;
-    scene.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
-    draw_answered(scene, Json::parse(answer), input);
-    REQUIRE(scene.figures.size() == 1u + static_cast<std::size_t>(drawn));
-    if (drawn > 0) CHECK(scene.figures[1].numbers == std::vector<double>{0, 0, 4, 0, 4, 4});
+    Drawing drawing;
+    drawing.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
+    draw_answered(drawing, Json::parse(answer), input);
+    REQUIRE(drawing.figures.size() == 1u + static_cast<std::size_t>(drawn));
+    if (drawn > 0) CHECK(drawing.figures[1].numbers == std::vector<double>{0, 0, 4, 0, 4, 4});
   }
 }
 

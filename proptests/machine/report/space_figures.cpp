@@ -12,7 +12,7 @@ namespace touchstone::audit {
 namespace {
 
 template <class Shape>
-void ask_for(Scene& scene, const std::string& label, const Shape& shape) {
+void ask_for(Drawing& scene, const std::string& label, const Shape& shape) {
   draw(scene, label, shape, false);
 }
 
@@ -25,7 +25,7 @@ std::size_t times_in(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("figures in space: 5e-324 beside 1e308 gives finite pixels") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "a", Point3d{1e308, -1e308, 5e-324});
   ask_for(scene, "b", Sphere3d{{0, 0, 0}, 1.7e308});
   ask_for(scene, "plane", Plane3d{{5e-324, 1e308, 0}, 1e308});
@@ -38,7 +38,7 @@ TEST_CASE("figures in space: 5e-324 beside 1e308 gives finite pixels") {
 }
 
 TEST_CASE("figures in space: neighbouring doubles are two places") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "a", Point3d{1, 0, 0});
   ask_for(scene, "b", Point3d{1 + 0x1p-52, 0, 0});
   const SpaceModel model = space_model(scene);
@@ -48,13 +48,13 @@ TEST_CASE("figures in space: neighbouring doubles are two places") {
 }
 
 TEST_CASE("figures in space: of a box from before, above and the right three faces look at the reader") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "box", Aabb3d{{0, 0, 0}, {1, 1, 1}});
   CHECK(times_in(space_svg(scene, "box"), "q0 stroke hid") == 3);  // the edges of the one corner that is behind
 }
 
 TEST_CASE("figures in space: a plane without a normal, an infinite point and a face without its vertex are not drawn") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "plane", Plane3d{{0, 0, 0}, 1});
   ask_for(scene, "point", Point3d{HUGE_VAL, 0, 0});
   CHECK(space_svg(scene, "nothing").empty());
@@ -63,7 +63,7 @@ TEST_CASE("figures in space: a plane without a normal, an infinite point and a f
 }
 
 TEST_CASE("figures in space: a wrong point is drawn beside the truth, the right one is not drawn twice") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
   draw(scene, "point", Point3d{0, 1, 0}, true);
   draw_answered(scene, Json::parse(R"({"point":[0,1,0]})"));
