@@ -40,7 +40,7 @@ class Worker {
     }
     for (std::size_t i = 0; i < pending.size(); ++i) {
       if (engine_ == nullptr && limit_.over()) break;  // what an engine has answered is judged
-      const Pending& p = pending[i];
+      Pending& p = pending[i];
       const Asked asked{operation_, p.question, p.examination->outcome(), p.index, options_.limits};
       if (engine_ == nullptr) {
         count(asked_[p.family], asked, p.examination->judge_reference());
@@ -55,6 +55,7 @@ class Worker {
         }
       }
       count(robust_[p.family], asked, p.examination->judge_robust());
+      p.examination.reset();  // with all that it has computed
     }
   }
 

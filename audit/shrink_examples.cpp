@@ -24,16 +24,6 @@ class Shrinker {
   Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way)
       : shrinking_(shrinking), family_(family), way_(way) {}
 
-  /// What we answered ourselves is not kept while cases are counted.
-  void add_answer(Finding& example) const {
-    if (shrinking_.engine != nullptr) return;
-    try {
-      const auto examination = shrinking_.operation.examine(example.question);
-      example.answer = shrinking_.robust ? examination->robust() : examination->reference();
-    } catch (const InvalidInput&) {  // refused differently by robust and oracle: there is none
-    }
-  }
-
   void shrink(Finding& example) {
     if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
     Choices choices = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
@@ -65,7 +55,7 @@ class Shrinker {
     if (engine != nullptr && engine->declaration().binary32) question = operation.in_binary32(question);
     Finding found{std::move(question), {}, nullptr, index};
     try {
-      const auto examination = operation.examine(found.question);
+      std::unique_ptr<const Examination> examination = operation.examine(found.question);
       if (shrinking_.robust) {
         found.judgement = examination->judge_robust();
         found.answer = examination->robust();
@@ -80,6 +70,7 @@ class Shrinker {
         found.answer = kept(reply.answer);
       }
       if (way_of(found.judgement, examination->outcome()) != way_) return std::nullopt;
+      found.examined = std::make_shared<Once<std::unique_ptr<const Examination>>>(std::move(examination));
     } catch (const InvalidInput&) {
       return std::nullopt;
     }

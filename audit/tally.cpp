@@ -137,6 +137,10 @@ Range range_of(const Question& question, const Limits& limits) {
   return ordinary ? Range::ordinary : Range::extreme;
 }
 
+const Examination& Finding::examination(const Operation& operation) const {
+  return *examined->value([&] { return operation.examine(question); });
+}
+
 const char* cause_of(const Judgement& judgement) {
   if (judgement.verdict != Verdict::rounding) return name_of(judgement.verdict);
   return judgement.out_of_range ? "out_of_range" : "cancellation";

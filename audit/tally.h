@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,12 @@ struct Finding {
   std::uint64_t index = 0;  ///< of the case within its operation and family
   Range range = Range::ordinary;
   bool generic = true;  ///< audit/generic.h
+  /// Its question as it was examined, by the shrinker or when first asked for; copies share it.
+  std::shared_ptr<Once<std::unique_ptr<const Examination>>> examined =
+      std::make_shared<Once<std::unique_ptr<const Examination>>>();
+
+  /// Throws InvalidInput where the oracle refuses the question.
+  const Examination& examination(const Operation& operation) const;
 };
 
 /// The verdict, or of `rounding` its kind: "cancellation" or "out_of_range".

@@ -13,9 +13,9 @@ namespace touchstone::audit {
 namespace {
 
 /// Null where robust and oracle refuse the question.
-Json truth_json(const Operation& operation, const Question& question) {
+Json truth_json(const Operation& operation, const Finding& finding) {
   try {
-    return operation.examine(question)->truth();
+    return finding.examination(operation).truth();
   } catch (const InvalidInput&) {
     return nullptr;
   }
@@ -30,7 +30,7 @@ struct Whose {
 Json finding_json(const Operation& operation, const Finding& finding, const Whose& whose) {
   return {{"input", operation.print(finding.question)},
           {"hex", operation.print_hexadecimal(finding.question)},
-          {"truth", truth_json(operation, finding.question)},
+          {"truth", truth_json(operation, finding)},
           {"cause", cause_of(finding.judgement)},
           {"index", finding.index},
           {"answer", plain(finding.answer)},

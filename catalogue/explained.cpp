@@ -48,14 +48,13 @@ Json truth_of_decimals(const Operation& operation, const Json& printed) {
   }
 }
 
-Json explained(const Operation& operation, const Question& question) {
-  return explained(operation, question, *operation.examine(question));
-}
+Json explained(const Operation& operation, const Question& question) { return explained(*operation.examine(question)); }
 
-Json explained(const Operation& operation, const Question& question, const Examination& examination) {
+Json explained(const Examination& examination) {
+  const Operation& operation = examination.operation();
   Json line = Json::object();
   line["op"] = operation.name();
-  line["input"] = operation.print(question);
+  line["input"] = operation.print(examination.question());
   line["truth"] = examination.truth();
   if (examination.margin()) line["margin"] = written(*examination.margin());
   line["certificate"] = certificate_json(examination.certificate());
@@ -70,8 +69,15 @@ Json explained(const Operation& operation, const Question& question, const Exami
   return line;
 }
 
-std::string certificate_complaint(const Operation& operation, const Question& question) {
-  const auto refused = certify::refuse(nlohmann::json::parse(explained(operation, question).dump()));
+nlohmann::json claim_of(const Examination& examination) {
+  return {{"op", examination.operation().name()},
+          {"input", examination.operation().print(examination.question())},
+          {"truth", examination.truth()},
+          {"certificate", certificate_json(examination.certificate())}};
+}
+
+std::string certificate_complaint(const Examination& examination) {
+  const auto refused = certify::refuse(claim_of(examination));
   return refused ? "the checker refuses the oracle's certificate: " + *refused : "";
 }
 

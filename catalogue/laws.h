@@ -7,7 +7,8 @@
 
 namespace touchstone::audit {
 
-/// Exact symmetries of an operation, as data; proptests/agreement/laws.cpp asks robust and the oracle for them.
+/// Exact symmetries of an operation, as data; proptests/agreement/interrogation.cpp asks robust and the oracle for
+/// them.
 struct Laws {
   /// Maps of the plane or of space: the image of a question has the image of its answer. Positions and displacements
   /// are mapped, lengths take the map's factor, other numbers stay.

@@ -74,68 +74,6 @@ std::string refusal(const auto& ask) {
   }
 }
 
-/// Points and segments of the truth, rounded for the eye.
-class AnswerDrawing {
- public:
-  AnswerDrawing(Scene& scene, const TrueTape& truth)
-      : scene_(scene),
-        rounded_(tape_with<double>(truth, [](const TrueNumber& n) { return nearest(n); })),
-        exact_(truth),
-        at_(rounded_) {}
-
-  void draw(const Shape& shape, const std::string& label) {
-    if (shape.draw != nullptr) {
-      shape.draw(scene_, label, at_, true);
-      return pass(shape);
-    }
-    switch (shape.kind) {
-      case Shape::Kind::optional:
-        if (*at_.word++ != 0) ++exact_.word, draw(*shape.parts[0].shape, label);
-        else ++exact_.word;
-        return;
-      case Shape::Kind::word:
-        scene_.notes.push_back(label + ": " + shape.words[*at_.word++]);
-        ++exact_.word;
-        return;
-      case Shape::Kind::number:
-        scene_.notes.push_back(label + " = " + in_words(*exact_.number++));
-        ++at_.number;
-        return;
-      case Shape::Kind::record:
-        if (shape.form == Form::bare) break;
-        for (const Shape::Part& part : shape.parts) draw(*part.shape, part.name);
-        return;
-      case Shape::Kind::choice: {
-        const Word which = *at_.word++;
-        ++exact_.word;
-        return draw(*shape.parts[which].shape, label);
-      }
-      default: break;
-    }
-    const Cursor<TrueNumber> before = exact_;
-    scene_.notes.push_back(
-        label + ": " + one_line(json_of<TrueNumber>(shape, exact_, [](const TrueNumber& n) { return written(n); })));
-    at_.number += exact_.number - before.number;
-    at_.word += exact_.word - before.word;
-  }
-
- private:
-  static std::string in_words(const TrueNumber& number) { return written(number).get<std::string>(); }
-  /// Moves the exact cursor as far as the other one has been moved.
-  void pass(const Shape& shape) {
-    struct Nothing {
-      void number(const Shape&, const Cursor<TrueNumber>&) {}
-      void word(const Shape&, const Cursor<TrueNumber>&) {}
-    } nothing;
-    walk_tape(shape, exact_, nothing);
-  }
-
-  Scene& scene_;
-  Tape<double> rounded_;
-  Cursor<TrueNumber> exact_;
-  Cursor<double> at_;
-};
-
 }  // namespace
 
 Operation::Operation(RowFunctions functions) : row_(std::move(functions)), families_(row_) {
@@ -267,22 +205,6 @@ Question Operation::on_grid(int size, std::uint64_t index, std::size_t list_leng
 std::optional<DecisionCount> Operation::count_decisions(int size, std::uint64_t first, std::uint64_t last) const {
   if (row_.count_decisions == nullptr) return std::nullopt;
   return row_.count_decisions(size, first, last);
-}
-
-Scene Operation::scene(const Question& question) const {
-  Scene scene;
-  if (row_.draw != nullptr) {
-    row_.draw(scene, question);
-  } else {
-    draw_question(scene, question_, question);
-  }
-  try {
-    const Solution solution = row_.solve(question);
-    AnswerDrawing(scene, solution.answer).draw(*row_.answer, card().answer);
-  } catch (const InvalidInput& refused) {
-    scene.notes.push_back(refused.what());
-  }
-  return scene;
 }
 
 Question Operation::map_centre() const {

@@ -9,6 +9,7 @@
 
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/families/families.h"
+#include "catalogue/judge/compare.h"
 #include "catalogue/judge/examination.h"
 #include "catalogue/row_functions.h"
 
@@ -81,8 +82,6 @@ class Operation {
   /// pair of decisions.
   std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const;
 
-  /// The figure of a question and of the truth about it.
-  Scene scene(const Question& question) const;
   /// For maps: indices of the two numbers to move, and a degenerate question around which to move them.
   Question map_centre() const;
   std::pair<std::size_t, std::size_t> map_axes() const;

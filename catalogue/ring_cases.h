@@ -17,18 +17,15 @@ namespace touchstone::audit {
 /// in either direction, from any vertex on.
 std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases();
 
-/// The polygon, and the pieces as an implementation gives them.
-template <class Pieces>
-void draw_pieces(Scene& scene, const Polygon2d& polygon, const Pieces& pieces_of) {
-  draw(scene, "polygon", polygon, false);
-  try {
-    for (const auto& piece : pieces_of(polygon)) {
-      Polygon2d part;
-      for (const Index i : piece) part.vertices.push_back(polygon[i]);
-      draw(scene, "", part, true);
-    }
-  } catch (const InvalidInput&) {
-    // No pieces: the scene's notes say why.
+/// The polygon and its pieces.
+inline void draw_pieces(Drawing& drawing, const std::tuple<Polygon2d>& question,
+                        const std::vector<std::vector<Index>>& pieces) {
+  const Polygon2d& polygon = std::get<0>(question);
+  draw(drawing, "polygon", polygon, false);
+  for (const std::vector<Index>& piece : pieces) {
+    Polygon2d part;
+    for (const Index i : piece) part.vertices.push_back(polygon[i]);
+    draw(drawing, "", part, true);
   }
 }
 

@@ -155,8 +155,9 @@ struct Hooks {
   /// move (default: the last two).
   Question (*map_centre)() = nullptr;
   std::pair<std::size_t, std::size_t> (*map_axes)() = nullptr;
-  /// Draws the question (default: every argument by its type).
-  void (*draw)(Scene&, const Question&) = nullptr;
+  /// Draws the question (default: every argument by its type), and of the truth, whose numbers are the nearest doubles,
+  /// what its own type does not tell: the points that its indices mean.
+  void (*draw)(Drawing&, const Question&, const answer_t<Row>& truth) = nullptr;
   /// Questions of exhaustive runs of that size: how many, and the one of an index (default: a grid of all numbers).
   std::uint64_t (*world_count)(int size) = nullptr;
   Question (*world_at)(int size, std::uint64_t index) = nullptr;

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "catalogue/card.h"
+#include "catalogue/drawing.h"
 #include "catalogue/families/choices.h"
 #include "catalogue/judge/exact.h"
 #include "catalogue/judge/tracked.h"
 #include "catalogue/judge/true_number.h"
 #include "catalogue/laws.h"
-#include "catalogue/scene.h"
 #include "catalogue/shape.h"
 #include "oracle/truth.h"
 #include "robust/kernel/staged.h"
@@ -96,7 +96,7 @@ struct RowFunctions {
   std::vector<mpq_class> (*residuals)(const Question&, const Tape<double>& answer);
   Question (*map_centre)();
   std::pair<std::size_t, std::size_t> (*map_axes)();
-  void (*draw)(Scene&, const Question&);
+  void (*draw)(Drawing&, const Question&, const Tape<double>& truth);  ///< the truth in nearest doubles
   std::optional<World> world;
   Laws laws;
 };

@@ -178,7 +178,9 @@ struct RowOf {
     return hooks().residuals(unpacked<Asked>(question), unpacked<Answer>(answer));
   }
   static Question map_centre() { return packed(hooks().map_centre()); }
-  static void draw(Scene& scene, const Question& question) { hooks().draw(scene, unpacked<Asked>(question)); }
+  static void draw(Drawing& drawing, const Question& question, const Tape<double>& truth) {
+    hooks().draw(drawing, unpacked<Asked>(question), unpacked<Answer>(truth));
+  }
   static std::uint64_t world_count(int size) { return hooks().world_count(size); }
   static Question world_at(int size, std::uint64_t index) { return packed(hooks().world_at(size, index)); }
 

@@ -38,28 +38,28 @@ Shape measured(Shape shape) {
 
 namespace {
 
-void draw_value(Scene& scene, const Shape& shape, const std::string& label, Cursor<double>& at) {
-  if (shape.draw != nullptr) return shape.draw(scene, label, at, false);
+void draw_value(Drawing& drawing, const Shape& shape, const std::string& label, Cursor<double>& at) {
+  if (shape.draw != nullptr) return shape.draw(drawing, label, at, false);
   switch (shape.kind) {
-    case Shape::Kind::number: return draw(scene, label, *at.number++, false);
-    case Shape::Kind::word: scene.notes.push_back(label + ": " + shape.words[*at.word++]); return;
-    case Shape::Kind::flag: scene.notes.push_back(label + (*at.word++ != 0 ? ": true" : ": false")); return;
-    case Shape::Kind::index: scene.notes.push_back(label + ": " + std::to_string(*at.word++)); return;
+    case Shape::Kind::number: return draw(drawing, label, *at.number++, false);
+    case Shape::Kind::word: drawing.notes.push_back(label + ": " + shape.words[*at.word++]); return;
+    case Shape::Kind::flag: drawing.notes.push_back(label + (*at.word++ != 0 ? ": true" : ": false")); return;
+    case Shape::Kind::index: drawing.notes.push_back(label + ": " + std::to_string(*at.word++)); return;
     case Shape::Kind::optional:
-      if (*at.word++ != 0) draw_value(scene, *shape.parts[0].shape, label, at);
+      if (*at.word++ != 0) draw_value(drawing, *shape.parts[0].shape, label, at);
       return;
     case Shape::Kind::list: {
       const Word length = *at.word++;
       for (Word i = 0; i < length; ++i)
-        draw_value(scene, *shape.parts[0].shape, label + "[" + std::to_string(i) + "]", at);
+        draw_value(drawing, *shape.parts[0].shape, label + "[" + std::to_string(i) + "]", at);
       return;
     }
     case Shape::Kind::choice: {
       const Word which = *at.word++;
-      return draw_value(scene, *shape.parts[which].shape, label, at);
+      return draw_value(drawing, *shape.parts[which].shape, label, at);
     }
     case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) draw_value(scene, *part.shape, part.name, at);
+      for (const Shape::Part& part : shape.parts) draw_value(drawing, *part.shape, part.name, at);
   }
 }
 
@@ -90,9 +90,9 @@ Word longest_list(const Shape& shape, const Question& question) {
   return longest.length;
 }
 
-void draw_question(Scene& scene, const Shape& shape, const Question& question) {
+void draw_question(Drawing& drawing, const Shape& shape, const Question& question) {
   Cursor<double> at(question);
-  draw_value(scene, shape, "", at);
+  draw_value(drawing, shape, "", at);
 }
 
 }  // namespace touchstone::audit

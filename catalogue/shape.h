@@ -34,7 +34,7 @@ struct Shape {
   int no = -1;  ///< of a word: the enumerator that means "no common point", -1 where there is none
   std::vector<Part> parts;
   /// Draws a value over doubles; nullptr where the type has no figure of its own.
-  void (*draw)(Scene&, const std::string& label, Cursor<double>& from, bool answer) = nullptr;
+  void (*draw)(Drawing&, const std::string& label, Cursor<double>& from, bool answer) = nullptr;
   /// How many numbers and words a value takes; only where that is the same for all (nothing optional, no list, no
   /// choice).
   bool fixed = true;
@@ -92,11 +92,11 @@ Shape made_shape() {
     });
   }
   if constexpr (has_figure<T> &&
-                requires(Scene & scene, const T& value) { draw(scene, std::string(), value, false); }) {
-    shape.draw = [](Scene& scene, const std::string& label, Cursor<double>& from, bool answer) {
+                requires(Drawing & drawing, const T& value) { draw(drawing, std::string(), value, false); }) {
+    shape.draw = [](Drawing& drawing, const std::string& label, Cursor<double>& from, bool answer) {
       T value{};
       unpack(value, from, [](double number) { return number; });
-      audit::draw(scene, label, value, answer);
+      audit::draw(drawing, label, value, answer);
     };
   }
   return measured(std::move(shape));
@@ -156,7 +156,7 @@ std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& q
 Word longest_list(const Shape& shape, const Question& question);
 
 /// Draws a question's arguments by their types; what has no figure is told.
-void draw_question(Scene& scene, const Shape& shape, const Question& question);
+void draw_question(Drawing& drawing, const Shape& shape, const Question& question);
 
 /// The same tape over another number type.
 template <class To, class From, class Change>

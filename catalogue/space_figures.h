@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 #include "geometry/points.h"
 #include "geometry/space.h"
 
@@ -36,10 +36,10 @@ struct SideView {
   Point2d at(const Vector3d& from_start, double distance) const { return {dot(from_start, across), distance}; }
 
   /// The plane as a line under that stretch, and its normal beside it.
-  static void draw_plane(Scene& scene, double left, double right, double height) {
+  static void draw_plane(Drawing& drawing, double left, double right, double height) {
     const double size = std::max({right - left, std::fabs(height), std::ldexp(1, -1070)});
-    scene.figures.push_back({Figure::Kind::line, "plane", {left - size / 8, 0, right + size / 8, 0}, false});
-    scene.figures.push_back({Figure::Kind::arrow, "front", {left - size / 8, 0, left - size / 8, size / 4}, false});
+    drawing.figures.push_back({Figure::Kind::line, "plane", {left - size / 8, 0, right + size / 8, 0}, false});
+    drawing.figures.push_back({Figure::Kind::arrow, "front", {left - size / 8, 0, left - size / 8, size / 4}, false});
   }
 };
 

@@ -57,7 +57,7 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);
-      Json line = explained(operation, question, *examination);
+      Json line = explained(*examination);
       if (engine) line["engine"] = said_by(*engine, operation, question, *examination, found_any);
       if (command.as_typed) {
         line["as_typed"] = Json::object();

@@ -12,16 +12,17 @@ namespace {
 constexpr std::uint64_t least_cases = 8;
 
 /// A generator that asks for a complaint about a whole batch from one seed, and gives RapidCheck the first question
-/// about which there is one (or the last question): RapidCheck then judges that one question, and shrinks it.
+/// about which there is one (or the last question, at place 0): RapidCheck then judges that one question, and shrinks
+/// it.
 /// RapidCheck's own picks would be several times slower than the questions.
-rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const Complaint& complaint,
+rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const ComplaintAt& complaint,
                          std::uint64_t size) {
   return [&operation, family, &complaint, size](const rc::Random& random, int) {
     const std::uint64_t seed = rc::Random(random).next();
     std::uint64_t at = 0;
     for (; at + 1 < size; ++at) {
       Choices choices = Choices::seeded(audit::seed_of(seed, "", at));
-      if (!complaint(operation.draw(choices, family)).empty()) break;
+      if (!complaint(operation.draw(choices, family), at + 1).empty()) break;
     }
     return tests::shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
   };
@@ -29,11 +30,13 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 
 }  // namespace
 
-void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
-           std::uint64_t size) {
-  // A dear question is asked less often.
-  const auto cases = std::max<std::uint64_t>(
-      least_cases, static_cast<std::uint64_t>(usual) * size / static_cast<std::uint64_t>(operation.card().price));
+std::uint64_t affordable(const Operation& operation, std::uint64_t questions) {
+  return std::max(least_cases, questions / static_cast<std::uint64_t>(operation.card().price));
+}
+
+void never_at(const Operation& operation, const std::string& sentence, const ComplaintAt& complaint, int usual,
+              std::uint64_t size) {
+  const std::uint64_t cases = affordable(operation, static_cast<std::uint64_t>(usual) * size);
   size = std::min(size, cases);
   usual = static_cast<int>(cases / size);
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
@@ -41,11 +44,17 @@ void never(const Operation& operation, const std::string& sentence, const Compla
         operation.name() + ", " + operation.families()[family] + ": " + sentence,
         [&] {
           const Drawn drawn = *questions(operation, family, complaint, size);
-          const std::string said = complaint(drawn.question);
+          const std::string said = complaint(drawn.question, 0);
           if (!said.empty()) RC_FAIL(said);
         },
         usual);
   }
+}
+
+void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
+           std::uint64_t size) {
+  never_at(
+      operation, sentence, [&](const Question& question, std::uint64_t) { return complaint(question); }, usual, size);
 }
 
 }  // namespace touchstone::proptests

@@ -113,7 +113,7 @@ void hull_checkers_agree(const Alter& alter) {
     auto hull = audit::ask_robust<Row>(asked);
     for (std::uint64_t more = choices.below(3); more > 0; --more)
       alter(choices, hull, static_cast<Index>(std::get<0>(asked).size()));
-    auto claim = nlohmann::json::parse(audit::explained(operation, question).dump());
+    auto claim = audit::claim_of(*operation.examine(question));
     claim["truth"] = nlohmann::json::parse(operation.answer_json(audit::packed(hull)).dump());
     std::set<Index> named;
     const auto name = [&](const nlohmann::json& value, const auto& self) -> void {

@@ -222,7 +222,7 @@ void checkers_agree() {
       IndexLists lists = audit::ask_robust<Row>(asked);
       for (std::uint64_t more = choices.below(3); more > 0 && lists.size() > 1; --more)
         lists = altered(choices, lists, n);
-      auto claim = nlohmann::json::parse(audit::explained(operation, question).dump());
+      auto claim = audit::claim_of(*operation.examine(question));
       claim["truth"] = {{Row::card().answer, lists}};
       const bool accepted = Row::fault(asked, lists).empty();
       different += accepted == certify::refuse(claim).has_value();

@@ -37,7 +37,7 @@ bool all_indices(const Shape& shape) {
 }
 
 /// Draws what has a figure; indices mean `points`.
-void draw_parts(Scene& said, const Shape& shape, const Json& json, const std::string& field, const Json& points) {
+void draw_parts(Drawing& said, const Shape& shape, const Json& json, const std::string& field, const Json& points) {
   if (shape.draw != nullptr) {
     try {
       Tape<double> tape;
@@ -125,12 +125,12 @@ void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::
 
 }  // namespace
 
-void draw_answered(Scene& scene, const Operation& operation, const Json& answer, const Json& input) {
+void draw_answered(Drawing& scene, const Operation& operation, const Json& answer, const Json& input) {
   Json points;
   for (const Json& field : input) {
     if (points.is_null() && field.is_array() && !field.empty() && field[0].is_array()) points = field;
   }
-  Scene said;
+  Drawing said;
   const std::string bare = operation.card().answer;
   if (!bare.empty() && answer.is_object() && answer.contains(bare)) {
     draw_parts(said, operation.answer_shape(), answer[bare], bare, points);

@@ -9,6 +9,7 @@
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/explained.h"
+#include "catalogue/truth_drawing.h"
 #include "geometry/invalid_input.h"
 #include "report/answered.h"
 #include "report/html_parts.h"
@@ -45,44 +46,44 @@ bool is_said(const std::string& note, const Json& truth) {
   return truth.is_object() && truth.contains(field);
 }
 
-std::string drawn(const Scene& scene, const std::string& title, const std::string& caption) {
-  const std::string svg = scene.figures.empty() ? space_figure(scene, title) : scene_svg(scene, title);
+std::string drawn(const Drawing& drawing, const std::string& title, const std::string& caption) {
+  const std::string svg = drawing.figures.empty() ? space_figure(drawing, title) : drawing_svg(drawing, title);
   return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>";
 }
 
-bool shows_an_answer(const Scene& scene) {
+bool shows_an_answer(const Drawing& drawing) {
   const auto said = [](const auto& figure) { return figure.said; };
-  return std::any_of(scene.figures.begin(), scene.figures.end(), said) ||
-         std::any_of(scene.space.begin(), scene.space.end(), said);
+  return std::any_of(drawing.figures.begin(), drawing.figures.end(), said) ||
+         std::any_of(drawing.space.begin(), drawing.space.end(), said);
 }
 
 /// Without the truth.
-Scene answered_alone(Scene scene) {
+Drawing answered_alone(Drawing drawing) {
   const auto true_one = [](const auto& figure) { return figure.answer; };
-  scene.figures.erase(std::remove_if(scene.figures.begin(), scene.figures.end(), true_one), scene.figures.end());
-  scene.space.erase(std::remove_if(scene.space.begin(), scene.space.end(), true_one), scene.space.end());
-  return scene;
+  drawing.figures.erase(std::remove_if(drawing.figures.begin(), drawing.figures.end(), true_one),
+                        drawing.figures.end());
+  drawing.space.erase(std::remove_if(drawing.space.begin(), drawing.space.end(), true_one), drawing.space.end());
+  return drawing;
 }
 
-std::string figures(const Operation& operation, const Finding& finding, const Json& truth, const std::string& who) {
-  const Question& question = finding.question;
-  const Scene scene = operation.scene(question);
+std::string figures(const Operation& operation, const Finding& finding, const Drawing& drawing, const Json& truth,
+                    const std::string& who) {
   std::string notes;
-  for (const std::string& note : scene.notes) {
+  for (const std::string& note : drawing.notes) {
     if (is_said(note, truth)) continue;
     notes += (notes.empty() ? "" : "; ") + in_short(note);
   }
-  const std::string title = operation.name() + ": the input " + one_line(operation.print(question));
+  const std::string title = operation.name() + ": the input " + one_line(operation.print(finding.question));
   const std::string right = "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, truth)) + ".",
                     wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
                             escaped(sentence(operation, plain(finding.answer))) + ".";
-  Scene both = scene;
-  draw_answered(both, operation, plain(finding.answer), operation.print(question));
+  Drawing both = drawing;
+  draw_answered(both, operation, plain(finding.answer), operation.print(finding.question));
   if (!shows_an_answer(both)) {
     const std::string more = notes.empty() ? "" : "<br><span class=\"quiet\">" + escaped(notes) + "</span>";
-    return drawn(scene, title, right + " " + wrong + more);
+    return drawn(drawing, title, right + " " + wrong + more);
   }
-  return "<div class=\"beside\">" + drawn(scene, title, right) +
+  return "<div class=\"beside\">" + drawn(drawing, title, right) +
          drawn(answered_alone(both), title + ", and what was answered", wrong) + "</div>";
 }
 
@@ -106,8 +107,8 @@ std::string what_was_said(const Examination& question, const Finding& finding, c
     text += said_row(declaration.engine, finding.answer.is_null() ? "no answer" : one_line(readable(finding.answer)),
                      &finding.judgement, speaker);
   }
-  const Judgement in_double = question.judge_reference(false), in_float = question.judge_reference(true),
-                  exact = question.judge_robust();
+  const Judgement &in_double = question.judge_reference(false), &in_float = question.judge_reference(true),
+                  &exact = question.judge_robust();
   text += said_row("the formula in double", one_line(question.reference(false)), &in_double, Speaker::reference);
   text += said_row(exact_in_float ? "the formula in float" : "the formula in float, the input rounded to float first",
                    one_line(question.reference(true)), &in_float, Speaker::reference);
@@ -156,18 +157,22 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
                   escaped(why(finding, &operation, speaker, declaration.binary32)));
   std::string margin, proof, said;
   Json truth;
+  Drawing drawing;
   try {
-    const auto question = operation.examine(finding.question);
+    const Examination& question = finding.examination(operation);
     const bool narrow = operation.in_binary32(finding.question) == finding.question;
-    truth = readable(question->truth());
-    said = what_was_said(*question, finding, declaration, speaker, narrow);
-    if (question->margin()) margin = readable(*question->margin());
-    proof = certificate(*question);
+    truth = readable(question.truth());
+    said = what_was_said(question, finding, declaration, speaker, narrow);
+    if (question.margin()) margin = readable(*question.margin());
+    proof = certificate(question);
+    drawing = question.drawing();
   } catch (const InvalidInput& refused) {
     truth = std::string("refused, ") + refused.what();
+    drawing = drawing_of_refused(operation, finding.question, refused);
     said = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
   }
-  text += "<div class=\"seen\">" + figures(operation, finding, truth, name_of(speaker, declaration)) + said + "</div>";
+  text += "<div class=\"seen\">" + figures(operation, finding, drawing, truth, name_of(speaker, declaration)) + said +
+          "</div>";
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
   };

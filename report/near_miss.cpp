@@ -82,7 +82,7 @@ std::vector<ExactPoint> vertices_of(const Figure& figure) {
   return vertices;
 }
 
-std::optional<NearMiss> narrowest_gap(const Scene& scene, const Viewport& view) {
+std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view) {
   std::optional<NearMiss> found;
   mpq_class least = seen_as_apart * seen_as_apart;
   const auto offer = [&](const Figure& figure, std::size_t vertex, const Gap& gap) {
@@ -91,11 +91,11 @@ std::optional<NearMiss> narrowest_gap(const Scene& scene, const Viewport& view) 
     const double x = figure.numbers[2 * vertex], y = figure.numbers[2 * vertex + 1];
     found = NearMiss{exact_point(x, y), x, y, figure.label, root(gap.units)};
   };
-  for (const Figure& figure : scene.figures) {
+  for (const Figure& figure : drawing.figures) {
     if (figure.answer || (figure.kind == Figure::Kind::circle && figure.numbers[2] != 0)) continue;
     const std::vector<ExactPoint> vertices = vertices_of(figure);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      for (const Figure& other : scene.figures) {
+      for (const Figure& other : drawing.figures) {
         // What was answered is held against the truth as well.
         if (other.answer && !figure.said) continue;
         if (&other != &figure || figure.kind == Figure::Kind::polygon) {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 #include "report/viewport.h"
 
 namespace touchstone::audit {
@@ -21,6 +21,6 @@ struct NearMiss {
 };
 
 /// The narrowest gap in the question that is below a few pixels of the view, and not zero.
-std::optional<NearMiss> narrowest_gap(const Scene& scene, const Viewport& view);
+std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view);
 
 }  // namespace touchstone::audit

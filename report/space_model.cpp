@@ -104,7 +104,7 @@ std::string space_style() {
          ".turns:active{cursor:grabbing}.turns:focus:not(:focus-visible){outline:none}";
 }
 
-Json space_model(const Scene& scene, const std::string& title) {
+Json space_model(const Drawing& scene, const std::string& title) {
   std::vector<SpaceFigure> figures;
   std::copy_if(scene.space.begin(), scene.space.end(), std::back_inserter(figures), drawable);
   if (figures.empty()) return nullptr;
@@ -133,7 +133,7 @@ Json space_model(const Scene& scene, const std::string& title) {
   return model;
 }
 
-std::string space_figure(const Scene& scene, const std::string& title) {
+std::string space_figure(const Drawing& scene, const std::string& title) {
   const Json model = space_model(scene, title);
   if (model.is_null()) return "";
   return opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene.notes)) +

@@ -4,17 +4,17 @@
 #include <string>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 
 namespace touchstone::audit {
 
 /// A scene's figures in space as report/viewer.js takes them, coordinates brought to its steps exactly (space_scale.h).
 /// null where no figure has its numbers, all finite.
-Json space_model(const Scene& scene, const std::string& title);
+Json space_model(const Drawing& scene, const std::string& title);
 
 /// The element of a page in which the script draws the model. Without scripts it says in words what is drawn. Empty
 /// where there is nothing to draw.
-std::string space_figure(const Scene& scene, const std::string& title);
+std::string space_figure(const Drawing& scene, const std::string& title);
 
 /// Whether a page has such an element, and so is in need of the script.
 bool has_space_figure(const std::string& html);

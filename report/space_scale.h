@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 
 /// From the coordinates of a scene in space to whole steps from the middle of its box, exactly.
 namespace touchstone::audit {

@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 #include "report/labels.h"
 #include "report/viewport.h"
 
 namespace touchstone::audit {
 
 /// What has been drawn in one frame.
-struct Drawing {
+struct Strokes {
   std::string lines, points;  ///< SVG; points are to lie above lines
   std::vector<Pixel> drawn;   ///< places that a text should leave free
   std::vector<LabelWish> wishes;
@@ -25,6 +25,6 @@ struct Style {
 };
 
 /// Adds a figure as it is seen in the view.
-void stroke(Drawing& drawing, const Figure& figure, const Viewport& view, const Style& style);
+void stroke(Strokes& strokes, const Figure& figure, const Viewport& view, const Style& style);
 
 }  // namespace touchstone::audit

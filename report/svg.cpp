@@ -19,14 +19,14 @@ constexpr int inset_in_gaps = 4;
 constexpr double thicknesses[] = {4, 2, 1.4, 1};  // of the parts of the question, in order
 
 /// One frame with its figures; a nested svg element cuts off what leaves it.
-std::string framed(const Scene& scene, const Viewport& view, const std::string& below) {
-  Drawing drawing;
+std::string framed(const Drawing& drawing, const Viewport& view, const std::string& below) {
+  Strokes strokes;
   std::size_t part = 0;
   std::string list;
-  for (const Figure& figure : scene.figures) {
+  for (const Figure& figure : drawing.figures) {
     if (figure.answer || figure.said) continue;
     if (figure.label.empty()) {
-      stroke(drawing, figure, view, {"aid", 1.2});
+      stroke(strokes, figure, view, {"aid", 1.2});
       continue;
     }
     // The elements of a list, "points[0]" and on, look alike.
@@ -35,23 +35,23 @@ std::string framed(const Scene& scene, const Viewport& view, const std::string& 
     if (!same_list) ++part;
     list = bracket == std::string::npos ? "" : figure.label.substr(0, bracket);
     const std::size_t style = (part - 1) % std::size(thicknesses);
-    stroke(drawing, figure, view, {"q" + std::to_string(style), thicknesses[style]});
+    stroke(strokes, figure, view, {"q" + std::to_string(style), thicknesses[style]});
   }
-  for (const Figure& figure : scene.figures) {
-    if (figure.answer || figure.said) stroke(drawing, figure, view, {figure.said ? "said" : "truth", 1.4});
+  for (const Figure& figure : drawing.figures) {
+    if (figure.answer || figure.said) stroke(strokes, figure, view, {figure.said ? "said" : "truth", 1.4});
   }
   const Frame& frame = view.frame();
   return fmt::format(
       "<rect class=\"frame\" width=\"{0}\" height=\"{1}\"/><svg width=\"{0}\" height=\"{1}\">{2}{3}{4}{5}</svg>",
-      pixels(frame.width), pixels(frame.height), below, drawing.lines, drawing.points,
-      placed_labels(drawing.wishes, drawing.drawn, frame));
+      pixels(frame.width), pixels(frame.height), below, strokes.lines, strokes.points,
+      placed_labels(strokes.wishes, strokes.drawn, frame));
 }
 
 /// Without figures that have a point beyond the range of doubles: a ray's second point may overflow, a formula's answer
 /// too.
-Scene drawable(const Scene& scene) {
-  Scene kept;
-  for (const Figure& figure : scene.figures) {
+Drawing drawable(const Drawing& drawing) {
+  Drawing kept;
+  for (const Figure& figure : drawing.figures) {
     const bool finite =
         std::all_of(figure.numbers.begin(), figure.numbers.end(), [](double x) { return std::isfinite(x); });
     if (finite && !figure.numbers.empty()) kept.figures.push_back(figure);
@@ -59,10 +59,10 @@ Scene drawable(const Scene& scene) {
   return kept;
 }
 
-Viewport whole_view(const Scene& scene) {
+Viewport whole_view(const Drawing& drawing) {
   std::vector<ExactPoint> points;
   bool equal = false;
-  for (const Figure& figure : scene.figures) {
+  for (const Figure& figure : drawing.figures) {
     const std::vector<ExactPoint> vertices = vertices_of(figure);
     if (figure.kind == Figure::Kind::circle) {
       equal = true;
@@ -100,7 +100,7 @@ mpq_class inset_half(const NearMiss& miss) {
   return gaps >= doubles || 8 * gaps < doubles ? gaps : doubles;
 }
 
-std::string magnified(const Scene& scene, const Viewport& whole, const NearMiss& miss) {
+std::string magnified(const Drawing& drawing, const Viewport& whole, const NearMiss& miss) {
   const Viewport view = Viewport::around(miss.vertex, inset_half(miss), inset_frame);
   const DoubleGrid grid = double_grid(view, miss.x, miss.y);
   const mpq_class width = view.far_corner().x - view.corner().x;
@@ -111,7 +111,7 @@ std::string magnified(const Scene& scene, const Viewport& whole, const NearMiss&
                   pixels(left_room + at.x - 6), pixels(top_room + at.y - 6), pixels(left_room + at.x + 6),
                   pixels(start), pixels(top_room), pixels(top_room + at.y + 6), pixels(top_room + inset_frame.height));
   svg += fmt::format("<g transform=\"translate({} {})\">", pixels(start), pixels(top_room)) +
-         framed(scene, view, grid.svg);
+         framed(drawing, view, grid.svg);
   svg += fmt::format("<text class=\"scale\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
                      pixels(inset_frame.width / 2), pixels(inset_frame.height + 17),
                      escaped("around " + (miss.label.empty() ? "the vertex" : miss.label) + ", " + about(width) +
@@ -143,11 +143,11 @@ std::string figure_style() {
          ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";
 }
 
-std::string scene_svg(const Scene& given, const std::string& title, bool standalone) {
-  const Scene scene = drawable(given);
-  if (scene.figures.empty()) return "";
-  const Viewport whole = whole_view(scene);
-  const auto miss = narrowest_gap(scene, whole);
+std::string drawing_svg(const Drawing& given, const std::string& title, bool standalone) {
+  const Drawing drawing = drawable(given);
+  if (drawing.figures.empty()) return "";
+  const Viewport whole = whole_view(drawing);
+  const auto miss = narrowest_gap(drawing, whole);
   const double width = left_room + main_frame.width + (miss ? between_frames + inset_frame.width : 0) + right_room;
   const double height = top_room + main_frame.height + bottom_room;
   std::string svg = fmt::format(
@@ -156,8 +156,8 @@ std::string scene_svg(const Scene& given, const std::string& title, bool standal
       pixels(width), pixels(height), escaped(title), miss ? " wide" : "");
   if (standalone) svg += "<style>" + figure_style() + "</style>";
   svg += fmt::format("<g transform=\"translate({} {})\">", pixels(left_room), pixels(top_room)) +
-         framed(scene, whole, "") + ticks(whole) + caption(main_frame, stretch_in_words(whole)) + "</g>";
-  if (miss) svg += magnified(scene, whole, *miss);
+         framed(drawing, whole, "") + ticks(whole) + caption(main_frame, stretch_in_words(whole)) + "</g>";
+  if (miss) svg += magnified(drawing, whole, *miss);
   return svg + "</svg>";
 }
 

@@ -3,14 +3,14 @@
 
 #include <string>
 
-#include "catalogue/scene.h"
+#include "catalogue/drawing.h"
 
 namespace touchstone::audit {
 
-/// A scene as SVG. Where a gap is too narrow to be seen, a second frame beside the first magnifies it, down to single
+/// A drawing as SVG. Where a gap is too narrow to be seen, a second frame beside the first magnifies it, down to single
 /// doubles. `title` is what a screen reader says. Colours are the page's (figure_style); with `standalone` they are
 /// brought along.
-std::string scene_svg(const Scene& scene, const std::string& title, bool standalone = false);
+std::string drawing_svg(const Drawing& drawing, const std::string& title, bool standalone = false);
 
 /// The style sheet of figures, over the variables --q0 ... --q3 (parts of the question), --truth, --ink, --faint,
 /// --paper, each with a default.

@@ -190,9 +190,9 @@ std::string one_finding(const OperationTally& tally, const WayOfOperation& shown
   line("input", one_line(operation->print(finding.question)));
   line("hex", one_line(operation->print_hexadecimal(finding.question)));
   try {
-    const auto examination = operation->examine(finding.question);
-    const std::string margin = examination->margin() ? "   margin " + readable(*examination->margin()) : "";
-    line("truth", one_line(readable(examination->truth())) + margin);
+    const Examination& examined = finding.examination(*operation);
+    const std::string margin = examined.margin() ? "   margin " + readable(*examined.margin()) : "";
+    line("truth", one_line(readable(examined.truth())) + margin);
   } catch (const InvalidInput& refused) {
     line("truth", std::string("refused: ") + refused.what());
   }

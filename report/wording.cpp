@@ -43,7 +43,7 @@ bool mentions_nan(const Json& answer) {
 std::optional<bool> formula_is_right(const Finding& finding, const Operation* operation, bool binary32) {
   if (!operation) return std::nullopt;
   try {
-    const Verdict verdict = operation->examine(finding.question)->judge_reference(binary32).verdict;
+    const Verdict verdict = finding.examination(*operation).judge_reference(binary32).verdict;
     return verdict != Verdict::rounding && verdict != Verdict::algorithm && verdict != Verdict::invalid;
   } catch (const InvalidInput&) {
     return std::nullopt;
@@ -69,9 +69,8 @@ bool misses_a_zero(const Json& answer, const Json& truth) {
 bool misses_a_zero(const Finding& finding, const Operation* operation) {
   if (!operation) return false;
   try {
-    const auto examination = operation->examine(finding.question);
-    return misses_a_zero(finding.answer.is_null() ? examination->reference() : plain(finding.answer),
-                         examination->truth());
+    const Examination& examined = finding.examination(*operation);
+    return misses_a_zero(finding.answer.is_null() ? examined.reference() : plain(finding.answer), examined.truth());
   } catch (const InvalidInput&) {
     return false;
   }

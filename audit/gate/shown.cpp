@@ -53,7 +53,7 @@ std::string described(const Tally& tally, const std::string& operation_name, con
   std::string text = line("input:  ", one_line(operation->print(finding.question))) +
                      line("hex:    ", one_line(operation->print_hexadecimal(finding.question)));
   try {
-    text += line("truth:  ", one_line(operation->examine(finding.question)->truth()));
+    text += line("truth:  ", one_line(finding.examination(*operation).truth()));
   } catch (const InvalidInput& refused) {
     text += line("truth:  ", std::string("refused: ") + refused.what());
   }

@@ -23,7 +23,19 @@ constexpr std::uint64_t drawn_of_a_family = 600;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 
-Json vector_line(const Operation& operation, const std::string& family, const Question& question) {
+/// A question of an operation, examined when first asked for.
+struct Examined {
+  const Operation& operation;
+  Question question;
+  Once<std::unique_ptr<const Examination>> once{};
+  /// Throws InvalidInput where the oracle refuses.
+  const Examination& operator*() const {
+    return *once.value([&] { return operation.examine(question); });
+  }
+};
+
+Json vector_line(const std::string& family, const Examined& examined) {
+  const auto& [operation, question, once] = examined;
   Json line = Json::object();
   line["touchstone"] = vector_version;
   line["op"] = operation.name();
@@ -31,13 +43,12 @@ Json vector_line(const Operation& operation, const std::string& family, const Qu
   const Json input = operation.print(question);
   line["input"] = with_names(input);
   try {
-    const auto examination = operation.examine(question);
-    Json all = explained(operation, question, *examination);
-    line["truth"] = all["truth"];
-    line["rounded"] = examination->rounded_truth();
-    if (all.contains("margin")) line["margin"] = all["margin"];
-    line["certificate"] = all["certificate"];
-    line["flags"] = flags_of(question, *examination);
+    const Examination& examination = *examined;
+    line["truth"] = examination.truth();
+    line["rounded"] = examination.rounded_truth();
+    if (examination.margin()) line["margin"] = written(*examination.margin());
+    line["certificate"] = certificate_json(examination.certificate());
+    line["flags"] = flags_of(question, examination);
     const Json as_typed = truth_of_decimals(operation, input);
     if (!as_typed.is_null() && as_typed != line["truth"] && family.starts_with("typed")) line["as_typed"] = as_typed;
   } catch (const InvalidInput& refused) {
@@ -68,11 +79,11 @@ std::string with_id(std::string line, const std::string& operation, std::size_t 
 }
 
 /// What makes two vectors alike: the outcome and what the textbook formula makes of it.
-std::string likeness(const Operation& operation, const Question& question) {
+std::string likeness(const Examined& examined) {
   try {
-    const auto examination = operation.examine(question);
-    return examination->outcome() + (examination->touch() ? " touch " : " ") +
-           name_of(examination->judge_reference().verdict);
+    const Examination& examination = *examined;
+    return examination.outcome() + (examination.touch() ? " touch " : " ") +
+           name_of(examination.judge_reference().verdict);
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
@@ -86,14 +97,15 @@ std::string in_words(std::size_t environment) {
 }
 
 /// Robust is asked in every floating-point environment.
-std::string robust_complaint(const Operation& operation, const Json& line, const Question& question) {
+std::string robust_complaint(const Json& line, const Examined& examined) {
+  const auto& [operation, question, once] = examined;
   if (line.contains("refused")) {
     for (std::size_t environment = 0; environment < environment_count; ++environment) {
       const std::string mismatch = operation.refusal_mismatch(question, environment);
       if (!mismatch.empty()) return mismatch + in_words(environment);
     }
     try {
-      operation.examine(question);
+      *examined;
     } catch (const InvalidInput& refused) {
       return refused.field() == line["refused"]["field"].get<std::string>() &&
                      refused.rule() == line["refused"]["rule"].get<std::string>()
@@ -102,24 +114,24 @@ std::string robust_complaint(const Operation& operation, const Json& line, const
     }
     return "not refused";
   }
-  const auto examination = operation.examine(question);
-  if (!same(without_marks(examination->truth()), line["truth"]))
-    return "the oracle's truth is " + one_line(examination->truth());
+  const Examination& examination = *examined;
+  if (!same(without_marks(examination.truth()), line["truth"]))
+    return "the oracle's truth is " + one_line(examination.truth());
   for (std::size_t environment = 0; environment < environment_count; ++environment) {
-    if (examination->judge_robust(environment).verdict == Verdict::agree) continue;
-    return environment == 0 ? "robust answers " + one_line(examination->robust())
+    if (examination.judge_robust(environment).verdict == Verdict::agree) continue;
+    return environment == 0 ? "robust answers " + one_line(examination.robust())
                             : "robust answers wrongly" + in_words(environment);
   }
   return "";
 }
 
 /// What the line says beside the truth, as it would be written now. Another certificate may hold as well.
-std::string other_complaint(const Operation& operation, const Json& line, const Question& question) {
+std::string other_complaint(const Json& line, const Examined& examined) {
   const std::string family = line.value("family", "");
-  const auto& families = operation.families();
+  const auto& families = examined.operation.families();
   if (family != not_finite_family && std::find(families.begin(), families.end(), family) == families.end())
     return "family: one of the operation's families";
-  const Json written = vector_line(operation, family, question);
+  const Json written = vector_line(family, examined);
   for (const auto& [field, value] : line["input"].items()) {
     if (value.is_string() && value.get<std::string>().ends_with(".json") && value != written["input"][field])
       return field + ": " + value.get<std::string>() + " is not the mesh of that name";
@@ -141,9 +153,9 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
     std::size_t kept = 0;
     for (std::uint64_t i = 0; i < drawn_of_a_family && kept < most_of_a_family; ++i) {
       Choices choices = case_choices(operation, family, seed, i);
-      const Question question = operation.draw(choices, family);
-      if (seen[likeness(operation, question)]++ >= most_alike) continue;
-      std::string line = one_line(vector_line(operation, operation.families()[family], question));
+      const Examined examined{operation, operation.draw(choices, family)};
+      if (seen[likeness(examined)]++ >= most_alike) continue;
+      std::string line = one_line(vector_line(operation.families()[family], examined));
       if (longest != 0 && line.size() > longest) {
         ++vectors.left_out;
         continue;
@@ -156,8 +168,8 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
     for (std::size_t i = 0; i < zeros.numbers.size(); ++i) {
       static constexpr double infinity = std::numeric_limits<double>::infinity();
       static constexpr std::array<double, 3> bad{infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
-      const Question question = with_not_finite(operation, zeros, i, bad[i % bad.size()]);
-      vectors.lines.push_back(one_line(vector_line(operation, not_finite_family, question)));
+      const Examined examined{operation, with_not_finite(operation, zeros, i, bad[i % bad.size()])};
+      vectors.lines.push_back(one_line(vector_line(not_finite_family, examined)));
     }
   }
   for (std::size_t i = 0; i < vectors.lines.size(); ++i)
@@ -181,10 +193,10 @@ std::string vector_complaint(const std::string& text, const std::string& folder)
     if (const auto reason = certify::refuse_text(text, folder)) return *reason;
   }
   try {
-    const Question question = operation->parse_any(without_names(parse_line(text)["input"], folder));
-    std::string complaint = robust_complaint(*operation, line, question);
+    const Examined examined{*operation, operation->parse_any(without_names(parse_line(text)["input"], folder))};
+    std::string complaint = robust_complaint(line, examined);
     if (complaint.empty()) complaint = certify::refuse_text(text, folder).value_or("");
-    return complaint.empty() ? other_complaint(*operation, line, question) : complaint;
+    return complaint.empty() ? other_complaint(line, examined) : complaint;
   } catch (const std::exception& thrown) {
     return thrown.what();
   }
@@ -193,7 +205,7 @@ std::string vector_complaint(const std::string& text, const std::string& folder)
 std::string robust_complaint(const std::string& text, const std::string& folder) {
   const Json line = parse_line(text);
   const Operation& operation = *find_operation(line["op"]);
-  return robust_complaint(operation, Json::parse(text), operation.parse_any(without_names(line["input"], folder)));
+  return robust_complaint(Json::parse(text), {operation, operation.parse_any(without_names(line["input"], folder))});
 }
 
 }  // namespace touchstone::audit

@@ -69,14 +69,14 @@ struct explicit_line {
     point = {std::ldexp(point.x, k), std::ldexp(point.y, k)};
   }
 
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const Height&) {
     const auto& [slope, intercept, point] = question;
     const double x0 = point.x - 1, x1 = point.x + 1;
-    scene.figures.push_back({Figure::Kind::line,
-                             "y = slope x + intercept",
-                             {x0, slope * x0 + intercept, x1, slope * x1 + intercept},
-                             false});
-    audit::draw(scene, "point", point, false);
+    drawing.figures.push_back({Figure::Kind::line,
+                               "y = slope x + intercept",
+                               {x0, slope * x0 + intercept, x1, slope * x1 + intercept},
+                               false});
+    audit::draw(drawing, "point", point, false);
   }
 
   /// The point (0.5, 12.25) of y = x / 2 + 12: moves the slope and x, whose product is far finer than y.

@@ -107,12 +107,12 @@ struct orientation {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   /// The line of p0 and p1 as well: what p is beside.
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const Side&) {
     const auto& [p0, p1, p] = question;
-    if (!(p0 == p1)) scene.figures.push_back({Figure::Kind::line, "", {p0.x, p0.y, p1.x, p1.y}, false});
-    audit::draw(scene, "p0", p0, false);
-    audit::draw(scene, "p1", p1, false);
-    audit::draw(scene, "p", p, false);
+    if (!(p0 == p1)) drawing.figures.push_back({Figure::Kind::line, "", {p0.x, p0.y, p1.x, p1.y}, false});
+    audit::draw(drawing, "p0", p0, false);
+    audit::draw(drawing, "p1", p1, false);
+    audit::draw(drawing, "p", p, false);
   }
 
   static Hooks<orientation> hooks() {

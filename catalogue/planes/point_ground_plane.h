@@ -63,11 +63,11 @@ struct point_ground_plane {
   }
 
   /// From the front: x across, y up.
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const Height&) {
     const Point3d& p = std::get<0>(question);
-    scene.figures.push_back({Figure::Kind::line, "ground", {p.x - 1, 0, p.x + 1, 0}, false});
-    scene.figures.push_back({Figure::Kind::point, "point", {p.x, p.y}, false});
-    scene.notes.push_back("seen along z: x across, y up");
+    drawing.figures.push_back({Figure::Kind::line, "ground", {p.x - 1, 0, p.x + 1, 0}, false});
+    drawing.figures.push_back({Figure::Kind::point, "point", {p.x, p.y}, false});
+    drawing.notes.push_back("seen along z: x across, y up");
   }
 
   /// Moves x and y: the formula is right everywhere.

@@ -136,15 +136,11 @@ struct point_plane {
   }
 
   /// From the side: the plane is a line, the point over it at its distance.
-  static void draw(Scene& scene, const Question& question) {
-    const auto& [plane, p] = question;
-    try {
-      const double distance = ::touchstone::robust::point_plane(plane, p).signed_distance;
-      SideView::draw_plane(scene, -std::fabs(distance), std::fabs(distance), distance);
-      scene.figures.push_back({Figure::Kind::point, "point", {0, distance}, false});
-      scene.notes.push_back("seen along the plane, its front is up");
-    } catch (const InvalidInput&) {
-    }
+  static void draw(Drawing& drawing, const Question&, const PointPlane<double>& truth) {
+    const double distance = truth.signed_distance;
+    SideView::draw_plane(drawing, -std::fabs(distance), std::fabs(distance), distance);
+    drawing.figures.push_back({Figure::Kind::point, "point", {0, distance}, false});
+    drawing.notes.push_back("seen along the plane, its front is up");
   }
 
   /// The plane x + y + z = 3 and its point (1, 1, 1): moves x and y.

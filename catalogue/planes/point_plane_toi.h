@@ -5,9 +5,9 @@
 #include "catalogue/row.h"
 #include "catalogue/space_choices.h"
 #include "catalogue/space_figures.h"
+#include "oracle/planes/point_plane.h"
 #include "oracle/planes/point_plane_toi.h"
 #include "reference/planes/point_plane_toi.h"
-#include "robust/planes/point_plane.h"
 #include "robust/planes/point_plane_toi.h"
 
 namespace touchstone::audit::rows {
@@ -148,30 +148,27 @@ struct point_plane_toi {
   }
 
   /// From the side: the plane is a line. Option 1 finds the point at the end of the step, option 2 on the plane.
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const PointPlaneToi<double>& truth) {
     const auto& [plane, start, end] = question;
-    try {
-      const Vector3d v = end - start;
-      const SideView view = SideView::of(plane, v);
-      const auto over = [&plane = plane](const Point3d& p) {
-        return ::touchstone::robust::point_plane(plane, p).signed_distance;
-      };
-      const Point2d from = view.at({0, 0, 0}, over(start)), to = view.at(v, over(end));
-      const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
-      SideView::draw_plane(scene, low, high, std::max(std::fabs(from.y), std::fabs(to.y)));
-      scene.figures.push_back({Figure::Kind::arrow, "step", {from.x, from.y, to.x, to.y}, false});
-      scene.figures.push_back({Figure::Kind::point, "end: option 1", {to.x, to.y}, false});
-      scene.notes.push_back("seen along the plane, its front is up");
-      const auto answer = ask_robust<point_plane_toi>(question).option_2;
-      if (!answer.t) return;
-      const Point2d hit{from.x + *answer.t * (to.x - from.x), *answer.t == 0 ? from.y : 0};
-      scene.figures.push_back({Figure::Kind::point, "option 2", {hit.x, hit.y}, true});
-      scene.figures.push_back({Figure::Kind::segment, "", {hit.x, hit.y, to.x, to.y}, false});
-      const Vector3d apart = end - *answer.point;
-      scene.notes.push_back("the options are " + decimal(std::hypot(apart.x, apart.y, apart.z)) + " apart, " +
-                            decimal(1 - *answer.t) + " of the step");
-    } catch (const InvalidInput&) {
-    }
+    const Vector3d v = end - start;
+    const SideView view = SideView::of(plane, v);
+    const auto over = [&plane = plane](const Point3d& p) {
+      return nearest(::touchstone::oracle::point_plane(plane, p).answer.signed_distance);
+    };
+    const Point2d from = view.at({0, 0, 0}, over(start)), to = view.at(v, over(end));
+    const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
+    SideView::draw_plane(drawing, low, high, std::max(std::fabs(from.y), std::fabs(to.y)));
+    drawing.figures.push_back({Figure::Kind::arrow, "step", {from.x, from.y, to.x, to.y}, false});
+    drawing.figures.push_back({Figure::Kind::point, "end: option 1", {to.x, to.y}, false});
+    drawing.notes.push_back("seen along the plane, its front is up");
+    const auto& [relation, t, point] = truth.option_2;
+    if (!t) return;
+    const Point2d hit{from.x + *t * (to.x - from.x), *t == 0 ? from.y : 0};
+    drawing.figures.push_back({Figure::Kind::point, "option 2", {hit.x, hit.y}, true});
+    drawing.figures.push_back({Figure::Kind::segment, "", {hit.x, hit.y, to.x, to.y}, false});
+    const Vector3d apart = end - *point;
+    drawing.notes.push_back("the options are " + decimal(std::hypot(apart.x, apart.y, apart.z)) + " apart, " +
+                            decimal(1 - *t) + " of the step");
   }
 
   /// A step from one unit in front of x + y + z = 3 to its point (1, 1, 1): moves x and y of the end.

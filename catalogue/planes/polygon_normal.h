@@ -136,22 +136,21 @@ struct polygon_normal {
   }
 
   /// Along the axis to which the normal is nearest; and the two edges of the slide.
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const PolygonNormal<double>&) {
     const Polygon3d& polygon = std::get<0>(question);
-    if (polygon.size() < 3) return;
     const int axis = facing(question);
     const auto seen = [axis](const Point3d& p) {
       return axis == 0 ? Point2d{p.y, p.z} : axis == 1 ? Point2d{p.z, p.x} : Point2d{p.x, p.y};
     };
     Polygon2d flat;
     for (const Point3d& p : polygon.vertices) flat.vertices.push_back(seen(p));
-    audit::draw(scene, "polygon", flat, false);
+    audit::draw(drawing, "polygon", flat, false);
     for (const int i : {0, 1}) {
       const Point2d a = flat[static_cast<std::size_t>(i)], b = flat[static_cast<std::size_t>(i) + 1];
-      scene.figures.push_back({Figure::Kind::arrow, i == 0 ? "v0" : "v1", {a.x, a.y, b.x, b.y}, false});
+      drawing.figures.push_back({Figure::Kind::arrow, i == 0 ? "v0" : "v1", {a.x, a.y, b.x, b.y}, false});
     }
-    scene.notes.push_back(std::string("seen along ") + "xyz"[axis] + " (" + "yzx"[axis] + " across, " + "zxy"[axis] +
-                          " up); the arrows are the slide's two edges");
+    drawing.notes.push_back(std::string("seen along ") + "xyz"[axis] + " (" + "yzx"[axis] + " across, " + "zxy"[axis] +
+                            " up); the arrows are the slide's two edges");
   }
 
   /// Three points of a line: moves x and y of the one in the middle.

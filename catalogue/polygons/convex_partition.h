@@ -37,16 +37,11 @@ struct convex_partition {
     return ::touchstone::oracle::convex_partition_fault(std::get<0>(question), pieces);
   }
 
-  static void draw(Scene& scene, const Question& question) {
-    draw_pieces(scene, std::get<0>(question),
-                [](const Polygon2d& polygon) { return ::touchstone::robust::convex_partition(polygon); });
-  }
-
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<convex_partition> hooks() {
-    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw};
+    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
   }
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/simultaneous_choices.h"
 #include "catalogue/figures.h"
 #include "catalogue/row.h"
+#include "catalogue/simultaneous_choices.h"
 #include "oracle/response/simultaneous_collisions.h"
 #include "reference/response/simultaneous_collisions.h"
 #include "robust/response/simultaneous_collisions.h"
@@ -79,13 +79,13 @@ struct simultaneous_collisions {
   }
 
   /// The velocities before and after, each from its body's place in a row.
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const SimultaneousVelocitiesd&) {
     const auto& [bodies, contacts, e] = question;
     for (std::size_t i = 0; i < bodies.size(); ++i)
-      draw_from(scene, "v" + std::to_string(i), {2.0 * static_cast<double>(i), 0, 0}, bodies[i].velocity, false);
+      draw_from(drawing, "v" + std::to_string(i), {2.0 * static_cast<double>(i), 0, 0}, bodies[i].velocity, false);
     for (const auto& [a, b, n] : contacts)
-      scene.notes.push_back(std::to_string(a) + " and " + std::to_string(b) + " along " + in_words({n.x, n.y, n.z}));
-    scene.notes.push_back("e = " + decimal(e));
+      drawing.notes.push_back(std::to_string(a) + " and " + std::to_string(b) + " along " + in_words({n.x, n.y, n.z}));
+    drawing.notes.push_back("e = " + decimal(e));
   }
 
   /// Three bodies of inverse mass 0, 1 or 2 that move along one axis or lie still, each pair in a contact along one of

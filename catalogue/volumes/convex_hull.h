@@ -42,18 +42,13 @@ struct convex_hull {
   }
 
   /// The faces, or the points alone where they are in one plane.
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const ConvexHull& hull) {
     const Points& points = std::get<0>(question);
-    audit::draw(scene, "", points, false);
-    try {
-      const ConvexHull hull = robust(points);
-      if (hull.faces) audit::draw(scene, "", Meshd{points, *hull.faces}, true);
-      Polygon3d polygon;
-      for (const Index i : hull.polygon.value_or(std::vector<Index>())) polygon.vertices.push_back(points[i]);
-      if (hull.polygon) audit::draw(scene, "", polygon, true);
-    } catch (const InvalidInput&) {
-      // No hull: the scene's notes say why.
-    }
+    audit::draw(drawing, "", points, false);
+    if (hull.faces) audit::draw(drawing, "", Meshd{points, *hull.faces}, true);
+    Polygon3d polygon;
+    for (const Index i : hull.polygon.value_or(std::vector<Index>())) polygon.vertices.push_back(points[i]);
+    if (hull.polygon) audit::draw(drawing, "", polygon, true);
   }
 
   /// Six points of the grid of size^3, in ascending order, equal ones among them: all, without regard to their order.

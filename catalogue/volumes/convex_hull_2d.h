@@ -151,18 +151,13 @@ struct convex_hull_2d {
     return ::touchstone::oracle::convex_hull_2d_fault(std::get<0>(question), hull);
   }
 
-  static void draw(Scene& scene, const Question& question) {
+  static void draw(Drawing& drawing, const Question& question, const ConvexHull2& hull) {
     const Points& points = std::get<0>(question);
-    for (std::size_t i = 0; i < points.size(); ++i) audit::draw(scene, std::to_string(i), points[i], false);
-    try {
-      const ConvexHull2 hull = robust(points);
-      if (hull.segment) audit::draw(scene, "", Segment2d{points[hull.segment->i], points[hull.segment->j]}, true);
-      Polygon2d polygon;
-      for (const Index i : hull.polygon.value_or(std::vector<Index>())) polygon.vertices.push_back(points[i]);
-      if (hull.polygon) audit::draw(scene, "", polygon, true);
-    } catch (const InvalidInput&) {
-      // No hull: the scene's notes say why.
-    }
+    for (std::size_t i = 0; i < points.size(); ++i) audit::draw(drawing, std::to_string(i), points[i], false);
+    if (hull.segment) audit::draw(drawing, "", Segment2d{points[hull.segment->i], points[hull.segment->j]}, true);
+    Polygon2d polygon;
+    for (const Index i : hull.polygon.value_or(std::vector<Index>())) polygon.vertices.push_back(points[i]);
+    if (hull.polygon) audit::draw(drawing, "", polygon, true);
   }
 
   /// A point inside an edge.

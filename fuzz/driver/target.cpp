@@ -9,6 +9,7 @@
 
 #include "catalogue/explained.h"
 #include "catalogue/judge/environment.h"
+#include "catalogue/judge/judgement.h"
 
 namespace touchstone::fuzz {
 namespace {
@@ -81,10 +82,10 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
                     outcome_number(operation_.answer_shape(), examination.solution().answer.words));
     }
     if (hash / 512 % (quick ? 256 : 16) != 0) return "";
-    for (const std::string& wrong : {examination.broken_promise(), examination.residual_complaint()}) {
+    for (const std::string& wrong : {broken_promise(examination), residual_complaint(examination)}) {
       if (!wrong.empty()) return wrong;
     }
-    return audit::certificate_complaint(operation_, question);
+    return audit::certificate_complaint(examination);
   } catch (const InvalidInput&) {
     return operation_.refusal_mismatch(question, environment);
   }

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "catalogue/explained.h"
+#include "catalogue/judge/judgement.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/each_operation.h"
 #include "proptests/property.h"
@@ -55,10 +56,10 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
       const std::string second = second_truth(operation, question);
       if (!second.empty() && second != examination->outcome())
         FAIL_CHECK("the oracle's two methods differ: " << shown());
-      const std::string broken = examination->broken_promise();
+      const std::string broken = audit::broken_promise(*examination);
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
       if (number % grid.every != 0) continue;
-      const std::string refused = audit::certificate_complaint(operation, question);
+      const std::string refused = audit::certificate_complaint(*examination);
       if (!refused.empty()) FAIL_CHECK(refused << ": " << shown());
     } catch (const InvalidInput&) {
       const std::string mismatch = operation.refusal_mismatch(question);

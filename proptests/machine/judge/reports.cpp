@@ -202,8 +202,7 @@ TEST_CASE("reports: a map of answers of which many are right speaks of no ulps")
   for (const FailureMap& map : maps) {
     for (const MapClass& entry : map.classes) {
       CHECK(entry.said.empty());
-      if (entry.verdict == Verdict::rounding)
-        CHECK(entry.look(Scheme::light).ground == colour_of(Verdict::rounding));
+      if (entry.verdict == Verdict::rounding) CHECK(entry.look(Scheme::light).ground == colour_of(Verdict::rounding));
     }
   }
   const auto measured = failure_maps(*find_operation("line_point_at"), 2);
@@ -211,18 +210,18 @@ TEST_CASE("reports: a map of answers of which many are right speaks of no ulps")
 }
 
 TEST_CASE("reports: a point a hair beside an edge of a polygon is seen in a second frame") {
-  Scene scene;
-  scene.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
-  scene.figures.push_back({Figure::Kind::point, "point", {1, 1}});
-  CHECK(scene_svg(scene, "apart").find("gap") == std::string::npos);
-  scene.figures[1].numbers = {1, 0};
-  CHECK(scene_svg(scene, "on").find("gap") == std::string::npos);
-  scene.figures[1].numbers = {1, 0x1p-30};
-  CHECK(scene_svg(scene, "beside").find("around point, ") != std::string::npos);
-  scene.figures.pop_back();
+  Drawing drawing;
+  drawing.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
+  drawing.figures.push_back({Figure::Kind::point, "point", {1, 1}});
+  CHECK(drawing_svg(drawing, "apart").find("gap") == std::string::npos);
+  drawing.figures[1].numbers = {1, 0};
+  CHECK(drawing_svg(drawing, "on").find("gap") == std::string::npos);
+  drawing.figures[1].numbers = {1, 0x1p-30};
+  CHECK(drawing_svg(drawing, "beside").find("around point, ") != std::string::npos);
+  drawing.figures.pop_back();
   // A spike that nearly reaches the opposite edge.
-  scene.figures[0].numbers = {0, 0, 4, 0, 4, 4, 2, 0x1p-30, 0, 4};
-  CHECK(scene_svg(scene, "spike").find("around polygon, ") != std::string::npos);
+  drawing.figures[0].numbers = {0, 0, 4, 0, 4, 4, 2, 0x1p-30, 0, 4};
+  CHECK(drawing_svg(drawing, "spike").find("around polygon, ") != std::string::npos);
 }
 
 }  // namespace touchstone::audit

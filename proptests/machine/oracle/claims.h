@@ -28,8 +28,9 @@ inline std::vector<nlohmann::json> drawn_claims(const char* stream, std::uint64_
         audit::Choices choices = audit::Choices::seeded(audit::seed_of(family, stream, i));
         const audit::Question question = operation->draw(choices, family);
         try {
-          auto claim = nlohmann::json::parse(audit::explained(*operation, question).dump());
-          claim.erase("robust"), claim.erase("reference");
+          const auto examination = operation->examine(question);
+          auto claim = audit::claim_of(*examination);
+          if (examination->margin()) claim["margin"] = examination->margin()->get_str();
           claim["input"] = nlohmann::json::parse(operation->print_hexadecimal(question).dump());
           claims.push_back(std::move(claim));
         } catch (const InvalidInput&) {

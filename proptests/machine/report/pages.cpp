@@ -132,7 +132,7 @@ TEST_CASE("pages: pieces that were answered are drawn at the polygon's vertices,
   const Json input = Json::parse(R"({"polygon":[[0,0],[4,0],[4,4],[0,4]]})");
   for (const auto& [answer, drawn] :
        {std::pair(R"({"triangles":[[0,1,2],[0,2,3]]})", 2), std::pair(R"({"triangles":[[0,1,4]]})", 0)}) {
-    Scene scene;
+    Drawing scene;
     scene.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
     draw_answered(scene, *find_operation("triangulate_polygon"), Json::parse(answer), input);
     REQUIRE(scene.figures.size() == 1u + static_cast<std::size_t>(drawn));

@@ -13,12 +13,12 @@ namespace touchstone::audit {
 namespace {
 
 template <class Shape>
-void ask_for(Scene& scene, const std::string& label, const Shape& shape) {
+void ask_for(Drawing& scene, const std::string& label, const Shape& shape) {
   draw(scene, label, shape, false);
 }
 
-Scene every_kind() {
-  Scene scene;
+Drawing every_kind() {
+  Drawing scene;
   ask_for(scene, "p", Point3d{1, 2, 3});
   ask_for(scene, "v", Vector3d{1, 0, 0});
   ask_for(scene, "plane", Plane3d{{0, 1, 0}, -1});
@@ -34,7 +34,7 @@ Scene every_kind() {
 }  // namespace
 
 TEST_CASE("figures in space: between 5e-324 and 1.7e308 every point is within the box of steps") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "a", Point3d{1e308, -1e308, 5e-324});
   ask_for(scene, "b", Sphere3d{{0, 0, 0}, 1.7e308});
   ask_for(scene, "plane", Plane3d{{5e-324, 1e308, 0}, 1e308});
@@ -47,7 +47,7 @@ TEST_CASE("figures in space: between 5e-324 and 1.7e308 every point is within th
 }
 
 TEST_CASE("figures in space: neighbouring doubles are two places") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "a", Point3d{1, 0, 0});
   ask_for(scene, "b", Point3d{1 + 0x1p-52, 0, 0});
   const Json model = space_model(scene, "near");
@@ -59,7 +59,7 @@ TEST_CASE("figures in space: neighbouring doubles are two places") {
 TEST_CASE(
     "figures in space: a plane is shown where it is nearest to the rest, its normal of one length for all sizes") {
   for (const double size : {1.0, 1e300, 0x1p-1074}) {
-    Scene scene;
+    Drawing scene;
     ask_for(scene, "a", Point3d{-1, 0, 0});
     ask_for(scene, "b", Point3d{1, 2, 0});
     ask_for(scene, "plane", Plane3d{{0, -size, 0}, 0});
@@ -68,7 +68,7 @@ TEST_CASE(
 }
 
 TEST_CASE("figures in space: a thin scene is stretched and says so, one with a sphere is not and has a bar") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "box", Aabb3d{{0, 0, 0}, {100, 1, 100}});
   const Json thin = space_model(scene, "");
   CHECK(thin["remarks"] == Json({"y stretched 50 times"}));  // to half of the longest side
@@ -80,7 +80,7 @@ TEST_CASE("figures in space: a thin scene is stretched and says so, one with a s
 }
 
 TEST_CASE("figures in space: a plane without a normal and an infinite point are not drawn") {
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "plane", Plane3d{{0, 0, 0}, 1});
   ask_for(scene, "point", Point3d{HUGE_VAL, 0, 0});
   CHECK(space_figure(scene, "nothing").empty());
@@ -103,7 +103,7 @@ TEST_CASE("figures in space: a page says in words what its script draws, and has
 
 TEST_CASE("figures in space: a wrong point is drawn beside the truth, the right one is not drawn twice") {
   const Operation& operation = *find_operation("closest_point_on_aabb");
-  Scene scene;
+  Drawing scene;
   ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
   draw(scene, "point", Point3d{0, 1, 0}, true);
   draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0]})"), {});

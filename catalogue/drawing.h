@@ -32,9 +32,9 @@ struct SpaceFigure {
   bool said = false;
 };
 
-/// What is drawn of a question and its truth. A scene with figures in the plane is shown in the plane: a row that
+/// What is drawn of a question and its truth. A drawing with figures in the plane is shown in the plane: a row that
 /// draws a side view of its own knows best. Else its figures in space are shown as a view that the reader turns.
-struct Scene {
+struct Drawing {
   std::vector<Figure> figures;
   std::vector<SpaceFigure> space;
   std::vector<std::string> notes;  ///< what cannot be drawn, in words
