@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "audit/names.h"
+
 /// Counts as people read them.
 namespace touchstone::audit {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/operation.h"
+#include "audit/names.h"
+#include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {
 

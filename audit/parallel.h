@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <functional>
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// Calls work(0) ... work(count - 1), each once, on up to `jobs` threads, or as many as the machine grants. When a call

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// Text as one word of a POSIX shell, on one line, quoted where a shell would not take it as it stands. Of newlines at

@@ -8,7 +8,7 @@
 #include "audit/generic.h"
 #include "audit/parallel.h"
 #include "catalogue/codec/plain.h"
-#include "catalogue/families/shrink.h"
+#include "catalogue/operation/shrink.h"
 
 namespace touchstone::audit {
 namespace {

@@ -68,7 +68,7 @@ std::pair<std::ptrdiff_t, std::string> place(const std::vector<std::string>& nam
 
 std::vector<std::string> names_of_operations() {
   std::vector<std::string> operations;
-  for (const Operation* operation : catalogue()) operations.push_back(operation->name());
+  for (const Operation* operation : all_operations()) operations.push_back(operation->name());
   return operations;
 }
 

@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "audit/names.h"
+#include "catalogue/operation/operation.h"
 
 /// What an audit has counted. Tallies of disjoint sets of cases merge; the order in which cases were asked leaves no
 /// trace.

@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// Seconds from when it is made; 0: for ever. The clock may be another than the machine's, in seconds.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// As CMakeLists.txt has it (a test compares them).

@@ -36,7 +36,7 @@ typename K::Segment_2 cgal(const Segment2d& s) {
 }
 
 template <>
-struct CgalPeer<audit::rows::orientation> {
+struct CgalPeer<catalogue::rows::orientation> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(const Point2d& p0, const Point2d& p1, const Point2d& p) {
@@ -50,7 +50,7 @@ struct CgalPeer<audit::rows::orientation> {
 };
 
 template <>
-struct CgalPeer<audit::rows::explicit_line> {
+struct CgalPeer<catalogue::rows::explicit_line> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(double slope, double intercept, const Point2d& p) {
@@ -64,7 +64,7 @@ struct CgalPeer<audit::rows::explicit_line> {
 };
 
 template <>
-struct CgalPeer<audit::rows::implicit_circle> {
+struct CgalPeer<catalogue::rows::implicit_circle> {
   static constexpr bool only_epeck = true;  // it has circles with the radius squared only
   template <class K>
   static auto shapes(const Circle2d& circle, const Point2d& p) {
@@ -79,7 +79,7 @@ struct CgalPeer<audit::rows::implicit_circle> {
 };
 
 template <>
-struct CgalPeer<audit::rows::point_on_segment> {
+struct CgalPeer<catalogue::rows::point_on_segment> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(const Point2d& p, const Segment2d& s) {
@@ -93,7 +93,7 @@ struct CgalPeer<audit::rows::point_on_segment> {
 };
 
 template <>
-struct CgalPeer<audit::rows::line_line> {
+struct CgalPeer<catalogue::rows::line_line> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(const Line2d& a, const Line2d& b) {
@@ -107,7 +107,7 @@ struct CgalPeer<audit::rows::line_line> {
 };
 
 template <>
-struct CgalPeer<audit::rows::segment_segment> {
+struct CgalPeer<catalogue::rows::segment_segment> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(const Segment2d& a, const Segment2d& b) {
@@ -121,7 +121,7 @@ struct CgalPeer<audit::rows::segment_segment> {
 };
 
 template <>
-struct CgalPeer<audit::rows::ray_segment> {
+struct CgalPeer<catalogue::rows::ray_segment> {
   static constexpr bool only_epeck = true;  // its ray goes through origin + direction
   template <class K>
   static auto shapes(const Ray2d& ray, const Segment2d& s) {
@@ -139,7 +139,7 @@ struct CgalPeer<audit::rows::ray_segment> {
 };
 
 template <>
-struct CgalPeer<audit::rows::point_plane> {
+struct CgalPeer<catalogue::rows::point_plane> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(const Plane3d& plane, const Point3d& p) {
@@ -154,7 +154,7 @@ struct CgalPeer<audit::rows::point_plane> {
 };
 
 template <>
-struct CgalPeer<audit::rows::point_ground_plane> {
+struct CgalPeer<catalogue::rows::point_ground_plane> {
   static constexpr bool only_epeck = false;
   template <class K>
   static auto shapes(const Point3d& p) {

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/row.h"
-#include "catalogue/codec/tape.h"
-#include "catalogue/codec/walk.h"
 #include "catalogue/families/choices.h"
 #include "catalogue/families/numbers.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/tape.h"
+#include "catalogue/shape/walk.h"
 
 /// What is asked while the clock runs. The same cases on every machine and with every compiler.
 namespace touchstone::bench {
@@ -43,13 +43,13 @@ void scale(typename Row::Question& question, int k) {
   if constexpr (requires { Row::scale(question, k); }) {
     Row::scale(question, k);
   } else {
-    audit::for_each_number(question, [&](double& number) { number = std::ldexp(number, k); });
+    catalogue::for_each_number(question, [&](double& number) { number = std::ldexp(number, k); });
   }
 }
 
 /// The hard cases of full precision; all hard cases where none says so by its name.
 template <class Row>
-std::vector<audit::HardCase<typename Row::Question>> near_misses() {
+std::vector<catalogue::HardCase<typename Row::Question>> near_misses() {
   const auto all = Row::hard_cases();
   auto chosen = all;
   std::erase_if(chosen, [](const auto& hard) {
@@ -60,10 +60,10 @@ std::vector<audit::HardCase<typename Row::Question>> near_misses() {
 }
 
 template <class Row>
-typename Row::Question drawn(DataSet set, audit::Choices& choices) {
+typename Row::Question drawn(DataSet set, catalogue::Choices& choices) {
   typename Row::Question question{};
-  const auto fill = [&](double (*number)(audit::Choices&)) {
-    audit::walk(
+  const auto fill = [&](double (*number)(catalogue::Choices&)) {
+    catalogue::walk(
         question, [&](double& value) { value = number(choices); },
         [](auto& list) { list.resize(Row::card().list_length); });
     if constexpr (requires { Row::repair(question); }) Row::repair(question);
@@ -74,11 +74,13 @@ typename Row::Question drawn(DataSet set, audit::Choices& choices) {
       return hard[choices.below(hard.size())].draw(choices);
     }
     case DataSet::small_integer_grid:
-      fill([](audit::Choices& c) { return static_cast<double>(c.below(8)); });
+      fill([](catalogue::Choices& c) { return static_cast<double>(c.below(8)); });
       return question;
-    case DataSet::random: fill(audit::ordinary); return question;
-    case DataSet::huge: fill(audit::ordinary), scale<Row>(question, 1012); return question;
-    case DataSet::tiny: fill(audit::ordinary), scale<Row>(question, 52), scale<Row>(question, -1074); return question;
+    case DataSet::random: fill(catalogue::ordinary); return question;
+    case DataSet::huge: fill(catalogue::ordinary), scale<Row>(question, 1012); return question;
+    case DataSet::tiny:
+      fill(catalogue::ordinary), scale<Row>(question, 52), scale<Row>(question, -1074);
+      return question;
   }
   return question;
 }
@@ -90,10 +92,10 @@ std::vector<typename Row::Question> draw_cases(DataSet set) {
   std::vector<typename Row::Question> cases;
   cases.reserve(case_count);
   for (std::uint64_t index = 0; cases.size() < case_count; ++index) {
-    audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, stream.c_str(), index));
+    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, stream.c_str(), index));
     const auto question = drawn<Row>(set, choices);
     try {
-      audit::ask_robust<Row>(question);
+      catalogue::ask_robust<Row>(question);
       cases.push_back(question);
     } catch (const InvalidInput&) {
     }

@@ -38,8 +38,8 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Of n points: uniform in a ball, on a sphere, in a box and on its faces; on a grid of 100^3; around twenty centres;
 /// on a cylinder; in a plane, exactly or but for rounding; on a line; turned so that faces are flat but for rounding.
 Points cloud(const std::string& set, std::size_t n) {
-  audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, set.c_str(), 0));
-  const auto number = [&choices] { return audit::ordinary(choices); };
+  catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, set.c_str(), 0));
+  const auto number = [&choices] { return catalogue::ordinary(choices); };
   const auto normal = [&] {
     const double radius = std::sqrt(-2 * std::log(1 - (number() + 1) / 2 + 1e-300));
     return radius * std::cos(std::numbers::pi * number());

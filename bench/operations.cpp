@@ -47,7 +47,7 @@ struct Asked {
           if constexpr (requires { Decisions<Row>::complete(field...); }) return Decisions<Row>::complete(field...);
           else return Decisions<Row>::naive(field...);
         },
-        audit::converted<mpq_class>(q, [](double number) { return mpq_class(number); }));
+        catalogue::converted<mpq_class>(q, [](double number) { return mpq_class(number); }));
   }
   template <class K>
   static auto shapes(const QuestionOf<Row>& q) {
@@ -72,7 +72,7 @@ Wrong wrong_decisions(DataSet set) {
   using A = Asked<Row>;
   Wrong wrong;
   for (const auto& q : cases_of<Row>(set)) {
-    const int truth = Decisions<Row>::truth(audit::ask_oracle<Row>(q).answer);
+    const int truth = Decisions<Row>::truth(catalogue::ask_oracle<Row>(q).answer);
     wrong.robust += A::ours(q) != truth;
     wrong.naive += A::naive(q) != truth;
     wrong.rational += A::rational(q) != truth;
@@ -85,11 +85,11 @@ Wrong wrong_decisions(DataSet set) {
 
 template <class Row>
 std::size_t wrong_answers(DataSet set) {
-  const auto& operation = *audit::find_operation(Row::card().name);
+  const auto& operation = *catalogue::find_operation(Row::card().name);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < chunk; ++i) {
-    const audit::Question flat{audit::packed(cases_of<Row>(set)[i])};
-    wrong += operation.examine(flat)->judge_robust().verdict != audit::Verdict::agree;
+    const catalogue::Question flat{catalogue::packed(cases_of<Row>(set)[i])};
+    wrong += operation.examine(flat)->judge_robust().verdict != catalogue::Verdict::agree;
   }
   return wrong;
 }
@@ -98,7 +98,7 @@ std::size_t wrong_answers(DataSet set) {
 bool verified() {
   bool held = true;
   std::printf("%-18s %-20s %8s %8s %8s %8s %8s\n", "wrong of 131072", "", "robust", "naive", "Epick", "Epeck", "mpq");
-  audit::for_each_row([&]<class Row>() {
+  catalogue::for_each_row([&]<class Row>() {
     for (const DataSet set : data_sets) {
       std::size_t wrong_full = wrong_answers<Row>(set);
       if constexpr (Decides<Row>) {
@@ -159,11 +159,11 @@ void add_row(DataSet set) {
   const audit::Kind kind = Row::card().kind;
   const char* label = kind == audit::Kind::measure || kind == audit::Kind::set ? "numbers" : "";
   add("slide_answer", [=](benchmark::State& s) {
-    time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_reference<Row>(q); });
+    time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_reference<Row>(q); });
   });
   add("robust_answer", [=](benchmark::State& s) {
     s.SetLabel(label);
-    time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_robust<Row>(q); });
+    time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_robust<Row>(q); });
   });
 }
 
@@ -173,7 +173,7 @@ void add_row(DataSet set) {
 int main(int argc, char** argv) {
   using namespace touchstone;
   if (argc == 2 && std::strcmp(argv[1], "--verify") == 0) return bench::verified() ? 0 : 1;
-  audit::for_each_row([]<class Row>() {
+  catalogue::for_each_row([]<class Row>() {
     for (const bench::DataSet set : bench::data_sets) bench::add_row<Row>(set);
   });
   benchmark::Initialize(&argc, argv);

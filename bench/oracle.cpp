@@ -4,36 +4,36 @@
 
 #include <string>
 
-#include "catalogue/catalogue.h"
-#include "catalogue/operation.h"
 #include "bench/data_sets.h"
 #include "bench/timing.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/operation/operation.h"
 
 namespace touchstone::bench {
 namespace {
 
 template <class Row>
-const audit::Operation& operation_of() {
-  static const audit::Operation& operation = *audit::find_operation(Row::card().name);
+const catalogue::Operation& operation_of() {
+  static const catalogue::Operation& operation = *catalogue::find_operation(Row::card().name);
   return operation;
 }
 
 /// Cases of one set as the audit holds them.
 template <class Row>
-const std::vector<audit::Question>& questions_of(DataSet set) {
+const std::vector<catalogue::Question>& questions_of(DataSet set) {
   static DataSet made = set;
-  static std::vector<audit::Question> questions;
+  static std::vector<catalogue::Question> questions;
   if (questions.empty() || made != set) {
     questions.clear();
     for (const auto& q : cases_of<Row>(made = set)) {
-      questions.push_back({audit::packed(q)});
+      questions.push_back({catalogue::packed(q)});
     }
   }
   return questions;
 }
 
 /// What an audit does with one question: both judgements and the word for the tally.
-std::size_t examined(const audit::Operation& operation, const audit::Question& question) {
+std::size_t examined(const catalogue::Operation& operation, const catalogue::Question& question) {
   const auto examination = operation.examine(question);
   return static_cast<std::size_t>(examination->judge_reference().verdict) +
          static_cast<std::size_t>(examination->judge_robust().verdict) + examination->outcome().size();
@@ -45,23 +45,24 @@ void add_row(DataSet set) {
   const std::string group = std::string(Row::card().name) + "/" + name_of(set) + "/";
   const auto add = [&](const char* what, auto timed) { benchmark::RegisterBenchmark((group + what).c_str(), timed); };
   add("truth", [=](benchmark::State& s) {
-    time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_oracle<Row>(q); });
+    time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_oracle<Row>(q); });
   });
   add("certificate", [=](benchmark::State& s) {
-    time_answers(s, cases_of<Row>(set), [](const Q& q) { return audit::ask_oracle<Row>(q).certificate(); });
+    time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_oracle<Row>(q).certificate(); });
   });
   add("examination", [=](benchmark::State& s) {
-    time_answers(s, questions_of<Row>(set), [](const audit::Question& q) { return examined(operation_of<Row>(), q); });
+    time_answers(s, questions_of<Row>(set),
+                 [](const catalogue::Question& q) { return examined(operation_of<Row>(), q); });
   });
 }
 
 /// Questions of all families in turn, as the audit draws them.
 template <class Row>
 void draw_families(benchmark::State& state) {
-  const audit::Operation& operation = operation_of<Row>();
+  const catalogue::Operation& operation = operation_of<Row>();
   std::uint64_t index = 0;
   for (auto _ : state) {
-    audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, Row::card().name, index));
+    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, Row::card().name, index));
     benchmark::DoNotOptimize(operation.draw(choices, index++ % operation.families().size()));
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
@@ -69,7 +70,7 @@ void draw_families(benchmark::State& state) {
 
 /// Part of the grid on which every number is one of 0 .. size - 1: robust against the oracle's integers, counted and
 /// hashed.
-void exhaust(benchmark::State& state, const audit::Operation& operation, int size) {
+void exhaust(benchmark::State& state, const catalogue::Operation& operation, int size) {
   const std::uint64_t configurations = operation.configurations(size).value_or(std::uint64_t{1} << 40);
   const std::uint64_t part = std::min(configurations, std::uint64_t{1} << 16);
   std::uint64_t first = 0, wrong = 0;
@@ -82,7 +83,7 @@ void exhaust(benchmark::State& state, const audit::Operation& operation, int siz
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(part));
 }
 
-void add_exhaustive(const audit::Operation& operation) {
+void add_exhaustive(const catalogue::Operation& operation) {
   if (!operation.count_decisions(2, 0, 1)) return;
   for (const int size : {3, 4, 10}) {
     const std::string name = operation.name() + "/grid_" + std::to_string(size) + "/exhaust";
@@ -93,7 +94,7 @@ void add_exhaustive(const audit::Operation& operation) {
 
 /// The decisions that the oracle also has alone.
 void add_decisions(DataSet set) {
-  using audit::rows::orientation, audit::rows::segment_segment;
+  using catalogue::rows::orientation, catalogue::rows::segment_segment;
   const auto add = [&](const char* op, auto timed) {
     benchmark::RegisterBenchmark((std::string(op) + "/" + name_of(set) + "/decision").c_str(), timed);
   };
@@ -114,13 +115,13 @@ void add_decisions(DataSet set) {
 
 int main(int argc, char** argv) {
   using namespace touchstone;
-  audit::for_each_row([]<class Row>() {
+  catalogue::for_each_row([]<class Row>() {
     for (const bench::DataSet set : bench::data_sets) bench::add_row<Row>(set);
     const std::string name = std::string(Row::card().name) + "/all_families/draw";
     benchmark::RegisterBenchmark(name.c_str(), bench::draw_families<Row>);
   });
   for (const bench::DataSet set : bench::data_sets) bench::add_decisions(set);
-  for (const audit::Operation* operation : audit::catalogue()) bench::add_exhaustive(*operation);
+  for (const catalogue::Operation* operation : catalogue::all_operations()) bench::add_exhaustive(*operation);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -32,7 +32,7 @@ bool between(const Real& a, const Real& x, const Real& b) {
 }
 
 template <>
-struct Decisions<audit::rows::orientation> {
+struct Decisions<catalogue::rows::orientation> {
   static int ours(const Point2d& p0, const Point2d& p1, const Point2d& p) {
     return 1 - static_cast<int>(robust::orientation(p0, p1, p));
   }
@@ -44,7 +44,7 @@ struct Decisions<audit::rows::orientation> {
 };
 
 template <>
-struct Decisions<audit::rows::explicit_line> {
+struct Decisions<catalogue::rows::explicit_line> {
   static int ours(double slope, double intercept, const Point2d& p) {
     return 1 - static_cast<int>(robust::explicit_line(slope, intercept, p));
   }
@@ -56,7 +56,7 @@ struct Decisions<audit::rows::explicit_line> {
 };
 
 template <>
-struct Decisions<audit::rows::implicit_circle> {
+struct Decisions<catalogue::rows::implicit_circle> {
   static int ours(const Circle2d& circle, const Point2d& p) {
     return 1 - static_cast<int>(robust::implicit_circle(circle, p));
   }
@@ -69,7 +69,7 @@ struct Decisions<audit::rows::implicit_circle> {
 };
 
 template <>
-struct Decisions<audit::rows::point_on_segment> {
+struct Decisions<catalogue::rows::point_on_segment> {
   static int ours(const Point2d& p, const Segment2d& s) {
     return robust::point_on_segment_relation(p, s) == Incidence::on;
   }
@@ -84,7 +84,7 @@ struct Decisions<audit::rows::point_on_segment> {
 };
 
 template <>
-struct Decisions<audit::rows::line_line> {
+struct Decisions<catalogue::rows::line_line> {
   static int ours(const Line2d& a, const Line2d& b) {
     return robust::line_line_relation(a, b) == LineRelation::crossing;
   }
@@ -99,7 +99,7 @@ struct Decisions<audit::rows::line_line> {
 };
 
 template <>
-struct Decisions<audit::rows::segment_segment> {
+struct Decisions<catalogue::rows::segment_segment> {
   static int ours(const Segment2d& a, const Segment2d& b) {
     return robust::segment_segment_relation(a, b) != SegmentRelation::disjoint;
   }
@@ -124,7 +124,7 @@ struct Decisions<audit::rows::segment_segment> {
 };
 
 template <>
-struct Decisions<audit::rows::ray_segment> {
+struct Decisions<catalogue::rows::ray_segment> {
   static int ours(const Ray2d& ray, const Segment2d& s) {
     return robust::ray_segment_relation(ray, s) != RayRelation::none;
   }
@@ -149,7 +149,7 @@ struct Decisions<audit::rows::ray_segment> {
 };
 
 template <>
-struct Decisions<audit::rows::point_plane> {
+struct Decisions<catalogue::rows::point_plane> {
   static int ours(const Plane3d& plane, const Point3d& p) {
     return 1 - static_cast<int>(robust::point_plane_side(plane, p));
   }
@@ -165,7 +165,7 @@ struct Decisions<audit::rows::point_plane> {
 };
 
 template <>
-struct Decisions<audit::rows::point_ground_plane> {
+struct Decisions<catalogue::rows::point_ground_plane> {
   static int ours(const Point3d& p) { return 1 - static_cast<int>(robust::point_ground_plane(p)); }
   template <class Answer>
   static int truth(const Answer& side) {

@@ -26,9 +26,9 @@ struct Case {
   Point2d point;
 };
 
-Case drawn(DataSet set, std::size_t size, audit::Choices& choices) {
+Case drawn(DataSet set, std::size_t size, catalogue::Choices& choices) {
   const auto number = [&] {
-    return set == DataSet::small_integer_grid ? static_cast<double>(choices.below(8)) : audit::ordinary(choices);
+    return set == DataSet::small_integer_grid ? static_cast<double>(choices.below(8)) : catalogue::ordinary(choices);
   };
   Case made;
   for (std::size_t i = 0; i < size; ++i) made.polygon.vertices.push_back({number(), number()});
@@ -55,7 +55,7 @@ const std::vector<Case>& cases_of(DataSet set, std::size_t size) {
   if (made == wanted) return cases;
   cases.clear();
   for (std::uint64_t index = 0; cases.size() < case_count / size; ++index) {
-    audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, wanted.c_str(), index));
+    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, wanted.c_str(), index));
     cases.push_back(drawn(set, size, choices));
   }
   made = wanted;

@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
+#include "bench/timing.h"
 #include "catalogue/families/choices.h"
 #include "catalogue/families/numbers.h"
-#include "bench/timing.h"
 #include "oracle/polygons/triangulate_polygon.h"
 #include "robust/polygons/triangulate_polygon.h"
 
@@ -51,8 +51,8 @@ Polygon2d there_and_back(const Out& out, const Back& back) {
 }
 
 std::vector<std::pair<std::string, Polygon2d>> shapes() {
-  audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, "triangulation", 0));
-  const auto random = [&choices] { return (audit::ordinary(choices) + 1) / 2; };  // from [0, 1)
+  catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, "triangulation", 0));
+  const auto random = [&choices] { return (catalogue::ordinary(choices) + 1) / 2; };  // from [0, 1)
   const auto x = [](std::size_t i) { return static_cast<double>(i); };
   const auto spiral = [](double width) {
     return [width](std::size_t i) {

@@ -7,7 +7,7 @@ set(touchstone_public_of_reference reference/*/*.h)
 set(touchstone_public_of_robust robust/masked_exceptions.h robust/*/*.h)
 set(touchstone_public_of_oracle oracle/truth.h oracle/*/*.h)
 set(touchstone_public_of_certify oracle/certificates/check.h)
-set(touchstone_public_of_audit program/engine_main.h audit/engines/adapter.h audit/engines/fuzz.h catalogue/operation.h)
+set(touchstone_public_of_audit program/engine_main.h audit/engines/adapter.h audit/engines/fuzz.h catalogue/operation/operation.h)
 set(touchstone_public_of_testing testing/*.h)
 # Folders that hold no operations; of these a header is copied only where a public one includes it.
 set(touchstone_inner_folders "^(robust/(kernel|rings|hulls)|oracle/(exact|rings|certificates))/")

@@ -111,7 +111,7 @@ constexpr Checks (*checks_of_all_files[])() = {@listed@};
 
 list(FILTER audit_sources EXCLUDE REGEX "/program/main\\.cpp|/program/engines/")
 
-# catalogue/CHAPTER/*.h -> one translation unit that makes the operations of the chapter's rows: one for each row would take five times as
+# catalogue/rows/CHAPTER/*.h -> one translation unit that makes the operations of the chapter's rows: one for each row would take five times as
 # long, because it is the headers that cost.
 file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/catalogue/*/*.h)
 list(FILTER rows EXCLUDE REGEX "^catalogue/(codec|families|judge)/")
@@ -130,7 +130,7 @@ foreach(chapter ${row_chapters})
   set(includes "${includes_of_${chapter}}")
   set(operations "${operations_of_${chapter}}")
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp @ONLY CONTENT [[
-#include "catalogue/row_of.h"
+#include "catalogue/operation/row_of.h"
 @includes@
 namespace touchstone::audit {
 @operations@

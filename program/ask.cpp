@@ -3,12 +3,12 @@
 #include "audit/engines/notes.h"
 #include "audit/meshes.h"
 #include "catalogue/codec/plain.h"
-#include "catalogue/explained.h"
+#include "catalogue/operation/explained.h"
 #include "program/commands.h"
 #include "program/program.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 Json said_by(Engine& engine, const Operation& operation, const Question& question, const Examination& examination,
@@ -76,4 +76,4 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   return refused_any ? bad_usage : found_any ? findings : nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

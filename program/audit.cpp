@@ -22,7 +22,7 @@
 #include "report/table.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 std::atomic<bool> stopped{false};
@@ -165,4 +165,4 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   return exit_code(tally, command.gate.decides() ? !result.passed() : tally.has_findings(), err);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

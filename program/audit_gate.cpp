@@ -10,7 +10,7 @@
 #include "audit/gate/sarif.h"
 #include "program/commands.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 Baseline read_from(const std::string& file) {
@@ -55,4 +55,4 @@ GateResult finish_gate(const GateCommand& command, Gate gate, const Tally& tally
   return result;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

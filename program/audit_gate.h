@@ -6,8 +6,9 @@
 #include <string>
 
 #include "audit/gate/gate.h"
+#include "program/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 /// What of `audit` is for CI.
 struct GateCommand {
@@ -28,4 +29,4 @@ Gate gate_of(const GateCommand& command);
 /// written as one is known at once.
 GateResult finish_gate(const GateCommand& command, Gate gate, const Tally& tally, std::ostream& out);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

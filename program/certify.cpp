@@ -5,7 +5,7 @@
 #include "program/commands.h"
 #include "program/program.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err) {
   std::uint64_t refused = 0, without = 0;
@@ -28,4 +28,4 @@ int certify_command(const std::string& file, std::ostream& out, std::ostream& er
   return refused > 0 ? findings : nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

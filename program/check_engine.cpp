@@ -12,7 +12,7 @@
 #include "program/program.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 constexpr std::size_t most_shown = 400;
@@ -107,7 +107,7 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
   std::size_t operations = 0, wrong = 0, unchecked = 0;
   out << subject(declared) << ", boundary " << boundary_word(declared.boundary) << ", tolerance "
       << decimal(declared.tolerance) << '\n';
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     if (!engine.supports(operation->name())) continue;
     const Wiring wiring = wiring_of(engine, *operation);
     tell(*operation, wiring, out);
@@ -125,4 +125,4 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
   return wrong == 0 && unchecked == 0 ? nothing_found : findings;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

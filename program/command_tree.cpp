@@ -6,7 +6,7 @@
 #include "catalogue/codec/did_you_mean.h"
 #include "program/commands.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 const CLI::App* command_named(const CLI::App& application, const std::string& name) {
@@ -73,4 +73,4 @@ void require_known_names(const CLI::App& program, int argc, const char* const* a
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

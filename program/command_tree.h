@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "program/names.h"
+
 /// The commands and options of the program as data: what may be typed.
-namespace touchstone::audit {
+namespace touchstone::program {
 
 /// The commands below an application, in the order in which they were added.
 std::vector<const CLI::App*> commands_of(const CLI::App& application);
@@ -21,4 +23,4 @@ std::string full_name(const CLI::App& command);
 /// or gives an option an empty value behind an equals sign.
 void require_known_names(const CLI::App& program, int argc, const char* const* argv);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

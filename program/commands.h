@@ -11,12 +11,12 @@
 #include "audit/engines/engine.h"
 #include "audit/engines/notes.h"
 #include "audit/tally.h"
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 #include "program/audit_gate.h"
 
 /// The commands, each a function of its parsed options: what goes to standard output is written to `out`, complaints to
 /// `err`, and the exit code is returned.
-namespace touchstone::audit {
+namespace touchstone::program {
 
 /// Wrong usage: one line, exit code 2.
 struct UsageError : std::runtime_error {
@@ -125,6 +125,6 @@ void write_file(const std::string& option, const std::string& file, const std::s
 /// What stands before every complaint about a line.
 std::string place(const std::string& file, std::uint64_t line);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program
 
 #include "program/each_line.h"

@@ -10,7 +10,7 @@
 #include "program/command_tree.h"
 #include "program/commands.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 /// Text of a paragraph: no letter of it is an instruction to roff.
@@ -54,7 +54,7 @@ std::string synopsis(const CLI::App& command) {
 std::string words_for_bash(const CLI::App& program) {
   std::string operations, cases;
   std::set<std::string> values;
-  for (const Operation* operation : catalogue()) operations += (operations.empty() ? "" : " ") + operation->name();
+  for (const Operation* operation : all_operations()) operations += (operations.empty() ? "" : " ") + operation->name();
   for (const CLI::App* command : with_commands(program)) {
     std::vector<std::string> words = option_names_of(*command);
     for (const CLI::App* below : commands_of(*command)) words.push_back(below->get_name());
@@ -96,4 +96,4 @@ std::string completion(const CLI::App& program, const std::string& shell) {
          words_for_bash(program) + completion_script;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

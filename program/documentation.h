@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "program/names.h"
+
 /// What documents the program, from the same tree of commands and options as --help.
-namespace touchstone::audit {
+namespace touchstone::program {
 
 /// Below every help.
 constexpr const char* limits_in_words =
@@ -27,4 +29,4 @@ std::string completion(const CLI::App& program, const std::string& shell);
 /// "touchstone 0.1.0", then the compiler and the libraries, a line each.
 std::string version();
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

@@ -6,7 +6,7 @@
 #include "program/commands.h"
 #include "program/program.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 /// So many questions of a family in a row outside the contract, or not of ordinary size, mean that it has no others.
@@ -89,4 +89,4 @@ int draw_command(const DrawCommand& command, std::ostream& out) {
   return nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

@@ -8,7 +8,7 @@
 #include "catalogue/codec/expected.h"
 #include "program/commands.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 template <class Visit>
 std::uint64_t each_line(const std::string& file, const Visit& visit) {
@@ -30,4 +30,4 @@ std::uint64_t each_line(const std::string& file, const Visit& visit) {
   return filled;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

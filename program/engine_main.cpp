@@ -14,7 +14,7 @@
 #include "program/commands.h"
 #include "program/program.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 /// Commands of `touchstone` that take --engine.
@@ -64,7 +64,7 @@ bool prints_no_table(int argc, const char* const* argv) {
 
 std::string operations_found(const Served& engine) {
   std::vector<std::string> found, not_found;
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     if (operation->card().is_method()) continue;
     (engine.operations.count(operation->name()) != 0 ? found : not_found).push_back(operation->name());
   }
@@ -112,4 +112,4 @@ int engine_program(const Served& engine, int argc, const char* const* argv) {
   return run_program(static_cast<int>(arguments.size()), arguments.data());
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "audit/engines/adapter.h"
+#include "program/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 /// What stands above the table of an engine's audit: the operations that were found in it by name, and those that were
 /// not, so that a misspelt name is seen.
@@ -14,11 +15,11 @@ std::string operations_found(const Served& engine);
 /// process of its own; else it is `touchstone audit` of itself.
 int engine_program(const Served& engine, int argc, const char* const* argv);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program
 
 /// The audit program of an engine: the options of `touchstone audit`; with --serve it answers over pipes.
-#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                       \
-  int main(int argc, char** argv) {                                                              \
-    EngineType engine{};                                                                         \
-    return ::touchstone::audit::engine_program(::touchstone::audit::served(engine), argc, argv); \
+#define TOUCHSTONE_ENGINE_MAIN(EngineType)                                                         \
+  int main(int argc, char** argv) {                                                                \
+    EngineType engine{};                                                                           \
+    return ::touchstone::program::engine_program(::touchstone::audit::served(engine), argc, argv); \
   }

@@ -12,7 +12,7 @@
 #include "report/table.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 struct Shard {
@@ -230,4 +230,4 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
   return sum->has_findings() ? findings : nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

@@ -10,7 +10,7 @@
 #include "program/program.h"
 #include "report/html.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 constexpr std::uint32_t gap = 16, scale = 2;
@@ -67,4 +67,4 @@ int run_map(const MapCommand& command) {
   return found ? findings : nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

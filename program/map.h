@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace touchstone::audit {
+#include "program/names.h"
+
+namespace touchstone::program {
 
 /// `touchstone map OP... [--out DIR] [--jobs N]`: a failure map of each operation as OP.png (reference beside robust)
 /// and OP.html (the same with legend); prints what it wrote and one line of counts each. Throws UsageError for an
@@ -22,4 +24,4 @@ struct MapCommand {
 };
 int run_map(const MapCommand& command);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

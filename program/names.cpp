@@ -11,7 +11,7 @@
 #include "catalogue/codec/expected.h"
 #include "program/commands.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 std::vector<std::string> split(const std::string& names) {
   std::vector<std::string> parts;
@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& names) {
 const Operation& operation_named(const std::string& name) {
   if (const Operation* operation = find_operation(name)) return *operation;
   std::vector<std::string> known;
-  for (const Operation* operation : catalogue()) known.push_back(operation->name());
+  for (const Operation* operation : all_operations()) known.push_back(operation->name());
   const std::string nearest = did_you_mean(name, known);
   std::string all;
   for (const std::string& other : known) all += (all.empty() ? "; one of " : ", ") + other;
@@ -34,7 +34,7 @@ const Operation& operation_named(const std::string& name) {
 }
 
 std::vector<const Operation*> operations_named(const std::string& names) {
-  if (names == "all") return catalogue();
+  if (names == "all") return all_operations();
   std::vector<const Operation*> operations;
   for (const std::string& name : split(names)) {
     const Operation* operation = &operation_named(name);
@@ -87,4 +87,4 @@ std::string place(const std::string& file, std::uint64_t line) {
   return "touchstone: " + name + ": line " + std::to_string(line) + ": ";
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

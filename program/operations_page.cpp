@@ -6,7 +6,7 @@
 #include "program/commands.h"
 #include "program/program.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 constexpr const char* introduction = R"(# Operations: C++ signatures, JSON fields, words
@@ -76,7 +76,7 @@ void print_operation(const Operation& operation, std::ostream& out) {
 int operations_page_command(std::ostream& out) {
   out << introduction;
   std::vector<std::string> chapters;
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const std::string chapter = operation->card().chapter;
     if (std::find(chapters.begin(), chapters.end(), chapter) == chapters.end()) chapters.push_back(chapter);
   }
@@ -90,4 +90,4 @@ int operations_page_command(std::ostream& out) {
   return nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

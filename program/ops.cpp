@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 #include "program/commands.h"
 #include "program/program.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 constexpr std::array<const char*, 5> kind_names{"decision", "measure", "set", "checked", "covering"};
@@ -43,7 +43,7 @@ void print(const std::vector<Line>& lines, std::ostream& out) {
 
 void print_table(std::ostream& out) {
   std::vector<Line> lines{{"operation", "chapter", "pages", "judged", "input", "question"}};
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const Card& card = operation->card();
     lines.push_back({card.name, card.chapter, card.pages, kind_name(card.kind), all_fields(card), card.question});
   }
@@ -52,7 +52,7 @@ void print_table(std::ostream& out) {
 
 void print_json(std::ostream& out) {
   Json list = Json::array();
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const Card& card = operation->card();
     Json entry = Json::object();
     entry["name"] = card.name;
@@ -80,4 +80,4 @@ int ops_command(bool json, std::ostream& out) {
   return nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

@@ -14,7 +14,7 @@
 #include "program/documentation.h"
 #include "program/map.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 /// CLI11's own check prints the whole range of double.
@@ -277,4 +277,4 @@ int run_program(int argc, const char* const* argv) {
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

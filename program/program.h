@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace touchstone::audit {
+#include "program/names.h"
+
+namespace touchstone::program {
 
 /// The program `touchstone`: parses the command line and runs one command. Returns the exit code: 0 nothing found,
 /// 1 findings, 2 wrong usage, bad input, or nothing to judge (one line on stderr), 3 the engine could not be run or has
@@ -10,4 +12,4 @@ int run_program(int argc, const char* const* argv);
 
 enum ExitCode { nothing_found = 0, findings = 1, bad_usage = 2, engine_failed = 3, interrupted = 130 };
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

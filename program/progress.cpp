@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 using Seconds = std::chrono::duration<double>;
@@ -80,4 +80,4 @@ std::string Progress::line(std::size_t operation, std::uint64_t done, Clock::tim
   return text;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

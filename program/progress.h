@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
+#include "program/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 /// How far a run is and about how long it still takes, from what the operations cost in relation to each other. On a
 /// terminal one line, rewritten at most ten times a second and gone at the end; elsewhere a line every ten seconds, so
@@ -56,4 +57,4 @@ class Progress {
 /// "40 s", "12 min", "3 h"
 std::string in_words(std::chrono::duration<double> time);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

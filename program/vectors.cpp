@@ -20,7 +20,7 @@
 #include "program/program.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 namespace {
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
@@ -150,4 +150,4 @@ int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out,
   return refused > 0 || !differences.empty() || found ? findings : nothing_found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

@@ -10,7 +10,7 @@
 
 #include "program/documentation.h"
 
-namespace touchstone::audit {
+namespace touchstone::program {
 
 std::string version() {
   return std::string("touchstone ") + version_number + "\ncompiler: " + compiler_name +
@@ -20,4 +20,4 @@ std::string version() {
                      CLI11_VERSION, PNG_LIBPNG_VER_STRING);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::program

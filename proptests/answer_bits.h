@@ -9,7 +9,7 @@
 
 namespace touchstone::proptests {
 
-using audit::Environment, audit::environment_count, audit::environment_name, audit::in_environment;
+using catalogue::Environment, catalogue::environment_count, catalogue::environment_name, catalogue::in_environment;
 
 /// An answer as words: enumerators, presence of optional parts, numbers bit by bit. Never compares doubles.
 struct AnswerBits {

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-#include "catalogue/body_choices.h"
+#include "catalogue/families/body_choices.h"
 #include "proptests/response_laws.h"
 
 /// Laws of lists of bodies.
 namespace touchstone::proptests {
 
 using ExactBodies = std::vector<Body<Rational>>;
-using audit::Bodies;
+using catalogue::Bodies;
 
 inline Rational mass_of(const ExactBodies& bodies) {
   Rational sum;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/codec/described_bodies.h"
+#include "catalogue/shape/described_bodies.h"
 #include "proptests/response_laws.h"
 
 /// Laws of turning bodies.

@@ -21,10 +21,10 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
     const std::uint64_t seed = rc::Random(random).next();
     std::uint64_t at = 0;
     for (; at + 1 < size; ++at) {
-      Choices choices = Choices::seeded(audit::seed_of(seed, "", at));
+      Choices choices = Choices::seeded(catalogue::seed_of(seed, "", at));
       if (!complaint(operation.draw(choices, family), at + 1).empty()) break;
     }
-    return tests::shrinkable(recorded(operation, family, audit::seed_of(seed, "", at)));
+    return tests::shrinkable(recorded(operation, family, catalogue::seed_of(seed, "", at)));
   };
 }
 

@@ -12,9 +12,9 @@
 /// Questions of the catalogue as RapidCheck draws and shrinks them.
 namespace touchstone::proptests {
 
-using audit::Choices;
-using audit::Operation;
-using audit::Question;
+using catalogue::Choices;
+using catalogue::Operation;
+using catalogue::Question;
 
 using tests::Drawn;
 using tests::recorded;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 #include "proptests/catch.h"
 
 namespace touchstone::proptests {
@@ -11,10 +11,10 @@ namespace touchstone::proptests {
 /// Registers one test case for every operation of the catalogue, named "<operation>: <sentence>".
 class EachOperation {
  public:
-  using Body = void (*)(const audit::Operation&);
+  using Body = void (*)(const catalogue::Operation&);
 
   EachOperation(const char* file, std::size_t line, const std::string& sentence, Body body) {
-    for (const audit::Operation* operation : audit::catalogue()) {
+    for (const catalogue::Operation* operation : catalogue::all_operations()) {
       const std::string name = operation->name() + ": " + sentence;
       Catch::AutoReg(TestInvoker(new Case(*operation, body)), Catch::SourceLineInfo(file, line), Catch::StringRef(),
                      Catch::NameAndTags(name, "[agreement]"));
@@ -24,11 +24,11 @@ class EachOperation {
  private:
   class Case : public Catch::ITestInvoker {
    public:
-    Case(const audit::Operation& operation, Body body) : operation_(operation), body_(body) {}
+    Case(const catalogue::Operation& operation, Body body) : operation_(operation), body_(body) {}
     void invoke() const override { body_(operation_); }
 
    private:
-    const audit::Operation& operation_;
+    const catalogue::Operation& operation_;
     Body body_;
   };
 };
@@ -39,7 +39,7 @@ class EachOperation {
 #define EACH_OPERATION(sentence) TOUCHSTONE_EACH_OPERATION(__COUNTER__, sentence)
 #define TOUCHSTONE_EACH_OPERATION(number, sentence) TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)
 #define TOUCHSTONE_EACH_OPERATION_NUMBERED(number, sentence)                                            \
-  static void body_##number(const ::touchstone::audit::Operation& operation);                           \
+  static void body_##number(const ::touchstone::catalogue::Operation& operation);                       \
   static const ::touchstone::proptests::EachOperation registered_##number(__FILE__, __LINE__, sentence, \
                                                                           &body_##number);              \
-  static void body_##number([[maybe_unused]] const ::touchstone::audit::Operation& operation)
+  static void body_##number([[maybe_unused]] const ::touchstone::catalogue::Operation& operation)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 #include "proptests/laws.h"
 
 /// The forward error bounds that the contracts in reference/lines state, in rationals, and the property that they hold.
@@ -28,7 +28,7 @@ inline const Rational& unit() {
   return u;
 }
 
-inline Rational exact(double value) { return audit::exact_value(value); }
+inline Rational exact(double value) { return catalogue::exact_value(value); }
 inline Rational size(double value) { return abs(exact(value)); }
 
 template <class... Doubles>
@@ -100,16 +100,16 @@ void contract(const std::string& sentence, const Claim& claim, int usual = 12) {
   const auto complaint = [&](const Question& question) -> std::string {
     const auto asked = typed<Row>(question);
     try {
-      const auto truth = audit::ask_oracle<Row>(asked);
-      const auto answer = audit::ask_reference<Row>(asked);
+      const auto truth = catalogue::ask_oracle<Row>(asked);
+      const auto answer = catalogue::ask_reference<Row>(asked);
       const bool kept =
-          audit::applied([&](const auto&... argument) { return claim(truth, answer, argument...); }, asked);
+          catalogue::applied([&](const auto&... argument) { return claim(truth, answer, argument...); }, asked);
       return kept ? "" : "the reference in double breaks its contract";
     } catch (const InvalidInput&) {
       return "";
     }
   };
-  never(audit::operation_of_row<Row>(), sentence, complaint, usual);
+  never(catalogue::operation_of_row<Row>(), sentence, complaint, usual);
 }
 
 /// CONTRACT("orientation: ...", p0, p1, p) { return answer == truth.answer || ...; } is the test case of one such claim,
@@ -128,17 +128,17 @@ template <class Row>
 void right_in_exact_arithmetic() {
   const auto complaint = [&](const Question& question) -> std::string {
     try {
-      const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+      const catalogue::RowFunctions& row = catalogue::operation_of_row<Row>().row();
       // First: the formula has no guards against what the oracle refuses.
-      const audit::TrueTape truth = row.solve(question).answer;
+      const catalogue::TrueTape truth = row.solve(question).answer;
       const bool same =
-          audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
+          catalogue::same_as_truth(*row.answer, truth, row.reference_exactly(question), catalogue::Reading::complete);
       return same ? "" : "the formula is wrong even in exact arithmetic";
     } catch (const InvalidInput&) {
       return "";
     }
   };
-  never(audit::operation_of_row<Row>(), "the formula is right in exact arithmetic", complaint, 3);
+  never(catalogue::operation_of_row<Row>(), "the formula is right in exact arithmetic", complaint, 3);
 }
 
 }  // namespace touchstone::proptests

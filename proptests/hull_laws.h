@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "catalogue/explained.h"
+#include "catalogue/operation/explained.h"
 #include "oracle/certificates/check.h"
 #include "proptests/forward_error.h"
 #include "proptests/growth.h"
@@ -84,7 +84,7 @@ void hulls_are_hulls() {
 template <class Row, class Points>
 void hull_is(const Points& points, Index dimension, std::set<Index> places, bool by_reference = true) {
   const typename Row::Question question{points};
-  INFO(audit::one_line(audit::operation_of_row<Row>().print(audit::packed(question))));
+  INFO(catalogue::one_line(catalogue::operation_of_row<Row>().print(catalogue::packed(question))));
   const auto right = [&](const auto& hull) {
     std::set<Index> named;
     for (const auto& corner : corners_of(points, hull)) {
@@ -95,26 +95,26 @@ void hull_is(const Points& points, Index dimension, std::set<Index> places, bool
     }
     return hull.dimension == dimension && named == places && Row::fault(question, hull).empty();
   };
-  CHECK(right(audit::ask_robust<Row>(question)));
-  CHECK(right(audit::ask_oracle<Row>(question).answer));
-  CHECK(right(audit::ask_reference<Row>(question)) == by_reference);
+  CHECK(right(catalogue::ask_robust<Row>(question)));
+  CHECK(right(catalogue::ask_oracle<Row>(question).answer));
+  CHECK(right(catalogue::ask_reference<Row>(question)) == by_reference);
 }
 
 /// Whether the checker of the row and the one of certificates, written apart, say the same of altered answers.
 template <class Row, class Alter>
 void hull_checkers_agree(const Alter& alter) {
-  const audit::Operation& operation = audit::operation_of_row<Row>();
+  const catalogue::Operation& operation = catalogue::operation_of_row<Row>();
   int right = 0, wrong = 0, different = 0;
   for (std::uint64_t i = 0; i < 2500; ++i) {
-    audit::Choices choices = audit::Choices::seeded(audit::seed_of(i, "altered hulls", 0));
+    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(i, "altered hulls", 0));
     const Question question = operation.draw(choices, choices.below(operation.families().size()));
     const auto asked = typed<Row>(question);
     if (std::get<0>(asked).empty() || std::get<0>(asked).size() > 12) continue;
-    auto hull = audit::ask_robust<Row>(asked);
+    auto hull = catalogue::ask_robust<Row>(asked);
     for (std::uint64_t more = choices.below(3); more > 0; --more)
       alter(choices, hull, static_cast<Index>(std::get<0>(asked).size()));
-    auto claim = audit::claim_of(*operation.examine(question));
-    claim["truth"] = nlohmann::json::parse(operation.answer_json(audit::packed(hull)).dump());
+    auto claim = catalogue::claim_of(*operation.examine(question));
+    claim["truth"] = nlohmann::json::parse(operation.answer_json(catalogue::packed(hull)).dump());
     std::set<Index> named;
     const auto name = [&](const nlohmann::json& value, const auto& self) -> void {
       if (value.is_number_unsigned()) named.insert(value.get<Index>());

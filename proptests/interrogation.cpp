@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <bit>
 
-#include "catalogue/explained.h"
-#include "catalogue/judge/judgement.h"
-#include "catalogue/symmetries.h"
+#include "catalogue/operation/explained.h"
+#include "catalogue/operation/judgement.h"
+#include "catalogue/operation/symmetries.h"
 #include "proptests/any_robust_bits.h"
 
 namespace touchstone::proptests {
 namespace {
 
-using audit::Examination;
-using audit::Operation;
-using audit::Question;
-using audit::StageFunctions;
-using audit::Tape;
-using audit::Verdict;
+using catalogue::Examination;
+using catalogue::Operation;
+using catalogue::Question;
+using catalogue::StageFunctions;
+using catalogue::Tape;
+using catalogue::Verdict;
 using robust::Stage;
 
 std::string in_words(std::size_t environment) { return " (" + environment_name(environment) + ")"; }
@@ -45,12 +45,12 @@ std::string other_refusal(const Operation& operation, const Question& question, 
 }
 
 std::string wrong_robust(const Examination& question) {
-  const audit::Judgement& judged = question.judge_robust();
+  const catalogue::Judgement& judged = question.judge_robust();
   if (judged.verdict != Verdict::agree) {
     return std::string("robust: ") + name_of(judged.verdict) + " " + judged.remark + ", it answers " +
-           audit::one_line(question.robust()) + ", the truth is " + audit::one_line(question.truth());
+           catalogue::one_line(question.robust()) + ", the truth is " + catalogue::one_line(question.truth());
   }
-  const std::string residual = audit::residual_complaint(question);
+  const std::string residual = catalogue::residual_complaint(question);
   if (!residual.empty()) return "robust: " + residual;
   const std::size_t other = environment_of(question.question());
   const bool decides = question.row().decision != nullptr;
@@ -74,7 +74,7 @@ std::string wrong_stage(const StageFunctions& stages, const Question& question, 
 }
 
 std::string wrong_stages(const Examination& question) {
-  const audit::RowFunctions& row = question.row();
+  const catalogue::RowFunctions& row = question.row();
   for (const std::size_t environment : {std::size_t{0}, environment_of(question.question())}) {
     std::string found = wrong_stage(row.stages, question.question(), environment, question.robust_answer(environment));
     if (found.empty() && row.decision != nullptr) {
@@ -87,7 +87,7 @@ std::string wrong_stages(const Examination& question) {
 }
 
 std::string wrong_promise(const Examination& question) {
-  const std::string broken = audit::broken_promise(question);
+  const std::string broken = catalogue::broken_promise(question);
   if (!broken.empty()) return "promise: " + broken;
   // Of numbers that a checker refuses, as slabs that lose a point, no comparison tells.
   const bool numbers_refused = question.row().fault != nullptr && !question.formula().numbers.empty();
@@ -102,19 +102,19 @@ std::string with_name(const char* aspect, const std::string& complaint) {
 
 std::string wrong_law_of_robust(const Examination& question) {
   const Operation& operation = question.operation();
-  const audit::Answering<double> robust = [&](const Question& image) {
+  const catalogue::Answering<double> robust = [&](const Question& image) {
     return same_bits(image, question.question()) ? question.robust_answer() : operation.row().robust(image, 0);
   };
-  return with_name("law of robust: ", audit::broken_law(operation, question.question(), robust,
-                                                        operation.answer_shape(), audit::Compared::everything));
+  return with_name("law of robust: ", catalogue::broken_law(operation, question.question(), robust,
+                                                            operation.answer_shape(), catalogue::Compared::everything));
 }
 
 std::string wrong_law_of_oracle(const Examination& question) {
   const Operation& operation = question.operation();
-  const audit::Answering<audit::TrueNumber> oracle = [&](const Question& image) {
+  const catalogue::Answering<catalogue::TrueNumber> oracle = [&](const Question& image) {
     return same_bits(image, question.question()) ? question.solution().answer : operation.row().solve(image).answer;
   };
-  return with_name("law of the oracle: ", audit::broken_law(operation, question.question(), oracle));
+  return with_name("law of the oracle: ", catalogue::broken_law(operation, question.question(), oracle));
 }
 
 std::string wrong(const Examination& question, Aspect aspect) {
@@ -122,7 +122,7 @@ std::string wrong(const Examination& question, Aspect aspect) {
     case Aspect::robust: return wrong_robust(question);
     case Aspect::stages: return wrong_stages(question);
     case Aspect::promise: return wrong_promise(question);
-    case Aspect::certificate: return with_name("certificate: ", audit::certificate_complaint(question));
+    case Aspect::certificate: return with_name("certificate: ", catalogue::certificate_complaint(question));
     case Aspect::laws_of_robust: return wrong_law_of_robust(question);
     case Aspect::laws_of_oracle: return wrong_law_of_oracle(question);
   }
@@ -134,7 +134,7 @@ std::string wrong(const Examination& question, Aspect aspect) {
 Aspects aspects_of(const Operation& operation) {
   Aspects aspects;
   const auto set = [&](Aspect aspect, bool asked) { aspects[static_cast<std::size_t>(aspect)] = asked; };
-  const bool method = operation.card().is_method(), laws = audit::declares_laws(operation);
+  const bool method = operation.card().is_method(), laws = catalogue::declares_laws(operation);
   set(Aspect::robust, !method);
   set(Aspect::stages, !operation.row().stages.each.empty());
   set(Aspect::promise, true);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 
 /// Everything that is asked of one question, on one examination of it.
 namespace touchstone::proptests {
@@ -23,10 +23,11 @@ using Aspects = std::bitset<aspect_count>;
 inline bool has(const Aspects& aspects, Aspect aspect) { return aspects[static_cast<std::size_t>(aspect)]; }
 
 /// Those that an operation can be asked for. Robust and oracle of a method are those of its operation.
-Aspects aspects_of(const audit::Operation& operation);
+Aspects aspects_of(const catalogue::Operation& operation);
 
 /// What is wrong, and with which aspect; empty if nothing is. The question is solved once; robust answers it once in
 /// the first environment, and once in another (any, but always the same one for the same question).
-std::string interrogated(const audit::Operation& operation, const audit::Question& question, const Aspects& aspects);
+std::string interrogated(const catalogue::Operation& operation, const catalogue::Question& question,
+                         const Aspects& aspects);
 
 }  // namespace touchstone::proptests

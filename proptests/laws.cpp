@@ -15,21 +15,21 @@ std::string refusal(const auto& ask) {
 
 }  // namespace
 
-void example(const Operation& operation, const Question& question, const audit::TrueTape& expected,
+void example(const Operation& operation, const Question& question, const catalogue::TrueTape& expected,
              const std::string& by_reference) {
-  using audit::Reading;
-  INFO(audit::one_line(operation.print(question)));
-  const audit::Shape& shape = operation.answer_shape();
-  const audit::RowFunctions& row = operation.row();
+  using catalogue::Reading;
+  INFO(catalogue::one_line(operation.print(question)));
+  const catalogue::Shape& shape = operation.answer_shape();
+  const catalogue::RowFunctions& row = operation.row();
   const auto examination = operation.examine(question);
-  CHECK(audit::one_line(examination->truth()) == audit::one_line(operation.answer_json(expected)));
-  const audit::Comparison robust = audit::compared(shape, expected, row.robust(question, 0), Reading::complete);
+  CHECK(catalogue::one_line(examination->truth()) == catalogue::one_line(operation.answer_json(expected)));
+  const catalogue::Comparison robust = catalogue::compared(shape, expected, row.robust(question, 0), Reading::complete);
   CHECK(robust.decision);
   CHECK(robust.ulps == 0);
   CHECK(name_of(examination->judge_reference().verdict) == by_reference);
   if (by_reference != "agree") return;
   const Reading reading = operation.card().formula_answers_less ? Reading::less : Reading::complete;
-  const audit::Comparison reference = audit::compared(shape, expected, row.reference(question), reading);
+  const catalogue::Comparison reference = catalogue::compared(shape, expected, row.reference(question), reading);
   CHECK(reference.decision);
   CHECK(reference.ulps <= operation.card().ulps);
 }

@@ -18,7 +18,7 @@ namespace touchstone::proptests {
 
 using Rational = oracle::Rational;
 using robust::Stage;
-namespace rows = audit::rows;
+namespace rows = catalogue::rows;
 
 inline constexpr double tiny = 5e-324, huge = 1e308, greatest = std::numeric_limits<double>::max();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -26,7 +26,7 @@ inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The answer of a row's operation as the oracle gives it, over rationals or surds.
 template <class Row>
-using exact_answer_t = audit::truth_t<Row>;
+using exact_answer_t = catalogue::truth_t<Row>;
 
 /// Calls `change` with every point, vector and other number of a question or answer.
 template <class T, class Change>
@@ -35,14 +35,14 @@ void for_each_part(T& value, const Change& change) {
     change.place(value);
   } else if constexpr (requires { std::tuple_size<T>::value; }) {
     std::apply([&](auto&... part) { (for_each_part(part, change), ...); }, value);
-  } else if constexpr (audit::is_variant<T>) {
+  } else if constexpr (catalogue::is_variant<T>) {
     std::visit([&](auto& alternative) { for_each_part(alternative, change); }, value);
-  } else if constexpr (audit::is_optional<T>) {
+  } else if constexpr (catalogue::is_optional<T>) {
     if (value) for_each_part(*value, change);
-  } else if constexpr (audit::is_vector<T>) {
+  } else if constexpr (catalogue::is_vector<T>) {
     for (auto& part : value) for_each_part(part, change);
-  } else if constexpr (audit::Composite<T>) {
-    audit::for_each_member<T>([&](const auto& member) { for_each_part(value.*member.pointer, change); });
+  } else if constexpr (catalogue::Composite<T>) {
+    catalogue::for_each_member<T>([&](const auto& member) { for_each_part(value.*member.pointer, change); });
   }
 }
 
@@ -82,21 +82,22 @@ inline constexpr std::array<Affine, 4> integer_maps{
 template <class Asked>
 bool on_lattice(const Asked& asked) {
   bool whole = true;
-  audit::for_each_number(asked,
-                         [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p45 && n == std::trunc(n); });
+  catalogue::for_each_number(asked,
+                             [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p45 && n == std::trunc(n); });
   return whole;
 }
 
 /// Every word and number equal; the two zeros are.
 template <class T>
 bool equal(const T& a, const T& b) {
-  if constexpr (audit::Composite<T>) {
+  if constexpr (catalogue::Composite<T>) {
     bool same = true;
-    audit::for_each_member<T>([&](const auto& member) { same = same && equal(a.*member.pointer, b.*member.pointer); });
+    catalogue::for_each_member<T>(
+        [&](const auto& member) { same = same && equal(a.*member.pointer, b.*member.pointer); });
     return same;
-  } else if constexpr (audit::is_optional<T>) {
+  } else if constexpr (catalogue::is_optional<T>) {
     return a.has_value() == b.has_value() && (!a || equal(*a, *b));
-  } else if constexpr (audit::is_vector<T>) {
+  } else if constexpr (catalogue::is_vector<T>) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return equal(x, y); });
   } else {
     return a == b;
@@ -108,7 +109,7 @@ bool equal(const T& a, const T& b) {
 template <class Row, class Ask, class Holds>
 void law_of(const std::string& sentence, const Ask& ask, const Holds& holds, int usual) {
   never(
-      audit::operation_of_row<Row>(), sentence,
+      catalogue::operation_of_row<Row>(), sentence,
       [&](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
         try {
@@ -128,14 +129,14 @@ void law_of(const std::string& sentence, const Ask& ask, const Holds& holds, int
 template <class Row, class Holds>
 void robust_law(const std::string& sentence, const Holds& holds, int usual = 12) {
   law_of<Row>(
-      "robust: " + sentence, [](const auto& asked) { return audit::ask_robust<Row>(asked); }, holds, usual);
+      "robust: " + sentence, [](const auto& asked) { return catalogue::ask_robust<Row>(asked); }, holds, usual);
 }
 
 template <class Row, class Holds>
 void law(const std::string& sentence, const Holds& holds) {
   robust_law<Row>(sentence, holds);
   law_of<Row>(
-      "oracle: " + sentence, [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; }, holds, 3);
+      "oracle: " + sentence, [](const auto& asked) { return catalogue::ask_oracle<Row>(asked).answer; }, holds, 3);
 }
 
 /// LAW("orientation: both points are on their line", p0, p1) {
@@ -151,7 +152,7 @@ void law(const std::string& sentence, const Holds& holds) {
   TEST_CASE(sentence) {                                                                            \
     proptests::kind<Row>(sentence, [](const auto& ask, const auto& asked) {                        \
       const auto holds = [&](const auto&... part) { return holds_##number(ask, asked, part...); }; \
-      return audit::applied(holds, asked);                                                         \
+      return catalogue::applied(holds, asked);                                                     \
     });                                                                                            \
   }                                                                                                \
   static bool holds_##number(TOUCHSTONE_PARTS(ask, asked __VA_OPT__(, ) __VA_ARGS__))
@@ -167,7 +168,7 @@ void law(const std::string& sentence, const Holds& holds) {
 
 /// Whether an answer's numbers are rationals (an answer of one word counts as exact).
 template <class Answer>
-inline constexpr bool is_exact = std::is_same_v<Answer, audit::rebound_t<Answer, Rational>>;
+inline constexpr bool is_exact = std::is_same_v<Answer, catalogue::rebound_t<Answer, Rational>>;
 
 /// Whether t and s are parameters of one point on a segment and on the reversed segment: told exactly of rationals; of
 /// rounded numbers only that both are there.
@@ -186,7 +187,7 @@ inline bool scaled_number(double n, double found, int k) {
   return found == expected || (std::fabs(expected) < 0x1p-1021 && std::fabs(found) < 0x1p-1021);
 }
 inline bool scaled_number(const Rational& n, const Rational& found, int k) {
-  const Rational two_to_k = audit::exact_value(std::ldexp(1, k));
+  const Rational two_to_k = catalogue::exact_value(std::ldexp(1, k));
   return found == n * two_to_k;
 }
 
@@ -197,13 +198,14 @@ bool scaled(const Point2<R>& answer, const Point2<R>& found, int k) {
 }
 template <class T>
 bool scaled(const T& answer, const T& found, int k) {
-  if constexpr (audit::Composite<T>) {
+  if constexpr (catalogue::Composite<T>) {
     bool same = true;
-    audit::for_each_member<T>([&](const auto& m) { same = same && scaled(answer.*m.pointer, found.*m.pointer, k); });
+    catalogue::for_each_member<T>(
+        [&](const auto& m) { same = same && scaled(answer.*m.pointer, found.*m.pointer, k); });
     return same;
-  } else if constexpr (audit::is_optional<T>) {
+  } else if constexpr (catalogue::is_optional<T>) {
     return answer.has_value() == found.has_value() && (!answer || scaled(*answer, *found, k));
-  } else if constexpr (audit::is_vector<T>) {
+  } else if constexpr (catalogue::is_vector<T>) {
     return std::equal(answer.begin(), answer.end(), found.begin(), found.end(),
                       [k](const auto& x, const auto& y) { return scaled(x, y, k); });
   } else {
@@ -214,7 +216,7 @@ bool scaled(const T& answer, const T& found, int k) {
 template <class Asked>
 std::vector<double> numbers_of(const Asked& asked) {
   std::vector<double> numbers;
-  audit::for_each_number(asked, [&](const double& number) { numbers.push_back(number); });
+  catalogue::for_each_number(asked, [&](const double& number) { numbers.push_back(number); });
   return numbers;
 }
 
@@ -226,7 +228,7 @@ inline constexpr auto scales = [](const auto& ask, const auto& asked) {
     if constexpr (requires { Row::scale(question, k); }) {
       Row::scale(question, k);
     } else {
-      audit::for_each_number(question, [&](double& number) { number = std::ldexp(number, k); });
+      catalogue::for_each_number(question, [&](double& number) { number = std::ldexp(number, k); });
     }
     return question;
   };
@@ -239,19 +241,19 @@ inline constexpr auto scales = [](const auto& ask, const auto& asked) {
 };
 
 template <class Row>
-std::unique_ptr<audit::Examination> examined(const typename Row::Question& question) {
-  return audit::operation_of_row<Row>().examine(audit::packed(question));
+std::unique_ptr<catalogue::Examination> examined(const typename Row::Question& question) {
+  return catalogue::operation_of_row<Row>().examine(catalogue::packed(question));
 }
 
 /// A worked example: the oracle answers exactly this, robust the nearest doubles of it, and so does the reference in
 /// double, unless `by_reference` says which verdict it gets instead.
-void example(const Operation& operation, const Question& question, const audit::TrueTape& expected,
+void example(const Operation& operation, const Question& question, const catalogue::TrueTape& expected,
              const std::string& by_reference);
 template <class Row>
 void example(const typename Row::Question& question, const exact_answer_t<Row>& expected,
              const std::string& by_reference = "agree") {
-  example(audit::operation_of_row<Row>(), audit::packed(question), audit::packed_as<audit::TrueNumber>(expected),
-          by_reference);
+  example(catalogue::operation_of_row<Row>(), catalogue::packed(question),
+          catalogue::packed_as<catalogue::TrueNumber>(expected), by_reference);
 }
 
 /// The same, and the oracle's margin: `constexpr Worked<Row> worked;`
@@ -260,7 +262,7 @@ struct Worked {
   void operator()(const typename Row::Question& question, const exact_answer_t<Row>& expected, const Rational& margin,
                   const std::string& by_reference = "agree") const {
     example<Row>(question, expected, by_reference);
-    CHECK(*audit::ask_oracle<Row>(question).margin == margin);
+    CHECK(*catalogue::ask_oracle<Row>(question).margin == margin);
   }
 };
 
@@ -268,7 +270,7 @@ struct Worked {
 void refused(const Operation& operation, const Question& question, const std::string& expected);
 template <class Row>
 void refused(const typename Row::Question& question, const std::string& field, const std::string& rule) {
-  refused(audit::operation_of_row<Row>(), audit::packed(question), field + ": " + rule);
+  refused(catalogue::operation_of_row<Row>(), catalogue::packed(question), field + ": " + rule);
 }
 
 }  // namespace touchstone::proptests

@@ -22,7 +22,7 @@ inline Polygon2d wavy_ring(std::size_t n) {
 
 /// Vertices anywhere in a square: almost every edge crosses many others.
 inline Polygon2d random_ring(std::size_t n) {
-  audit::Choices choices = audit::Choices::seeded(n);
+  catalogue::Choices choices = catalogue::Choices::seeded(n);
   const auto number = [&choices] { return static_cast<double>(choices.any_bits() >> 11); };
   Polygon2d ring;
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/judge/exact.h"
-#include "catalogue/row_of.h"
+#include "catalogue/numbers/exact.h"
+#include "catalogue/operation/row_of.h"
 #include "oracle/truth.h"
 
 namespace touchstone::proptests {
@@ -10,12 +10,12 @@ namespace touchstone::proptests {
 /// A row for tests alone: a word and a number that is always there. How high is the point over y = 0?
 struct mandatory_number {
   using Question = std::tuple<Point2d>;
-  using decision = audit::NoDecision;
-  static std::vector<audit::HardCase<Question>> hard_cases() { return {}; }
-  static audit::Hooks<mandatory_number> hooks() { return {}; }
+  using decision = catalogue::NoDecision;
+  static std::vector<catalogue::HardCase<Question>> hard_cases() { return {}; }
+  static catalogue::Hooks<mandatory_number> hooks() { return {}; }
 
-  static const audit::Card& card() {
-    static const audit::Card card{.name = "mandatory_number", .fields = {"point"}};
+  static const catalogue::Card& card() {
+    static const catalogue::Card card{.name = "mandatory_number", .fields = {"point"}};
     return card;
   }
 
@@ -25,7 +25,7 @@ struct mandatory_number {
   }
   static PointPlane<double> robust(const Point2d& p) { return reference(p); }
   static ::touchstone::oracle::Truth<PointPlane<mpq_class>> oracle(const Point2d& p) {
-    const mpq_class height = audit::exact_value(p.y);
+    const mpq_class height = catalogue::exact_value(p.y);
     return {reference(Point2<mpq_class>{0, height}), abs(height)};
   }
 };

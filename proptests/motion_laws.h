@@ -10,9 +10,9 @@ namespace touchstone::proptests {
 template <class Vector>
 std::optional<Vector> times_two_to(const Vector& v, int k) {
   Vector w = v;
-  audit::for_each_number(w, [k](double& number) { number = std::ldexp(number, k); });
+  catalogue::for_each_number(w, [k](double& number) { number = std::ldexp(number, k); });
   Vector back = w;
-  audit::for_each_number(back, [k](double& number) { number = std::ldexp(number, -k); });
+  catalogue::for_each_number(back, [k](double& number) { number = std::ldexp(number, -k); });
   return numbers_of(back) == numbers_of(v) ? std::optional(w) : std::nullopt;
 }
 
@@ -45,26 +45,26 @@ inline constexpr auto velocities_divide_t = [](const auto& ask, const auto& aske
     return !(faster(std::get<velocities>(question)) && ...) || divided(answer, ask(question), k);
   };
   for (const int k : {1, -2, 40, -40, 500})
-    if (!audit::applied([&](const auto&... part) { return kept(std::tuple(part...), k); }, asked)) return false;
+    if (!catalogue::applied([&](const auto&... part) { return kept(std::tuple(part...), k); }, asked)) return false;
   return true;
 };
 
 /// In exact arithmetic the formula is right, but where the two meet at the start.
 template <class Row>
 void right_but_at_the_start() {
-  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
+  const catalogue::RowFunctions& row = catalogue::operation_of_row<Row>().row();
   const auto complaint = [&](const Question& question) -> std::string {
     try {
       const auto truth = row.solve(question).answer;
       if (!truth.numbers.empty() && truth.numbers[0] == oracle::Surd(Rational(0))) return "";
       const bool same =
-          audit::same_as_truth(*row.answer, truth, row.reference_exactly(question), audit::Reading::complete);
+          catalogue::same_as_truth(*row.answer, truth, row.reference_exactly(question), catalogue::Reading::complete);
       return same ? "" : "the formula is wrong even in exact arithmetic";
     } catch (const InvalidInput&) {
       return "";
     }
   };
-  never(audit::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start", complaint, 3);
+  never(catalogue::operation_of_row<Row>(), "right in exact arithmetic but for a meeting at the start", complaint, 3);
 }
 
 }  // namespace touchstone::proptests

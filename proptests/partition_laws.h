@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "catalogue/explained.h"
+#include "catalogue/operation/explained.h"
 #include "oracle/certificates/check.h"
 #include "proptests/forward_error.h"
 #include "proptests/polygons_from_elsewhere.h"
@@ -101,10 +101,10 @@ inline IndexLists sorted(IndexLists lists) {
 template <class Row>
 void only_answer(const Polygon2d& polygon, const IndexLists& expected, bool by_reference = true) {
   const typename Row::Question question{polygon};
-  INFO(audit::one_line(audit::operation_of_row<Row>().print(audit::packed(question))));
-  CHECK(sorted(audit::ask_robust<Row>(question)) == expected);
-  CHECK(sorted(audit::ask_oracle<Row>(question).answer) == expected);
-  CHECK((sorted(audit::ask_reference<Row>(question)) == expected) == by_reference);
+  INFO(catalogue::one_line(catalogue::operation_of_row<Row>().print(catalogue::packed(question))));
+  CHECK(sorted(catalogue::ask_robust<Row>(question)) == expected);
+  CHECK(sorted(catalogue::ask_oracle<Row>(question).answer) == expected);
+  CHECK((sorted(catalogue::ask_reference<Row>(question)) == expected) == by_reference);
 }
 
 /// Whether rounding can decide nothing wrong in the slide's formula, by the bounds of
@@ -142,10 +142,10 @@ inline bool beyond_margins(const Polygon2d& polygon) {
 /// arithmetic.
 template <class Row>
 void formula_keeps_contract() {
-  const audit::Operation& operation = audit::operation_of_row<Row>();
+  const catalogue::Operation& operation = catalogue::operation_of_row<Row>();
   const auto refused_or = [](const auto& asked, const auto& wrong) -> std::string {
     try {
-      audit::ask_oracle<Row>(asked);
+      catalogue::ask_oracle<Row>(asked);
     } catch (const InvalidInput&) {
       return "";
     }
@@ -160,7 +160,7 @@ void formula_keeps_contract() {
         return refused_or(asked, [&]() -> std::string {
           if (polygon.size() > 9 || !beyond_margins(polygon)) return "";
           ++beyond;
-          return Row::fault(asked, audit::ask_reference<Row>(asked));
+          return Row::fault(asked, catalogue::ask_reference<Row>(asked));
         });
       },
       4);
@@ -170,16 +170,16 @@ void formula_keeps_contract() {
       [&](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
         return refused_or(asked, [&] {
-          const auto exactly =
-              audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); });
-          return Row::fault(asked, audit::ask_reference<Row>(exactly));
+          const auto exactly = catalogue::converted<catalogue::Exact>(
+              asked, [](double number) { return catalogue::Exact(exact(number)); });
+          return Row::fault(asked, catalogue::ask_reference<Row>(exactly));
         });
       },
       1);
 }
 
 /// Lists changed a little: most are wrong then, a diagonal turned over in a convex quadrilateral is not.
-inline IndexLists altered(audit::Choices& choices, IndexLists lists, std::size_t n) {
+inline IndexLists altered(catalogue::Choices& choices, IndexLists lists, std::size_t n) {
   const auto one = [&]() -> std::vector<Index>& { return lists[choices.below(lists.size())]; };
   switch (choices.below(7)) {
     case 0: one()[choices.below(3)] = static_cast<Index>(choices.below(n + 1)); return lists;
@@ -210,19 +210,19 @@ inline IndexLists altered(audit::Choices& choices, IndexLists lists, std::size_t
 /// answers.
 template <class Row>
 void checkers_agree() {
-  const audit::Operation& operation = audit::operation_of_row<Row>();
+  const catalogue::Operation& operation = catalogue::operation_of_row<Row>();
   int right = 0, wrong = 0, different = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    audit::Choices choices = audit::Choices::seeded(audit::seed_of(i, "altered lists", 0));
+    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(i, "altered lists", 0));
     const Question question = operation.draw(choices, choices.below(operation.families().size()));
     const auto asked = typed<Row>(question);
     const std::size_t n = std::get<0>(asked).size();
     if (n > 12) continue;
     try {
-      IndexLists lists = audit::ask_robust<Row>(asked);
+      IndexLists lists = catalogue::ask_robust<Row>(asked);
       for (std::uint64_t more = choices.below(3); more > 0 && lists.size() > 1; --more)
         lists = altered(choices, lists, n);
-      auto claim = audit::claim_of(*operation.examine(question));
+      auto claim = catalogue::claim_of(*operation.examine(question));
       claim["truth"] = {{Row::card().answer, lists}};
       const bool accepted = Row::fault(asked, lists).empty();
       different += accepted == certify::refuse(claim).has_value();
@@ -269,12 +269,12 @@ std::size_t real_rings() {
     ++rings;
     INFO("ring " << rings << " of " << ring.size() << " vertices");
     try {
-      const auto pieces = audit::ask_robust<Row>(question);
+      const auto pieces = catalogue::ask_robust<Row>(question);
       CHECK(fits(ring, pieces));
       if (ring.size() <= 300) CHECK(Row::fault(question, pieces) == "");
     } catch (const InvalidInput& refusal) {
       if (ring.size() > 1200) continue;  // the oracle compares all pairs of edges
-      CHECK_THROWS_WITH(audit::ask_oracle<Row>(question), refusal.what());
+      CHECK_THROWS_WITH(catalogue::ask_oracle<Row>(question), refusal.what());
     }
   }
   return rings;

@@ -22,7 +22,7 @@ int scaled(int usual) {
 static std::string failure_of(const std::string& name, const std::function<void()>& testable, int usual) {
   using namespace rc::detail;
   Configuration defaults;
-  defaults.testParams.seed = audit::seed_of(1, name.c_str(), 0);
+  defaults.testParams.seed = catalogue::seed_of(1, name.c_str(), 0);
   defaults.testParams.maxSuccess = scaled(usual);
   const char* given = std::getenv("RC_PARAMS");
   const Configuration used = given == nullptr ? defaults : configFromString(given, defaults);

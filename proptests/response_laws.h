@@ -19,14 +19,14 @@ inline Motion3 none() { return {Rational(0), Rational(0), Rational(0)}; }
 /// The same question in rationals.
 template <class Asked>
 auto in_rationals(const Asked& asked) {
-  return audit::converted<Rational>(asked, [](double number) { return exact(number); });
+  return catalogue::converted<Rational>(asked, [](double number) { return exact(number); });
 }
 
 /// The property that `holds(ask, asked)` for the oracle, both over rationals: what rounding would break.
 template <class Row, class Holds>
 void exact_law(const std::string& sentence, const Holds& holds) {
   law_of<Row>(
-      "oracle: " + sentence, [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      "oracle: " + sentence, [](const auto& asked) { return catalogue::ask_oracle<Row>(asked).answer; },
       [&](const auto& ask, const auto& asked) { return holds(ask, in_rationals(asked)); }, 3);
 }
 
@@ -40,7 +40,7 @@ bool moderate(const Asked&... asked) {
     const double size = std::fabs(number);
     all = all && (size == 0 || (size >= 0x1p-100 && size <= 0x1p100));
   };
-  (audit::for_each_number(asked, look), ...);
+  (catalogue::for_each_number(asked, look), ...);
   return all;
 }
 

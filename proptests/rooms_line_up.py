@@ -249,8 +249,8 @@ def right_tree():
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
     files["catalogue/hull.h"] = "turn(box(c), 1, c); Box{box(c), box(c)}; turn([](C& c) { return box(c); }, box(c));\n"
-    files["catalogue/row.h"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
-    files["program/main.cpp"] = '#include "catalogue/row.h"\n'
+    files["catalogue/operation/row.h"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+    files["program/main.cpp"] = '#include "catalogue/operation/row.h"\n'
     files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
     files["fuzz/driver/replay_main.cpp"] = '#include "program/main.cpp"\n'
     files["vectors/touch.jsonl"] = CLAIM
@@ -276,7 +276,7 @@ PLANTED = [
     ("robust/lines/touch.cpp", '#include "oracle/lines/touch.h"\n', "robust must not include oracle"),
     ("oracle/lines/touch.cpp", '#include <touchstone/robust/lines/touch.h>\n', "oracle must not include robust"),
     ("robust/kernel/filter.h", '#include "program/main.cpp"\n', "robust must not include program"),
-    ("catalogue/row.h", '#include "program/main.cpp"\n', "catalogue must not include program"),
+    ("catalogue/operation/row.h", '#include "program/main.cpp"\n', "catalogue must not include program"),
     ("program/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "program must not include fuzz"),
     ("robust/lines/touch.cpp", '#include "touch.h"\n', 'there is no \"touch.h\" from the root'),
     ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),

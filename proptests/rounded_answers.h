@@ -9,14 +9,14 @@ namespace touchstone::proptests {
 /// this verdict. `constexpr Gives<Row> gives;`
 template <class Row>
 struct Gives {
-  void operator()(const typename Row::Question& question, const audit::answer_t<Row>& expected,
+  void operator()(const typename Row::Question& question, const catalogue::answer_t<Row>& expected,
                   const std::string& by_reference = "agree") const {
-    INFO(audit::one_line(audit::operation_of_row<Row>().print(audit::packed(question))));
-    CHECK(equal(audit::ask_robust<Row>(question), expected));
-    const auto truth = audit::converted<double>(audit::ask_oracle<Row>(question).answer,
-                                                [](const Rational& number) { return audit::nearest(number); });
+    INFO(catalogue::one_line(catalogue::operation_of_row<Row>().print(catalogue::packed(question))));
+    CHECK(equal(catalogue::ask_robust<Row>(question), expected));
+    const auto truth = catalogue::converted<double>(catalogue::ask_oracle<Row>(question).answer,
+                                                    [](const Rational& number) { return catalogue::nearest(number); });
     CHECK(equal(truth, expected));
-    CHECK(audit::name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
+    CHECK(name_of(examined<Row>(question)->judge_reference().verdict) == by_reference);
   }
 };
 

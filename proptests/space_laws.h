@@ -35,8 +35,8 @@ inline constexpr std::array<AxisMap, 4> axis_maps{
 template <class Asked>
 bool on_small_lattice(const Asked& asked) {
   bool whole = true;
-  audit::for_each_number(asked,
-                         [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p40 && n == std::trunc(n); });
+  catalogue::for_each_number(asked,
+                             [&](const double& n) { whole = whole && std::fabs(n) <= 0x1p40 && n == std::trunc(n); });
   return whole;
 }
 

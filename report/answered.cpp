@@ -6,7 +6,7 @@
 
 #include "geometry/invalid_input.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 double finite_number(const Json& json, const std::string& field) {
@@ -144,4 +144,4 @@ void draw_answered(Drawing& scene, const Operation& operation, const Json& answe
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -8,9 +8,9 @@
 #include <limits>
 #include <vector>
 
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr std::size_t readable_digits = 6;
@@ -142,4 +142,4 @@ DoubleGrid double_grid(const Viewport& view, double x, double y) {
   return grid;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -5,7 +5,7 @@
 
 #include "report/viewport.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// Ticks below and left of the frame, in round decimal numbers; where the numbers would all look alike, what the axis
 /// spans instead.
@@ -21,4 +21,4 @@ struct DoubleGrid {
 };
 DoubleGrid double_grid(const Viewport& view, double x, double y);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "audit/audit_run.h"
-#include "catalogue/judge/sensitivity.h"
+#include "catalogue/operation/sensitivity.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr std::uint64_t seed = 1, questions_of_a_family = 16;
@@ -79,4 +79,4 @@ std::string condition_section(const Operation& operation) {
       dots[1], dots[0]);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

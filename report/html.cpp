@@ -7,7 +7,7 @@
 
 #include "report/ways.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 void write_whole_file(const std::string& file, const std::string& bytes) {
   std::ofstream opened(file, std::ios::binary);
@@ -48,4 +48,4 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
   write_whole_file(directory + "/index.html", index_page(tally, maps, notes));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -7,7 +7,7 @@
 #include "audit/tally.h"
 #include "report/map_image.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// What a report says beside the tally.
 struct ReportNotes {
@@ -35,4 +35,4 @@ std::string map_page(const Operation& operation, const std::vector<FailureMap>& 
 /// Throws std::runtime_error naming the file.
 void write_whole_file(const std::string& file, const std::string& bytes);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

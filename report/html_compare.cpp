@@ -9,7 +9,7 @@
 #include "report/html_parts.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 struct Pair {
@@ -83,4 +83,4 @@ std::string comparison(const Tally& before, const Tally& after, const std::strin
          (alone.empty() ? "" : "<p class=\"small quiet\">Not in the earlier audit: " + escaped(alone) + ".</p>");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

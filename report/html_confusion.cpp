@@ -10,7 +10,7 @@
 #include "report/html_parts.h"
 #include "report/phrases.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr std::size_t most_words = 12;
@@ -75,4 +75,4 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
          "</p></div>";
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -4,11 +4,12 @@
 #include <string>
 
 #include "audit/tally.h"
+#include "report/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A table of truth against answer in words: how often what was true was answered how. Empty where the truths have no
 /// words. `who`: whose answers they are.
 std::string confusion_matrix(const Operation& operation, const Cell& total, const std::string& who);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -8,8 +8,8 @@
 
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/plain.h"
-#include "catalogue/explained.h"
-#include "catalogue/truth_drawing.h"
+#include "catalogue/operation/explained.h"
+#include "catalogue/operation/truth_drawing.h"
 #include "geometry/invalid_input.h"
 #include "report/answered.h"
 #include "report/html_parts.h"
@@ -17,7 +17,7 @@
 #include "report/space_model.h"
 #include "report/svg.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 /// A note such as "ta = p/q" or "angles: [...]", exact values shortened where they are long.
@@ -188,4 +188,4 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
   return text + proof + "</section>";
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

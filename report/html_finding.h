@@ -7,7 +7,7 @@
 #include "report/ways.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A way of answering as a card with its example: the truth and what was answered in words, drawn beside one another
 /// where they can be drawn, what each implementation said and why, the numbers, the command, the certificate.
@@ -21,4 +21,4 @@ std::string name_of(Speaker speaker, const Declaration& declaration);
 /// is.
 std::string sentence(const Operation& operation, const Json& answer);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -10,7 +10,7 @@
 #include "report/html_parts.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 std::string versions() {
   return fmt::format("touchstone {}, {}, GMP {}, MPFR {}, libpng {}", version_number, compiler_name, gmp_version,
@@ -21,7 +21,7 @@ std::string audit_command_of(const Tally& tally, const ReportNotes& notes) {
   if (!notes.command.empty()) return notes.command;
   std::string names;
   for (const OperationTally& operation : tally.operations) names += (names.empty() ? "" : ",") + operation.operation;
-  if (tally.operations.size() == catalogue().size()) names = "all";
+  if (tally.operations.size() == all_operations().size()) names = "all";
   if (tally.grid.size > 0) return fmt::format("touchstone exhaust {} --grid {}", names, tally.grid.size);
   const std::string options = tally.repeat.options.empty() ? "" : " " + tally.repeat.options;
   const std::string range = sum_of(tally.operations).left_out > 0 ? " --range ordinary" : "";
@@ -38,4 +38,4 @@ std::string page_footer(const Tally& tally, const ReportNotes& notes) {
 
 std::string page_footer() { return "<footer><p>" + escaped(versions()) + "</p></footer>"; }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -5,7 +5,7 @@
 
 #include "report/html.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// The line that gives this tally again: the one that was called, where it is known.
 std::string audit_command_of(const Tally& tally, const ReportNotes& notes);
@@ -19,4 +19,4 @@ std::string page_footer();
 /// "touchstone 0.1.0, g++ 12.2.0, GMP 6.2.1, MPFR 4.2.0, libpng 1.6.39"
 std::string versions();
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -14,7 +14,7 @@
 #include "report/html_map.h"
 #include "report/html_parts.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 /// "2^-100", or the number.
@@ -257,4 +257,4 @@ std::string index_page(const Tally& tally, const OperationMaps& maps, const Repo
   return page("touchstone: " + headline(tally, sum), body + "</main>" + page_footer(tally, notes));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 #include "report/html_parts.h"
 #include "report/phrases.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr const char* section_opening = "<div class=\"mapped\" data-map=\"";
@@ -158,4 +158,4 @@ std::string map_section(const Operation& operation, const std::vector<FailureMap
              code(one_line(operation.print(grid.centre))));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -7,7 +7,7 @@
 #include "report/map_image.h"
 
 /// Failure maps as HTML.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// Maps side by side with legends and what they show; the engine and robust see the same grid. With all that the page's
 /// script (map.js) needs. `repeat`: how an engine is asked again.
@@ -22,4 +22,4 @@ std::string class_in_words(const Operation& operation, const MapClass& entry);
 /// Whether a page has maps that its script can walk over.
 bool has_map_section(const std::string& html);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

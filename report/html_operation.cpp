@@ -12,7 +12,7 @@
 #include "report/phrases.h"
 #include "report/ways.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 std::string kind_in_words(const Card& card) {
@@ -161,4 +161,4 @@ std::string map_page(const Operation& operation, const std::vector<FailureMap>& 
                   map_section(operation, maps, repeat) + "</div></main>" + page_footer());
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -8,7 +8,7 @@
 #include "report/html_style.h"
 #include "report/space_model.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 struct Part {
@@ -128,4 +128,4 @@ std::string numbers(const std::vector<Column>& columns, const Cell& cell) {
   return text;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -10,7 +10,7 @@
 #include "report/wording.h"
 
 /// Pieces that several pages of the report are made of. Arguments are plain text, results are HTML.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A whole page. `body` is HTML.
 std::string page(const std::string& title, const std::string& body);
@@ -42,4 +42,4 @@ std::vector<Column> columns_of(const Cell& total);
 std::string headings(const std::vector<Column>& columns);
 std::string numbers(const std::vector<Column>& columns, const Cell& cell);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -5,7 +5,7 @@
 #include "report/space_model.h"
 #include "report/svg.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr const char* light_variables =
@@ -141,4 +141,4 @@ const std::string& page_style() {
   return style;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

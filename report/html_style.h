@@ -3,9 +3,11 @@
 
 #include <string>
 
-namespace touchstone::audit {
+#include "report/names.h"
+
+namespace touchstone::report {
 
 /// The style sheet of every page, light and dark, screen and print. Nothing is fetched.
 const std::string& page_style();
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

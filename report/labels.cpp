@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr double letter_width = 6.9, line_height = 15, clearance = 8;
@@ -83,4 +83,4 @@ std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixe
   return svg;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

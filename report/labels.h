@@ -6,7 +6,7 @@
 
 #include "report/viewport.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A text that wants to stand beside one of several places.
 struct LabelWish {
@@ -20,4 +20,4 @@ std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixe
 /// For text and attribute values of HTML and SVG.
 std::string escaped(const std::string& text);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

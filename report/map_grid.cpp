@@ -8,7 +8,7 @@
 #include "audit/audit_run.h"
 #include "geometry/invalid_input.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 double step_above(double number, bool binary32) {
@@ -177,4 +177,4 @@ MapGrid failing_grid(const Operation& operation, bool binary32, Engine* engine,
   return best;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "audit/engines/engine.h"
+#include "report/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// The questions of a failure map: a question, two of its numbers moved by -128 ... 127 steps. A step is the distance
 /// from the number's size to the next greater one, the same over the whole map; 0 has the step of the greatest number.
@@ -32,4 +33,4 @@ MapGrid map_grid(const Operation& operation, Question centre, std::pair<std::siz
 MapGrid failing_grid(const Operation& operation, bool binary32 = false, Engine* engine = nullptr,
                      const std::vector<Question>& candidates = {});
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

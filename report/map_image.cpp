@@ -10,7 +10,7 @@
 #include "geometry/invalid_input.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 /// What one implementation did at one pixel. Answers that are numbers alone are shown by how far they are off.
@@ -253,4 +253,4 @@ std::string in_words(const std::vector<FailureMap>& maps) {
   return text;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -9,7 +9,7 @@
 #include "report/palette.h"
 #include "report/png.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// Answers that a map shows alike.
 struct MapClass {
@@ -51,4 +51,4 @@ Image side_by_side(const std::vector<FailureMap>& maps, std::uint32_t gap);
 /// "formulas in double: 12,345 of 65,536 wrong: 12,345 by rounding; robust: 0 of 65,536 wrong"
 std::string in_words(const std::vector<FailureMap>& maps);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

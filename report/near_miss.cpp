@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/near_miss.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr int seen_as_apart = 5;  // pixels
@@ -111,4 +111,4 @@ std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& vi
   return found;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

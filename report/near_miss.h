@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "catalogue/drawing.h"
+#include "catalogue/draw/drawing.h"
 #include "report/viewport.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// The vertices that a figure is given by, exactly.
 std::vector<ExactPoint> vertices_of(const Figure& figure);
@@ -23,4 +23,4 @@ struct NearMiss {
 /// The narrowest gap in the question that is below a few pixels of the view, and not zero.
 std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 struct Colours {
@@ -93,4 +93,4 @@ std::string hex_of(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

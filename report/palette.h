@@ -10,7 +10,7 @@
 
 /// The colours of verdicts and answers, the same in bars, tables and maps. Findings are strong colours and differ in
 /// lightness as well as in hue, so that they are told apart without colour vision and in print; what is right is pale.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 enum class Scheme { light, dark };
 
@@ -43,4 +43,4 @@ Look look_of_distance(std::size_t level, Scheme scheme);
 /// "#rrggbb"
 std::string hex_of(const Colour& colour);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

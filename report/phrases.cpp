@@ -5,7 +5,7 @@
 
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 /// How an enumerator is said. `beside`: of those types alone that have that other enumerator too.
@@ -119,4 +119,4 @@ std::string phrase(const Operation& operation, const Json& answer) {
   return text;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

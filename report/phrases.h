@@ -3,10 +3,11 @@
 
 #include <string>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
+#include "report/names.h"
 
 /// Answers as one says them.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// An answer's word in plain words: "left" of orientation is "left of the line". A word without a phrase stands as it
 /// is, "_" a space; of several with "/" between them ("convex/ccw") each has its own.
@@ -16,4 +17,4 @@ std::string phrase(const Operation& operation, const std::string& word);
 /// `answer` is shown as it is given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 void append(png_structp file, png_bytep bytes, png_size_t size) {
@@ -65,4 +65,4 @@ std::string data_uri(const std::string& bytes) {
   return text;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

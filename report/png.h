@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace touchstone::audit {
+#include "report/names.h"
+
+namespace touchstone::report {
 
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
@@ -25,4 +27,4 @@ std::string png(const Image& image, std::uint32_t scale = 1);
 /// "data:image/png;base64,..."
 std::string data_uri(const std::string& png_bytes);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

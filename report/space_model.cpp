@@ -10,7 +10,7 @@
 #include "report/labels.h"
 #include "report/space_scale.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr const char* opening = "<div class=\"space-figure\" data-space=\"";
@@ -142,4 +142,4 @@ std::string space_figure(const Drawing& scene, const std::string& title) {
 
 bool has_space_figure(const std::string& html) { return html.find(opening) != std::string::npos; }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -4,9 +4,10 @@
 #include <string>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/drawing.h"
+#include "catalogue/draw/drawing.h"
+#include "report/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A scene's figures in space as report/viewer.js takes them, coordinates brought to its steps exactly (space_scale.h).
 /// null where no figure has its numbers, all finite.
@@ -22,4 +23,4 @@ bool has_space_figure(const std::string& html);
 /// The style sheet of such figures, beside that of figures in the plane (svg.h).
 std::string space_style();
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

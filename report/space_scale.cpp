@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 using Kind = SpaceFigure::Kind;
@@ -127,4 +127,4 @@ ExactPlace SpaceScale::foot(const SpaceFigure& plane) const {
   return result;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -6,10 +6,11 @@
 #include <array>
 #include <vector>
 
-#include "catalogue/drawing.h"
+#include "catalogue/draw/drawing.h"
+#include "report/names.h"
 
 /// From the coordinates of a scene in space to whole steps from the middle of its box, exactly.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// Steps from the middle of the scene's box to the end of its longest side.
 constexpr int steps_of_box = 100000;
@@ -41,4 +42,4 @@ struct SpaceScale {
   ExactPlace foot(const SpaceFigure& plane) const;
 };
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

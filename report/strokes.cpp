@@ -8,7 +8,7 @@
 
 #include "report/near_miss.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr double margin = 8, arrow_length = 11, greatest_drawn_radius = 4000, text_spacing = 5;
@@ -176,4 +176,4 @@ void stroke(Strokes& strokes, const Figure& figure, const Viewport& view, const 
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/drawing.h"
+#include "catalogue/draw/drawing.h"
 #include "report/labels.h"
 #include "report/viewport.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// What has been drawn in one frame.
 struct Strokes {
@@ -27,4 +27,4 @@ struct Style {
 /// Adds a figure as it is seen in the view.
 void stroke(Strokes& strokes, const Figure& figure, const Viewport& view, const Style& style);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

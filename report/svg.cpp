@@ -10,7 +10,7 @@
 #include "report/near_miss.h"
 #include "report/strokes.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr double left_room = 64, bottom_room = 44, top_room = 8, between_frames = 40, right_room = 10;
@@ -161,4 +161,4 @@ std::string drawing_svg(const Drawing& given, const std::string& title, bool sta
   return svg + "</svg>";
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -3,9 +3,10 @@
 
 #include <string>
 
-#include "catalogue/drawing.h"
+#include "catalogue/draw/drawing.h"
+#include "report/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A drawing as SVG. Where a gap is too narrow to be seen, a second frame beside the first magnifies it, down to single
 /// doubles. `title` is what a screen reader says. Colours are the page's (figure_style); with `standalone` they are
@@ -16,4 +17,4 @@ std::string drawing_svg(const Drawing& drawing, const std::string& title, bool s
 /// --paper, each with a default.
 std::string figure_style();
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

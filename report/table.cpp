@@ -9,7 +9,7 @@
 #include "report/ways.h"
 #include "report/wording.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr std::size_t columns = verdict_count + 1;
@@ -240,4 +240,4 @@ std::string text_table(const Tally& tally, Detail detail) {
          closing_sentence(tally);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -4,8 +4,9 @@
 #include <string>
 
 #include "audit/tally.h"
+#include "report/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// How much of it.
 enum class Detail {
@@ -19,4 +20,4 @@ enum class Detail {
 /// tally gives the same bytes.
 std::string text_table(const Tally& tally, Detail detail = Detail::all);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

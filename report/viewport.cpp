@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 constexpr double far_outside = 20000;
@@ -130,4 +130,4 @@ std::string about(const mpq_class& value, std::size_t most) {
   return sign + digits.substr(0, whole) + "." + digits.substr(whole);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "report/names.h"
+
 /// From the coordinates of an input to pixels, exactly: 5e-324 and 1e308 in one figure neither vanish nor overflow, and
 /// two neighbouring doubles are two places once the view is small enough.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 struct ExactPoint {
   mpq_class x, y;
@@ -65,4 +67,4 @@ std::vector<Pixel> clipped(const Viewport& view, const ExactPoint& a, const Exac
 /// "3e-16", "0.25": a few significant digits of any rational, however large or small.
 std::string about(const mpq_class& value, std::size_t digits = 3);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 int rank(Verdict verdict) { return !is_finding(verdict) ? 2 : verdict == Verdict::inexact ? 1 : 0; }
@@ -31,4 +31,4 @@ std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
   return ways;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

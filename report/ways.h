@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "audit/tally.h"
+#include "report/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// A way of answering an operation, over all its families.
 struct WayOfOperation {
@@ -19,4 +20,4 @@ struct WayOfOperation {
 /// frequent at ordinary size first.
 std::vector<WayOfOperation> ways_of(const OperationTally& tally);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

@@ -10,7 +10,7 @@
 #include "catalogue/codec/plain.h"
 #include "report/viewport.h"
 
-namespace touchstone::audit {
+namespace touchstone::report {
 namespace {
 
 bool is_exact_value(const std::string& text) {
@@ -268,4 +268,4 @@ std::string closing_sentence(const Tally& tally) {
          (tally.robust.empty() ? "" : "; robust: " + grouped(robust.cases() - robust.count(Verdict::agree))) + "\n";
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

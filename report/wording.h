@@ -9,9 +9,10 @@
 
 #include "audit/counted.h"
 #include "audit/tally.h"
+#include "report/names.h"
 
 /// What tables and pages say in words, once for both.
-namespace touchstone::audit {
+namespace touchstone::report {
 
 /// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not whole.
 std::string share(std::uint64_t part, std::uint64_t whole);
@@ -60,4 +61,4 @@ std::string summary_of(const Cell& sum);
 /// "textbook formulas (binary64): 1,234 of 200,000 answers wrong: ...; robust: 0"
 std::string closing_sentence(const Tally& tally);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::report

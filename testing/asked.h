@@ -9,7 +9,7 @@
 #include "audit/tally.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/codec/did_you_mean.h"
-#include "catalogue/families/shrink.h"
+#include "catalogue/operation/shrink.h"
 #include "testing/drawn.h"
 
 /// Questions of an operation as the shapes of geometry/, for users' own tests; no test framework is needed.
@@ -23,7 +23,7 @@
 namespace touchstone::tests {
 
 /// The operations, each a type named like it: operations::orientation. docs/operations.md lists their arguments.
-namespace operations = ::touchstone::audit::rows;
+namespace operations = ::touchstone::catalogue::rows;
 
 /// The arguments of an operation: a tuple; where its question has alternatives (in the plane, in space), a variant of
 /// tuples, or, with `Ts` given, the tuple of the one alternative that has these arguments.
@@ -55,18 +55,18 @@ std::string shown(const Asked<Row, Ts...>& asked) {
 
 template <class Row>
 const Operation& operation_of() {
-  return *audit::find_operation(Row::card().name);
+  return *catalogue::find_operation(Row::card().name);
 }
 
 /// Empty where the question is of another alternative.
 template <class Row, class... Ts>
 std::optional<Asked<Row, Ts...>> typed(Drawn drawn) {
-  auto question = audit::unpacked<typename Row::Question>(drawn.question);
+  auto question = catalogue::unpacked<typename Row::Question>(drawn.question);
   using Arguments = typename ArgumentsOf<Row, Ts...>::type;
   if constexpr (std::is_same_v<Arguments, typename Row::Question>) {
     return Asked<Row, Ts...>{std::move(question), std::move(drawn)};
   } else {
-    static_assert(audit::is_variant<typename Row::Question>, "these are not the arguments of the operation");
+    static_assert(catalogue::is_variant<typename Row::Question>, "these are not the arguments of the operation");
     if (!std::holds_alternative<Arguments>(question)) return std::nullopt;
     return Asked<Row, Ts...>{std::get<Arguments>(std::move(question)), std::move(drawn)};
   }
@@ -81,7 +81,7 @@ inline std::vector<std::size_t> families_named(const Operation& operation, const
   }
   for (const std::string& name : names) {
     if (std::find(all.begin(), all.end(), name) == all.end())
-      throw InvalidInput("families", operation.name() + " has no family " + name + audit::did_you_mean(name, all));
+      throw InvalidInput("families", operation.name() + " has no family " + name + catalogue::did_you_mean(name, all));
   }
   return found;
 }
@@ -105,8 +105,8 @@ Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t 
   constexpr std::uint64_t most_refused = 1000;
   const Operation& operation = operation_of<Row>();
   for (std::uint64_t at = 0; at < most_refused; ++at) {
-    const std::size_t family = families[audit::seed_of(seed, "family", at) % families.size()];
-    Drawn drawn = recorded(operation, family, audit::seed_of(seed, "choices", at));
+    const std::size_t family = families[catalogue::seed_of(seed, "family", at) % families.size()];
+    Drawn drawn = recorded(operation, family, catalogue::seed_of(seed, "choices", at));
     if (!is_wanted(drawn, sizes)) continue;
     if (auto found = typed<Row, Ts...>(std::move(drawn))) return *std::move(found);
   }
@@ -123,7 +123,7 @@ struct Options {
 /// Calls a function with the arguments of a question.
 template <class Call, class Arguments>
 decltype(auto) called_with(const Call& call, const Arguments& arguments) {
-  if constexpr (audit::is_variant<Arguments>) {
+  if constexpr (catalogue::is_variant<Arguments>) {
     return std::visit([&](const auto& alternative) { return std::apply(call, alternative); }, arguments);
   } else {
     return std::apply(call, arguments);
@@ -154,12 +154,12 @@ std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& o
   const std::vector<std::size_t> families = families_named(operation_of<Row>(), options.families);
   for (std::uint64_t at = 0; at < options.cases; ++at) {
     const Asked<Row, Ts...> first =
-        asked<Row, Ts...>(families, audit::seed_of(options.seed, "question", at), options.sizes);
+        asked<Row, Ts...>(families, catalogue::seed_of(options.seed, "question", at), options.sizes);
     if (!fails(first)) continue;
     const auto of_choices = [&](const std::vector<std::uint8_t>& bytes) {
       return typed<Row, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
     };
-    return of_choices(audit::shrunk(first.drawn.choices, [&](const std::vector<std::uint8_t>& bytes) {
+    return of_choices(catalogue::shrunk(first.drawn.choices, [&](const std::vector<std::uint8_t>& bytes) {
       const auto candidate = of_choices(bytes);
       return candidate && is_wanted(candidate->drawn, options.sizes) && fails(*candidate);
     }));

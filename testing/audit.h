@@ -24,26 +24,27 @@ template <class E>
 class InProcess final : public audit::Engine {
  public:
   explicit InProcess(E& engine) : served_(audit::served(engine)) {}
-  const audit::Declaration& declaration() const override { return served_.hello.declaration; }
+  const catalogue::Declaration& declaration() const override { return served_.hello.declaration; }
   bool supports(const std::string& operation) const override { return served_.operations.count(operation) != 0; }
 
   /// Of the operations that it has.
   std::vector<std::string> names() const { return {served_.hello.operations.begin(), served_.hello.operations.end()}; }
 
-  std::vector<audit::Reply> ask(const Operation& operation, const std::vector<audit::Question>& questions) override {
+  std::vector<audit::Reply> ask(const Operation& operation,
+                                const std::vector<catalogue::Question>& questions) override {
     const audit::Answerer& answerer = served_.operations.at(operation.name()).answer;
     std::vector<audit::Reply> replies;
-    for (const audit::Question& question : questions) replies.push_back(reply(answerer, question));
+    for (const catalogue::Question& question : questions) replies.push_back(reply(answerer, question));
     return replies;
   }
 
  private:
-  static audit::Reply reply(const audit::Answerer& answerer, const audit::Question& question) {
+  static audit::Reply reply(const audit::Answerer& answerer, const catalogue::Question& question) {
     try {
       const auto said = answerer(question);
       if (!said) return {audit::Reply::Kind::unsupported, nullptr, ""};
       // Read back as if it had come through a pipe: the judge takes numbers as they were written.
-      return {audit::Reply::Kind::answered, audit::parse_line(audit::one_line(*said)), ""};
+      return {audit::Reply::Kind::answered, catalogue::parse_line(catalogue::one_line(*said)), ""};
     } catch (const std::exception& thrown) {
       return {audit::Reply::Kind::failed, nullptr, thrown.what()};
     } catch (...) {
@@ -63,10 +64,10 @@ audit::Tally audit(E& engine, const AuditOptions& options = {}) {
   audit::AuditOptions all;
   for (const std::string& name : options.operations) {
     if (!asked.supports(name))
-      throw InvalidInput("operations", "the engine has no " + name + audit::did_you_mean(name, asked.names()));
-    all.operations.push_back(audit::find_operation(name));
+      throw InvalidInput("operations", "the engine has no " + name + catalogue::did_you_mean(name, asked.names()));
+    all.operations.push_back(catalogue::find_operation(name));
   }
-  for (const Operation* operation : audit::catalogue()) {
+  for (const Operation* operation : catalogue::all_operations()) {
     if (options.operations.empty() && !operation->card().is_method() && asked.supports(operation->name()))
       all.operations.push_back(operation);
   }
@@ -90,15 +91,14 @@ audit::Tally audit(E& engine, const AuditOptions& options = {}) {
 /// "rounding in 12 of 300 cases: the truth is on, it says left" and the best example, with the command that repeats it.
 inline std::string in_words(const Operation& operation, const audit::Cell& cell, const audit::Way& way,
                             const audit::WayCount& count) {
-  std::string text = std::string(audit::name_of(way.verdict)) + " in " + std::to_string(audit::both(count.cases)) +
-                     " of " + std::to_string(cell.cases()) + " cases: truth " + way.truth + ", answer " + way.answer +
-                     '\n';
+  std::string text = std::string(name_of(way.verdict)) + " in " + std::to_string(audit::both(count.cases)) + " of " +
+                     std::to_string(cell.cases()) + " cases: truth " + way.truth + ", answer " + way.answer + '\n';
   if (!count.example) return text;
   const audit::Finding& finding = *count.example;
   if (!finding.judgement.remark.empty()) text += "  " + finding.judgement.remark + '\n';
-  if (!finding.answer.is_null()) text += "  it says " + audit::one_line(finding.answer) + '\n';
-  return text + "  echo '" + audit::one_line(operation.print_hexadecimal(finding.question)) + "' | touchstone ask " +
-         operation.name() + " -\n";
+  if (!finding.answer.is_null()) text += "  it says " + catalogue::one_line(finding.answer) + '\n';
+  return text + "  echo '" + catalogue::one_line(operation.print_hexadecimal(finding.question)) +
+         "' | touchstone ask " + operation.name() + " -\n";
 }
 
 /// Empty where an audit found nothing; else a paragraph for each operation, family and way of failing: how often, an
@@ -106,10 +106,10 @@ inline std::string in_words(const Operation& operation, const audit::Cell& cell,
 inline std::string findings(const audit::Tally& tally) {
   std::string text;
   for (const audit::OperationTally& operation : tally.operations) {
-    const Operation& asked = *audit::find_operation(operation.operation);
+    const Operation& asked = *catalogue::find_operation(operation.operation);
     for (const auto& [family, cell] : operation.families) {
       for (const auto& [way, count] : cell.ways) {
-        if (audit::is_finding(way.verdict))
+        if (catalogue::is_finding(way.verdict))
           text += operation.operation + ", " + family + ": " + in_words(asked, cell, way, count);
       }
     }

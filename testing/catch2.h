@@ -54,7 +54,7 @@ class Generator final : public Catch::Generators::IGenerator<Asked<Row, Ts...>> 
 
  private:
   Asked<Row, Ts...> at(std::uint64_t place) const {
-    return asked<Row, Ts...>(families_, audit::seed_of(options_.seed, "question", place), options_.sizes);
+    return asked<Row, Ts...>(families_, catalogue::seed_of(options_.seed, "question", place), options_.sizes);
   }
 
   std::vector<std::size_t> families_;

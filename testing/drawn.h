@@ -7,32 +7,32 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 
 /// Questions of the catalogue and the choices that give them, whatever test framework draws them.
 namespace touchstone::tests {
 
-using audit::Choices;
-using audit::Operation;
+using catalogue::Choices;
+using catalogue::Operation;
 
 /// A question and the choices that give it. Shrinking works on the choices, so that what shrinks stays in its family.
 struct Drawn {
   const Operation* operation = nullptr;
   std::size_t family = 0;
   std::vector<std::uint8_t> choices;
-  audit::Question question;
+  catalogue::Question question;
 };
 
 inline Drawn replayed(const Operation& operation, std::size_t family, std::vector<std::uint8_t> bytes) {
   Choices choices = Choices::replayed(bytes);
-  audit::Question question = operation.draw(choices, family);
+  catalogue::Question question = operation.draw(choices, family);
   return {&operation, family, std::move(bytes), std::move(question)};
 }
 
 /// The choices of a seed written down.
 inline Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed) {
   Choices choices = Choices::seeded(seed, true);
-  audit::Question question = operation.draw(choices, family);
+  catalogue::Question question = operation.draw(choices, family);
   return {&operation, family, choices.recorded(), std::move(question)};
 }
 
@@ -49,9 +49,9 @@ inline bool is_valid(const Drawn& drawn) {
 /// Operation and family, the question in decimal and in hexadecimal, and the command that asks it.
 inline std::string shown(const Drawn& drawn) {
   const std::string name = drawn.operation->name();
-  const std::string exact = audit::one_line(drawn.operation->print_hexadecimal(drawn.question));
+  const std::string exact = catalogue::one_line(drawn.operation->print_hexadecimal(drawn.question));
   return name + ", family " + drawn.operation->families()[drawn.family] + '\n' +
-         audit::one_line(drawn.operation->print(drawn.question)) + '\n' + exact + "\necho '" + exact +
+         catalogue::one_line(drawn.operation->print(drawn.question)) + '\n' + exact + "\necho '" + exact +
          "' | touchstone ask " + name + " -";
 }
 

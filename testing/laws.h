@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/symmetries.h"
+#include "catalogue/operation/symmetries.h"
 #include "testing/asked.h"
 
 /// The exact symmetries of an operation, asked of somebody's function: no truth is needed.
@@ -10,7 +10,7 @@
 ///   RC_ASSERT(broken_law(question, my::orientation) == "");
 namespace touchstone::tests {
 
-using audit::Compared;
+using catalogue::Compared;
 
 /// The law that a function of the operation's arguments breaks for a question ("arguments exchanged", "times a power of
 /// two", "a symmetry of the axes", "an integer similarity", "an integer map"); "" where it breaks none. The function
@@ -18,18 +18,18 @@ using audit::Compared;
 template <class Row, class... Ts, class Mine>
 std::string broken_law(const Asked<Row, Ts...>& asked, const Mine& mine, Compared compared = Compared::decisions) {
   using Arguments = typename Asked<Row, Ts...>::Arguments;
-  const auto answer = [&mine](const audit::Question& question) {
-    auto read = audit::unpacked<typename Row::Question>(question);
+  const auto answer = [&mine](const catalogue::Question& question) {
+    auto read = catalogue::unpacked<typename Row::Question>(question);
     if constexpr (std::is_same_v<Arguments, typename Row::Question>) return called_with(mine, read);
     else return called_with(mine, std::get<Arguments>(read));
   };
   using Answer = std::decay_t<decltype(answer(asked.drawn.question))>;
   const Operation& operation = *asked.drawn.operation;
-  const auto packed_answer = [&](const audit::Question& question) {
+  const auto packed_answer = [&](const catalogue::Question& question) {
     operation.row().robust(question, 0);  // throws InvalidInput where an image is outside the contract
-    return audit::packed(answer(question));
+    return catalogue::packed(answer(question));
   };
-  return audit::broken_law(operation, asked.drawn.question, packed_answer, audit::shape_of<Answer>(), compared);
+  return catalogue::broken_law(operation, asked.drawn.question, packed_answer, catalogue::shape_of<Answer>(), compared);
 }
 
 }  // namespace touchstone::tests

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "catalogue/codec/described_bodies.h"
-#include "catalogue/codec/described_simultaneous.h"
 #include "catalogue/codec/shape_json.h"
+#include "catalogue/shape/described_bodies.h"
+#include "catalogue/shape/described_simultaneous.h"
 
 namespace touchstone::audit {
 

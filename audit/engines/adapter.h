@@ -5,7 +5,7 @@
 #include "audit/engines/serve.h"
 #include "audit/engines/signature.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 
 /// Audits a C++ implementation. An engine is a struct:
 ///
@@ -23,7 +23,7 @@
 /// name and does not take its arguments does not compile.
 namespace touchstone {
 
-using Boundary = audit::Declaration::Boundary;
+using Boundary = catalogue::Declaration::Boundary;
 
 namespace audit {
 

@@ -4,7 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "audit/names.h"
+#include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {
 

@@ -4,8 +4,9 @@
 #include <optional>
 #include <type_traits>
 
+#include "audit/names.h"
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/row.h"
+#include "catalogue/operation/row.h"
 
 /// What a member function of an engine may return, and how it reads in JSON.
 namespace touchstone::audit {

@@ -82,7 +82,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
 }  // namespace touchstone::audit
 
 /// A libFuzzer target that looks for a wrong answer of the engine to one operation.
-#define TOUCHSTONE_ENGINE_FUZZ(EngineType, operation)                                                       \
-  extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) {                     \
-    return ::touchstone::audit::fuzz_engine<EngineType, ::touchstone::audit::rows::operation>(bytes, size); \
+#define TOUCHSTONE_ENGINE_FUZZ(EngineType, operation)                                                           \
+  extern "C" int LLVMFuzzerTestOneInput(const unsigned char* bytes, std::size_t size) {                         \
+    return ::touchstone::audit::fuzz_engine<EngineType, ::touchstone::catalogue::rows::operation>(bytes, size); \
   }

@@ -7,6 +7,8 @@
 #include <set>
 #include <string>
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// What is worth telling of how an engine behaved and is no answer to a question: names of its first line that nobody

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// Set in the environment of what a Process runs, so that an engine program knows that nobody reads its table.

@@ -36,7 +36,7 @@ std::vector<std::string> remarks_on(const Json& hello) {
     if (std::find(fields.begin(), fields.end(), key) == fields.end())
       remarks.push_back(excerpt(key, most_of_a_key) + ": no such field" + did_you_mean(key, fields) + ", ignored");
   }
-  for (const Operation* operation : catalogue()) known.push_back(operation->name());
+  for (const Operation* operation : all_operations()) known.push_back(operation->name());
   for (const Json& entry : hello["ops"]) {
     const std::string& name = entry.get_ref<const std::string&>();
     if (find_operation(name) == nullptr)
@@ -62,7 +62,7 @@ std::string boundary_word(Declaration::Boundary boundary) { return boundary_word
 std::string greeting() {
   Json line = Json::object();
   line["touchstone"] = 1;
-  for (const Operation* operation : catalogue()) line["ops"].push_back(operation->name());
+  for (const Operation* operation : all_operations()) line["ops"].push_back(operation->name());
   return one_line(line) + "\n";
 }
 

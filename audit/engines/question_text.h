@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "audit/names.h"
+#include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "audit/engines/engine_answer.h"
-#include "catalogue/operation.h"
-#include "catalogue/row.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/operation/row.h"
 
 /// What the member functions of an engine look like: their signatures as types, for the compiler's messages, and as
 /// text, for pages.

@@ -2,7 +2,7 @@
 #include "audit/gate/baseline.h"
 
 #include "audit/place.h"
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "catalogue/codec/described_shapes.h"
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/named_meshes.h"
+#include "catalogue/families/named_meshes.h"
+#include "catalogue/shape/described_shapes.h"
 #include "oracle/certificates/named_file.h"
 
 namespace touchstone::audit {

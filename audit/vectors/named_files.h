@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "audit/names.h"
 #include "catalogue/codec/json.h"
 
-/// Meshes that vectors name (catalogue/named_meshes.h): each is a file of JSON beside the vectors, and a line's input
+/// Meshes that vectors name (catalogue/families/named_meshes.h): each is a file of JSON beside the vectors, and a line's input
 /// has the file's name where the mesh would stand.
 namespace touchstone::audit {
 

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "audit/names.h"
+
 namespace touchstone::audit {
 
 /// SHA-256 (FIPS 180-4) of a text, as 64 hexadecimal digits: what `sha256sum` prints.

@@ -10,9 +10,9 @@
 #include "audit/vectors/flags.h"
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/schemas.h"
-#include "catalogue/explained.h"
-#include "catalogue/families/not_finite.h"
 #include "catalogue/judge/environment.h"
+#include "catalogue/operation/explained.h"
+#include "catalogue/operation/not_finite.h"
 #include "oracle/certificates/check.h"
 
 namespace touchstone::audit {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 constexpr std::size_t longest_name = 80, fewest_of_a_beginning = 3;
@@ -60,4 +60,4 @@ std::string did_you_mean(std::string_view name, const std::vector<const char*>& 
   return nearest_of(name, known);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// ` (did you mean "orientation"?)` where a name is a misspelling of one of these; else empty. A misspelling has at
 /// most a third of its letters wrong, missing, too many, or swapped with a neighbour; small and capital letters, '-'
@@ -14,4 +14,4 @@ namespace touchstone::audit {
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 std::string did_you_mean(std::string_view name, const std::vector<const char*>& known);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

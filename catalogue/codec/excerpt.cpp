@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 unsigned byte(char c) { return static_cast<unsigned char>(c); }
@@ -39,4 +39,4 @@ std::string excerpt(std::string_view text, std::size_t most) {
   return at < text.size() ? shown + "... (" + std::to_string(text.size()) + " bytes)" : shown;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

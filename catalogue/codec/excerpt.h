@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// Text from elsewhere as it may be shown on a terminal: control characters and bytes that are no UTF-8 are written
 /// \xNN, and of what is longer than `most` bytes only the beginning is shown, with the length of the whole.
@@ -13,4 +13,4 @@ std::string excerpt(std::string_view text, std::size_t most);
 /// What is shown of a key that no field has.
 constexpr std::size_t most_of_a_key = 60;
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -6,7 +6,7 @@
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 constexpr std::size_t most_shown = 60;
@@ -76,4 +76,4 @@ Json example_of(const Shape& shape) {
   return record;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

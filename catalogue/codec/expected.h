@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/shape.h"
+#include "catalogue/shape/shape.h"
 
 /// Rules as expectation and fact.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// `expected a number, got "x"`; of a long value the beginning.
 std::string expected(const std::string& what, const Json& got);
@@ -22,4 +22,4 @@ std::string why_of(int error);
 /// A value of that shape: the first enumerator of each, 0 for numbers, one element in each list, nothing optional.
 Json example_of(const Shape& shape);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -11,7 +11,7 @@
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 constexpr char typed_number_mark = '\x01';
@@ -254,4 +254,4 @@ std::string unknown_path(const std::string& path, const std::string& key) {
   return member_path(path, excerpt(key, most_of_a_key).c_str());
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

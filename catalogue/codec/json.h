@@ -11,7 +11,7 @@
 
 /// JSON as the program speaks it. Numbers inside a parsed line are kept as they were typed until a reader asks for a
 /// double or for the decimal itself.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 using Json = nlohmann::ordered_json;
 
@@ -57,4 +57,4 @@ bool read_flag(const Json& value, const std::string& field);
 /// A whole number 0 <= n < 2^32.
 std::uint32_t read_index(const Json& value, const std::string& field);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -3,7 +3,7 @@
 
 #include "catalogue/codec/excerpt.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 Json plain(const Json& answer) {
   if (is_typed_number(answer)) {
@@ -26,4 +26,4 @@ Json kept(const Json& answer) {
   return text.size() > most ? Json(excerpt(text, most)) : result;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -3,7 +3,7 @@
 
 #include "catalogue/codec/json.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// An answer as an engine typed it with its numbers read: what a file keeps of it.
 Json plain(const Json& answer);
@@ -11,4 +11,4 @@ Json plain(const Json& answer);
 /// The same; of an answer of more than 4,096 characters the beginning and the length, as a text.
 Json kept(const Json& answer);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -5,9 +5,9 @@
 
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/expected.h"
-#include "catalogue/judge/true_number.h"
+#include "catalogue/numbers/true_number.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
@@ -207,4 +207,4 @@ template Json json_of(const Shape&, Cursor<TrueNumber>&, WriteNumber<TrueNumber>
 template void read_json(const Shape&, const Json&, const std::string&, Tape<double>&, ReadNumber<double>, bool);
 template void read_json(const Shape&, const Json&, const std::string&, Tape<mpq_class>&, ReadNumber<mpq_class>, bool);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "catalogue/codec/json.h"
-#include "catalogue/shape.h"
+#include "catalogue/shape/shape.h"
 
 /// Values in JSON, by their shapes.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 template <class Real>
 using WriteNumber = Json (*)(const Real&);
@@ -45,4 +45,4 @@ void read(const Json& json, const std::string& path, T& value, ReadNumber<double
   value = unpacked<T>(tape);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/families/choices.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 // SplitMix64 (Steele, Lea, Flood 2014, "Fast splittable pseudorandom number generators"): the output function.
@@ -55,4 +55,4 @@ std::uint64_t seed_of(std::uint64_t seed, const char* name, std::uint64_t index)
   return mixed(state ^ index);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

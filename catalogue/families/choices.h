@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// One stream of choices, from which every input is drawn. A choice is a number 0 <= k < n and 0 is the simplest, so
 /// that a shorter or smaller stream gives a simpler input: shrinking works on the stream and never leaves a family.
@@ -45,4 +45,4 @@ class Choices {
 /// A seed for case `index` of a named stream: the same on every machine, unlike std::hash.
 std::uint64_t seed_of(std::uint64_t seed, const char* name, std::uint64_t index);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -5,7 +5,7 @@
 #include <bit>
 #include <limits>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 double integer(Choices& choices, int bits) {
   const auto width = static_cast<int>(choices.below(8)) < 5
@@ -72,4 +72,4 @@ double moved_by_ulps(double value, int ulps) {
   return value;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

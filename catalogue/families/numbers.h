@@ -6,7 +6,7 @@
 #include "catalogue/families/choices.h"
 
 /// Single numbers, drawn from a stream of choices; the first choice gives the simplest.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// 0, 1, -1, 2, -2, ... up to +-most.
 inline double small_integer(Choices& choices, int most = 8) {
@@ -51,4 +51,4 @@ std::size_t list_length(Choices& choices);
 /// `value` moved by `ulps` units in the last place; finite values stay finite, zero passes through the subnormals.
 double moved_by_ulps(double value, int ulps);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -8,7 +8,7 @@
 #include "catalogue/families/numbers.h"
 #include "oracle/rings/simple.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 /// Directions of the upper half plane in counter-clockwise order; their opposites are the lower half.
@@ -178,4 +178,4 @@ void untangle(Polygon2d& ring) {
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -8,7 +8,7 @@
 #include "geometry/polygons.h"
 
 /// Polygons, drawn from a stream of choices as exact integers below 2^40; the simplest is a triangle or a square.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// Convex, counter-clockwise, without flat angles: a ring of edges in the order of their directions, perhaps with
 /// vertices left out.
@@ -56,4 +56,4 @@ std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices);
 /// The ring of these vertices with crossings undone by turning parts of it round, as far as 60 turns go.
 void untangle(Polygon2d& ring);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

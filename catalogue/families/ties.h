@@ -4,7 +4,7 @@
 #include "catalogue/families/choices.h"
 
 /// Numbers so near to the middle between two doubles that only their last digits tell on which side they lie.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// t v + rest is 2^51 times an odd integer of 54 digits, and one more or less: beside a tie by 2^-104 of it. All three
 /// are integers.
@@ -33,4 +33,4 @@ inline QuotientBesideTie quotient_beside_tie(Choices& choices) {
   return {static_cast<double>(room / 2 + choices.below(room / 2)), q};  // d + 1 + q is below 2^53
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "catalogue/judge/true_number.h"
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/true_number.h"
+#include "catalogue/numbers/ulps.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 namespace {
 
 /// Moves past a value.
@@ -232,4 +232,4 @@ bool has_plain_reading(const Shape& shape) {
                                       [&](const Shape::Part& part) { return reads(*part.shape); }));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

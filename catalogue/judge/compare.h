@@ -5,13 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "catalogue/judge/exact.h"
-#include "catalogue/judge/tracked.h"
-#include "catalogue/judge/true_number.h"
-#include "catalogue/shape.h"
+#include "catalogue/numbers/exact.h"
+#include "catalogue/numbers/tracked.h"
+#include "catalogue/numbers/true_number.h"
+#include "catalogue/shape/shape.h"
 
 /// Compares answers with the truth, slot by slot.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 struct Comparison {
   bool decision = true;  ///< every word equal, every number that should be there is there
@@ -56,4 +56,4 @@ std::optional<bool> yes_or_no(const Shape& shape, const std::vector<Word>& words
 /// Whether there is one.
 bool has_plain_reading(const Shape& shape);
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

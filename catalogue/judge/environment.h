@@ -11,7 +11,7 @@
 #endif
 
 /// The floating-point environments that a host application can set.
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// Four rounding modes; results flushed to zero or not; subnormal operands read as zero or not. Number 0 is what a
 /// program starts with.
@@ -61,4 +61,4 @@ auto in_environment(std::size_t number, Argument argument, const Ask& ask) {
   return answer;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

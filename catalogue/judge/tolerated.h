@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catalogue/codec/tape.h"
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
+#include "catalogue/shape/tape.h"
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// The greatest size of a question's numbers.
 inline double greatest(const Question& question) {
@@ -30,4 +30,4 @@ inline bool tolerated(const mpq_class& margin, double tolerance, int degree, con
          within(margin, exact_value(tolerance), exact_value(std::max(1.0, greatest(question))), degree);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

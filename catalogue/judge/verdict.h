@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-namespace touchstone::audit {
+namespace touchstone::catalogue {
 
 /// What the judge says of one answer; the columns of every table.
 enum class Verdict {
@@ -54,4 +54,4 @@ struct Declaration {
   double tolerance = 0;   ///< in the unit of the input coordinates
 };
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::catalogue

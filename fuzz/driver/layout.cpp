@@ -4,8 +4,8 @@
 namespace touchstone::fuzz {
 namespace {
 
-using audit::Question;
-using audit::Shape;
+using catalogue::Question;
+using catalogue::Shape;
 
 /// Indices are mostly those of a short list.
 constexpr std::uint64_t usual_indices = 8;
@@ -24,12 +24,12 @@ class Reader {
         if (words_[at_.word++] != 0) read(*shape.parts[0].shape);
         return;
       case Shape::Kind::choice: {
-        const audit::Word which = words_[at_.word++];
+        const catalogue::Word which = words_[at_.word++];
         return read(*shape.parts[which].shape);
       }
       case Shape::Kind::list: return read_list(shape);
       case Shape::Kind::record:
-        if (shape.meaning == audit::Meaning::place || shape.meaning == audit::Meaning::direction)
+        if (shape.meaning == catalogue::Meaning::place || shape.meaning == catalogue::Meaning::direction)
           found.points.push_back({at_.number, shape.parts.size()});
         for (const Shape::Part& part : shape.parts) read(*part.shape);
     }
@@ -41,15 +41,15 @@ class Reader {
   void read_list(const Shape& shape) {
     const std::size_t place = found.lists.size();
     found.lists.push_back({at_.word, shape.parts[0].shape, {}});
-    const audit::Word length = words_[at_.word++];
-    for (audit::Word i = 0; i < length; ++i) {
+    const catalogue::Word length = words_[at_.word++];
+    for (catalogue::Word i = 0; i < length; ++i) {
       found.lists[place].elements.push_back(at_);
       read(*shape.parts[0].shape);
     }
     found.lists[place].elements.push_back(at_);
   }
 
-  const audit::Word* words_;
+  const catalogue::Word* words_;
   Layout::Place at_{0, 0};
 };
 

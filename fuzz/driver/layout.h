@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "catalogue/shape.h"
+#include "catalogue/shape/shape.h"
 
 namespace touchstone::fuzz {
 
@@ -17,7 +17,7 @@ struct Layout {
   };
   struct List {
     std::size_t length;  ///< the word
-    const audit::Shape* element;
+    const catalogue::Shape* element;
     std::vector<Place> elements;  ///< where each begins, and behind the last where it ends
   };
   struct Choosable {
@@ -29,9 +29,9 @@ struct Layout {
   std::vector<Choosable> words;
 };
 
-Layout layout_of(const audit::Shape& shape, const audit::Question& question);
+Layout layout_of(const catalogue::Shape& shape, const catalogue::Question& question);
 
 /// A value of that shape with every number and word 0, at a place of a question.
-void insert_zeros(const audit::Shape& shape, audit::Question& question, const Layout::Place& at);
+void insert_zeros(const catalogue::Shape& shape, catalogue::Question& question, const Layout::Place& at);
 
 }  // namespace touchstone::fuzz

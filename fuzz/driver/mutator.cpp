@@ -15,12 +15,12 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 namespace touchstone::fuzz {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 
 /// The layout of a question; good until the next call. Where all questions have the same, it is made once.
-const Layout& layout_for(const audit::Shape& shape, const Question& question) {
+const Layout& layout_for(const catalogue::Shape& shape, const Question& question) {
   static thread_local Layout found;
-  static thread_local const audit::Shape* made_for = nullptr;
+  static thread_local const catalogue::Shape* made_for = nullptr;
   if (!shape.fixed || made_for != &shape) found = layout_of(shape, question);
   made_for = &shape;
   return found;
@@ -28,7 +28,7 @@ const Layout& layout_for(const audit::Shape& shape, const Question& question) {
 
 class Mutation {
  public:
-  Mutation(const audit::Shape& shape, Question& question, Choices& choices)
+  Mutation(const catalogue::Shape& shape, Question& question, Choices& choices)
       : question_(question), numbers_(question.numbers), choices_(choices), layout_(layout_for(shape, question)) {}
 
   void apply() {
@@ -64,7 +64,7 @@ class Mutation {
   void nudge() {
     double& number = any_number();
     const int ulps = 1 + static_cast<int>(choices_.below(3));
-    if (std::isfinite(number)) number = audit::moved_by_ulps(number, choices_.below(2) == 1 ? -ulps : ulps);
+    if (std::isfinite(number)) number = catalogue::moved_by_ulps(number, choices_.below(2) == 1 ? -ulps : ulps);
   }
 
   /// r = p + k/8 (q - p), rounded: mostly next to the line, sometimes on it.
@@ -85,14 +85,14 @@ class Mutation {
 
   void change_word() {
     const Layout::Choosable word = layout_.words[choices_.below(layout_.words.size())];
-    question_.words[word.place] = static_cast<audit::Word>(choices_.below(word.values));
+    question_.words[word.place] = static_cast<catalogue::Word>(choices_.below(word.values));
   }
 
   /// One element of a list is there twice, or is taken out.
   void grow_or_shrink() {
     if (layout_.lists.empty()) return;
     const Layout::List& list = layout_.lists[choices_.below(layout_.lists.size())];
-    audit::Word& length = question_.words[list.length];
+    catalogue::Word& length = question_.words[list.length];
     if (length == 0) {
       length = 1;
       return insert_zeros(*list.element, question_, list.elements[0]);
@@ -100,7 +100,7 @@ class Mutation {
     const std::size_t which = choices_.below(length);
     const Layout::Place first = list.elements[which], last = list.elements[which + 1];
     const bool shrink = choices_.below(2) == 1;
-    length += shrink ? static_cast<audit::Word>(-1) : 1;
+    length += shrink ? static_cast<catalogue::Word>(-1) : 1;
     repeat_or_erase(numbers_, first.number, last.number, shrink);
     repeat_or_erase(question_.words, first.word, last.word, shrink);
   }
@@ -121,8 +121,8 @@ class Mutation {
     any_number() = choices_.below(4) == 3 ? -copied : copied;
   }
 
-  void small_integer() { any_number() = audit::small_integer(choices_); }
-  void typed() { any_number() = audit::typed(choices_); }
+  void small_integer() { any_number() = catalogue::small_integer(choices_); }
+  void typed() { any_number() = catalogue::typed(choices_); }
 
   void common_power() {
     const int power = choices_.below(2) == 1 ? static_cast<int>(choices_.below(2098)) - 1074
@@ -180,7 +180,7 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   target().decode(data, question);
   for (double& number : question.numbers)
     number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
-  const audit::Shape& shape = target().operation().question_shape();
+  const catalogue::Shape& shape = target().operation().question_shape();
   for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) Mutation(shape, question, choices).apply();
   encode(shape, question, result);
   return true;

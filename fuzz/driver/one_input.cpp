@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 #include "fuzz/driver/target.h"
 
 namespace touchstone::fuzz {

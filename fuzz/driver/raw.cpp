@@ -10,8 +10,8 @@
 namespace touchstone::fuzz {
 namespace {
 
-using audit::Shape;
-using audit::Word;
+using catalogue::Shape;
+using catalogue::Word;
 
 /// Doubles from bytes; those beyond the end are 0.
 class Slots {
@@ -83,8 +83,8 @@ struct Writer {
     data.resize(data.size() + sizeof slot);
     std::memcpy(data.data() + data.size() - sizeof slot, &slot, sizeof slot);
   }
-  void number(const Shape&, const audit::Cursor<double>& at) { append(*at.number); }
-  void word(const Shape&, const audit::Cursor<double>& at) { append(*at.word); }
+  void number(const Shape&, const catalogue::Cursor<double>& at) { append(*at.number); }
+  void word(const Shape&, const catalogue::Cursor<double>& at) { append(*at.word); }
 };
 
 }  // namespace
@@ -101,7 +101,7 @@ void encode(const Shape& shape, const Question& question, std::vector<std::uint8
   data.clear();
   data.push_back(finite ? finite_numbers_follow : any_numbers_follow);
   Writer writer{data};
-  audit::Cursor<double> at(question);
+  catalogue::Cursor<double> at(question);
   walk_tape(shape, at, writer);
 }
 

@@ -20,7 +20,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 // libFuzzer's own mutation is not there: one byte is set, by the bytes alone.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
   std::uint64_t state = size;
-  for (std::size_t i = 0; i < size; ++i) state = touchstone::audit::seed_of(state, "", data[i]);
+  for (std::size_t i = 0; i < size; ++i) state = touchstone::catalogue::seed_of(state, "", data[i]);
   if (size < max_size) data[size++] = 0;
   data[state % size] = static_cast<std::uint8_t>(state >> 32);
   return size;

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "catalogue/explained.h"
 #include "catalogue/judge/environment.h"
-#include "catalogue/judge/judgement.h"
+#include "catalogue/operation/explained.h"
+#include "catalogue/operation/judgement.h"
 
 namespace touchstone::fuzz {
 namespace {
@@ -29,8 +29,8 @@ const Target& target() { return *chosen; }
 
 void choose_target(int& argc, char** argv) {
   const std::string by_name = std::filesystem::path(argv[0]).filename().string();
-  const audit::Operation* operation = audit::find_operation(by_name);
-  if (operation == nullptr && argc > 1 && (operation = audit::find_operation(argv[1])) != nullptr) {
+  const catalogue::Operation* operation = catalogue::find_operation(by_name);
+  if (operation == nullptr && argc > 1 && (operation = catalogue::find_operation(argv[1])) != nullptr) {
     std::move(argv + 2, argv + argc + 1, argv + 1);
     --argc;
   }
@@ -45,7 +45,7 @@ void Target::decode(Bytes data, Question& question) const {
   if (data.empty()) {
     question = operation_.zeros(0);
   } else if (data[0] < operation_.families().size()) {
-    audit::Choices choices = audit::Choices::replayed(data.subspan(1));
+    catalogue::Choices choices = catalogue::Choices::replayed(data.subspan(1));
     question = operation_.draw(choices, data[0]);
   } else {
     fuzz::decode(operation_.question_shape(), data.subspan(1), data[0] == finite_numbers_follow, question);
@@ -61,19 +61,19 @@ std::string Target::complaint(Bytes data) const {
 /// Where decisions can be had without numbers, only every 16th input is examined in full. JSON is slower than all the
 /// rest together, so that there only every 256th of those, elsewhere every 16th, has its certificate checked.
 std::string Target::judged(const Question& question, std::uint64_t hash) const {
-  const audit::RowFunctions& row = operation_.row();
-  const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % audit::environment_count;
+  const catalogue::RowFunctions& row = operation_.row();
+  const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % catalogue::environment_count;
   const bool quick = row.decide_by_oracle != nullptr;
-  const auto in_words = [&] { return " (" + audit::environment_name(environment) + ")"; };
+  const auto in_words = [&] { return " (" + catalogue::environment_name(environment) + ")"; };
   try {
     if (quick) {
       if (row.decide(question, environment) != row.decide_by_oracle(question))
         return "robust and oracle decide differently" + in_words();
       if (hash / 32 % 16 != 0) return "";
     }
-    const audit::Examination examination(operation_, question);
-    const audit::Judgement judgement = examination.judge_robust(environment);
-    if (judgement.verdict != audit::Verdict::agree)
+    const catalogue::Examination examination(operation_, question);
+    const catalogue::Judgement judgement = examination.judge_robust(environment);
+    if (judgement.verdict != catalogue::Verdict::agree)
       return "robust and oracle differ: " + std::string(name_of(judgement.verdict)) + " " + judgement.remark +
              in_words();
     if (examination.margin()) {
@@ -85,7 +85,7 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
     for (const std::string& wrong : {broken_promise(examination), residual_complaint(examination)}) {
       if (!wrong.empty()) return wrong;
     }
-    return audit::certificate_complaint(examination);
+    return catalogue::certificate_complaint(examination);
   } catch (const InvalidInput&) {
     return operation_.refusal_mismatch(question, environment);
   }
@@ -94,8 +94,8 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
 std::string Target::shown(Bytes data) const {
   Question question;
   decode(data, question);
-  const std::string exact = audit::one_line(operation_.print_hexadecimal(question));
-  return audit::one_line(operation_.print(question)) + "\n" + exact + "\necho '" + exact + "' | touchstone ask " +
+  const std::string exact = catalogue::one_line(operation_.print_hexadecimal(question));
+  return catalogue::one_line(operation_.print(question)) + "\n" + exact + "\necho '" + exact + "' | touchstone ask " +
          operation_.name() + " -";
 }
 
@@ -104,7 +104,7 @@ std::vector<std::pair<std::string, std::vector<std::uint8_t>>> Target::seeds() c
   const auto& names = operation_.families();
   for (std::size_t family = 0; family < names.size(); ++family) {
     if (names[family].find('+') != std::string::npos) continue;  // the mutator moves by ulps itself
-    audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, names[family].c_str(), 0), true);
+    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, names[family].c_str(), 0), true);
     operation_.draw(choices, family);
     std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(family)};
     bytes.insert(bytes.end(), choices.recorded().begin(), choices.recorded().end());

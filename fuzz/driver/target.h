@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 
 /// One operation of the catalogue, asked by bytes.
 ///
@@ -17,15 +17,15 @@
 /// Bytes that are missing are 0.
 namespace touchstone::fuzz {
 
-using audit::Question;
+using catalogue::Question;
 using Bytes = std::span<const std::uint8_t>;
 
 inline constexpr std::uint8_t finite_numbers_follow = 0xff, any_numbers_follow = 0xfe;
 
 class Target {
  public:
-  explicit Target(const audit::Operation& operation) : operation_(operation) {}
-  const audit::Operation& operation() const { return operation_; }
+  explicit Target(const catalogue::Operation& operation) : operation_(operation) {}
+  const catalogue::Operation& operation() const { return operation_; }
 
   /// Asks everybody, judges, and returns what is wrong ("" where nothing is).
   std::string complaint(Bytes data) const;
@@ -38,7 +38,7 @@ class Target {
  private:
   std::string judged(const Question& question, std::uint64_t hash) const;
 
-  const audit::Operation& operation_;
+  const catalogue::Operation& operation_;
 };
 
 /// The target of this process.
@@ -48,8 +48,8 @@ const Target& target();
 void choose_target(int& argc, char** argv);
 
 /// The bytes that mean this question; and the question of bytes after the first, whatever they are.
-void encode(const audit::Shape& shape, const Question& question, std::vector<std::uint8_t>& data);
-void decode(const audit::Shape& shape, Bytes rest, bool make_finite, Question& question);
+void encode(const catalogue::Shape& shape, const Question& question, std::vector<std::uint8_t>& data);
+void decode(const catalogue::Shape& shape, Bytes rest, bool make_finite, Question& question);
 
 /// How near the deciding quantity came to a change of answer is news to libFuzzer, as a branch that was not taken
 /// before would be.

@@ -181,7 +181,7 @@ struct CgalDouble {
   }
 
   static bool exact_sum(double a, double b, double sum) {
-    return audit::exact_value(a) + audit::exact_value(b) == audit::exact_value(sum);
+    return catalogue::exact_value(a) + catalogue::exact_value(b) == catalogue::exact_value(sum);
   }
   static void contradiction(bool do_intersect, bool intersection) {
     if (do_intersect == intersection) return;

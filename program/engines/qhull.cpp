@@ -47,7 +47,7 @@ class Run {
     std::vector<std::vector<mpq_class>> rows;
     for (std::size_t i = 0; i < points_.size(); ++i) {
       if (i % dimension == 0) rows.emplace_back();
-      rows.back().push_back(audit::exact_value(points_[i]) - audit::exact_value(points_[i % dimension]));
+      rows.back().push_back(catalogue::exact_value(points_[i]) - catalogue::exact_value(points_[i % dimension]));
     }
     std::size_t found = 0;
     for (int column = 0; column < dimension; ++column) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <numeric>
 
-#include "catalogue/explained.h"
-#include "catalogue/judge/judgement.h"
+#include "catalogue/operation/explained.h"
+#include "catalogue/operation/judgement.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/each_operation.h"
 #include "proptests/property.h"
@@ -10,9 +10,9 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Operation;
-using audit::Question;
-using audit::Verdict;
+using catalogue::Operation;
+using catalogue::Question;
+using catalogue::Verdict;
 
 /// The decision by the oracle's second method, where it has one.
 std::string second_truth(const Operation& operation, const Question& question) {
@@ -48,7 +48,7 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
   for (std::uint64_t number = 0; number < asked; ++number, index += index < all - step ? step : step - all) {
     Question question = operation.on_grid(grid.size, index, list_length);
     for (double& number : question.numbers) number += grid.first;
-    const auto shown = [&] { return audit::one_line(operation.print(question)); };
+    const auto shown = [&] { return catalogue::one_line(operation.print(question)); };
     try {
       const auto examination = operation.examine(question);
       ++valid;
@@ -56,10 +56,10 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
       const std::string second = second_truth(operation, question);
       if (!second.empty() && second != examination->outcome())
         FAIL_CHECK("the oracle's two methods differ: " << shown());
-      const std::string broken = audit::broken_promise(*examination);
+      const std::string broken = catalogue::broken_promise(*examination);
       if (!broken.empty()) FAIL_CHECK(broken << ": " << shown());
       if (number % grid.every != 0) continue;
-      const std::string refused = audit::certificate_complaint(*examination);
+      const std::string refused = catalogue::certificate_complaint(*examination);
       if (!refused.empty()) FAIL_CHECK(refused << ": " << shown());
     } catch (const InvalidInput&) {
       const std::string mismatch = operation.refusal_mismatch(question);

@@ -33,7 +33,7 @@ std::set<std::string> possible_outcomes(const Operation& operation) {
 }
 
 /// The stages of the answer or, where robust tells the stage of the decision alone, of the decision.
-const audit::StageFunctions& told_stages(const audit::RowFunctions& row) {
+const catalogue::StageFunctions& told_stages(const catalogue::RowFunctions& row) {
   return row.stages.decided_by != nullptr ? row.stages : row.decision_stages;
 }
 
@@ -53,7 +53,7 @@ struct Reached {
 
   /// A line of the ledger.
   std::string line(const std::string& family) const {
-    audit::Json line = {{"family", family}};
+    catalogue::Json line = {{"family", family}};
     if (!outcomes.empty()) line["outcomes"] = outcomes;
     for (const Stage stage : stages) line["stages"].push_back(name_of(stage));
     if (!refused.empty()) line["refused"] = refused;
@@ -64,11 +64,11 @@ struct Reached {
 Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
   const auto decided_by = told_stages(operation.row()).decided_by;
-  const std::uint64_t cases = operation.card().price == audit::Price::thin ? drawn : drawn_dear;
+  const std::uint64_t cases = operation.card().price == catalogue::Price::thin ? drawn : drawn_dear;
   std::uint64_t numbers = 0;
   for (std::uint64_t i = 0; i < cases && numbers < most_numbers; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, operation.families()[family].c_str(), i));
-    const audit::Question question = operation.draw(choices, family);
+    Choices choices = Choices::seeded(catalogue::seed_of(1, operation.families()[family].c_str(), i));
+    const catalogue::Question question = operation.draw(choices, family);
     numbers += question.numbers.size();
     try {
       reached.outcomes.insert(operation.examine(question)->outcome());

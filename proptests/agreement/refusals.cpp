@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "catalogue/families/not_finite.h"
+#include "catalogue/operation/not_finite.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
@@ -16,7 +16,7 @@ constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The path of the number at a place of the question, found by printing a question that has only that number:
 /// "a[0][1]".
-std::string path_of_mark(const audit::Json& value, const std::string& path, double mark) {
+std::string path_of_mark(const catalogue::Json& value, const std::string& path, double mark) {
   if (value.is_number()) return value.get<double>() == mark ? path : "";
   std::string found;
   if (value.is_array()) {
@@ -43,7 +43,7 @@ std::string refusal_by_oracle(const Operation& operation, const Question& questi
 /// How oracle and robust answer otherwise than with `expected` where number i of a question is not finite.
 std::string unlike(const std::string& expected, const Operation& operation, const Question& question, std::size_t i) {
   for (const double bad : {infinity, -infinity, not_a_number, -not_a_number}) {
-    const Question asked = audit::with_not_finite(operation, question, i, bad);
+    const Question asked = catalogue::with_not_finite(operation, question, i, bad);
     const std::string said = refusal_by_oracle(operation, asked);
     if (said != expected) return "the oracle says " + said;
     for (std::size_t environment = 0; environment < environment_count; ++environment) {
@@ -85,7 +85,7 @@ EACH_OPERATION("of several numbers that are not finite the first is named, and b
           }
         }
         const std::string mismatch = operation.refusal_mismatch(question);
-        if (!mismatch.empty()) RC_FAIL(mismatch + " " + audit::one_line(operation.print(question)));
+        if (!mismatch.empty()) RC_FAIL(mismatch + " " + catalogue::one_line(operation.print(question)));
         for (std::size_t environment = 1; environment < environment_count; ++environment) {
           RC_ASSERT(robust_bits(operation, question, environment) == robust_bits(operation, question, 0));
         }

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 #include "proptests/robust_bits.h"
 
 // robust_digest [--contracted] [OPERATION]
@@ -16,7 +16,7 @@ namespace touchstone::proptests {
 namespace {
 
 /// Of each family; a dear question is asked less often.
-std::uint64_t asked_of(const audit::Operation& operation) {
+std::uint64_t asked_of(const catalogue::Operation& operation) {
   return std::max<std::uint64_t>(8, 120 / static_cast<std::uint64_t>(operation.card().price));
 }
 
@@ -36,21 +36,22 @@ class Digest {
 };
 
 /// Typed, so that what is inline in robust's headers is compiled here.
-AnswerBits typed_bits(const audit::Operation& operation, const audit::Question& question, std::size_t environment) {
+AnswerBits typed_bits(const catalogue::Operation& operation, const catalogue::Question& question,
+                      std::size_t environment) {
   AnswerBits bits;
-  audit::for_each_row([&]<class Row>() {
+  catalogue::for_each_row([&]<class Row>() {
     if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
   });
   return bits;
 }
 
-void print_digest(const audit::Operation& operation, bool each_question) {
+void print_digest(const catalogue::Operation& operation, bool each_question) {
   Digest of_all;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     const std::string& name = operation.families()[family];
     for (std::uint64_t i = 0; i < asked_of(operation); ++i) {
-      audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, name.c_str(), i));
-      const audit::Question question = operation.draw(choices, family);
+      catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, name.c_str(), i));
+      const catalogue::Question question = operation.draw(choices, family);
       Digest of_one;
       for (std::size_t environment = 0; environment < environment_count; ++environment) {
         const AnswerBits bits = typed_bits(operation, question, environment);
@@ -58,7 +59,7 @@ void print_digest(const audit::Operation& operation, bool each_question) {
       }
       if (!each_question) continue;
       std::printf("%016llx %s\n", static_cast<unsigned long long>(of_one.value()),
-                  audit::one_line(operation.print(question)).c_str());
+                  catalogue::one_line(operation.print(question)).c_str());
     }
   }
   if (!each_question) {
@@ -86,7 +87,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const char* const only = argc > 1 + contracted ? argv[1 + contracted] : nullptr;
-  for (const audit::Operation* operation : audit::catalogue()) {
+  for (const catalogue::Operation* operation : catalogue::all_operations()) {
     if (only == nullptr || operation->name() == only) proptests::print_digest(*operation, only != nullptr);
   }
   return 0;

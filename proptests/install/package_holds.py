@@ -95,7 +95,7 @@ def faults(source, prefix):
 
 def right_listing():
     config = "touchstone-config.cmake touchstone-robust-release.cmake components.cmake".split()
-    include = """geometry/points.h reference/lines/touch.h robust/kernel/staged.h oracle/truth.h catalogue/row.h
+    include = """geometry/points.h reference/lines/touch.h robust/kernel/staged.h oracle/truth.h catalogue/operation/row.h
         audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 int main() {
-  const auto* operation = touchstone::audit::find_operation("orientation");
+  const auto* operation = touchstone::catalogue::find_operation("orientation");
   if (operation == nullptr) return 1;
   std::printf("%s, deck p. %s\n", operation->card().name, operation->card().pages);
   return 0;

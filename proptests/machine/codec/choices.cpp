@@ -4,7 +4,7 @@
 #include <set>
 
 #include "catalogue/families/numbers.h"
-#include "catalogue/families/shrink.h"
+#include "catalogue/operation/shrink.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
@@ -48,11 +48,11 @@ TEST_CASE("choices: below(n) is the draw modulo n, recording or not") {
 
 TEST_CASE("choices: single numbers drawn from a seed") {
   Choices one = Choices::seeded(1), five = Choices::seeded(5), seven = Choices::seeded(7);
-  CHECK(audit::ordinary(one) == -0x1.7484ddbf68cfcp-2);
-  CHECK(audit::small_integer(five) == -5);
-  CHECK(audit::any_finite(seven) == 0x1.be1e459320dd7p+573);
-  CHECK(audit::seed_of(1, "", 0) == 0xdce423fc82c0d5b8u);
-  CHECK(audit::seed_of(1, "orientation/grid", 7) == 0xfe27add3d399d2deu);
+  CHECK(catalogue::ordinary(one) == -0x1.7484ddbf68cfcp-2);
+  CHECK(catalogue::small_integer(five) == -5);
+  CHECK(catalogue::any_finite(seven) == 0x1.be1e459320dd7p+573);
+  CHECK(catalogue::seed_of(1, "", 0) == 0xdce423fc82c0d5b8u);
+  CHECK(catalogue::seed_of(1, "orientation/grid", 7) == 0xfe27add3d399d2deu);
 }
 
 TEST_CASE("choices: a replayed choice takes the least bytes that hold it, little end first; past the end it is 0") {
@@ -70,7 +70,7 @@ TEST_CASE("choices: a replayed choice takes the least bytes that hold it, little
 
 TEST_CASE("choices: below stays below, one_in is its last choice") {
   for (std::uint64_t i = 0; i < 20000; ++i) {
-    Choices outer = Choices::seeded(audit::seed_of(3, "below", i), true);
+    Choices outer = Choices::seeded(catalogue::seed_of(3, "below", i), true);
     const std::uint64_t n = 1 + outer.below(std::uint64_t{1} << (1 + outer.below(60)));
     if (outer.below(n) >= n) FAIL("below(" << n << ")");
   }
@@ -84,27 +84,29 @@ TEST_CASE("choices: below stays below, one_in is its last choice") {
 TEST_CASE("choices: numbers stay in their ranges") {
   std::set<double> small;
   for (std::uint64_t i = 0; i < 20000; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(4, "ranges", i));
-    const double n = audit::integer(choices, 20), x = audit::ordinary(choices), any = audit::any_finite(choices);
+    Choices choices = Choices::seeded(catalogue::seed_of(4, "ranges", i));
+    const double n = catalogue::integer(choices, 20), x = catalogue::ordinary(choices),
+                 any = catalogue::any_finite(choices);
     if (n != std::trunc(n) || std::fabs(n) >= 0x1p20) FAIL("integer " << n);
     if (!(x >= -1 && x < 1) || x * 0x1p52 != std::trunc(x * 0x1p52)) FAIL("ordinary " << x);
-    if (!std::isfinite(any) || !std::isfinite(audit::mixed_exponent(choices)) || !std::isfinite(audit::typed(choices)))
+    if (!std::isfinite(any) || !std::isfinite(catalogue::mixed_exponent(choices)) ||
+        !std::isfinite(catalogue::typed(choices)))
       FAIL("not finite");
-    const double moved = audit::moved_by_ulps(any, 3);
-    if (std::fabs(any) < 1e300 && audit::moved_by_ulps(moved, -3) != any) FAIL("moved " << any);
-    small.insert(audit::small_integer(choices, 2));
+    const double moved = catalogue::moved_by_ulps(any, 3);
+    if (std::fabs(any) < 1e300 && catalogue::moved_by_ulps(moved, -3) != any) FAIL("moved " << any);
+    small.insert(catalogue::small_integer(choices, 2));
   }
   CHECK(small == std::set<double>{-2, -1, 0, 1, 2});
-  CHECK(audit::moved_by_ulps(0, -1) == -5e-324);
-  CHECK(audit::moved_by_ulps(-5e-324, 2) == 5e-324);
-  CHECK(audit::moved_by_ulps(0x1.fffffffffffffp+1023, 5) == 0x1.fffffffffffffp+1023);
+  CHECK(catalogue::moved_by_ulps(0, -1) == -5e-324);
+  CHECK(catalogue::moved_by_ulps(-5e-324, 2) == 5e-324);
+  CHECK(catalogue::moved_by_ulps(0x1.fffffffffffffp+1023, 5) == 0x1.fffffffffffffp+1023);
 }
 
 EACH_OPERATION("recorded bytes replay to the same question, and recording changes nothing") {
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     INFO(operation.families()[family]);
     for (std::uint64_t i = 0; i < 200; ++i) {
-      const std::uint64_t seed = audit::seed_of(5, operation.families()[family].c_str(), i);
+      const std::uint64_t seed = catalogue::seed_of(5, operation.families()[family].c_str(), i);
       Choices plain = Choices::seeded(seed);
       const Drawn drawn = recorded(operation, family, seed);
       const auto bits = bits_of(drawn.question);
@@ -120,7 +122,7 @@ EACH_OPERATION("any bytes give finite numbers in every family, and no bytes the 
     const Question none = replayed(operation, family, {}).question;
     CHECK(bits_of(none) == bits_of(replayed(operation, family, Bytes(200, 0)).question));
     for (std::uint64_t i = 0; i < 50; ++i) {
-      Choices choices = Choices::seeded(audit::seed_of(6, "bytes", i));
+      Choices choices = Choices::seeded(catalogue::seed_of(6, "bytes", i));
       Bytes bytes(choices.below(40));
       for (auto& byte : bytes) byte = static_cast<std::uint8_t>(choices.below(256));
       const Question question = replayed(operation, family, bytes).question;
@@ -135,7 +137,7 @@ EACH_OPERATION("any bytes give finite numbers in every family, and no bytes the 
 }
 
 TEST_CASE("shrinking: the predicate holds of the result, which is the simplest of its kind") {
-  using audit::shrunk;
+  using catalogue::shrunk;
   CHECK(shrunk({7, 200, 3, 40}, [](const Bytes&) { return true; }) == Bytes{});
   CHECK(shrunk({7, 200, 3, 40}, [](const Bytes& b) {
           return std::any_of(b.begin(), b.end(), [](int x) { return x >= 10; });
@@ -151,10 +153,10 @@ TEST_CASE("shrinking: it asks no more often than its budget, and the same questi
   for (const int budget : {0, 1, 7, 50}) {
     int asked = 0;
     const auto big = [&](const Bytes& b) { return ++asked, b.size() >= 2 && b[0] + b[1] > 100; };
-    const Bytes first = audit::shrunk(Bytes(60, 255), big, budget);
+    const Bytes first = catalogue::shrunk(Bytes(60, 255), big, budget);
     CHECK(asked <= budget);
     CHECK(big(first));
-    CHECK(audit::shrunk(Bytes(60, 255), big, budget) == first);
+    CHECK(catalogue::shrunk(Bytes(60, 255), big, budget) == first);
   }
 }
 
@@ -169,7 +171,7 @@ EACH_OPERATION("a shrunk question stays in its family: a refused or degenerate o
       return false;
     }
   };
-  const Bytes end = audit::shrunk(start.choices, same_outcome);
+  const Bytes end = catalogue::shrunk(start.choices, same_outcome);
   CHECK(same_outcome(end));
   CHECK(end.size() <= start.choices.size());
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 
 namespace touchstone::audit {

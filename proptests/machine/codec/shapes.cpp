@@ -9,7 +9,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Json;
+using catalogue::Json;
 
 std::vector<std::uint64_t> bits_of(const Question& question) {
   std::vector<std::uint64_t> bits(question.words.begin(), question.words.end());
@@ -18,7 +18,7 @@ std::vector<std::uint64_t> bits_of(const Question& question) {
 }
 
 Question read_again(const Operation& operation, const Json& printed) {
-  return operation.parse(audit::parse_line(audit::one_line(printed)));
+  return operation.parse(catalogue::parse_line(catalogue::one_line(printed)));
 }
 
 std::string refusal(const Operation& operation, const Json& input) {
@@ -33,7 +33,7 @@ std::string refusal(const Operation& operation, const Json& input) {
 /// Every value inside a document, with its path as refusals spell it.
 void for_each_value(Json& value, const std::string& path, const std::function<void(Json&, const std::string&)>& visit) {
   if (value.is_object()) {
-    for (auto& [key, part] : value.items()) for_each_value(part, audit::member_path(path, key.c_str()), visit);
+    for (auto& [key, part] : value.items()) for_each_value(part, catalogue::member_path(path, key.c_str()), visit);
   } else if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i)
       for_each_value(value[i], path + "[" + std::to_string(i) + "]", visit);
@@ -51,8 +51,8 @@ Json simplest(const Operation& operation) {
 /// Those that the simplest question leaves out.
 std::size_t optional_fields(const Operation& operation) {
   const auto& parts = operation.question_shape().parts;
-  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [](const audit::Shape::Part& part) {
-    return part.shape->kind == audit::Shape::Kind::optional;
+  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [](const catalogue::Shape::Part& part) {
+    return part.shape->kind == catalogue::Shape::Kind::optional;
   }));
 }
 
@@ -64,7 +64,7 @@ void with_each_changed(const Operation& operation, const std::function<bool(Json
   for_each_value(document, "", [&](Json& value, const std::string& path) {
     const Json before = value;
     if (!change(value)) return;
-    INFO(audit::one_line(document));
+    INFO(catalogue::one_line(document));
     test(document, path), ++tests;
     value = before;
   });
@@ -79,8 +79,8 @@ EACH_OPERATION("a question of any family reads back from its decimals and from i
       [&](const Question& question) -> std::string {
         const auto bits = bits_of(question);
         // An empty list is one of points of the plane as well as of space.
-        if (operation.question_shape().kind == audit::Shape::Kind::choice &&
-            audit::one_line(operation.print(question)).find("[]") != std::string::npos)
+        if (operation.question_shape().kind == catalogue::Shape::Kind::choice &&
+            catalogue::one_line(operation.print(question)).find("[]") != std::string::npos)
           return "";
         if (bits_of(read_again(operation, operation.print(question))) != bits)
           return "the decimals are another question";
@@ -92,22 +92,24 @@ EACH_OPERATION("a question of any family reads back from its decimals and from i
 }
 
 EACH_OPERATION("an answer reads back, infinities too") {
-  const audit::Shape& shape = operation.answer_shape();
+  const catalogue::Shape& shape = operation.answer_shape();
   never(
       operation, "answers read back",
       [&](const Question& question) -> std::string {
-        audit::Tape<double> answer, again;
+        catalogue::Tape<double> answer, again;
         try {
           answer = operation.row().robust(question, 0);
         } catch (const InvalidInput&) {
           return "";
         }
-        const Json json = audit::json_of<double>(shape, answer, [](const double& n) { return audit::written(n); });
-        audit::read_json<double>(shape, audit::parse_line(audit::one_line(Json{{"answer", json}}))["answer"], "answer",
-                                 again, audit::read_answer_number);
+        const Json json =
+            catalogue::json_of<double>(shape, answer, [](const double& n) { return catalogue::written(n); });
+        catalogue::read_json<double>(shape,
+                                     catalogue::parse_line(catalogue::one_line(Json{{"answer", json}}))["answer"],
+                                     "answer", again, catalogue::read_answer_number);
         return bits_of(answer) == bits_of(again) && answer.words == again.words
                    ? ""
-                   : "another answer: " + audit::one_line(json);
+                   : "another answer: " + catalogue::one_line(json);
       },
       4);
 }
@@ -120,7 +122,7 @@ EACH_OPERATION("a missing field is named") {
     const Json before = value;
     for (const auto& [key, part] : before.items()) {
       value.erase(key);
-      CHECK(refusal(operation, document) == audit::member_path(path, key.c_str()) + ": missing");
+      CHECK(refusal(operation, document) == catalogue::member_path(path, key.c_str()) + ": missing");
       value = before, ++fields;
     }
   });
@@ -132,7 +134,7 @@ EACH_OPERATION("a field that is not known is named") {
       operation, [](Json& value) { return value.is_object() ? (value["stranger"] = 1, true) : false; },
       [&](const Json& document, const std::string& path) {
         CHECK_THAT(refusal(operation, document),
-                   StartsWith(audit::member_path(path, "stranger") + ": no such field; expected "));
+                   StartsWith(catalogue::member_path(path, "stranger") + ": no such field; expected "));
       });
 }
 
@@ -153,7 +155,7 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
   };
   // Where the same field is read in the plane and in space, what is of neither size is refused as either.
   const bool ambiguous =
-      operation.question_shape().kind == audit::Shape::Kind::choice && operation.card().other_fields.empty();
+      operation.question_shape().kind == catalogue::Shape::Kind::choice && operation.card().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
     // The only arrays of three vectors that are no lists.
     if (path.ends_with("half_axes") || path.ends_with("inertia")) rule = ": expected an array of 3";
@@ -198,8 +200,9 @@ TEST_CASE("words: an answer's word is one of its enumeration's, letter by letter
   const auto side = [](const char* json) -> std::string {
     Side read{};
     try {
-      audit::read(audit::parse_line(std::string("{\"side\":") + json + "}")["side"], "side", read, audit::read_double);
-      return audit::Words<Side>::words[static_cast<std::size_t>(read)];
+      catalogue::read(catalogue::parse_line(std::string("{\"side\":") + json + "}")["side"], "side", read,
+                      catalogue::read_double);
+      return catalogue::Words<Side>::words[static_cast<std::size_t>(read)];
     } catch (const InvalidInput& refused) {
       return refused.what();
     }

@@ -29,7 +29,7 @@ std::string block_of(const std::string& file, const std::string& language) {
 
 void require_answers(const std::string& command, const std::vector<std::string>& operations) {
   const auto engine = pipe_engine(command, 60);
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const auto found = std::find(operations.begin(), operations.end(), operation->name());
     INFO(operation->name());
     REQUIRE(engine->supports(operation->name()) == (found != operations.end()));
@@ -72,7 +72,7 @@ TEST_CASE("documented: docs/engines.md lists what every operation is given and a
     return text;
   };
   const std::string page = without(text_of("docs/engines.md"), " \\");
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const Json described = operation->question_description();
     std::string inputs;
     for (const Json& input : described.is_array() ? described : Json::array({described}))
@@ -117,7 +117,7 @@ SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b); 
       "Vector3<double> reflect_wall(Vector3<double> velocity, Axis axis);\n",
       "all_pairs(std::vector<Sphere3<double>> spheres);\n"};
   for (const std::string& section : sections) CHECK_THAT(page, ContainsSubstring(section));
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const bool listed = page.find("\n### `" + operation->name() + "`\n") != std::string::npos;
     CHECK(listed != operation->card().is_method());
   }

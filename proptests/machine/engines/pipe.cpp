@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 #include "proptests/catch.h"
 
 using namespace touchstone::audit;

@@ -20,7 +20,7 @@ bool same_bits(const Question& a, const Question& b) {
 
 TEST_CASE(
     "question text: what is written reads back to the bit, here and by the codec, in every family of every operation") {
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     const QuestionText text(*operation);
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < 200; ++i) {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "catalogue/families/numbers.h"
-#include "catalogue/judge/exact.h"
-#include "catalogue/judge/tracked.h"
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/exact.h"
+#include "catalogue/numbers/tracked.h"
+#include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 
 /// The two number types in which the judge runs the slides' formulas again.

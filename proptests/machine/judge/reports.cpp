@@ -9,7 +9,7 @@
 
 #include "audit/audit_run.h"
 #include "audit/tally_json.h"
-#include "catalogue/judge/ulps.h"
+#include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 #include "report/html.h"
 #include "report/palette.h"
@@ -176,7 +176,7 @@ TEST_CASE("reports: the worst distance is the same number in every shard and eve
 }
 
 TEST_CASE("reports: a failure map names the two numbers that it moves") {
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     if (operation->map_centre().numbers.empty()) continue;
     const MapGrid grid = map_grid(*operation);
     INFO(operation->name() << ": " << grid.fields.first << ", " << grid.fields.second);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/judge/sensitivity.h"
+#include "catalogue/operation/sensitivity.h"
 
 #include <cmath>
 
@@ -8,9 +8,9 @@
 namespace touchstone::proptests {
 namespace {
 
-std::vector<audit::Sensitivity> asked(const char* operation, const char* input) {
-  const audit::Operation& known = *audit::find_operation(operation);
-  return audit::sensitivities(known, known.parse(audit::parse_line(input)));
+std::vector<catalogue::Sensitivity> asked(const char* operation, const char* input) {
+  const catalogue::Operation& known = *catalogue::find_operation(operation);
+  return catalogue::sensitivities(known, known.parse(catalogue::parse_line(input)));
 }
 
 /// A slope is off by 2^-21: two doubles are rounded, and their difference is taken over 2^-32. What bends adds less,

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
 #include "oracle/certificates/check.h"
 #include "proptests/catch.h"
 
@@ -62,7 +62,7 @@ TEST_CASE("certificates: a claim without one of its four fields is refused") {
 
 TEST_CASE("certificates: no other word is accepted in place of the truth's") {
   json words = json::array();
-  for (const touchstone::audit::Operation* operation : touchstone::audit::catalogue()) {
+  for (const touchstone::catalogue::Operation* operation : touchstone::catalogue::all_operations()) {
     for (const std::string& word : operation->words()) words.push_back(word);
   }
   std::size_t replaced = 0;

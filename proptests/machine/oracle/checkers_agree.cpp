@@ -9,7 +9,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 using nlohmann::json;
 
 const char* const script = "proptests/machine/oracle/checkers_agree.py ";
@@ -232,7 +232,7 @@ TEST_CASE("certificates: both checkers accept what the oracle claims") {
 
 TEST_CASE("certificates: both checkers refuse another truth, for the same reason") {
   Shown shown;
-  Choices choices = Choices::seeded(audit::seed_of(1, "other truths", 0));
+  Choices choices = Choices::seeded(catalogue::seed_of(1, "other truths", 0));
   for (const json& claim : drawn_claims("other truths", 3)) {
     // Of a grown ball a claim proves that it holds every point and is not too large; so may be another.
     if (claim["certificate"]["kind"] == "lower_bound") continue;

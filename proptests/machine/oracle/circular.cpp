@@ -16,7 +16,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 using oracle::Enclosure;
 using oracle::Integer;
 using oracle::Rational;
@@ -58,7 +58,7 @@ TEST_CASE(
   Choices choices = Choices::seeded(20240604);
   int wrong = 0;
   for (int i = 0; i < 1500; ++i) {
-    double u = choices.below(2) == 0 ? audit::ordinary(choices) : audit::mixed_exponent(choices);
+    double u = choices.below(2) == 0 ? catalogue::ordinary(choices) : catalogue::mixed_exponent(choices);
     if (u == 0) u = 1;
     const Rational third(oracle::exact(u) / 3);
     wrong += !enclosed(u) + !enclosed(third);
@@ -99,7 +99,7 @@ TEST_CASE("quarter turns: what is left is less than 0.8") {
   const int bits = 2200;
   const Rational half_pi = oracle::scaled(pi(bits), -bits - 1);
   for (int i = 0; i < 2000; ++i) {
-    const double u = choices.below(2) == 0 ? audit::any_finite(choices) : 100 * audit::ordinary(choices);
+    const double u = choices.below(2) == 0 ? catalogue::any_finite(choices) : 100 * catalogue::ordinary(choices);
     const Rational rest(oracle::exact(u) - Rational(oracle::quarter_turns(u)) * half_pi);
     CHECK(abs(rest) < Rational(4, 5));
   }
@@ -110,14 +110,14 @@ TEST_CASE("certificates: no enclosure of a sine or cosine is accepted that leave
   mpfr_init2(angle, 53), mpfr_inits2(2600, sine, cosine, static_cast<mpfr_ptr>(nullptr));
   int accepted_wrongly = 0, accepted = 0;
   for (std::uint64_t i = 0; i < 1500; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, "sharp enclosures", i));
-    const double u = choices.below(2) == 0 ? audit::ordinary(choices) * 100 : audit::mixed_exponent(choices);
+    Choices choices = Choices::seeded(catalogue::seed_of(1, "sharp enclosures", i));
+    const double u = choices.below(2) == 0 ? catalogue::ordinary(choices) * 100 : catalogue::mixed_exponent(choices);
     if (u == 0) continue;
     const auto bits = static_cast<unsigned long>(4 + choices.below(200));
     mpfr_set_d(angle, u, MPFR_RNDN);
     mpfr_sin_cos(sine, cosine, angle, MPFR_RNDN);
     nlohmann::json claim{{"op", "parametric_circle"}, {"truth", {{"point", {"1", "1"}}}}};
-    claim["input"] = {{"circle", {{"center", {0, 0}}, {"radius", 1}}}, {"u", audit::hexadecimal(u)}};
+    claim["input"] = {{"circle", {{"center", {0, 0}}, {"radius", 1}}}, {"u", catalogue::hexadecimal(u)}};
     claim["certificate"] = {{"kind", "enclosure"},
                             {"cosine", {"-2", "2"}},
                             {"sine", {"-2", "2"}},

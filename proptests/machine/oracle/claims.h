@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "catalogue/codec/json.h"
-#include "catalogue/explained.h"
+#include "catalogue/operation/explained.h"
 #include "proptests/catch.h"
 
 /// The oracle's own claims as text, and programs in Python that judge them.
@@ -21,15 +21,15 @@ namespace touchstone::proptests {
 /// family of every operation.
 inline std::vector<nlohmann::json> drawn_claims(const char* stream, std::uint64_t each) {
   std::vector<nlohmann::json> claims;
-  for (const audit::Operation* operation : audit::catalogue()) {
+  for (const catalogue::Operation* operation : catalogue::all_operations()) {
     if (operation->card().is_method()) continue;
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < each; ++i) {
-        audit::Choices choices = audit::Choices::seeded(audit::seed_of(family, stream, i));
-        const audit::Question question = operation->draw(choices, family);
+        catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(family, stream, i));
+        const catalogue::Question question = operation->draw(choices, family);
         try {
           const auto examination = operation->examine(question);
-          auto claim = audit::claim_of(*examination);
+          auto claim = catalogue::claim_of(*examination);
           if (examination->margin()) claim["margin"] = examination->margin()->get_str();
           claim["input"] = nlohmann::json::parse(operation->print_hexadecimal(question).dump());
           claims.push_back(std::move(claim));

@@ -15,7 +15,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices, audit::Environment, audit::environment_count;
+using catalogue::Choices, catalogue::Environment, catalogue::environment_count;
 using oracle::Integer;
 using oracle::Rational;
 
@@ -38,7 +38,7 @@ Rational times_power(const Rational& value, int exponent) { return oracle::scale
 
 /// A double, halfway between two, close to halfway, a quotient, or far outside of the range.
 Rational drawn(Choices& choices) {
-  const double some = choices.below(2) == 0 ? audit::any_finite(choices) : audit::mixed_exponent(choices);
+  const double some = choices.below(2) == 0 ? catalogue::any_finite(choices) : catalogue::mixed_exponent(choices);
   const Rational value = oracle::exact(some), ulp = times_power(Rational(1), oracle::ulp_exponent(value));
   switch (choices.below(7)) {
     case 0: return value;

@@ -3,14 +3,14 @@
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
-#include "catalogue/response/simultaneous_collisions.h"
+#include "catalogue/rows/response/simultaneous_collisions.h"
 #include "proptests/catch.h"
 
 // CGAL as second opinion: of the velocities themselves, where the oracle looks for impulses.
 namespace touchstone {
 namespace {
 
-using Row = audit::rows::simultaneous_collisions;
+using Row = catalogue::rows::simultaneous_collisions;
 using oracle::Rational;
 
 CGAL::Gmpq for_cgal(const Rational& number) { return CGAL::Gmpq(number.get_mpq_t()); }
@@ -76,11 +76,11 @@ TEST_CASE("quadratic programs: CGAL finds the velocities of simultaneous_collisi
   std::size_t possible = 0, impossible = 0;
   for (const auto& family : Row::hard_cases()) {
     for (std::uint64_t i = 0; i < 40; ++i) {
-      audit::Choices choices = audit::Choices::seeded(audit::seed_of(1, family.name.c_str(), i));
+      catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, family.name.c_str(), i));
       const Row::Question question = family.draw(choices);
       const auto found = [&]() -> std::optional<SimultaneousVelocities<Rational>> {
         try {
-          return audit::ask_oracle<Row>(question).answer;
+          return catalogue::ask_oracle<Row>(question).answer;
         } catch (const InvalidInput&) {
           return std::nullopt;
         }

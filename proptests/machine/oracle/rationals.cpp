@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <array>
 
-#include "catalogue/lines/implicit_circle.h"
-#include "catalogue/lines/line_line.h"
-#include "catalogue/lines/line_point_at.h"
-#include "catalogue/lines/orientation.h"
-#include "catalogue/lines/parametric_circle.h"
-#include "catalogue/lines/point_on_segment.h"
-#include "catalogue/lines/ray_segment.h"
-#include "catalogue/lines/segment_segment.h"
-#include "catalogue/operation.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/rows/lines/implicit_circle.h"
+#include "catalogue/rows/lines/line_line.h"
+#include "catalogue/rows/lines/line_point_at.h"
+#include "catalogue/rows/lines/orientation.h"
+#include "catalogue/rows/lines/parametric_circle.h"
+#include "catalogue/rows/lines/point_on_segment.h"
+#include "catalogue/rows/lines/ray_segment.h"
+#include "catalogue/rows/lines/segment_segment.h"
 #include "oracle/exact/decode.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/lines/explicit_line.h"
@@ -18,7 +18,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 using oracle::Rational;
 using Segment = Segment2<Rational>;
 using Line = Line2<Rational>;
@@ -26,19 +26,19 @@ using Ray = Ray2<Rational>;
 using Circle = Circle2<Rational>;
 
 template <class Row>
-using Rationals = audit::rebound_t<typename Row::Question, Rational>;
+using Rationals = catalogue::rebound_t<typename Row::Question, Rational>;
 
 template <class Row>
 Rationals<Row> exactly(const typename Row::Question& question) {
-  return audit::converted<Rational>(question, [](double number) { return oracle::exact(number); });
+  return catalogue::converted<Rational>(question, [](double number) { return oracle::exact(number); });
 }
 
 /// The truth, its margin, or the refusal, in words.
 template <class Row, class Question>
 std::string said(const Question& question) {
   try {
-    const auto truth = audit::ask_oracle<Row>(question);
-    return audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str();
+    const auto truth = catalogue::ask_oracle<Row>(question);
+    return catalogue::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str();
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
@@ -55,7 +55,7 @@ bool as_close_as_promised(const Rational& one, const Rational& other) {
 }
 
 bool same_circle_point(const Circle2d& circle, double u) {
-  const auto exact_circle = audit::converted<Rational>(circle, [](double number) { return oracle::exact(number); });
+  const auto exact_circle = catalogue::converted<Rational>(circle, [](double number) { return oracle::exact(number); });
   const auto doubles = oracle::parametric_circle(circle, u);
   const auto rationals = oracle::parametric_circle(exact_circle, oracle::exact(u));
   return as_close_as_promised(doubles.answer.x, rationals.answer.x) &&
@@ -102,13 +102,13 @@ std::string refusal(const Ask& ask) {
 }  // namespace
 
 TEST_CASE("rationals: the truth for doubles and for the rationals that they are is one truth") {
-  for (const audit::Operation* operation : audit::catalogue()) {
-    const audit::RowFunctions& row = operation->row();
+  for (const catalogue::Operation* operation : catalogue::all_operations()) {
+    const catalogue::RowFunctions& row = operation->row();
     if (row.solve_as_typed == nullptr) continue;
     const auto said = [&](const auto& solve) -> std::string {
       try {
-        const audit::Solution solution = solve();
-        return audit::one_line(operation->answer_json(solution.answer)) + ", margin " +
+        const catalogue::Solution solution = solve();
+        return catalogue::one_line(operation->answer_json(solution.answer)) + ", margin " +
                (solution.margin ? solution.margin->get_str() : "none");
       } catch (const InvalidInput& refused) {
         return refused.what();
@@ -117,15 +117,16 @@ TEST_CASE("rationals: the truth for doubles and for the rationals that they are 
     int different = 0;
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < 40; ++i) {
-        Choices choices = Choices::seeded(audit::seed_of(i, "rationals", family));
-        const audit::Question question = operation->draw(choices, family);
-        const auto exactly = audit::tape_with<Rational>(question, [](double number) { return oracle::exact(number); });
+        Choices choices = Choices::seeded(catalogue::seed_of(i, "rationals", family));
+        const catalogue::Question question = operation->draw(choices, family);
+        const auto exactly =
+            catalogue::tape_with<Rational>(question, [](double number) { return oracle::exact(number); });
         const std::string by_doubles = said([&] { return row.solve(question); }),
                           by_rationals = said([&] { return row.solve_as_typed(exactly); });
         if (by_doubles == by_rationals) continue;
         if (operation->name() == std::string("parametric_circle")) {
-          using Asked = audit::rows::parametric_circle::Question;
-          if (std::apply(same_circle_point, audit::unpacked<Asked>(question))) continue;
+          using Asked = catalogue::rows::parametric_circle::Question;
+          if (std::apply(same_circle_point, catalogue::unpacked<Asked>(question))) continue;
         }
         ++different;
         CAPTURE(operation->name(), operation->families()[family], i, by_doubles, by_rationals);
@@ -136,20 +137,22 @@ TEST_CASE("rationals: the truth for doubles and for the rationals that they are 
 }
 
 TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point and a ninth of the margin", "",
-                   audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line,
-                   audit::rows::segment_segment, audit::rows::ray_segment, audit::rows::orientation) {
+                   catalogue::rows::implicit_circle, catalogue::rows::point_on_segment, catalogue::rows::line_line,
+                   catalogue::rows::segment_segment, catalogue::rows::ray_segment, catalogue::rows::orientation) {
   const Rational third(1, 3);
-  const audit::Operation& operation = audit::operation_of_row<TestType>();
+  const catalogue::Operation& operation = catalogue::operation_of_row<TestType>();
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     for (std::uint64_t i = 0; i < 20; ++i) {
-      Choices choices = Choices::seeded(audit::seed_of(i, "thirds", family));
+      Choices choices = Choices::seeded(catalogue::seed_of(i, "thirds", family));
       const auto question =
-          exactly<TestType>(audit::unpacked<typename TestType::Question>(operation.draw(choices, family)));
-      const auto smaller = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
+          exactly<TestType>(catalogue::unpacked<typename TestType::Question>(operation.draw(choices, family)));
+      const auto smaller =
+          catalogue::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
       try {
-        auto truth = audit::ask_oracle<TestType>(question);
+        auto truth = catalogue::ask_oracle<TestType>(question);
         truth.answer = enlarged(truth.answer, third), *truth.margin /= 9;
-        CHECK(said<TestType>(smaller) == audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str());
+        CHECK(said<TestType>(smaller) ==
+              catalogue::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str());
       } catch (const InvalidInput& refused) {
         CHECK(said<TestType>(smaller) == refused.what());
       }
@@ -159,13 +162,13 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
 
 TEMPLATE_TEST_CASE(
     "rationals: where whole numbers stop to fit machine words, a large factor changes nothing but the size", "",
-    audit::rows::implicit_circle, audit::rows::point_on_segment, audit::rows::line_line, audit::rows::segment_segment,
-    audit::rows::ray_segment, audit::rows::orientation) {
+    catalogue::rows::implicit_circle, catalogue::rows::point_on_segment, catalogue::rows::line_line,
+    catalogue::rows::segment_segment, catalogue::rows::ray_segment, catalogue::rows::orientation) {
   const Rational factor((mpz_class(1) << 89) - 1);  // a prime: there is no common factor to take out again
   const typename TestType::Question shape{};
   int different = 0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(i, "words", 0));
+    Choices choices = Choices::seeded(catalogue::seed_of(i, "words", 0));
     // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere
     // within.
     const unsigned long bits = 58 + choices.below(8);
@@ -175,16 +178,17 @@ TEMPLATE_TEST_CASE(
       value -= choices.below(3) != 0 ? mpz_class(static_cast<unsigned long>(choices.below(4)))
                                      : mpz_class(static_cast<unsigned long>(choices.any_bits() >> 2)) % value;
     }
-    const auto question = audit::converted<Rational>(shape, [&](double) {
+    const auto question = catalogue::converted<Rational>(shape, [&](double) {
       const mpz_class& value = values[choices.below(4)];
       return Rational(choices.below(2) == 0 ? value : mpz_class(-value));
     });
-    const auto larger = audit::converted<Rational>(question, [&](const Rational& n) { return Rational(n * factor); });
+    const auto larger =
+        catalogue::converted<Rational>(question, [&](const Rational& n) { return Rational(n * factor); });
     try {
-      auto truth = audit::ask_oracle<TestType>(question);
+      auto truth = catalogue::ask_oracle<TestType>(question);
       truth.answer = enlarged(truth.answer, factor), *truth.margin *= factor * factor;
       different +=
-          said<TestType>(larger) != audit::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str();
+          said<TestType>(larger) != catalogue::to_json(truth.answer).dump() + ", margin " + truth.margin->get_str();
     } catch (const InvalidInput& refused) {
       different += said<TestType>(larger) != refused.what();
     }

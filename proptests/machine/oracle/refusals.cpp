@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "catalogue/lines/implicit_circle.h"
-#include "catalogue/lines/line_line.h"
-#include "catalogue/lines/line_point_at.h"
-#include "catalogue/lines/parametric_circle.h"
-#include "catalogue/lines/ray_segment.h"
+#include "catalogue/rows/lines/implicit_circle.h"
+#include "catalogue/rows/lines/line_line.h"
+#include "catalogue/rows/lines/line_point_at.h"
+#include "catalogue/rows/lines/parametric_circle.h"
+#include "catalogue/rows/lines/ray_segment.h"
 #include "proptests/catch.h"
 
 namespace touchstone::proptests {
@@ -14,7 +14,7 @@ namespace {
 template <class Row, class Question>
 std::string refusal(const Question& question) {
   try {
-    audit::ask_oracle<Row>(question);
+    catalogue::ask_oracle<Row>(question);
     return "answered";
   } catch (const InvalidInput& refused) {
     return refused.what();
@@ -29,7 +29,7 @@ TEST_CASE("truth: shapes without a meaning are refused by field and rule") {
   const auto refused = []<class Row>(const Row&, const typename Row::Question& question) {
     return refusal<Row>(question);
   };
-  using namespace audit::rows;
+  using namespace catalogue::rows;
   CHECK(refused(line_line{}, {{p, p}, {p, p}}) == "a: two distinct points");
   CHECK(refused(line_line{}, {{p, {0, 0}}, {{0.0, 1}, {-0.0, 1}}}) == "b: two distinct points");
   CHECK(refused(ray_segment{}, {{p, {0.0, -0.0}}, s}) == "ray.direction: nonzero direction");

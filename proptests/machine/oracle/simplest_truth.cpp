@@ -10,7 +10,7 @@ const char* const script = "proptests/machine/oracle/simplest_truth.py ";
 /// One {"name", "words"} a line; a method answers the question of another operation.
 std::vector<std::string> listed_operations() {
   std::vector<std::string> lines;
-  for (const audit::Operation* operation : audit::catalogue()) {
+  for (const catalogue::Operation* operation : catalogue::all_operations()) {
     if (operation->card().is_method()) continue;
     lines.push_back(nlohmann::json{{"name", operation->name()}, {"words", operation->words()}}.dump());
   }

@@ -19,7 +19,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 using oracle::Integer, oracle::Rational, oracle::Surd, oracle::surd_of;
 
 constexpr int digits = 6000;
@@ -75,7 +75,7 @@ Integer random_integer(Choices& choices, int most_bits) {
 }
 
 Rational small_fraction(Choices& choices, int most) {
-  const double n = audit::small_integer(choices, most);
+  const double n = catalogue::small_integer(choices, most);
   Rational q(static_cast<long>(n), 1 + static_cast<long>(choices.below(12)));
   q.canonicalize();
   return q;
@@ -97,7 +97,7 @@ Parts large(Choices& choices) {
   Integer s = choices.below(4) == 0 ? Integer(static_cast<long>(choices.below(31))) : random_integer(choices, 400);
   const Integer d = random_integer(choices, 200) + 1;
   if (choices.below(4) == 0) s = s * s;
-  if (choices.below(3) == 0) s = abs(Integer(a * a + static_cast<long>(audit::small_integer(choices, 2))));
+  if (choices.below(3) == 0) s = abs(Integer(a * a + static_cast<long>(catalogue::small_integer(choices, 2))));
   if (choices.below(2) == 1) a = -a;
   const int e =
       choices.below(3) == 0 ? static_cast<int>(choices.below(2400)) - 1250 : static_cast<int>(choices.below(120)) - 60;
@@ -111,7 +111,7 @@ template <class Check>
 void cases(const char* name, int count, const Check& check) {
   int wrong = 0;
   for (int i = 0; i < count; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, name, static_cast<std::uint64_t>(i)));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, name, static_cast<std::uint64_t>(i)));
     if (!check(choices) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
   }
   CHECK(wrong == 0);

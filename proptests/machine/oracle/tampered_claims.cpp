@@ -11,7 +11,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 using nlohmann::json;
 
 /// The true claims of every file, by operation. The test program runs in the source folder.
@@ -90,7 +90,7 @@ TEST_CASE("certificates: written claims made malformed are refused, and of alter
 
 TEST_CASE("certificates: drawn claims made malformed are refused, and of altered ones both checkers say the same") {
   Verdicts verdicts;
-  Choices choices = Choices::seeded(audit::seed_of(1, "tampered", 0));
+  Choices choices = Choices::seeded(catalogue::seed_of(1, "tampered", 0));
   const auto by_operation = tamperings(written_claims());
   for (const json& claim : drawn_claims("tampered", 2)) {
     const Tampering& tampering = by_operation.at(claim["op"]);

@@ -11,7 +11,7 @@ namespace touchstone::proptests {
 namespace {
 
 using namespace oracle;
-using audit::Choices;
+using catalogue::Choices;
 
 /// Every pair of segments with all ends on a side x side grid of integers.
 long differences(int side, long (&seen)[3]) {

@@ -11,7 +11,7 @@ namespace touchstone::proptests {
 namespace {
 
 using namespace oracle;
-using audit::Choices;
+using catalogue::Choices;
 
 /// At most so many bits, often at one end of them or next to a power of two.
 Int128 drawn(Choices& choices, int bits) {

@@ -15,11 +15,11 @@
 #include "audit/vectors/named_files.h"
 #include "audit/vectors/sha256.h"
 #include "audit/version.h"
-#include "catalogue/codec/described_shapes.h"
 #include "catalogue/codec/shape_json.h"
-#include "catalogue/families/not_finite.h"
-#include "catalogue/named_meshes.h"
-#include "catalogue/operation.h"
+#include "catalogue/families/named_meshes.h"
+#include "catalogue/operation/not_finite.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/shape/described_shapes.h"
 #include "oracle/certificates/check.h"
 #include "proptests/machine/program/called.h"
 
@@ -65,7 +65,7 @@ TEST_CASE("vectors: a refusal of another field or rule, or of what is valid, is 
 }
 
 TEST_CASE("vectors: every operation has a vector for each of its numbers that is not finite") {
-  for (const Operation* operation : catalogue()) {
+  for (const Operation* operation : all_operations()) {
     if (operation->card().is_method()) continue;
     std::set<std::string> fields;
     for (const Line& line : stored(operation->name())) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/audit_run.h"
-#include "catalogue/figures.h"
+#include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
 #include "report/answered.h"
 #include "report/html.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
-#include "catalogue/figures.h"
+#include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
 #include "proptests/machine/report/in_node.h"
 #include "report/answered.h"

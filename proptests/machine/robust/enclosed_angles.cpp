@@ -12,7 +12,7 @@ namespace touchstone::proptests {
 namespace {
 
 using namespace robust::kernel;
-using audit::Choices;
+using catalogue::Choices;
 
 class Truth {
  public:
@@ -51,7 +51,7 @@ struct Count {
 
 /// An angle of any size, near a multiple of a step or of a quarter turn, or anywhere.
 double drawn_angle(Choices& choices) {
-  const double x = audit::ordinary(choices);
+  const double x = catalogue::ordinary(choices);
   switch (choices.below(5)) {
     case 0: return x;
     case 1: return x * 8;
@@ -70,7 +70,7 @@ TEST_CASE("enclosed angles: sine and cosine are MPFR's") {
   Truth truth;
   Count sines, cosines;
   for (std::uint64_t i = 0; i < 100000; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, "enclosed sine and cosine", i));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, "enclosed sine and cosine", i));
     const double u = drawn_angle(choices);
     const auto said = enclosed_cosine_sine(u);
     sines.asked += 1, cosines.asked += 1;
@@ -90,8 +90,8 @@ TEST_CASE("enclosed angles: the angle of a vector is MPFR's") {
   Truth truth;
   Count angles;
   for (std::uint64_t i = 0; i < 100000; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, "enclosed angle", i));
-    double x = audit::ordinary(choices), y = audit::ordinary(choices);
+    Choices choices = Choices::seeded(catalogue::seed_of(1, "enclosed angle", i));
+    double x = catalogue::ordinary(choices), y = catalogue::ordinary(choices);
     if (choices.below(2) == 1) x = std::ldexp(x, static_cast<int>(choices.below(60)) - 30);
     if (x == 0 || y == 0) continue;
     angles.asked += 1;

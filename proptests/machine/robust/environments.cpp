@@ -49,7 +49,7 @@ TEST_CASE("environments: what the host had set is there again after robust has a
   for (std::size_t number = 0; number < environment_count; ++number) {
     const Environment set(number);
     const unsigned before = _mm_getcsr() & ~0x3fu;
-    for (const Operation* operation : audit::catalogue()) {
+    for (const Operation* operation : catalogue::all_operations()) {
       for (const double size : {1.0, 0x1p-1074, 0x1p1000}) {
         Question question = operation->zeros();
         for (std::size_t i = 0; i < question.numbers.size(); ++i)

@@ -16,7 +16,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices, audit::Environment, audit::environment_count;
+using catalogue::Choices, catalogue::Environment, catalogue::environment_count;
 namespace kernel = robust::kernel;
 using kernel::UInt128;
 
@@ -67,13 +67,15 @@ Root drawn(Choices& choices) {
   root.n = integer(300), root.square = integer(400), root.d = integer(200) + 1;
   switch (choices.below(4)) {
     case 0: root.square = root.square * root.square; break;
-    case 1: root.square = abs(mpz_class(root.n * root.n + static_cast<long>(audit::small_integer(choices, 2)))); break;
+    case 1:
+      root.square = abs(mpz_class(root.n * root.n + static_cast<long>(catalogue::small_integer(choices, 2))));
+      break;
     case 2: {
       // 54 digits, the last one set or not, times d; what is taken off comes back as a root, or a little more or less.
       const mpz_class m = random_integer(choices, 200), off = m * static_cast<long>(choices.below(3));
       root.d = mpz_class(1) << static_cast<unsigned long>(choices.below(600));
       root.n = random_integer(choices, 54) * root.d * m - off;
-      root.square = abs(mpz_class(off * off + static_cast<long>(audit::small_integer(choices, 2))));
+      root.square = abs(mpz_class(off * off + static_cast<long>(catalogue::small_integer(choices, 2))));
       root.d *= m + (m == 0 ? 1 : 0);
       break;
     }
@@ -92,7 +94,7 @@ void cases(const char* name, int usual, const Check& check) {
   const auto wanted = static_cast<std::uint64_t>(scaled(usual));
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < wanted; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, name, i));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, name, i));
     if (!check(choices, i) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
   }
   CHECK(wrong == 0);

@@ -12,7 +12,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices;
+using catalogue::Choices;
 namespace kernel = robust::kernel;
 
 /// MPFR's result as a double: its exponent range set to that of binary64, subnormals rounded once.
@@ -56,7 +56,7 @@ std::pair<mpz_class, mpz_class> fraction(Choices& choices, int most_bits) {
     n = random_integer(choices, 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(most_bits))));
   } else {
     // 54 bits: the last one set is a middle. One more or less than a multiple of d is just beside it.
-    n = random_integer(choices, 54) * d + audit::small_integer(choices, 2);
+    n = random_integer(choices, 54) * d + catalogue::small_integer(choices, 2);
   }
   return {choices.below(2) == 0 ? n : mpz_class(-n), d};
 }
@@ -87,7 +87,7 @@ void cases(const char* name, std::uint64_t count, const Check& check) {
   const auto wanted = static_cast<std::uint64_t>(scaled(static_cast<int>(count)));
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < wanted; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, name, i));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, name, i));
     if (!check(choices) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
   }
   CHECK(wrong == 0);
@@ -150,7 +150,7 @@ TEST_CASE("rounding: integers times powers of two are MPFR's, in 128 bits and in
   cases("scaled integers", 500000, [&](Choices& choices) {
     mpz_class n = random_integer(choices, 1 + static_cast<int>(choices.below(124)));
     if (choices.below(3) == 0)
-      n = (random_integer(choices, 54) << 60) + static_cast<long>(audit::small_integer(choices, 2));
+      n = (random_integer(choices, 54) << 60) + static_cast<long>(catalogue::small_integer(choices, 2));
     if (choices.below(2) == 1) n = -n;
     const long exponent = exponent_of(choices);
     const mpq_class q = times_power(n, 1, exponent);
@@ -170,7 +170,7 @@ TEST_CASE("rounding: square roots of fractions are MPFR's") {
     if (choices.below(2) == 1) {
       // The square of a double, of a middle, or just beside it.
       const mpz_class root = random_integer(choices, 54);
-      n = root * root * d + static_cast<long>(std::fabs(audit::small_integer(choices, 1)));
+      n = root * root * d + static_cast<long>(std::fabs(catalogue::small_integer(choices, 1)));
     }
     const long exponent = exponent_of(choices);
     // A root has two exact neighbours that MPFR cannot miss: q lies between two squares, so 2400 bits of the quotient
@@ -195,9 +195,9 @@ TEST_CASE("rounding: points of a line are MPFR's fused multiply-add") {
   mpfr_inits2(53, a, b, c, static_cast<mpfr_ptr>(nullptr));
   cases("fused multiply-add", 1000000, [&](Choices& choices) {
     const bool wild = choices.below(2) == 1;
-    const auto number = [&] { return wild ? audit::any_finite(choices) : audit::mixed_exponent(choices); };
+    const auto number = [&] { return wild ? catalogue::any_finite(choices) : catalogue::mixed_exponent(choices); };
     const double origin = number(), direction = number(),
-                 t = choices.below(2) == 1 ? audit::ordinary(choices) : number();
+                 t = choices.below(2) == 1 ? catalogue::ordinary(choices) : number();
     const double computed = robust::line_point_at({{origin, 0}, {direction, 1}}, t).x;
     // The range of the operands is wider than MPFR's present one: they are set before it is narrowed.
     const auto low = mpfr_get_emin(), high = mpfr_get_emax();

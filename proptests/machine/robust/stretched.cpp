@@ -20,7 +20,7 @@
 namespace touchstone::proptests {
 namespace {
 
-using audit::Choices, audit::environment_count, audit::environment_name, audit::in_environment;
+using catalogue::Choices, catalogue::environment_count, catalogue::environment_name, catalogue::in_environment;
 
 /// Powers of two for the numbers along x and along y.
 struct Stretch {
@@ -35,7 +35,7 @@ int changed_decisions(const char* name, const Ask& ask) {
   const auto cases = static_cast<std::uint64_t>(scaled(4000));
   int changed = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, name, i));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, name, i));
     std::array<double, N> small;
     for (double& number : small) number = static_cast<double>(choices.below(17)) - 8;
     const int expected = ask(small);
@@ -71,7 +71,7 @@ TEST_CASE("stretched: the side of a line and what lies on a segment") {
 TEST_CASE("stretched: a huge vector and one of the least, in any directions") {
   int changed = 0;
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scaled(4000)); ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, "stretched vectors", i));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, "stretched vectors", i));
     std::array<double, 4> n;
     for (double& number : n) number = static_cast<double>(choices.below(17)) - 8;
     const auto ask = [](const std::array<double, 4>& q) {
@@ -115,7 +115,7 @@ TEST_CASE("stretched: above or below a line, where the slope outweighs what is t
   // x times 2^k, m times 2^l, y and b times 2^(k + l).
   int changed = 0;
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scaled(4000)); ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(1, "stretched height", i));
+    Choices choices = Choices::seeded(catalogue::seed_of(1, "stretched height", i));
     std::array<double, 4> n;
     for (double& number : n) number = static_cast<double>(choices.below(17)) - 8;
     const auto ask = [](const std::array<double, 4>& q) {

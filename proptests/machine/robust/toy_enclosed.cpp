@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robust/kernel/enclosed.h"
-
 #include <gmpxx.h>
 
 #include <functional>
@@ -8,6 +6,7 @@
 #include "catalogue/families/choices.h"
 #include "proptests/catch.h"
 #include "proptests/machine/robust/narrow_float.h"
+#include "robust/kernel/enclosed.h"
 
 // The number kernel on formats of 12 and 13 digits, where every truth is known: no enclosure misses it, no rounded
 // number is another, and most are found. Quotients and roots of single numbers are tried on all of them.
@@ -15,7 +14,7 @@ namespace touchstone::proptests {
 namespace {
 
 using namespace robust::kernel;
-using audit::Choices;
+using catalogue::Choices;
 
 /// How far from the middle of its enclosure the truth lies, in units of the error: above 1 it is missed.
 struct Count {
@@ -82,7 +81,7 @@ template <int p>
 void for_draws(const char* stream, double share, const std::function<void(Choices&, Count&)>& draw) {
   Count count;
   for (std::uint64_t i = 0; i < 60000; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(p, stream, i));
+    Choices choices = Choices::seeded(catalogue::seed_of(p, stream, i));
     draw(choices, count);
   }
   INFO(p << " digits: " << count.asked << " asked, " << count.found << " found, farthest " << count.farthest);

@@ -13,7 +13,7 @@ namespace touchstone::proptests {
 namespace {
 
 using namespace robust::kernel;
-using audit::Choices;
+using catalogue::Choices;
 
 /// p digits, `binades` of them, both signs.
 template <int p>
@@ -94,7 +94,7 @@ template <int p>
 void pushes(void (*one)(Choices&, Count<p>&)) {
   Count<p> count;
   for (std::uint64_t i = 0; i < 60000; ++i) {
-    Choices choices = Choices::seeded(audit::seed_of(p, "pushes", i));
+    Choices choices = Choices::seeded(catalogue::seed_of(p, "pushes", i));
     one(choices, count);
   }
   INFO(p << " digits: " << count.asked << " asked, " << count.found << " found, farthest " << count.farthest);

@@ -20,7 +20,7 @@ TEST_CASE("asked: a question is its arguments, and says where it comes from") {
   const auto [p0, p1, p] = question;
   static_assert(std::is_same_v<decltype(p0), const Point2d>);
   CHECK(question.family() == "collinear");
-  CHECK(audit::packed(question.arguments()) == question.drawn.question);
+  CHECK(catalogue::packed(question.arguments()) == question.drawn.question);
   CHECK(std::apply([](Point2d a, Point2d b, Point2d c) { return robust::orientation(a, b, c); }, question) == Side::on);
   CHECK(replayed(*question.drawn.operation, question.drawn.family, question.drawn.choices).question ==
         question.drawn.question);
@@ -132,7 +132,7 @@ TEST_CASE("fuzzed_data: bytes are questions, one after the other; past their end
   Choices same = Choices::replayed(bytes);
   for (int i = 0; i < 3; ++i) {
     const std::size_t family = same.below(operation.families().size());
-    const audit::Question expected = operation.draw(same, family);
+    const catalogue::Question expected = operation.draw(same, family);
     const auto question = data.question<Orientation>();
     REQUIRE(question);
     CHECK(question->family() == operation.families()[family]);

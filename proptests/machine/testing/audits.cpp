@@ -33,7 +33,7 @@ TEST_CASE("audit in process: a right engine has no findings, and every operation
   for (const auto& operation : tally.operations) {
     const audit::Cell total = operation.total();
     CHECK(total.cases() + total.refused == 500);
-    CHECK(total.count(audit::Verdict::agree) == total.cases());
+    CHECK(total.count(catalogue::Verdict::agree) == total.cases());
   }
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("audit in process: findings name operation, family, verdict, answer an
   const audit::Tally unsupported = audit(engine, {.operations = {"aabb_aabb"}, .cases = 100});
   CHECK(findings(unsupported) == "");
   const audit::Cell total = unsupported.operations[0].total();
-  CHECK(total.count(audit::Verdict::unsupported) == total.cases());
+  CHECK(total.count(catalogue::Verdict::unsupported) == total.cases());
   CHECK(total.cases() + total.refused == 100);
 }
 

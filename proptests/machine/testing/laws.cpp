@@ -41,7 +41,7 @@ TEST_CASE("laws: what breaks one is named, and robust breaks none") {
             segments, [](const Segment2d& a, const Segment2d& b) { return robust::segment_segment(a, b); },
             Compared::everything) == "");
   CHECK(broken_law(segments, [&](const Segment2d& a, const Segment2d&) {
-          return audit::packed(a) == audit::packed(std::get<0>(segments));
+          return catalogue::packed(a) == catalogue::packed(std::get<0>(segments));
         }) == "arguments exchanged");
 }
 

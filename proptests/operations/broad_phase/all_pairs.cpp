@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/broad_phase/all_pairs.h"
+#include "catalogue/rows/broad_phase/all_pairs.h"
 
 #include "proptests/space_laws.h"
 #include "robust/volumes/aabb_aabb.h"
@@ -76,9 +76,9 @@ const Spheres tangent{{{0, 0, 0}, 3}, {{5, 0, 0}, 2}, {{1, 4, 4}, 1}, {{9, 0, 0}
 const Boxes corner{{{0, 0, 0}, {2, 2, 2}}, {{2, 2, 2}, {3, 4, 5}}, {{1, 3, 0}, {4, 4, 1}}, {{5, 0, 0}, {5, 1, 1}}};
 
 /// What the judge says of an engine that answers these pairs to `tangent`, of which only the first two meet.
-audit::Judgement judged(const std::string& pairs, audit::Declaration::Boundary boundary) {
+catalogue::Judgement judged(const std::string& pairs, catalogue::Declaration::Boundary boundary) {
   const auto examination = examined<Row>(std::tuple(tangent));
-  return examination->judge_engine(audit::parse_line(R"({"pairs":)" + pairs + "}"), {"by hand", boundary});
+  return examination->judge_engine(catalogue::parse_line(R"({"pairs":)" + pairs + "}"), {"by hand", boundary});
 }
 
 }  // namespace
@@ -235,11 +235,11 @@ TEST_CASE("all_pairs: rounding, huge, subnormal and negative zero") {
 TEST_CASE("all_pairs: what the formula lists beyond the truth is surplus; robust lists nothing beyond it") {
   const auto too_many = [](const Spheres& spheres, const Rational& margin) {
     const auto examination = examined<Row>(std::tuple(spheres));
-    CHECK(examination->truth() == audit::parse_line(R"({"pairs":[]})"));
+    CHECK(examination->truth() == catalogue::parse_line(R"({"pairs":[]})"));
     CHECK(examination->margin() == margin);
-    CHECK(audit::ask_robust<Row>(Row::Question{std::tuple(spheres)}).empty());
-    const audit::Judgement judgement = examination->judge_reference();
-    CHECK(judgement.verdict == audit::Verdict::agree);
+    CHECK(catalogue::ask_robust<Row>(Row::Question{std::tuple(spheres)}).empty());
+    const catalogue::Judgement judgement = examination->judge_reference();
+    CHECK(judgement.verdict == catalogue::Verdict::agree);
     CHECK(judgement.surplus == 1);
   };
   // As doubles, 0.5 + 0.6 = 1.1 - 2^-53, which rounds to 1.1.
@@ -269,11 +269,12 @@ TEST_CASE("all_pairs: balls apart by an ulp, one of the least radius, are apart"
 }
 
 TEST_CASE("all_pairs: an engine may list more than the truth, in any order, and must miss nothing") {
-  constexpr auto closed = audit::Declaration::Boundary::closed, unspecified = audit::Declaration::Boundary::unspecified;
+  constexpr auto closed = catalogue::Declaration::Boundary::closed,
+                 unspecified = catalogue::Declaration::Boundary::unspecified;
   const auto agrees = [](const std::string& pairs, std::uint64_t surplus) {
     INFO(pairs);
-    const audit::Judgement judgement = judged(pairs, closed);
-    CHECK(judgement.verdict == audit::Verdict::agree);
+    const catalogue::Judgement judgement = judged(pairs, closed);
+    CHECK(judgement.verdict == catalogue::Verdict::agree);
     CHECK(judgement.surplus == surplus);
   };
   agrees("[[0,1]]", 0);
@@ -285,13 +286,13 @@ TEST_CASE("all_pairs: an engine may list more than the truth, in any order, and 
   // The spheres that it misses are tangent, but their numbers are small integers: nothing was rounded.
   for (const char* pairs : {"[]", "[[0,2]]", "[[2,3],[1,3]]"}) {
     INFO(pairs);
-    CHECK(judged(pairs, closed).verdict == audit::Verdict::algorithm);
-    CHECK(judged(pairs, unspecified).verdict == audit::Verdict::convention);
+    CHECK(judged(pairs, closed).verdict == catalogue::Verdict::algorithm);
+    CHECK(judged(pairs, unspecified).verdict == catalogue::Verdict::convention);
   }
   for (const char* pairs :
        {"[[0]]", "[0,1]", "[[0,1,2]]", "[[0,-1]]", "[[0,0.5]]", "[[0,1],[2,2]]", "[[0,4]]", "{}", "true"}) {
     INFO(pairs);
-    CHECK(judged(pairs, closed).verdict == audit::Verdict::invalid);
+    CHECK(judged(pairs, closed).verdict == catalogue::Verdict::invalid);
   }
 }
 
@@ -299,7 +300,7 @@ TEST_CASE("all_pairs: the formula in double is right of every pair beyond the bo
   const auto complaint = [](const Question& question) -> std::string {
     const auto asked = typed<Row>(question);
     try {
-      const Pairs truth = audit::ask_oracle<Row>(asked).answer, answer = audit::ask_reference<Row>(asked);
+      const Pairs truth = catalogue::ask_oracle<Row>(asked).answer, answer = catalogue::ask_reference<Row>(asked);
       const bool kept = std::visit(
           [&](const auto& arguments) {
             const auto& solids = std::get<0>(arguments);
@@ -317,7 +318,7 @@ TEST_CASE("all_pairs: the formula in double is right of every pair beyond the bo
       return "";
     }
   };
-  never(audit::operation_of_row<Row>(), "the forward error bound holds", complaint, 6);
+  never(catalogue::operation_of_row<Row>(), "the forward error bound holds", complaint, 6);
   right_in_exact_arithmetic<Row>();
 }
 

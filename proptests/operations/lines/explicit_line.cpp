@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/explicit_line.h"
+#include "catalogue/rows/lines/explicit_line.h"
 
 #include <cmath>
 
@@ -46,7 +46,7 @@ ROBUST_LAW("explicit_line: above the line is left of two of its points, from lef
 }
 
 LAW("explicit_line: the next double above is never lower", m, b, p) {
-  const double higher = audit::moved_by_ulps(p.y, 1);
+  const double higher = catalogue::moved_by_ulps(p.y, 1);
   const Height height = ask(asked), then = ask(Row::Question{m, b, {p.x, higher}});
   return height == Height::below || higher == p.y || then == Height::above;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/implicit_circle.h"
+#include "catalogue/rows/lines/implicit_circle.h"
 
 #include "proptests/laws.h"
 
@@ -15,7 +15,7 @@ LAW("implicit_circle: centre and point may be swapped", circle, p) {
 }
 
 LAW("implicit_circle: in the next larger circle nothing is further out", circle, p) {
-  const double larger = audit::moved_by_ulps(circle.radius, 1);
+  const double larger = catalogue::moved_by_ulps(circle.radius, 1);
   const Location then = ask(Row::Question{{circle.center, larger}, p});
   return ask(asked) == Location::outside || larger == circle.radius || then == Location::inside;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/line_line.h"
+#include "catalogue/rows/lines/line_line.h"
 
 #include "proptests/forward_error.h"
 
@@ -53,8 +53,8 @@ TEST_CASE("line_line: nearly parallel, huge, subnormal, beyond the range, negati
   // D underflows to 0.
   example<Row>({{{0, 0}, {tiny, 0}}, {{0, 0}, {0, tiny}}}, crossing(0, 0, 0, 0), "rounding");
   // b falls by 2^-53 over its width: it meets the x axis at 2^53 widths, whose nearest double is infinity.
-  const Rational far = Rational(audit::exact_value(huge) * audit::exact_value(0x1p53));
-  example<Row>({{{0, 0}, {1, 0}}, {{0, 1}, {huge, 1 - 0x1p-53}}}, crossing(far, audit::exact_value(0x1p53), far, 0),
+  const Rational far = Rational(catalogue::exact_value(huge) * catalogue::exact_value(0x1p53));
+  example<Row>({{{0, 0}, {1, 0}}, {{0, 1}, {huge, 1 - 0x1p-53}}}, crossing(far, catalogue::exact_value(0x1p53), far, 0),
                "invalid");
 }
 

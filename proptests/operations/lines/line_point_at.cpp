@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/line_point_at.h"
+#include "catalogue/rows/lines/line_point_at.h"
 
 #include "proptests/forward_error.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 using Row = rows::line_point_at;
 
-Rational product(double a, double b) { return Rational(audit::exact_value(a) * audit::exact_value(b)); }
+Rational product(double a, double b) { return Rational(catalogue::exact_value(a) * catalogue::exact_value(b)); }
 
 }  // namespace
 
@@ -46,11 +46,11 @@ TEST_CASE("line_point_at: p. 9's P0 + t V worked by hand") {
 TEST_CASE("line_point_at: two roundings are not one") {
   // (1 + 2^-27)^2 = 1 + 2^-26 + 2^-54, whose last term the product loses before the rest cancels.
   example<Row>({{{-(1 + 0x1p-26), 0}, {1 + 0x1p-27, 1}}, 1 + 0x1p-27},
-               {audit::exact_value(0x1p-54), audit::exact_value(1 + 0x1p-27)}, "inexact");
+               {catalogue::exact_value(0x1p-54), catalogue::exact_value(1 + 0x1p-27)}, "inexact");
 }
 
 TEST_CASE("line_point_at: huge, subnormal, beyond the range, negative zero") {
-  const Rational h = audit::exact_value(huge), least = audit::exact_value(tiny);
+  const Rational h = catalogue::exact_value(huge), least = catalogue::exact_value(tiny);
   example<Row>({{{-huge, 0}, {huge, 1}}, 2}, {h, 2}, "invalid");    // 2 huge overflows, 2 huge - huge need not
   example<Row>({{{huge, 0}, {huge, 1}}, 1}, {Rational(2 * h), 1});  // the nearest double is infinity
   example<Row>({{{0, 0}, {tiny, tiny}}, 0.5},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/orientation.h"
+#include "catalogue/rows/lines/orientation.h"
 
 #include "proptests/forward_error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/parametric_circle.h"
+#include "catalogue/rows/lines/parametric_circle.h"
 
 #include "proptests/forward_error.h"
 #include "proptests/rounded_answers.h"
@@ -48,7 +48,8 @@ TEST_CASE("parametric_circle: the squares of cosine and sine add up to 1 as near
       [](const auto& ask, const auto& asked) {
         const Point2d p = ask(Row::Question{{{0, 0}, 1}, std::get<1>(asked)});
         // Each coordinate c of at most 1 is off by e <= 2^-54, its square by 2 |c| e + e^2.
-        const Rational e = audit::exact_value(0x1p-54), x = audit::exact_value(p.x), y = audit::exact_value(p.y);
+        const Rational e = catalogue::exact_value(0x1p-54), x = catalogue::exact_value(p.x),
+                       y = catalogue::exact_value(p.y);
         return abs(x * x + y * y - 1) <= 2 * e * (abs(x) + abs(y)) + 4 * e * e;
       },
       4);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/point_on_segment.h"
+#include "catalogue/rows/lines/point_on_segment.h"
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
@@ -100,9 +100,9 @@ CONTRACT("point_on_segment: where the formula is rightly on, its t is within the
 
 ROBUST_LAW("point_on_segment: along an axis the formula is off even in exact arithmetic", p, s) {
   if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
-  const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
-  return reference::point_on_segment(audit::converted<audit::Exact>(p, in_exact),
-                                     audit::converted<audit::Exact>(s, in_exact))
+  const auto in_exact = [](double number) { return catalogue::Exact(exact(number)); };
+  return reference::point_on_segment(catalogue::converted<catalogue::Exact>(p, in_exact),
+                                     catalogue::converted<catalogue::Exact>(s, in_exact))
              .relation == Incidence::off;
 }
 

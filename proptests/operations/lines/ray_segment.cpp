@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/ray_segment.h"
+#include "catalogue/rows/lines/ray_segment.h"
 
 #include "proptests/forward_error.h"
 #include "robust/lines/ray_segment.h"
@@ -78,7 +78,7 @@ TEST_CASE("ray_segment: a segment of length zero is a point") {
 }
 
 TEST_CASE("ray_segment: huge, subnormal and negative zero") {
-  const Rational h = audit::exact_value(huge), least = audit::exact_value(tiny);
+  const Rational h = catalogue::exact_value(huge), least = catalogue::exact_value(tiny);
   // t is 2 huge, beyond the range; the formula's difference already is.
   example<Row>({{{-huge, 0}, {1, 0}}, {{huge, -1}, {huge, 1}}}, point(2 * h, h, 0), "rounding");
   example<Row>({{{0, 0}, {tiny, 0}}, {{1, -1}, {1, 1}}}, point(1 / least, 1, 0), "invalid");  // t is 2^1074

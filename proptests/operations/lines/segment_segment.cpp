@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/lines/segment_segment.h"
+#include "catalogue/rows/lines/segment_segment.h"
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
@@ -83,7 +83,7 @@ TEST_CASE("segment_segment: huge and subnormal") {
   example<Row>({{{-huge, -huge}, {huge, huge}}, {{-huge, huge}, {huge, -huge}}},
                point(Rational(1, 2), Rational(1, 2), 0, 0), "rounding");
   // D underflows to 0. The point (tiny / 2, tiny / 2) is a tie between 0 and tiny: 0 is even.
-  const Rational half = Rational(audit::exact_value(tiny) / 2);
+  const Rational half = Rational(catalogue::exact_value(tiny) / 2);
   example<Row>({{{0, 0}, {tiny, tiny}}, {{0, tiny}, {tiny, 0}}}, point(Rational(1, 2), Rational(1, 2), half, half),
                "rounding");
 }
@@ -106,9 +106,9 @@ CONTRACT(
 ROBUST_LAW(
     "segment_segment: the formula never answers overlap, and calls collinear contacts disjoint in exact arithmetic", a,
     b) {
-  const auto in_exact = [](double number) { return audit::Exact(exact(number)); };
-  const auto formula = reference::segment_segment(audit::converted<audit::Exact>(a, in_exact),
-                                                  audit::converted<audit::Exact>(b, in_exact));
+  const auto in_exact = [](double number) { return catalogue::Exact(exact(number)); };
+  const auto formula = reference::segment_segment(catalogue::converted<catalogue::Exact>(a, in_exact),
+                                                  catalogue::converted<catalogue::Exact>(b, in_exact));
   const bool collinear =
       robust::orientation(a.a, a.b, b.a) == Side::on && robust::orientation(a.a, a.b, b.b) == Side::on &&
       robust::orientation(b.a, b.b, a.a) == Side::on && robust::orientation(b.a, b.b, a.b) == Side::on;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/planes/point_ground_plane.h"
+#include "catalogue/rows/planes/point_ground_plane.h"
 
 #include "proptests/forward_error.h"
 #include "robust/lines/explicit_line.h"
@@ -26,7 +26,7 @@ LAW("point_ground_plane: x and z play no part, turned, exchanged or replaced", p
 }
 
 LAW("point_ground_plane: the next double above is never lower, and only one height is on the ground", p) {
-  const double higher = audit::moved_by_ulps(p.y, 1);
+  const double higher = catalogue::moved_by_ulps(p.y, 1);
   const Height height = ask(asked), then = ask(Row::Question{{p.x, higher, p.z}});
   return height == Height::below || higher == p.y || then == Height::above;
 }

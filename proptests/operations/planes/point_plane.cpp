@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/planes/point_plane.h"
+#include "catalogue/rows/planes/point_plane.h"
 
 #include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
@@ -20,7 +20,7 @@ PointPlane<R> turned(const PointPlane<R>& answer) {
 }
 
 double rounded(double number) { return number; }
-double rounded(const Rational& number) { return audit::nearest(number); }
+double rounded(const Rational& number) { return catalogue::nearest(number); }
 
 /// The double nearest to 1 / sqrt(2) = 0.70710678118654752440.
 constexpr double root_half = 0x1.6a09e667f3bcdp-1;
@@ -49,7 +49,7 @@ LAW("point_plane: exchanges of the axes keep the answer") {
 }
 
 LAW("point_plane: a step across the plane keeps the answer, a shift of both keeps it, on the lattice", plane, p) {
-  if (!on_small_lattice(asked) || audit::largest(plane.normal) > 0x1p20) return true;
+  if (!on_small_lattice(asked) || catalogue::largest(plane.normal) > 0x1p20) return true;
   const auto answer = ask(asked);
   const Vector3d step = cross(plane.normal, Vector3d{3, -5, 7}), shift{11, -13, 17};
   return equal(ask(Row::Question{plane, p + step}), answer) &&
@@ -120,9 +120,9 @@ TEST_CASE("point_plane: normals so long or short that N . N leaves the range") {
 
 TEST_CASE("point_plane: huge, subnormal and negative zero") {
   example<Row>({{{0, 1, 0}, -huge}, {huge, huge, huge}}, {PlaneSide::on, 0});
-  example<Row>({{{0, 1, 0}, tiny}, {huge, 0, 0}}, {PlaneSide::front, audit::exact_value(tiny)});
-  example<Row>({{{0, 0, 2}, 0}, {1, 1, tiny}}, {PlaneSide::front, audit::exact_value(tiny)});
-  example<Row>({{{0, 0, 0.25}, -tiny}, {1, 1, tiny}}, {PlaneSide::back, Rational(-3 * audit::exact_value(tiny))});
+  example<Row>({{{0, 1, 0}, tiny}, {huge, 0, 0}}, {PlaneSide::front, catalogue::exact_value(tiny)});
+  example<Row>({{{0, 0, 2}, 0}, {1, 1, tiny}}, {PlaneSide::front, catalogue::exact_value(tiny)});
+  example<Row>({{{0, 0, 0.25}, -tiny}, {1, 1, tiny}}, {PlaneSide::back, Rational(-3 * catalogue::exact_value(tiny))});
   example<Row>({{{-0.0, 1, -0.0}, -0.0}, {-0.0, -0.0, huge}}, {PlaneSide::on, 0});
   // |E| / |N| = sqrt(3) huge is within the range, though 3 huge is not; 2 sqrt(3) huge is beyond it.
   gives({{{1, 1, 1}, 0}, {huge, huge, huge}}, {PlaneSide::front, 0x1.ed4df0150215ap+1023}, "invalid");

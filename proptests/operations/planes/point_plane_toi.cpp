@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/planes/point_plane_toi.h"
+#include "catalogue/rows/planes/point_plane_toi.h"
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
@@ -38,7 +38,7 @@ LAW("point_plane_toi: option 2 finds whatever option 1 finds, at t in [0, 1]; at
 
 TEST_CASE("point_plane_toi: the exact point of contact is on the plane, the start itself, or behind") {
   law_of<Row>(
-      "oracle: the point", [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      "oracle: the point", [](const auto& asked) { return catalogue::ask_oracle<Row>(asked).answer; },
       [](const auto& ask, const auto& asked) {
         const auto& [plane, start, end] = asked;
         const auto first = ask(asked).option_2;
@@ -114,7 +114,7 @@ TEST_CASE("point_plane_toi: rounding hits a plane that the step does not reach, 
   example<Row>({ground, {0, 0x1p60, 0}, {0, 1, 0}}, in_front, "rounding");  // 2^60 - 1 rounds to 2^60: t = 1
   // 10 times the double 0.1 is 1 + 2^-54, which rounds to 1: on the plane, says E1.
   example<Row>({{{10, 0, 0}, -1}, {1, 0, 0}, {0.1, 0, 0}}, in_front, "rounding");
-  example<Row>({{{-10, 0, 0}, 1}, {0.1, 0, 0}, {0, 0, 0}}, at(misses, 0, {audit::exact_value(0.1), 0, 0}));
+  example<Row>({{{-10, 0, 0}, 1}, {0.1, 0, 0}, {0, 0, 0}}, at(misses, 0, {catalogue::exact_value(0.1), 0, 0}));
 }
 
 TEST_CASE("point_plane_toi: huge, subnormal and negative zero") {
@@ -123,7 +123,8 @@ TEST_CASE("point_plane_toi: huge, subnormal and negative zero") {
   example<Row>({ground, {0, tiny, 0}, {4, -3 * tiny, 8}}, at(hit, Rational(1, 4), {1, 0, 2}));
   example<Row>(
       {ground, {0, huge, 0}, {0, -tiny, 0}},
-      at(hit, Rational(audit::exact_value(huge) / (audit::exact_value(huge) + audit::exact_value(tiny))), {0, 0, 0}));
+      at(hit, Rational(catalogue::exact_value(huge) / (catalogue::exact_value(huge) + catalogue::exact_value(tiny))),
+         {0, 0, 0}));
   example<Row>({{{0, tiny, 0}, 0}, {0, 0.25, 0}, {0, -0.25, 0}}, at(hit, Rational(1, 2), {0, 0, 0}),
                "rounding");  // 0 / 0
   example<Row>({ground, {-0.0, -0.0, -0.0}, {-0.0, 1, 0}}, at(misses, 0, {0, 0, 0}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/planes/polygon_normal.h"
+#include "catalogue/rows/planes/polygon_normal.h"
 
 #include "proptests/rounded_answers.h"
 #include "proptests/space_laws.h"
@@ -76,7 +76,7 @@ LAW("polygon_normal: exchanges of the axes exchange the coordinates, and turn a 
 
 LAW("polygon_normal: lengths times 2^k have the same unit normal, and areas times 4^k") {
   const auto times_two_to = [](Row::Question question, int k) {
-    audit::for_each_number(question, [k](double& number) { number = std::ldexp(number, k); });
+    catalogue::for_each_number(question, [k](double& number) { number = std::ldexp(number, k); });
     return question;
   };
   const auto answer = ask(asked);
@@ -111,7 +111,7 @@ ROBUST_LAW("polygon_normal: the unit normal has length 1 but for its roundings")
 ROBUST_LAW("polygon_normal: the vertices of a triangle are on the plane with its normal", ring) {
   const auto answer = ask(asked);
   double size = 0;
-  audit::for_each_number(asked, [&](const double& n) { size = std::max(size, std::fabs(n)); });
+  catalogue::for_each_number(asked, [&](const double& n) { size = std::max(size, std::fabs(n)); });
   if (!on_small_lattice(asked) || size > 0x1p15 || !answer.normal || ring.size() != 3) return true;
   const Plane3d plane{*answer.normal, -dot(*answer.normal, ring[0] - Point3d{0, 0, 0})};
   return std::all_of(ring.vertices.begin(), ring.vertices.end(),
@@ -183,10 +183,10 @@ CONTRACT("polygon_normal: the formula in double keeps its contract for the first
 
 ROBUST_LAW("polygon_normal: of a triangle the formula is right in exact arithmetic", ring) {
   if (ring.size() != 3) return true;
-  const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
-  const Question question = audit::packed(asked);
-  return audit::same_as_truth(*row.answer, row.solve(question).answer, row.reference_exactly(question),
-                              audit::Reading::less);
+  const catalogue::RowFunctions& row = catalogue::operation_of_row<Row>().row();
+  const Question question = catalogue::packed(asked);
+  return catalogue::same_as_truth(*row.answer, row.solve(question).answer, row.reference_exactly(question),
+                                  catalogue::Reading::less);
 }
 
 }  // namespace touchstone::proptests

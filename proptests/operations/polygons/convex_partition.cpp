@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/convex_partition.h"
+#include "catalogue/rows/polygons/convex_partition.h"
 
 #include "proptests/partition_laws.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/interior_angles.h"
+#include "catalogue/rows/polygons/interior_angles.h"
 
 #include "proptests/forward_error.h"
 #include "proptests/rounded_answers.h"
@@ -26,8 +26,9 @@ constexpr Gives<Row> gives;
 /// Same numbers: for robust the same doubles, for the oracle rationals that round to them.
 bool same(const std::vector<double>& a, const std::vector<double>& b) { return a == b; }
 bool same(const std::vector<Rational>& a, const std::vector<Rational>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const Rational& x, const Rational& y) { return audit::nearest(x) == audit::nearest(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Rational& x, const Rational& y) {
+    return catalogue::nearest(x) == catalogue::nearest(y);
+  });
 }
 
 }  // namespace
@@ -51,9 +52,9 @@ TEST_CASE("interior_angles: similar polygons have the same angles") {
     }
     for (const int k : {1, 300, -300}) {
       auto larger = asked, back = asked;
-      audit::for_each_number(larger, [&](double& number) { number = std::ldexp(number, k); });
+      catalogue::for_each_number(larger, [&](double& number) { number = std::ldexp(number, k); });
       back = larger;
-      audit::for_each_number(back, [&](double& number) { number = std::ldexp(number, -k); });
+      catalogue::for_each_number(back, [&](double& number) { number = std::ldexp(number, -k); });
       if (numbers_of(back) == numbers_of(asked) && !same(ask(larger), angles)) return false;
     }
     // A turn and stretch: (x, y) -> (2x - y, x + 2y).
@@ -127,7 +128,7 @@ TEST_CASE("interior_angles: the formula in double stays within the bound of its 
           const auto& [v, w] = *corner;
           const Rational turn = cross(v, w), squared(turn * turn / (dot(v, v) * dot(w, w)));
           if (squared <= power_of_two(-40)) return true;
-          sines.push_back(std::sqrt(audit::nearest(squared)) * (1 - 0x1p-50));
+          sines.push_back(std::sqrt(catalogue::nearest(squared)) * (1 - 0x1p-50));
         }
         ++promised;
         for (std::size_t i = 0; i < ring.size(); ++i) {

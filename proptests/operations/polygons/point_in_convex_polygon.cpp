@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/point_in_convex_polygon.h"
+#include "catalogue/rows/polygons/point_in_convex_polygon.h"
 
 #include "proptests/forward_error.h"
 #include "robust/polygons/point_in_convex_polygon.h"
@@ -63,13 +63,13 @@ TEST_CASE("point_in_convex_polygon: refused exactly where the polygon is not con
     if (ring.size() < 3) return "";
     const bool convex = robust::polygon_convexity(ring).polygon_class == PolygonClass::convex;
     try {
-      audit::ask_robust<Row>(asked);
+      catalogue::ask_robust<Row>(asked);
       return convex ? "" : "answered";
     } catch (const InvalidInput&) {
       return convex ? "refused" : "";
     }
   };
-  never(*audit::find_operation(Row::card().name), "refused as not convex", complaint, 8);
+  never(*catalogue::find_operation(Row::card().name), "refused as not convex", complaint, 8);
 }
 
 TEST_CASE("point_in_convex_polygon: p. 16's side tests worked by hand") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/point_in_polygon.h"
+#include "catalogue/rows/polygons/point_in_polygon.h"
 
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"

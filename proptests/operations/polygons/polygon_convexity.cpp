@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/polygon_convexity.h"
+#include "catalogue/rows/polygons/polygon_convexity.h"
 
 #include <numeric>
 
-#include "catalogue/explained.h"
 #include "catalogue/families/rings.h"
-#include "catalogue/polygons/polygon_convexity_interior_angles.h"
+#include "catalogue/operation/explained.h"
+#include "catalogue/rows/polygons/polygon_convexity_interior_angles.h"
 #include "proptests/forward_error.h"
 #include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
@@ -160,16 +160,17 @@ TEST_CASE("polygon_convexity: rings of a thousand vertices") {
 }
 
 TEST_CASE("polygon_convexity: the line test is right in exact arithmetic for every simple ring") {
-  const auto& operation = *audit::find_operation("polygon_convexity");
+  const auto& operation = *catalogue::find_operation("polygon_convexity");
   never(
       operation, "the line test is right in exact arithmetic for simple rings",
       [](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
         if (std::get<0>(asked).size() < 3 || robust::ring_defect(std::get<0>(asked))) return "";
-        const auto formula = audit::ask_reference<Row>(
-            audit::converted<audit::Exact>(asked, [](double number) { return audit::Exact(exact(number)); }));
-        return equal(formula, audit::ask_oracle<Row>(asked).answer) ? ""
-                                                                    : "the formula is wrong even in exact arithmetic";
+        const auto formula = catalogue::ask_reference<Row>(catalogue::converted<catalogue::Exact>(
+            asked, [](double number) { return catalogue::Exact(exact(number)); }));
+        return equal(formula, catalogue::ask_oracle<Row>(asked).answer)
+                   ? ""
+                   : "the formula is wrong even in exact arithmetic";
       },
       3);
 }
@@ -225,16 +226,17 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
 }
 
 TEST_CASE("polygon_convexity: ask shows both methods") {
-  const Operation& operation = *audit::find_operation("polygon_convexity");
-  const auto said =
-      audit::explained(operation, operation.parse(audit::parse_line(R"({"polygon":[[0,0],[4,4],[4,0],[0,4]]})")));
-  CHECK(audit::one_line(said["reference"]["answer"]) == R"({"class":"concave","strict":false,"orientation":"none"})");
+  const Operation& operation = *catalogue::find_operation("polygon_convexity");
+  const auto said = catalogue::explained(
+      operation, operation.parse(catalogue::parse_line(R"({"polygon":[[0,0],[4,4],[4,0],[0,4]]})")));
+  CHECK(catalogue::one_line(said["reference"]["answer"]) ==
+        R"({"class":"concave","strict":false,"orientation":"none"})");
   CHECK(said["reference"]["cause"] == "algorithm");
-  CHECK(audit::one_line(said["reference_interior_angles"]["answer"]) ==
+  CHECK(catalogue::one_line(said["reference_interior_angles"]["answer"]) ==
         R"({"class":"not_simple","strict":false,"orientation":"none"})");
   CHECK(said["reference_interior_angles"]["verdict"] == "agree");
-  const Operation& method = *audit::find_operation("polygon_convexity_interior_angles");
-  CHECK_FALSE(audit::explained(method, method.zeros()).contains("reference_interior_angles"));
+  const Operation& method = *catalogue::find_operation("polygon_convexity_interior_angles");
+  CHECK_FALSE(catalogue::explained(method, method.zeros()).contains("reference_interior_angles"));
 }
 
 }  // namespace touchstone::proptests

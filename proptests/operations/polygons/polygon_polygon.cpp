@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/polygon_polygon.h"
+#include "catalogue/rows/polygons/polygon_polygon.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polygons/triangulate_polygon.h"
+#include "catalogue/rows/polygons/triangulate_polygon.h"
 
 #include "proptests/partition_laws.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/polyhedra/point_in_convex_polyhedron.h"
+#include "catalogue/rows/polyhedra/point_in_convex_polyhedron.h"
 
 #include <set>
 
@@ -174,19 +174,19 @@ LAW("point_in_convex_polyhedron: the middle of two points of the solid is not ou
 
 TEST_CASE("point_in_convex_polyhedron: a double pyramid cuts the plane of its base in the base") {
   const auto complaint = [](const Question& question) -> std::string {
-    const auto [ring, p] = audit::unpacked<std::tuple<Polygon2d, Point2d>>(question);
+    const auto [ring, p] = catalogue::unpacked<std::tuple<Polygon2d, Point2d>>(question);
     if (!on_lattice(std::tuple(ring, p))) return "";
     const double n = static_cast<double>(ring.size());
     try {
       const Location location = robust::point_in_convex_polygon(ring, p);
       const Row::Question above{double_pyramid(ring), {n * p.x, n * p.y, 0}};
-      if (audit::ask_robust<Row>(above) != location) return "robust finds another cut";
-      return audit::ask_oracle<Row>(above).answer == location ? "" : "the oracle finds another cut";
+      if (catalogue::ask_robust<Row>(above) != location) return "robust finds another cut";
+      return catalogue::ask_oracle<Row>(above).answer == location ? "" : "the oracle finds another cut";
     } catch (const InvalidInput& refused) {
       return refused.field().starts_with("mesh") ? refused.what() : "";
     }
   };
-  never(*audit::find_operation("point_in_convex_polygon"), "the base of a double pyramid", complaint, 4);
+  never(*catalogue::find_operation("point_in_convex_polygon"), "the base of a double pyramid", complaint, 4);
 }
 
 TEST_CASE("point_in_convex_polyhedron: p. 53's side tests worked by hand") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/contact_state.h"
+#include "catalogue/rows/response/contact_state.h"
 
 #include "proptests/contact_laws.h"
 

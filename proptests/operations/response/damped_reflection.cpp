@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/damped_reflection.h"
+#include "catalogue/rows/response/damped_reflection.h"
 
 #include "oracle/response/reflect_plane.h"
 #include "proptests/response_laws.h"

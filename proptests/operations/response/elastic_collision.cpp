@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/elastic_collision.h"
+#include "catalogue/rows/response/elastic_collision.h"
 
 #include "proptests/impact_laws.h"
 

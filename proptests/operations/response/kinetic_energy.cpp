@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/kinetic_energy.h"
+#include "catalogue/rows/response/kinetic_energy.h"
 
 #include "oracle/response/momentum.h"
 #include "proptests/body_laws.h"
@@ -72,7 +72,7 @@ TEST_CASE("kinetic_energy: ties go to the even neighbour") {
 
 TEST_CASE("kinetic_energy: thousands of bodies") {
   const Bodies bodies = thousands_of_bodies();
-  CHECK(robust::kinetic_energy(bodies) == audit::nearest(oracle::kinetic_energy(bodies).answer));
+  CHECK(robust::kinetic_energy(bodies) == catalogue::nearest(oracle::kinetic_energy(bodies).answer));
 }
 
 TEST_CASE("kinetic_energy: of two broken rules the first is named") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/momentum.h"
+#include "catalogue/rows/response/momentum.h"
 
 #include "proptests/body_laws.h"
 
@@ -57,8 +57,8 @@ TEST_CASE("momentum: thousands of bodies") {
   const Bodies bodies = thousands_of_bodies();
   const auto truth = oracle::momentum(bodies).answer;
   const auto found = robust::momentum(bodies);
-  CHECK(
-      (found.x == audit::nearest(truth.x) && found.y == audit::nearest(truth.y) && found.z == audit::nearest(truth.z)));
+  CHECK((found.x == catalogue::nearest(truth.x) && found.y == catalogue::nearest(truth.y) &&
+         found.z == catalogue::nearest(truth.z)));
 }
 
 TEST_CASE("momentum: of two broken rules the first is named") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/penalty_force.h"
+#include "catalogue/rows/response/penalty_force.h"
 
 #include "proptests/response_laws.h"
 #include "robust/planes/point_plane.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/reflect_plane.h"
+#include "catalogue/rows/response/reflect_plane.h"
 
 #include "proptests/response_laws.h"
 #include "robust/response/reflect_plane.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/reflect_wall.h"
+#include "catalogue/rows/response/reflect_wall.h"
 
 #include "proptests/space_laws.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/rigid_body_collision.h"
+#include "catalogue/rows/response/rigid_body_collision.h"
 
 #include "proptests/contact_laws.h"
 #include "robust/response/restitution_collision.h"
@@ -205,7 +205,7 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
 CONTRACT("rigid_body_collision: the formula in double keeps its contract", a, b, p, normal, e) {
   bool moderate = true;
   const auto asked = std::tuple(a, b, p, normal, e);
-  audit::for_each_number(asked, [&](const double& x) {
+  catalogue::for_each_number(asked, [&](const double& x) {
     moderate = moderate && (x == 0 || (std::fabs(x) >= 0x1p-30 && std::fabs(x) <= 0x1p30));
   });
   if (!moderate) return true;

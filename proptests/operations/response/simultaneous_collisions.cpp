@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/response/simultaneous_collisions.h"
+#include "catalogue/rows/response/simultaneous_collisions.h"
 
 #include <algorithm>
 
@@ -121,7 +121,7 @@ LAW("simultaneous_collisions: the order of contacts, their repetition, side and 
   auto other = asked;
   auto& contacts = std::get<1>(other);
   std::reverse(contacts.begin(), contacts.end());
-  for (auto& contact : contacts) contact = audit::seen_from_b(contact);
+  for (auto& contact : contacts) contact = catalogue::seen_from_b(contact);
   if (!equal(ask(other), answer)) return false;
   const auto once = contacts;
   contacts.insert(contacts.begin(), once.begin(), once.end());
@@ -235,8 +235,8 @@ TEST_CASE("simultaneous_collisions: a hundred contacts in a row") {
   std::vector<double> speeds(101);
   speeds[0] = 5;
   const auto struck = std::apply(robust::simultaneous_collisions, row_of_balls(speeds, 1)).velocities;
-  const double rest = audit::nearest(Rational(10, 101));
-  CHECK((*struck)[0].x == audit::nearest(Rational(10, 101) - 5));
+  const double rest = catalogue::nearest(Rational(10, 101));
+  CHECK((*struck)[0].x == catalogue::nearest(Rational(10, 101) - 5));
   CHECK(std::all_of(struck->begin() + 1, struck->end(), [rest](const Vector3d& v) { return v.x == rest; }));
   for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i] = 0.1 - static_cast<double>(i);  // each presses on the next
   auto [bodies, contacts, e] = row_of_balls(speeds, 0);

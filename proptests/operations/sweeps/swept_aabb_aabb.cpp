@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/sweeps/swept_aabb_aabb.h"
+#include "catalogue/rows/sweeps/swept_aabb_aabb.h"
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
@@ -23,7 +23,7 @@ constexpr Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 template <class Holds>
 auto of_boxes(const Holds& holds) {
   return [holds](const auto& ask, const auto& asked) {
-    return audit::applied([&](const auto& a, const auto& b, const auto& v) { return holds(ask, a, b, v); }, asked);
+    return catalogue::applied([&](const auto& a, const auto& b, const auto& v) { return holds(ask, a, b, v); }, asked);
   };
 }
 
@@ -95,7 +95,7 @@ LAW("swept_aabb_aabb: a common place plays no part", a, b, v) {
 LAW("swept_aabb_aabb: a larger box never meets later", a, b, v) {
   const auto answer = ask(std::tuple(a, b, v));
   auto larger = a;
-  larger.min.x = audit::moved_by_ulps(a.min.x, -1), larger.max.y = audit::moved_by_ulps(a.max.y, 1);
+  larger.min.x = catalogue::moved_by_ulps(a.min.x, -1), larger.max.y = catalogue::moved_by_ulps(a.max.y, 1);
   const auto then = ask(std::tuple(larger, b, v));
   return !answer.t || (then.t && *then.t <= *answer.t);
 }
@@ -123,7 +123,7 @@ LAW("swept_aabb_aabb: boxes of the plane made one high have the answer of the pl
 TEST_CASE(
     "swept_aabb_aabb: at the exact t the boxes touch on an axis on which they come nearer, and on no axis are apart") {
   law_of<Row>(
-      "oracle: first contact", [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      "oracle: first contact", [](const auto& asked) { return catalogue::ask_oracle<Row>(asked).answer; },
       of_boxes([](const auto& ask, const auto& a, const auto& b, const auto& v) {
         const auto answer = ask(std::tuple(a, b, v));
         if (!answer.t) return true;

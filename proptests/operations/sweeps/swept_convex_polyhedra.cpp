@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/sweeps/swept_convex_polyhedra.h"
+#include "catalogue/rows/sweeps/swept_convex_polyhedra.h"
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
@@ -122,7 +122,7 @@ TEST_CASE(
       return box;
     };
     const auto of_boxes = robust::swept_aabb_aabb(box_of(a), box_of(b), v);
-    const auto of_meshes = audit::ask_robust<Row>(Row::Question{mesh_of(box_of(a)), mesh_of(box_of(b)), v});
+    const auto of_meshes = catalogue::ask_robust<Row>(Row::Question{mesh_of(box_of(a)), mesh_of(box_of(b)), v});
     const auto answer = ask(asked);
     return equal(of_boxes, of_meshes) && (!answer.t || (of_boxes.t && *of_boxes.t <= *answer.t));
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/sweeps/swept_sphere_plane.h"
+#include "catalogue/rows/sweeps/swept_sphere_plane.h"
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
@@ -63,7 +63,7 @@ TEST_CASE("swept_sphere_plane: velocities times a power of two divide t by it") 
 
 LAW("swept_sphere_plane: a larger ball never meets later", sphere, velocity, plane) {
   const auto answer = ask(asked);
-  for (const double larger : {audit::moved_by_ulps(sphere.radius, 1), sphere.radius + sphere.radius / 4 + tiny}) {
+  for (const double larger : {catalogue::moved_by_ulps(sphere.radius, 1), sphere.radius + sphere.radius / 4 + tiny}) {
     if (!finite(larger)) continue;
     const auto then = ask(Row::Question{{sphere.center, larger}, velocity, plane});
     if (answer.t && (!then.t || *then.t > *answer.t)) return false;
@@ -83,7 +83,7 @@ LAW("swept_sphere_plane: along the plane and at rest, it is met at the start or 
 TEST_CASE(
     "swept_sphere_plane: at the exact t the center is as far from the plane as the radius, and was farther before") {
   law_of<Row>(
-      "oracle: first contact", [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      "oracle: first contact", [](const auto& asked) { return catalogue::ask_oracle<Row>(asked).answer; },
       [](const auto& ask, const auto& asked) {
         const auto answer = ask(asked);
         const Surd nothing{Rational(0)}, start = beyond(asked, Rational(0)), end = beyond(asked, Rational(1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/sweeps/swept_sphere_sphere.h"
+#include "catalogue/rows/sweeps/swept_sphere_sphere.h"
 
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
@@ -93,7 +93,7 @@ TEST_CASE("swept_sphere_sphere: velocities times a power of two divide t by it")
 
 LAW("swept_sphere_sphere: larger balls never meet later", a, b, va, vb) {
   const auto answer = ask(asked);
-  for (const double larger : {audit::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
+  for (const double larger : {catalogue::moved_by_ulps(a.radius, 1), a.radius + a.radius / 4 + tiny}) {
     if (!finite(larger)) continue;
     const auto then = ask(Row::Question{{a.center, larger}, b, va, vb});
     if (answer.t && (!then.t || *then.t > *answer.t)) return false;
@@ -117,7 +117,7 @@ LAW("swept_sphere_sphere: with equal velocities, and at rest, the balls meet at 
 TEST_CASE(
     "swept_sphere_sphere: at the exact t the centers are as far apart as the radii reach, and were further before") {
   law_of<Row>(
-      "oracle: first contact", [](const auto& asked) { return audit::ask_oracle<Row>(asked).answer; },
+      "oracle: first contact", [](const auto& asked) { return catalogue::ask_oracle<Row>(asked).answer; },
       [](const auto& ask, const auto& asked) {
         const auto answer = ask(asked);
         const Surd touch(Rational(reach(asked) * reach(asked)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/aabb_aabb.h"
+#include "catalogue/rows/volumes/aabb_aabb.h"
 
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
@@ -30,8 +30,8 @@ template <class Box>
 Box grown(Box box, std::size_t side) {
   const std::size_t half = sides_of(box) / 2;
   std::size_t i = 0;
-  audit::for_each_number(box, [&](double& number) {
-    if (i == side) number = audit::moved_by_ulps(number, i < half ? -1 : 1);
+  catalogue::for_each_number(box, [&](double& number) {
+    if (i == side) number = catalogue::moved_by_ulps(number, i < half ? -1 : 1);
     ++i;
   });
   return box;
@@ -71,7 +71,7 @@ LAW("aabb_aabb: a flat box overlaps nothing", a, b) {
 LAW("aabb_aabb: lattice vectors keep the answer") {
   if (!on_lattice(asked)) return true;
   auto moved = asked;
-  audit::for_each_number(moved, [](double& number) { number += 0x1p44 + 3; });
+  catalogue::for_each_number(moved, [](double& number) { number += 0x1p44 + 3; });
   return ask(moved) == ask(asked);
 }
 
@@ -86,7 +86,7 @@ LAW("aabb_aabb: boxes that touch side by side are disjoint once one of them has 
   auto beside = b;
   beside.min.x = a.max.x, beside.max.x = std::max(a.max.x, b.max.x);
   auto off = beside;
-  off.min.x = audit::moved_by_ulps(off.min.x, 1), off.max.x = audit::moved_by_ulps(off.max.x, 1);
+  off.min.x = catalogue::moved_by_ulps(off.min.x, 1), off.max.x = catalogue::moved_by_ulps(off.max.x, 1);
   return ask(std::tuple(a, beside)) != overlapping && (off.min.x == a.max.x || ask(std::tuple(a, off)) == disjoint);
 }
 
@@ -168,7 +168,7 @@ CONTRACT("aabb_aabb: the formula in double keeps its contract", a, b) {
 }
 
 TEST_CASE("aabb_aabb: the formula has no rounding: in double it answers as in exact arithmetic") {
-  const auto& operation = audit::operation_of_row<Row>();
+  const auto& operation = catalogue::operation_of_row<Row>();
   never(
       operation, "no rounding",
       [&](const Question& question) -> std::string {

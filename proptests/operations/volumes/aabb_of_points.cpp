@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/aabb_of_points.h"
+#include "catalogue/rows/volumes/aabb_of_points.h"
 
 #include "proptests/space_laws.h"
 
@@ -28,8 +28,8 @@ auto of_points(const Holds& holds) {
 /// min.x, min.y ... max.x, max.y ...
 template <class Answer>
 auto ends(const Answer& box) {
-  std::vector<audit::number_of_t<Answer>> numbers;
-  audit::for_each_number(box, [&](const auto& number) { numbers.push_back(number); });
+  std::vector<catalogue::number_of_t<Answer>> numbers;
+  catalogue::for_each_number(box, [&](const auto& number) { numbers.push_back(number); });
   return numbers;
 }
 
@@ -76,8 +76,9 @@ TEST_CASE("aabb_of_points: without one of the points the box is no larger, and t
 TEST_CASE("aabb_of_points: robust returns 0 as 0.0 alone") {
   robust_law<Row>("one zero", of_points([](const auto& box_of, const auto& points) {
                     const auto numbers = ends(box_of(points));
-                    return std::none_of(numbers.begin(), numbers.end(),
-                                        [](double x) { return audit::moved_by_ulps(x, 0) == 0 && std::signbit(x); });
+                    return std::none_of(numbers.begin(), numbers.end(), [](double x) {
+                      return catalogue::moved_by_ulps(x, 0) == 0 && std::signbit(x);
+                    });
                   }));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/bounding_sphere.h"
+#include "catalogue/rows/volumes/bounding_sphere.h"
 
 #include "proptests/forward_error.h"
 
@@ -43,10 +43,10 @@ std::string fault(const Points& points, SphereMethod method, const Sphere3d& bal
 /// verdict.
 void worked(const Points& points, SphereMethod method, const Sphere3<Surd>& expected,
             const std::string& by_reference = "agree") {
-  const Operation& operation = audit::operation_of_row<Row>();
+  const Operation& operation = catalogue::operation_of_row<Row>();
   const auto examination = examined<Row>({points, method});
-  CHECK(audit::one_line(examination->truth()) ==
-        audit::one_line(operation.answer_json(audit::packed_as<audit::TrueNumber>(expected))));
+  CHECK(catalogue::one_line(examination->truth()) ==
+        catalogue::one_line(operation.answer_json(catalogue::packed_as<catalogue::TrueNumber>(expected))));
   CHECK(name_of(examination->judge_robust().verdict) == std::string("agree"));
   CHECK(name_of(examination->judge_reference().verdict) == by_reference);
 }
@@ -69,9 +69,10 @@ TEST_CASE("bounding_sphere: but for ritter the center of robust is the exact one
       "center",
       [](const auto& ask, const auto& asked) {
         if (std::get<1>(asked) == ritter) return true;
-        const auto exactly = audit::ask_oracle<Row>(asked).answer.center;
+        const auto exactly = catalogue::ask_oracle<Row>(asked).answer.center;
         const Sphere3d ball = ask(asked);
-        return ball.center == Point3d{audit::nearest(exactly.x), audit::nearest(exactly.y), audit::nearest(exactly.z)};
+        return ball.center ==
+               Point3d{catalogue::nearest(exactly.x), catalogue::nearest(exactly.y), catalogue::nearest(exactly.z)};
       },
       3);
 }
@@ -88,11 +89,11 @@ LAW("bounding_sphere: but to ritter the order of the points does not matter, and
 
 TEST_CASE("bounding_sphere: of the exact balls the smallest is the smallest, and ritter's at most 3/2 of it") {
   never(
-      audit::operation_of_row<Row>(), "smallest",
+      catalogue::operation_of_row<Row>(), "smallest",
       [](const Question& question) -> std::string {
         const auto [points, method] = typed<Row>(question);
         const auto radius = [&points = points](SphereMethod by) {
-          return audit::ask_oracle<Row>(Row::Question{points, by}).answer.radius;
+          return catalogue::ask_oracle<Row>(Row::Question{points, by}).answer.radius;
         };
         try {
           const Surd least = radius(smallest), grown = radius(ritter);

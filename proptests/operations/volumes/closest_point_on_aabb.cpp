@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/closest_point_on_aabb.h"
+#include "catalogue/rows/volumes/closest_point_on_aabb.h"
 
 #include "proptests/forward_error.h"
 
@@ -29,7 +29,7 @@ template <class Holds>
 auto of_point_and_box(const Holds& holds) {
   return [holds](const auto& ask, const auto& asked) {
     const auto answered = [&](const auto& p, const auto& box) { return coordinates(ask(std::tuple(p, box))); };
-    return audit::applied([&](const auto& p, const auto& box) { return holds(answered, p, box); }, asked);
+    return catalogue::applied([&](const auto& p, const auto& box) { return holds(answered, p, box); }, asked);
   };
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("closest_point_on_aabb: a point of the box is its own, min and max too
              return ask(box.min, box) == coordinates(box.min) && ask(box.max, box) == coordinates(box.max);
            }));
   robust_law<Row>("asked again, bit for bit", [](const auto& ask, const auto& question) {
-    return audit::applied(
+    return catalogue::applied(
         [&](const auto& p, const auto& box) {
           const auto once = ask(std::tuple(p, box));
           const auto twice = ask(std::tuple(std::get<std::remove_cvref_t<decltype(p)>>(once), box));

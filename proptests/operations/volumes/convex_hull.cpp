@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/convex_hull.h"
+#include "catalogue/rows/volumes/convex_hull.h"
 
 #include "proptests/clouds.h"
 #include "proptests/hull_laws.h"
@@ -117,7 +117,7 @@ TEST_CASE("convex_hull: symmetries and powers of two carry hulls to hulls") {
 
 ROBUST_LAW("convex_hull: robust gives the faces that the contract of robust names: those of the oracle, in its order") {
   const ConvexHull hull = ask(asked);
-  return hull.dimension != 3 || equal(hull, audit::ask_oracle<Row>(asked).answer);
+  return hull.dimension != 3 || equal(hull, catalogue::ask_oracle<Row>(asked).answer);
 }
 
 ROBUST_LAW("convex_hull: looking for far points first changes nothing", points) {
@@ -178,7 +178,7 @@ TEST_CASE("convex_hull: rounding, huge and subnormal coordinates") {
 }
 
 TEST_CASE("convex_hull: margins by hand") {
-  const auto margin = [](const Points& points) { return audit::ask_oracle<Row>(std::tuple(points)).margin; };
+  const auto margin = [](const Points& points) { return catalogue::ask_oracle<Row>(std::tuple(points)).margin; };
   CHECK(!margin({{3, 4, 5}}));
   CHECK(*margin({{0, 0, 0}, {3, -4, 0}}) == 64);
   CHECK(*margin({{0, 0, 0}, {3, 0, 0}, {0, 3, 1}}) == 27);  // the cross product is (0, -3, 9)
@@ -191,7 +191,7 @@ TEST_CASE("convex_hull: margins by hand") {
 }
 
 TEST_CASE("convex_hull: the checkers say the same of altered answers") {
-  hull_checkers_agree<Row>([](audit::Choices& c, ConvexHull& hull, Index count) {
+  hull_checkers_agree<Row>([](catalogue::Choices& c, ConvexHull& hull, Index count) {
     if (hull.point) hull.point = static_cast<Index>(c.below(count));
     if (hull.segment && c.below(2) == 1) hull.segment->i = static_cast<Index>(c.below(count));
     if (hull.polygon && c.below(2) == 1) std::reverse(hull.polygon->begin(), hull.polygon->end());
@@ -221,12 +221,12 @@ TEST_CASE("convex_hull: the checkers say the same of altered answers") {
 TEST_CASE("convex_hull: the formula in double is right beyond the margins of its contract") {
   int beyond = 0;
   never(
-      audit::operation_of_row<Row>(), "the forward error bound holds",
+      catalogue::operation_of_row<Row>(), "the forward error bound holds",
       [&](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
         if (!beyond_margins(std::get<0>(asked))) return "";
         ++beyond;
-        return Row::fault(asked, audit::ask_reference<Row>(asked));
+        return Row::fault(asked, catalogue::ask_reference<Row>(asked));
       },
       48);
   CHECK(beyond > 100);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/convex_hull_2d.h"
+#include "catalogue/rows/volumes/convex_hull_2d.h"
 
 #include "proptests/hull_laws.h"
 #include "proptests/polygons_from_elsewhere.h"
@@ -115,7 +115,7 @@ TEST_CASE("convex_hull_2d: rounding, huge and subnormal coordinates") {
 }
 
 TEST_CASE("convex_hull_2d: margins by hand") {
-  const auto margin = [](const Points& points) { return audit::ask_oracle<Row>(std::tuple(points)).margin; };
+  const auto margin = [](const Points& points) { return catalogue::ask_oracle<Row>(std::tuple(points)).margin; };
   CHECK(!margin({{3, 4}}));
   CHECK(*margin({{3, 4}, {3, 4}}) == 0);
   CHECK(*margin({{0, 0}, {3, 4}}) == 25);
@@ -126,7 +126,7 @@ TEST_CASE("convex_hull_2d: margins by hand") {
 }
 
 TEST_CASE("convex_hull_2d: the checkers say the same of altered answers") {
-  hull_checkers_agree<Row>([](audit::Choices& c, ConvexHull2& hull, Index count) {
+  hull_checkers_agree<Row>([](catalogue::Choices& c, ConvexHull2& hull, Index count) {
     if (hull.point) hull.point = static_cast<Index>(c.below(count));
     if (hull.segment && c.below(2) == 1) hull.segment->i = static_cast<Index>(c.below(count));
     if (!hull.polygon) return;
@@ -145,13 +145,13 @@ TEST_CASE("convex_hull_2d: the checkers say the same of altered answers") {
 TEST_CASE("convex_hull_2d: the formula in double is right beyond the margins of its contract") {
   int beyond = 0;
   never(
-      audit::operation_of_row<Row>(), "the forward error bound holds",
+      catalogue::operation_of_row<Row>(), "the forward error bound holds",
       [&](const Question& question) -> std::string {
         const auto asked = typed<Row>(question);
         if (std::get<0>(asked).empty()) return "";
-        if (!beyond_margins(std::get<0>(asked), audit::ask_oracle<Row>(asked).answer)) return "";
+        if (!beyond_margins(std::get<0>(asked), catalogue::ask_oracle<Row>(asked).answer)) return "";
         ++beyond;
-        return Row::fault(asked, audit::ask_reference<Row>(asked));
+        return Row::fault(asked, catalogue::ask_reference<Row>(asked));
       },
       4);
   CHECK(beyond > 100);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/kdop_kdop.h"
+#include "catalogue/rows/volumes/kdop_kdop.h"
 
 #include "proptests/space_laws.h"
 #include "robust/volumes/aabb_aabb.h"
@@ -63,7 +63,7 @@ LAW("kdop_kdop: a k-DOP overlaps itself, unless a slab is flat: then it touches 
 
 LAW("kdop_kdop: slabs that grow never lose contact") {
   auto [a, b] = asked;
-  for (Slabd& s : a.slabs) s = {audit::moved_by_ulps(s.min, -1), audit::moved_by_ulps(s.max, 1)};
+  for (Slabd& s : a.slabs) s = {catalogue::moved_by_ulps(s.min, -1), catalogue::moved_by_ulps(s.max, 1)};
   return ask(std::tuple(a, b)) >= ask(asked);
 }
 

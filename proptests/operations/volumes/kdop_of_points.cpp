@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/kdop_of_points.h"
+#include "catalogue/rows/volumes/kdop_of_points.h"
 
 #include "proptests/space_laws.h"
 #include "robust/volumes/aabb_of_points.h"
@@ -29,10 +29,10 @@ bool least_above(double end, const Rational& number) {
 void worked(const Points& points, const Normals& normals, const std::vector<Slab<Rational>>& truth, const Slabs& robust,
             const std::string& fault_of_formula = "") {
   const Row::Question q{points, normals};
-  CHECK(audit::ask_oracle<Row>(q).answer == truth);
-  CHECK(audit::ask_robust<Row>(q) == robust);
+  CHECK(catalogue::ask_oracle<Row>(q).answer == truth);
+  CHECK(catalogue::ask_robust<Row>(q) == robust);
   CHECK(Row::fault(q, robust) == "");
-  CHECK(Row::fault(q, audit::ask_reference<Row>(q)) == fault_of_formula);
+  CHECK(Row::fault(q, catalogue::ask_reference<Row>(q)) == fault_of_formula);
 }
 
 /// An honest implementation in doubles: N . P, a bound on its error, and their difference rounded outwards.
@@ -154,7 +154,7 @@ TEST_CASE("kdop_of_points: the checker takes honest bounds, and names what is wr
 
 TEST_CASE("kdop_of_points: a lost point is the formula's rounding, and the verdict says which and by how much") {
   const auto judged = examined<Row>({{{1, 0x1p-60, 0}}, {{1, 1, 0}}})->judge_reference();
-  CHECK(judged.verdict == audit::Verdict::rounding);
+  CHECK(judged.verdict == catalogue::Verdict::rounding);
   CHECK(judged.remark == "slabs[0]: points[0] is lost above max, by 8.674e-19");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/obb_obb.h"
+#include "catalogue/rows/volumes/obb_obb.h"
 
 #include "proptests/forward_error.h"
 #include "proptests/laws.h"
@@ -85,7 +85,7 @@ LAW("obb_obb: a box overlaps itself and every box around its center", a, b) {
 LAW("obb_obb: boxes touch where one stands an edge's length beside itself, and part an ulp of one axis farther", a) {
   if (!on_lattice(asked)) return true;
   const auto beside = [&](double r, double s, double t) {
-    return ask(Row::Question{a, {audit::halves_along(a, r, s, t), a.half_axes}});
+    return ask(Row::Question{a, {catalogue::halves_along(a, r, s, t), a.half_axes}});
   };
   return beside(4, 0, 0) == touching && beside(-4, 4, 0) == touching && beside(4, 4, -4) == touching &&
          beside(2, -2, 2) == overlapping && beside(0, 6, 0) == disjoint;
@@ -97,7 +97,7 @@ ROBUST_LAW("obb_obb: a corner of one box in the other means that they meet", a, 
   for (const double r : {-2.0, 2.0})
     for (const double s : {-2.0, 2.0})
       for (const double t : {-2.0, 2.0}) {
-        const Location location = robust::point_in_obb(a, audit::halves_along(b, r, s, t));
+        const Location location = robust::point_in_obb(a, catalogue::halves_along(b, r, s, t));
         if (contact < (location == Location::inside     ? overlapping
                        : location == Location::boundary ? touching
                                                         : disjoint))

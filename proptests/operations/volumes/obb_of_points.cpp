@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/obb_of_points.h"
+#include "catalogue/rows/volumes/obb_of_points.h"
 
 #include "proptests/space_laws.h"
 #include "robust/volumes/obb_obb.h"
@@ -17,7 +17,7 @@ Points corners(const Obb3d& box) {
   Points points;
   for (const double r : {-2.0, 2.0})
     for (const double s : {-2.0, 2.0})
-      for (const double t : {-2.0, 2.0}) points.push_back(audit::halves_along(box, r, s, t));
+      for (const double t : {-2.0, 2.0}) points.push_back(catalogue::halves_along(box, r, s, t));
   return points;
 }
 
@@ -28,7 +28,7 @@ bool parallel(const Vector3<Rational>& a, const Vector3<Rational>& b) {
 
 /// The truth has these half axes, in any order, each perhaps turned over.
 void worked(const Points& points, const Point3<Rational>& center, const std::vector<Vector3<Rational>>& half_axes) {
-  const ExactBox truth = audit::ask_oracle<Row>(Row::Question{points}).answer;
+  const ExactBox truth = catalogue::ask_oracle<Row>(Row::Question{points}).answer;
   CHECK(truth.center == center);
   const auto& [u, v, w] = truth.half_axes;
   for (const auto& a : {u, v, w})
@@ -42,7 +42,7 @@ std::string fault(const Points& points, const Obb3d& box) { return Row::fault({p
 
 /// The box with every half axis times a power of two.
 Obb3d scaled(Obb3d box, int k) {
-  audit::walk(
+  catalogue::walk(
       box, [k](double& number) { number = std::ldexp(number, k); }, [](auto&) {});
   return box;
 }
@@ -73,11 +73,11 @@ TEST_CASE("obb_of_points: the truth is right, and so is the formula in exact ari
   robust_law<Row>(
       "exactly right",
       [](const auto&, const auto& asked) {
-        const audit::RowFunctions& row = audit::operation_of_row<Row>().row();
-        const auto formula = row.reference_exactly(audit::packed(asked));
-        const auto exactly = [](const audit::Exact& n) { return n.value(); };
-        return Row::exact_fault(asked, audit::ask_oracle<Row>(asked).answer).empty() &&
-               row.exact_fault(audit::packed(asked), audit::tape_with<mpq_class>(formula, exactly)).empty();
+        const catalogue::RowFunctions& row = catalogue::operation_of_row<Row>().row();
+        const auto formula = row.reference_exactly(catalogue::packed(asked));
+        const auto exactly = [](const catalogue::Exact& n) { return n.value(); };
+        return Row::exact_fault(asked, catalogue::ask_oracle<Row>(asked).answer).empty() &&
+               row.exact_fault(catalogue::packed(asked), catalogue::tape_with<mpq_class>(formula, exactly)).empty();
       },
       3);
 }
@@ -157,7 +157,7 @@ TEST_CASE("obb_of_points: the checker says which point is lost, and what else is
 TEST_CASE("obb_of_points: a lost point is the formula's rounding, and the verdict says which and by how much") {
   const auto judged =
       examined<Row>({{{0, 0, 0}, {0.1, 0.2, 0.3}, {0.3, 0.1, 0.2}, {0.7, 0.7, -0.1}}})->judge_reference();
-  CHECK(judged.verdict == audit::Verdict::rounding);
+  CHECK(judged.verdict == catalogue::Verdict::rounding);
   CHECK(judged.remark.find("is outside, beyond half_axes[") != std::string::npos);
 }
 

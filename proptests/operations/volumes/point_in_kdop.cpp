@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/point_in_kdop.h"
+#include "catalogue/rows/volumes/point_in_kdop.h"
 
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
@@ -51,7 +51,7 @@ LAW("point_in_kdop: a slab may be written with the opposite normal") {
 
 LAW("point_in_kdop: a normal and its slab times a power of two say the same") {
   const auto times = [](Kdop3d kdop, int k) {
-    audit::for_each_number(kdop, [k](double& number) { number = std::ldexp(number, k); });
+    catalogue::for_each_number(kdop, [k](double& number) { number = std::ldexp(number, k); });
     return kdop;
   };
   const auto& [kdop, p] = asked;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/point_in_obb.h"
+#include "catalogue/rows/volumes/point_in_obb.h"
 
 #include "proptests/forward_error.h"
 #include "proptests/laws.h"
@@ -26,7 +26,7 @@ Meshd mesh_of(const Obb3d& box) {
   Meshd mesh;
   for (const double r : {-2.0, 2.0})
     for (const double s : {-2.0, 2.0})
-      for (const double t : {-2.0, 2.0}) mesh.vertices.push_back(audit::halves_along(box, r, s, t));
+      for (const double t : {-2.0, 2.0}) mesh.vertices.push_back(catalogue::halves_along(box, r, s, t));
   for (const auto& [a, b, c, d] :
        {std::array<Index, 4>{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}}) {
     mesh.faces.push_back({a, b, c});
@@ -74,7 +74,7 @@ LAW("point_in_obb: the center is inside, and what is opposite to a point lies as
 LAW("point_in_obb: ends of half axes and corners are on the boundary, and beyond is outside", box) {
   if (!on_lattice(asked)) return true;
   const auto at = [&](double r, double s, double t) {
-    return ask(Row::Question{box, audit::halves_along(box, 2 * r, 2 * s, 2 * t)});
+    return ask(Row::Question{box, catalogue::halves_along(box, 2 * r, 2 * s, 2 * t)});
   };
   return at(1, 0, 0) == boundary && at(0, -1, 0) == boundary && at(0, 0, 1) == boundary && at(1, -1, 1) == boundary &&
          at(2, 0, 0) == outside && at(0, 0, -2) == outside && at(1, 1, 2) == outside;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/sphere_aabb.h"
+#include "catalogue/rows/volumes/sphere_aabb.h"
 
 #include "proptests/forward_error.h"
 #include "robust/volumes/closest_point_on_aabb.h"
@@ -58,7 +58,7 @@ const Aabb3d cube{{0, 0, 0}, {4, 4, 4}};
 
 LAW("sphere_aabb: a ball that grows never loses contact, and one that touched overlaps a box with an interior", ball,
     box) {
-  const double larger = audit::moved_by_ulps(ball.radius, 1);
+  const double larger = catalogue::moved_by_ulps(ball.radius, 1);
   const Contact contact = ask(std::tuple(ball, box)), then = ask(std::tuple(with_radius(ball, larger), box));
   if (larger == ball.radius || contact == disjoint) return then >= contact;
   return then == (flat(box) ? touching : overlapping);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/volumes/sphere_sphere.h"
+#include "catalogue/rows/volumes/sphere_sphere.h"
 
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
@@ -40,7 +40,7 @@ LAW("sphere_sphere: a point overlaps nothing", a, b) {
 }
 
 LAW("sphere_sphere: a ball that grows never loses contact, and one that touched overlaps", a, b) {
-  const double larger = audit::moved_by_ulps(a.radius, 1);
+  const double larger = catalogue::moved_by_ulps(a.radius, 1);
   const Contact contact = ask(std::tuple(a, b)), then = ask(std::tuple(with_radius(a, larger), b));
   if (larger == a.radius || contact == disjoint) return then >= contact;
   return then == (is_point(b) ? touching : overlapping);

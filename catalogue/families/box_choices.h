@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "catalogue/families/numbers.h"
+#include "geometry/volumes.h"
+
+/// Boxes, drawn from a stream of choices as exact integers.
+namespace touchstone::catalogue {
+
+inline Point3d lattice_point_of_box(Choices& choices, int bits = 24) {
+  const double x = integer(choices, bits), y = integer(choices, bits);
+  return {x, y, integer(choices, bits)};
+}
+
+/// With an interior; 1 wide at the least.
+inline Aabb3d lattice_box(Choices& choices, int bits = 24) {
+  const Point3d p = lattice_point_of_box(choices, bits);
+  const auto width = [&choices] { return 1 + static_cast<double>(choices.below(8)); };
+  const double x = width(), y = width(), z = width();
+  return {p, {p.x + x, p.y + y, p.z + z}};
+}
+
+/// Another box that has a part of a's interior.
+inline Aabb3d overlapping(const Aabb3d& a, Choices& choices) {
+  const auto least = [&choices](double low, double high) {
+    return low + static_cast<double>(choices.below(static_cast<std::uint64_t>(high - low)));
+  };
+  const auto width = [&choices] { return 1 + static_cast<double>(choices.below(8)); };
+  const double x = least(a.min.x, a.max.x), y = least(a.min.y, a.max.y), z = least(a.min.z, a.max.z);
+  const double dx = width(), dy = width(), dz = width();
+  return {{x, y, z}, {x + dx, y + dy, z + dz}};
+}
+
+/// A part of a, perhaps all, perhaps flat.
+inline Aabb3d within(const Aabb3d& a, Choices& choices) {
+  const auto part = [&choices](double& low, double& high) {
+    low += static_cast<double>(choices.below(static_cast<std::uint64_t>(high - low) + 1));
+    high -= static_cast<double>(choices.below(static_cast<std::uint64_t>(high - low) + 1));
+  };
+  Aabb3d b = a;
+  part(b.min.x, b.max.x), part(b.min.y, b.max.y), part(b.min.z, b.max.z);
+  return b;
+}
+
+inline Aabb3d shifted(const Aabb3d& b, double x, double y, double z) {
+  return {{b.min.x + x, b.min.y + y, b.min.z + z}, {b.max.x + x, b.max.y + y, b.max.z + z}};
+}
+inline Aabb2d without_z(const Aabb3d& b) { return {{b.min.x, b.min.y}, {b.max.x, b.max.y}}; }
+
+/// min and max exchanged where they stand the wrong way round.
+inline void put_in_order(double& min, double& max) {
+  if (min > max) std::swap(min, max);
+}
+inline void put_in_order(Aabb2d& b) { put_in_order(b.min.x, b.max.x), put_in_order(b.min.y, b.max.y); }
+inline void put_in_order(Aabb3d& b) {
+  put_in_order(b.min.x, b.max.x), put_in_order(b.min.y, b.max.y), put_in_order(b.min.z, b.max.z);
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/families/space_choices.h"
+#include "geometry/volumes.h"
+
+/// k-DOPs, drawn from a stream of choices.
+namespace touchstone::catalogue {
+
+inline double product(const Vector3d& n, const Point3d& p) { return dot(n, Vector3d{p.x, p.y, p.z}); }
+
+/// The directions that k-DOPs mostly have: components -1, 0, 1; (1, 0, 0) is the simplest.
+inline Vector3d usual_normal(Choices& choices) {
+  const double x = 1 - static_cast<double>(choices.below(2)), y = small_integer(choices, 1);
+  const double z = small_integer(choices, 1);
+  return x == 0 && y == 0 && z == 0 ? Vector3d{0, 0, 1} : Vector3d{x, y, z};
+}
+
+/// A lattice vector, mostly such a one.
+inline Vector3d kdop_normal(Choices& choices) {
+  return choices.below(4) == 3 ? lattice_normal(choices) : usual_normal(choices);
+}
+
+/// Slabs one after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+/// slab(choices, normal)
+template <class DrawNormal, class DrawSlab>
+Kdop3d kdop_of(Choices& choices, const DrawNormal& normal, const DrawSlab& slab) {
+  Kdop3d kdop;
+  do {
+    kdop.normals.push_back(normal(choices));
+    kdop.slabs.push_back(slab(choices, kdop.normals.back()));
+  } while (kdop.normals.size() < 9 && choices.below(4) != 0);
+  return kdop;
+}
+
+/// Random numbers made a valid k-DOP: as many slabs as normals, their ends in order.
+inline void repair(Kdop3d& kdop) {
+  const std::size_t count = std::min(kdop.normals.size(), kdop.slabs.size());
+  kdop.normals.resize(count), kdop.slabs.resize(count);
+  for (Slabd& slab : kdop.slabs) put_in_order(slab.min, slab.max);
+}
+
+}  // namespace touchstone::catalogue

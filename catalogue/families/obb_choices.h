@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "catalogue/families/space_choices.h"
+#include "geometry/volumes.h"
+
+/// Oriented boxes, drawn from a stream of choices; of even integers, so that half of a half axis is whole.
+namespace touchstone::catalogue {
+
+using HalfAxes3d = HalfAxes<double>;
+
+inline double volume_of(const HalfAxes3d& h) { return dot(cross(h.u, h.v), h.w); }
+
+inline std::array<Vector3d*, 3> each_of(HalfAxes3d& h) { return {&h.u, &h.v, &h.w}; }
+
+/// The coordinate axes times even integers, in any order.
+inline HalfAxes3d straight_half_axes(Choices& c) {
+  const auto length = [&c] { return 2 * static_cast<double>(1 + c.below(4)); };
+  const double x = length(), y = length(), z = length();
+  const Vector3d a{x, 0, 0}, b{0, y, 0}, d{0, 0, z};
+  switch (c.below(3)) {
+    case 0: return {a, b, d};
+    case 1: return {b, d, a};
+    default: return {b, a, d};
+  }
+}
+
+/// At right angles to each other: a turn by an integer quaternion.
+inline HalfAxes3d turned_half_axes(Choices& c) {
+  const double a = 1 + static_cast<double>(c.below(3)), p = small_integer(c, 3), q = small_integer(c, 3),
+               r = small_integer(c, 3);
+  HalfAxes3d h{{a * a + p * p - q * q - r * r, 2 * (p * q + a * r), 2 * (p * r - a * q)},
+               {2 * (p * q - a * r), a * a - p * p + q * q - r * r, 2 * (q * r + a * p)},
+               {2 * (p * r + a * q), 2 * (q * r - a * p), a * a - p * p - q * q + r * r}};
+  for (Vector3d* axis : each_of(h)) *axis = 2 * static_cast<double>(1 + c.below(3)) * *axis;
+  return h;
+}
+
+/// Independent integers of at most so many bits.
+inline HalfAxes3d skew_half_axes(Choices& c, int bits = 3) {
+  HalfAxes3d h{};
+  for (Vector3d* axis : each_of(h)) *axis = 2.0 * lattice_normal(c, bits);
+  if (volume_of(h) == 0) h = {{2, 0, 0}, {h.u.x, 4, 0}, {h.v.y, h.v.z, 2}};
+  return h;
+}
+
+/// Nearly dependent: the second differs from the first by little, the third from their plane.
+inline HalfAxes3d slanted_half_axes(Choices& c) {
+  const Vector3d u = 2.0 * lattice_normal(c, 20);
+  const Vector3d little = 2.0 * lattice_normal(c, 2);
+  const double k = small_integer(c, 2);
+  const HalfAxes3d h{u, u + little, k * u + 2.0 * lattice_normal(c, 2)};
+  return volume_of(h) == 0 ? HalfAxes3d{u, {2, 2 * u.x + 2, 0}, {0, 0, 2 * u.x * u.x + 2}} : h;
+}
+
+inline HalfAxes3d lattice_half_axes(Choices& c) {
+  switch (c.below(4)) {
+    case 0: return straight_half_axes(c);
+    case 1: return turned_half_axes(c);
+    case 2: return skew_half_axes(c);
+    default: return slanted_half_axes(c);
+  }
+}
+
+inline Obb3d lattice_obb(Choices& c) {
+  const HalfAxes3d h = lattice_half_axes(c);
+  return {lattice_point_in_space(c, 20), h};
+}
+
+/// center + (r u + s v + t w) / 2
+inline Point3d halves_along(const Obb3d& box, double r, double s, double t) {
+  const auto& [u, v, w] = box.half_axes;
+  return box.center + (r / 2 * u + (s / 2 * v + t / 2 * w));
+}
+
+/// On the boundary: on a face, on an edge, or a corner.
+inline Point3d on_obb(const Obb3d& box, Choices& c) {
+  const double one = c.below(2) == 1 ? -2 : 2, other = small_integer(c, 2), third = small_integer(c, 2);
+  switch (c.below(3)) {
+    case 0: return halves_along(box, one, other, third);
+    case 1: return halves_along(box, other, one, third);
+    default: return halves_along(box, other, third, one);
+  }
+}
+
+/// Moves b to where it touches a from outside, as far as their half axes number i and j, a's before b's, are not
+/// parallel: on the axis at right angles to both. What that axis leaves open is drawn: where along the common edges or
+/// faces. Exact for small integers.
+inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, Choices& c) {
+  const Vector3d* edges[] = {&a.half_axes.u, &a.half_axes.v, &a.half_axes.w,
+                             &b.half_axes.u, &b.half_axes.v, &b.half_axes.w};
+  const Vector3d n = cross(*edges[i], *edges[j]);
+  b.center = a.center;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double along = dot(n, *edges[k]), open = small_integer(c, 2);
+    const double halves = k == i || k == j || along == 0 ? open : along > 0 ? 2 : -2;
+    b.center = b.center + halves / 2 * *edges[k];
+  }
+}
+
+/// A box with the half axes of another, in another order and perhaps half or twice as long, its center on the grid of
+/// halves of these.
+inline Obb3d alike(const Obb3d& a, Choices& c) {
+  const auto [u, v, w] = a.half_axes;
+  Obb3d b{{}, c.below(2) == 1 ? HalfAxes3d{v, w, u} : HalfAxes3d{u, v, w}};
+  for (Vector3d* axis : each_of(b.half_axes)) {
+    static constexpr double factors[] = {1, 0.5, 2, -1};
+    *axis = factors[c.below(4)] * *axis;
+  }
+  const double r = small_integer(c, 4), s = small_integer(c, 4);
+  b.center = halves_along(a, r, s, small_integer(c, 4));
+  return b;
+}
+
+/// Each coordinate by its own power of two: past the lattice, past the filter's guard, below its absolute term.
+class Stretch {
+ public:
+  explicit Stretch(Choices& c) {
+    static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, -355};
+    for (int& e : exponents_) e = exponents[c.below(7)];
+  }
+  template <class T>
+  void operator()(T& v) const {
+    v = {std::ldexp(v.x, exponents_[0]), std::ldexp(v.y, exponents_[1]), std::ldexp(v.z, exponents_[2])};
+  }
+  void operator()(Obb3d& box) const {
+    (*this)(box.center);
+    for (Vector3d* axis : each_of(box.half_axes)) (*this)(*axis);
+  }
+
+ private:
+  std::array<int, 3> exponents_{};
+};
+
+/// A box around the origin, each half axis of its own size, from one end of the range to the other.
+inline Obb3d long_and_thin_obb(Choices& c) {
+  Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
+  for (Vector3d* axis : each_of(box.half_axes)) {
+    const int k = static_cast<int>(c.below(2000)) - 1080;
+    *axis = {std::ldexp(axis->x, k), std::ldexp(axis->y, k), std::ldexp(axis->z, k)};
+  }
+  return box;
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/families/rings.h"
+#include "catalogue/operation/row.h"
+
+/// What the operations on one simple polygon that cut it into pieces are asked, and how their pieces are drawn.
+namespace touchstone::catalogue {
+
+/// Convex, star, comb; flat vertices, one in each edge or long runs; strips and needles of width 1; spirals; a slit
+/// between two parts; coordinates near 1e6 + 0.1; up to 200 vertices; as
+/// people type and compute them; and rings that are refused. All upright or lying,
+/// in either direction, from any vertex on.
+std::vector<HardCase<std::tuple<Polygon2d>>> simple_ring_cases();
+
+/// The polygon and its pieces.
+inline void draw_pieces(Drawing& drawing, const std::tuple<Polygon2d>& question,
+                        const std::vector<std::vector<Index>>& pieces) {
+  const Polygon2d& polygon = std::get<0>(question);
+  draw(drawing, "polygon", polygon, false);
+  for (const std::vector<Index>& piece : pieces) {
+    Polygon2d part;
+    for (const Index i : piece) part.vertices.push_back(polygon[i]);
+    draw(drawing, "", part, true);
+  }
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <tuple>
+
+#include "catalogue/families/numbers.h"
+#include "geometry/space.h"
+
+/// Exact integers of space, drawn from a stream of choices; the simplest first.
+namespace touchstone::catalogue {
+
+/// A lattice point of space, near the origin first.
+inline Point3d lattice_point_in_space(Choices& choices, int bits = 26) {
+  const double x = integer(choices, bits), y = integer(choices, bits);
+  return {x, y, integer(choices, bits)};
+}
+
+/// A lattice vector that is not zero; (0, 1, 0) is the simplest.
+inline Vector3d lattice_normal(Choices& choices, int bits = 20) {
+  const double x = integer(choices, bits), y = integer(choices, bits), z = integer(choices, bits);
+  return x == 0 && y == 0 && z == 0 ? Vector3d{0, 1, 0} : Vector3d{x, y, z};
+}
+
+/// A lattice vector at a right angle to n, perhaps zero: n x (small integers).
+inline Vector3d lattice_across(Choices& choices, const Vector3d& n) {
+  const double x = small_integer(choices), y = small_integer(choices), z = small_integer(choices);
+  return cross(n, Vector3d{x, y, z});
+}
+
+/// Three products of about half of the least subnormal number each, and an offset of one to three times that number.
+inline std::tuple<Plane3d, Point3d> terms_below_least(Choices& choices) {
+  const int k = static_cast<int>(choices.below(1000)) - 500;
+  const double a = std::ldexp(8 + static_cast<double>(choices.below(8)), k),
+               b = std::ldexp(8 + static_cast<double>(choices.below(8)), -1082 - k);
+  return {{{a, a, a}, -std::ldexp(static_cast<double>(1 + choices.below(3)), -1074)}, {b, b, b}};
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "catalogue/families/choices.h"
+#include "geometry/space.h"
+
+/// Displacements of whole length, drawn from a stream of choices.
+namespace touchstone::catalogue {
+
+/// The way from one position to another and, where it is whole, its length; and whether all is to be seen in the plane.
+struct Step {
+  Vector3d way;
+  double length;
+  bool in_plane;
+};
+
+/// By a Pythagorean triple or, in space, quadruple.
+inline Step whole_step(Choices& choices) {
+  static constexpr std::array<std::array<double, 4>, 9> steps{{{3, 4, 0, 5},
+                                                               {1, 0, 0, 1},
+                                                               {5, -12, 0, 13},
+                                                               {119, 120, 0, 169},
+                                                               {1, 2, 2, 3},
+                                                               {2, -3, 6, 7},
+                                                               {4, 4, 7, 9},
+                                                               {0, 8, 15, 17},
+                                                               {2, 10, 11, 15}}};
+  const bool in_plane = choices.below(2) == 1;
+  const auto [x, y, z, length] = steps[choices.below(in_plane ? 4 : 9)];
+  const double k = 1 + static_cast<double>(choices.below(1 << 12));
+  return {{k * x, k * y, k * z}, k * length, in_plane};
+}
+
+}  // namespace touchstone::catalogue

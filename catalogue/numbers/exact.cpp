@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/numbers/exact.h"
+
+#include <mpfr.h>
+
+#include <algorithm>
+
+namespace touchstone::catalogue {
+namespace {
+
+// More than the 1074 + 1024 bits between the ends of the binary64 range would be needed for an exact sum of any two
+// doubles; 2400 also leave 300 bits beyond the last place for the question of ties.
+constexpr mpfr_prec_t precision = 2400;
+
+// Directions of doubles that differ at all have a sine of at least 2^-4200, so their cosine is at least 2^-8401 away
+// from 1: a root in the denominator of such a cosine must tell it from 1.
+constexpr mpfr_prec_t nearest_cosine = 8402, precision_of_roots = 9000;
+
+/// MPFR keeps constants for each thread, and frees them only where it is told to.
+struct Constants {
+  ~Constants() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
+};
+
+template <class Function>
+Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = precision,
+              mpfr_prec_t of_result = precision) {
+  if (!a.defined()) return a;
+  [[maybe_unused]] static thread_local const Constants freed_when_the_thread_ends;
+  mpfr_t argument, result;
+  mpfr_init2(argument, of_argument);
+  mpfr_init2(result, of_result);
+  mpfr_set_q(argument, a.value().get_mpq_t(), MPFR_RNDN);
+  function(result, argument, MPFR_RNDN);
+  mpq_class value;
+  mpfr_get_q(value.get_mpq_t(), result);
+  mpfr_clear(argument);
+  mpfr_clear(result);
+  return Exact(value);
+}
+
+}  // namespace
+
+Exact cos(const Exact& a) { return by_mpfr(a, mpfr_cos); }
+Exact sin(const Exact& a) { return by_mpfr(a, mpfr_sin); }
+Exact acos(const Exact& a) {
+  if (!a.defined()) return a;
+  const mpq_class room = 1 - abs(a.value());
+  if (sgn(room) < 0) return a / Exact(0);
+  // Where room is left of 2^-k, an argument rounded to 2^-(precision + k) moves the room, and the angle from an end, by
+  // 2^-precision relatively; and it is pi - angle that must be as precise as that angle, which is the root of twice the
+  // room.
+  const std::size_t numerator = mpz_sizeinbase(room.get_num_mpz_t(), 2),
+                    denominator = mpz_sizeinbase(room.get_den_mpz_t(), 2);
+  const auto near_end =
+      sgn(room) == 0 ? nearest_cosine : static_cast<mpfr_prec_t>(denominator - std::min(numerator, denominator) + 2);
+  return by_mpfr(a, mpfr_acos, precision + near_end, precision + near_end / 2);
+}
+Exact sqrt(const Exact& a) {
+  if (!a.defined() || sgn(a.value()) < 0) return a / Exact(0);
+  const mpz_class numerator = ::sqrt(a.value().get_num()), denominator = ::sqrt(a.value().get_den());
+  const mpq_class root(numerator, denominator);
+  return root * root == a.value() ? Exact(root) : by_mpfr(a, mpfr_sqrt, precision_of_roots + 1, precision_of_roots);
+}
+
+}  // namespace touchstone::catalogue

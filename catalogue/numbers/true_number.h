@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/codec/json.h"
+#include "catalogue/shape/tape.h"
+#include "oracle/exact/surd.h"
+
+namespace touchstone::catalogue {
+
+/// The numbers of the truth: p + q sqrt(r), mostly rational.
+using TrueNumber = oracle::Surd;
+using TrueTape = Tape<TrueNumber>;
+
+inline Json written(const TrueNumber& value) { return value.text(); }
+/// As those of rationals in catalogue/numbers/ulps.h.
+double nearest(const TrueNumber& truth, bool binary32 = false);
+double distance_in_ulps(double answered, const TrueNumber& truth, bool binary32 = false);
+
+}  // namespace touchstone::catalogue

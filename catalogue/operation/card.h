@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace touchstone::catalogue {
+
+/// How the answers of an operation are compared with the truth.
+enum class Kind {
+  decision,  ///< equal
+  measure,   ///< numbers: distance from the exact value in units in the last place
+  set,       ///< equal after canonical order
+  checked,   ///< a checker accepts
+  covering,  ///< nothing missing; what is too much is counted apart
+};
+
+/// What one question costs, from which the number of cases in tests follows.
+enum class Price { thin = 1, ring = 8, mesh = 64 };
+
+/// What the catalogue says of an operation.
+struct Card {
+  const char* name;
+  const char* chapter;
+  const char* pages;     ///< of the deck
+  const char* question;  ///< one plain sentence: what is asked
+  Kind kind = Kind::decision;
+  std::vector<const char*> fields{};  ///< names of the inputs in JSON, in order
+  /// Where the alternatives of a question have names of their own: those of the second, the third ... alternative.
+  std::vector<std::vector<const char*>> other_fields{};
+  const char* answer = "";  ///< the answer's field name where the answer is one bare value
+  double ulps = 0;          ///< stated bound of the reference's numbers: roundings in the slide's formula
+  /// The oracle's margin is a length to this power; 0 where nothing is decided, so that there is no margin.
+  int margin_degree = 1;
+  Price price = Price::thin;
+  std::size_t list_length = 0;  ///< exhaustive runs: how many elements each list has, where there are lists
+  /// The operation whose question this is, answered by another formula of the deck: this one is named
+  /// "<operation>_<method>", has a reference of its own and the operation's robust and oracle, and is asked of no
+  /// engine.
+  const char* method_of = "";
+  bool is_method() const { return method_of[0] != 0; }
+  /// The slide's formula leaves out numbers that the operation answers, and is judged on the others.
+  bool formula_answers_less = false;
+  /// Test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none).
+  std::size_t longest_vector = 0;
+};
+
+}  // namespace touchstone::catalogue

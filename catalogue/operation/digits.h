@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+/// Worlds of exhaustive runs whose configurations are numbers of so many digits.
+namespace touchstone::catalogue {
+
+/// size^digits: how many there are.
+inline std::uint64_t configurations_of_digits(int size, int digits) {
+  std::uint64_t count = 1;
+  for (int i = 0; i < digits; ++i) count *= static_cast<std::uint64_t>(size);
+  return count;
+}
+
+/// The digits of a configuration's index, the fastest first.
+class Digits {
+ public:
+  Digits(int size, std::uint64_t index) : size_(static_cast<std::uint64_t>(size)), left_(index) {}
+  double operator()() {
+    const auto digit = static_cast<double>(left_ % size_);
+    left_ /= size_;
+    return digit;
+  }
+
+ private:
+  std::uint64_t size_, left_;
+};
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/operation/examination.h"
+
+#include <algorithm>
+
+#include "catalogue/operation/judgement.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/operation/truth_drawing.h"
+
+namespace touchstone::catalogue {
+
+Examination::Examination(const Operation& operation, const Question& question)
+    : operation_(operation),
+      row_(operation.row()),
+      question_(question),
+      solution_(std::make_shared<Solution>(row_.solve(question))) {}
+
+Examination::Examination(const Operation& method, const Examination& of_operation)
+    : operation_(method), row_(method.row()), question_(of_operation.question_), solution_(of_operation.solution_) {}
+
+const oracle::Certificate& Examination::certificate() const {
+  return certificate_.value([&] { return solution_->certificate(); });
+}
+
+const std::optional<TrueTape>& Examination::open() const {
+  return open_.value([&]() -> std::optional<TrueTape> {
+    if (row_.as_open_sets == nullptr) return std::nullopt;
+    return row_.as_open_sets(solution_->answer, question_);
+  });
+}
+
+const Tape<double>& Examination::nearest_truth() const {
+  const auto rounded = [](const TrueNumber& number) { return nearest(number); };
+  return nearest_.value([&] { return tape_with<double>(solution_->answer, rounded); });
+}
+
+std::string Examination::outcome() const { return outcome_of(*row_.answer, solution_->answer.words); }
+Json Examination::truth() const { return operation_.answer_json(solution_->answer); }
+
+Json Examination::rounded_truth() const {
+  // Where numbers are to be rounded otherwise, the nearest ones are no right answer.
+  if (row_.fault != nullptr && !row_.fault(question_, nearest_truth()).empty()) return robust();
+  return operation_.answer_json(nearest_truth());
+}
+
+const Drawing& Examination::drawing() const {
+  return drawing_.value([&] { return drawing_of(*this); });
+}
+
+const Tape<double>& Examination::formula(bool binary32) const {
+  return formula_[binary32].answer.value(
+      [&] { return binary32 ? row_.reference_in_float(question_) : row_.reference(question_); });
+}
+
+const Tape<Exact>& Examination::formula_exactly() const {
+  return exactly_.value([&] { return row_.reference_exactly(question_); });
+}
+
+bool Examination::formula_right_exactly() const {
+  return right_exactly_.value([&] { return is_right_exactly(*this); });
+}
+
+Examination::Tracking Examination::tracked(bool binary32) const {
+  Tracking known;
+  const bool checked = checks_numbers(row_);
+  if (binary32) {
+    Tracked<float>::doubtful() = Tracked<float>::out_of_range() = false;
+    row_.track_in_float(question_);
+    known.compared_in_doubt = Tracked<float>::doubtful();
+    known.doubtful = known.compared_in_doubt || checked;
+    known.out_of_range = Tracked<float>::out_of_range();
+  } else {
+    Tracked<double>::doubtful() = Tracked<double>::out_of_range() = false;
+    known.answer = row_.reference_tracked(question_);
+    const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
+    const auto& numbers = known.answer.numbers;
+    known.compared_in_doubt = Tracked<double>::doubtful();
+    known.out_of_range = Tracked<double>::out_of_range();
+    known.doubtful = known.compared_in_doubt || (checked && std::any_of(numbers.begin(), numbers.end(), rounded));
+  }
+  return known;
+}
+
+const Examination::Tracking& Examination::tracking(bool binary32) const {
+  return formula_[binary32].tracking.value([&] { return tracked(binary32); });
+}
+
+Json Examination::reference(bool binary32) const { return operation_.answer_json(formula(binary32)); }
+
+const Tape<double>& Examination::robust_answer(std::size_t environment) const {
+  return robust_[environment].answer.value([&] { return row_.robust(question_, environment); });
+}
+
+Word Examination::robust_decision(std::size_t environment) const {
+  return robust_[environment].decision.value([&] { return row_.decide(question_, environment); });
+}
+
+Json Examination::robust() const {
+  try {
+    return operation_.answer_json(robust_answer());
+  } catch (const InvalidInput& refused) {
+    Json error = Json::object();
+    error["error"]["field"] = refused.field();
+    error["error"]["rule"] = refused.rule();
+    return error;
+  }
+}
+
+const Judgement& Examination::judge_reference(bool binary32) const {
+  return formula_[binary32].judgement.value([&] { return judgement_of_formula(*this, binary32); });
+}
+
+const Judgement& Examination::judge_robust(std::size_t environment) const {
+  return robust_[environment].judgement.value([&] { return judgement_of_robust(*this, environment); });
+}
+
+Judgement Examination::judge_engine(const Json& answer, const Declaration& declaration) const {
+  return judgement_of_engine(*this, answer, declaration);
+}
+
+}  // namespace touchstone::catalogue

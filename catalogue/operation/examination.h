@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "catalogue/codec/json.h"
+#include "catalogue/judge/verdict.h"
+#include "catalogue/operation/once.h"
+#include "catalogue/operation/row_functions.h"
+
+namespace touchstone::catalogue {
+
+class Operation;
+
+/// One question with everything that can be said about it. The oracle is asked when it is made; all else is computed
+/// when it is first asked for, and kept. For one thread at a time.
+class Examination {
+ public:
+  /// Throws InvalidInput where the oracle refuses.
+  Examination(const Operation& operation, const Question& question);
+  /// The same question of a method of the operation: the truth is the same.
+  Examination(const Operation& method, const Examination& of_operation);
+
+  const Operation& operation() const { return operation_; }
+  const RowFunctions& row() const { return row_; }
+  const Question& question() const { return question_; }
+
+  const Solution& solution() const { return *solution_; }
+  /// Empty where the operation decides nothing.
+  const std::optional<mpq_class>& margin() const { return solution_->margin; }
+  bool degenerate() const { return margin() && sgn(*margin()) == 0; }
+  const oracle::Certificate& certificate() const;
+  /// The answer for open sets; empty unless the truth is a touch.
+  const std::optional<TrueTape>& open() const;
+  bool touch() const { return open().has_value(); }
+  /// Every number of the truth as the nearest double.
+  const Tape<double>& nearest_truth() const;
+  std::string outcome() const;  ///< the truth's enumerator ("overlap"), or "value"
+  Json truth() const;           ///< exact, "p/q"
+  Json rounded_truth() const;   ///< a right answer in doubles
+  /// The question and the truth as figures.
+  const Drawing& drawing() const;
+
+  /// What the textbook formula answers in double or float.
+  const Tape<double>& formula(bool binary32 = false) const;
+  const Tape<Exact>& formula_exactly() const;
+  /// Whether that is right.
+  bool formula_right_exactly() const;
+  /// The formula under running error analysis (catalogue/numbers/tracked.h).
+  struct Tracking {
+    bool compared_in_doubt = false;  ///< rounding may have changed a comparison
+    bool doubtful = false;           ///< the same, or a number that the checker sees
+    bool out_of_range = false;       ///< a number left the range of double or float
+    Tape<Tracked<double>> answer;    ///< in double
+  };
+  const Tracking& tracking(bool binary32 = false) const;
+  /// Whether rounding may have changed the course of the formula.
+  bool doubtful(bool binary32 = false) const { return tracking(binary32).doubtful; }
+  bool out_of_range(bool binary32 = false) const { return tracking(binary32).out_of_range; }
+  Json reference(bool binary32 = false) const;
+
+  /// What robust answers in that floating-point environment (catalogue/judge/environment.h). Throws what robust throws.
+  const Tape<double>& robust_answer(std::size_t environment = 0) const;
+  /// Its decision alone, where it has one.
+  Word robust_decision(std::size_t environment = 0) const;
+  Json robust() const;
+
+  const Judgement& judge_reference(bool binary32 = false) const;
+  const Judgement& judge_robust(std::size_t environment = 0) const;
+  /// `answer`: the engine's "answer" value: an object with the operation's fields, or true / false.
+  Judgement judge_engine(const Json& answer, const Declaration& declaration) const;
+
+ private:
+  struct InEnvironment {
+    Once<Tape<double>> answer;
+    Once<Word> decision;
+    Once<Judgement> judgement;
+  };
+  struct InNumbers {
+    Once<Tape<double>> answer;
+    Once<Tracking> tracking;
+    Once<Judgement> judgement;
+  };
+  Tracking tracked(bool binary32) const;
+
+  const Operation& operation_;
+  const RowFunctions& row_;
+  Question question_;
+  std::shared_ptr<const Solution> solution_;
+  Once<oracle::Certificate> certificate_;
+  Once<std::optional<TrueTape>> open_;
+  Once<Tape<double>> nearest_;
+  Once<Drawing> drawing_;
+  std::array<InNumbers, 2> formula_;  ///< in double, in float
+  Once<Tape<Exact>> exactly_;
+  Once<bool> right_exactly_;
+  mutable std::map<std::size_t, InEnvironment> robust_;
+};
+
+}  // namespace touchstone::catalogue

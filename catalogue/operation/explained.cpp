@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/operation/explained.h"
+
+#include "catalogue/operation/operation.h"
+#include "oracle/certificates/check.h"
+
+namespace touchstone::catalogue {
+
+Json certificate_json(const oracle::Certificate& certificate) {
+  Json result = Json::object();
+  result["kind"] = certificate.kind;
+  for (const auto& [name, values] : certificate.facts) {
+    Json list = Json::array();
+    for (const oracle::Rational& value : values) list.push_back(written(value));
+    result[name] = std::move(list);
+  }
+  for (const auto& [name, proofs] : certificate.parts) {
+    Json list = Json::array();
+    for (const oracle::Certificate& proof : proofs) list.push_back(certificate_json(proof));
+    result[name] = std::move(list);
+  }
+  return result;
+}
+
+Json verdict_json(const Judgement& judgement, Json answer) {
+  Json result = Json::object();
+  result["answer"] = std::move(answer);
+  switch (judgement.verdict) {
+    case Verdict::rounding:
+    case Verdict::algorithm:
+      result["verdict"] = "wrong";
+      result["cause"] = name_of(judgement.verdict);
+      break;
+    default: result["verdict"] = name_of(judgement.verdict);
+  }
+  if (judgement.ulps > 0 && judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::algorithm) {
+    result["ulps"] = written(judgement.ulps);
+  }
+  if (!judgement.remark.empty()) result["remark"] = judgement.remark;
+  return result;
+}
+
+Json truth_of_decimals(const Operation& operation, const Json& printed) {
+  try {
+    return operation.truth_as_typed(parse_line(one_line(printed)));
+  } catch (const InvalidInput&) {
+    return nullptr;
+  }
+}
+
+Json explained(const Operation& operation, const Question& question) { return explained(*operation.examine(question)); }
+
+Json explained(const Examination& examination) {
+  const Operation& operation = examination.operation();
+  Json line = Json::object();
+  line["op"] = operation.name();
+  line["input"] = operation.print(examination.question());
+  line["truth"] = examination.truth();
+  if (examination.margin()) line["margin"] = written(*examination.margin());
+  line["certificate"] = certificate_json(examination.certificate());
+  line["robust"] = verdict_json(examination.judge_robust(), examination.robust());
+  line["reference"] = verdict_json(examination.judge_reference(), examination.reference());
+  for (const Operation* method : all_operations()) {
+    if (operation.name() != method->card().method_of) continue;
+    const Examination by_method(*method, examination);
+    line["reference" + method->name().substr(operation.name().size())] =
+        verdict_json(by_method.judge_reference(), by_method.reference());
+  }
+  return line;
+}
+
+nlohmann::json claim_of(const Examination& examination) {
+  return {{"op", examination.operation().name()},
+          {"input", examination.operation().print(examination.question())},
+          {"truth", examination.truth()},
+          {"certificate", certificate_json(examination.certificate())}};
+}
+
+std::string certificate_complaint(const Examination& examination) {
+  const auto refused = certify::refuse(claim_of(examination));
+  return refused ? "the checker refuses the oracle's certificate: " + *refused : "";
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "catalogue/operation/operation.h"
+
+namespace touchstone::catalogue {
+
+/// Everything that can be said of one question without an engine: what `ask` prints.
+Json explained(const Operation& operation, const Question& question);
+/// The same of a question that has been examined: the oracle is not asked again.
+Json explained(const Examination& examination);
+
+Json certificate_json(const oracle::Certificate& certificate);
+
+/// An answer and the verdict on it.
+Json verdict_json(const Judgement& judgement, Json answer);
+
+/// What the checker of certificates reads of a question: operation, input, truth and certificate.
+nlohmann::json claim_of(const Examination& examination);
+
+/// What the checker says against the oracle's certificate; empty if it accepts it.
+std::string certificate_complaint(const Examination& examination);
+
+/// The truth for the decimals of an input that was printed, read as exact rationals; null where the operation has none.
+Json truth_of_decimals(const Operation& operation, const Json& printed);
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "catalogue/operation/row_functions.h"
+
+namespace touchstone::catalogue {
+
+/// The families of inputs of an operation: its hard cases, most of them also moved by an ulp, and what follows from its
+/// types.
+class Families {
+ public:
+  explicit Families(const RowFunctions& row);
+
+  const std::vector<std::string>& names() const { return names_; }
+  Question draw(Choices& choices, std::size_t family) const;
+
+ private:
+  const RowFunctions& row_;
+  std::vector<std::string> names_;
+  std::vector<std::size_t> moved_;  ///< the hard cases of the families "+ulp"
+};
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/operation/judgement.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "catalogue/codec/expected.h"
+#include "catalogue/judge/compare.h"
+#include "catalogue/judge/tolerated.h"
+#include "catalogue/numbers/ulps.h"
+#include "catalogue/operation/operation.h"
+
+namespace touchstone::catalogue {
+namespace {
+
+bool holds_numbers(const Shape& shape) {
+  return shape.kind == Shape::Kind::number || std::any_of(shape.parts.begin(), shape.parts.end(),
+                                                          [](const auto& part) { return holds_numbers(*part.shape); });
+}
+
+/// How many words an element has where the answer is a list.
+std::size_t words_of_an_element(const Examination& question) {
+  return question.row().answer->parts[0].shape->word_count;
+}
+
+Comparison compared(const Examination& question, const Tape<double>& answer, Reading reading, bool binary32,
+                    Judgement& judgement) {
+  const RowFunctions& row = question.row();
+  const TrueTape& truth = question.solution().answer;
+  Comparison found;
+  if (row.fault != nullptr) {
+    judgement.remark = row.fault(question.question(), answer);
+    found.decision = judgement.remark.empty();
+  } else if (row.card->kind == Kind::covering && reading != Reading::complete) {
+    const Covering covering = covered(truth, answer, words_of_an_element(question));
+    found.decision = covering.missing == 0;
+    judgement.surplus = covering.surplus;
+  } else {
+    found = compared(*row.answer, truth, answer, reading, binary32);
+  }
+  return found;
+}
+
+Comparison compared_formula(const Examination& question, bool binary32, Judgement& judgement) {
+  const Card& card = *question.row().card;
+  const bool less = card.formula_answers_less || card.kind == Kind::covering;
+  return compared(question, question.formula(binary32), less ? Reading::less : Reading::complete, binary32, judgement);
+}
+
+/// The decision turns on products so small that formulas that compare products lose them.
+bool products_underflow(const Examination& question, bool binary32) {
+  const auto& margin = question.margin();
+  return margin && sgn(*margin) != 0 && question.row().card->margin_degree > 1 &&
+         *margin < exact_value(binary32 ? 0x1p-126 : 0x1p-1022);
+}
+
+/// What every judgement says beside its verdict: how `rounding` came about, and whether the question is degenerate.
+Judgement with_particulars(Judgement judgement, const Examination& question, bool binary32) {
+  if (judgement.verdict == Verdict::rounding)
+    judgement.out_of_range = question.out_of_range(binary32) || products_underflow(question, binary32);
+  judgement.degenerate = question.degenerate();
+  return judgement;
+}
+
+int touch_reading(const Examination& question, const std::string& said) {
+  if (!question.open()) return 0;
+  return said == question.outcome() ? 1 : said == outcome_of(*question.row().answer, question.open()->words) ? -1 : 0;
+}
+
+/// The same of a list: all of it, all but what only touches, or neither.
+int covered_reading(const Examination& question, const Tape<double>& answer) {
+  if (!question.open()) return 0;
+  const std::size_t each = words_of_an_element(question);
+  if (covered(question.solution().answer, answer, each).missing == 0) return 1;
+  return covered(*question.open(), answer, each).missing == 0 ? -1 : 0;
+}
+
+/// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all
+/// may take it for a touch.
+bool beside_a_touch(const Examination& question, bool binary32) {
+  const auto& margin = question.margin();
+  if (!margin || sgn(*margin) == 0) return false;
+  const mpq_class size = exact_value(greatest(question.question())),
+                  few_units = 4 * exact_value(binary32 ? 0x1p-23 : 0x1p-52);
+  return within(*margin, few_units * size, size, question.row().card->margin_degree);
+}
+
+/// For a foreign implementation rounding is to blame where the question is beside a touch, or where the slide's formula
+/// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
+/// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
+/// right, the number type was good enough, and what is to blame is the choice of another.
+bool rounding_is_to_blame(const Examination& question, bool binary32) {
+  if (checks_numbers(question.row())) return question.judge_reference(binary32).verdict == Verdict::rounding;
+  Judgement ignored;
+  return products_underflow(question, binary32) || beside_a_touch(question, binary32) ||
+         (question.doubtful(binary32) && !compared_formula(question, binary32, ignored).decision);
+}
+
+Judgement wrong(const Examination& question, const Declaration& declaration, bool right_for_open_sets) {
+  const auto& margin = question.margin();
+  Judgement judgement;
+  if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
+    judgement.verdict = Verdict::convention;
+  } else if (margin &&
+             tolerated(*margin, declaration.tolerance, question.row().card->margin_degree, question.question())) {
+    judgement.verdict = Verdict::tolerance;
+  } else {
+    judgement.verdict = rounding_is_to_blame(question, declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
+  }
+  return judgement;
+}
+
+Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const Declaration& declaration) {
+  const Shape& shape = *question.row().answer;
+  const std::optional<TrueTape>& open = question.open();
+  const std::optional<bool> right = yes_or_no(shape, question.solution().answer.words);
+  if (!right) return {Verdict::invalid, 0, "a plain true or false is no answer to this operation"};
+  const bool right_for_open = open && yes_or_no(shape, open->words) == answer;
+  Judgement judgement = *right == answer ? Judgement{} : wrong(question, declaration, right_for_open);
+  if (open) judgement.touch_reading = *right == answer ? 1 : right_for_open ? -1 : 0;
+  judgement.said = answer ? "true" : "false";
+  return judgement;
+}
+
+/// Any number may be left out, unless a checker must see them all.
+Tape<double> read_answer(const Examination& question, const Json& json) {
+  const RowFunctions& row = question.row();
+  Tape<double> answer;
+  const bool partial = row.fault == nullptr;
+  const char* const name = row.card->answer;
+  if (!json.is_object()) {
+    Json example = example_of(*row.answer);
+    if (name[0] != 0) example = Json::object({{name, std::move(example)}});
+    const bool plain = yes_or_no(*row.answer, question.solution().answer.words).has_value();
+    throw InvalidInput("answer",
+                       expected("an object like " + one_line(example) + (plain ? ", or true or false" : ""), json));
+  }
+  if (name[0] == 0) {
+    read_json(*row.answer, json, "answer", answer, read_answer_number, partial);
+    return answer;
+  }
+  require_fields(json, "answer", {name});
+  const std::string field = member_path("answer", name);
+  if (!json.contains(name)) throw InvalidInput(field, "missing");
+  read_json(*row.answer, json[name], field, answer, read_answer_number, partial);
+  return answer;
+}
+
+/// What is listed are tuples of different places in the question's list.
+void require_places(const Examination& question, const Tape<double>& answer) {
+  const RowFunctions& row = question.row();
+  const std::size_t each = words_of_an_element(question);
+  const Word places = longest_list(*row.question, question.question());
+  for (std::size_t first = 1; first < answer.words.size(); first += each) {
+    const auto element = std::span(answer.words).subspan(first, each);
+    const std::set<Word> different(element.begin(), element.end());
+    if (different.size() < each || *different.rbegin() >= places) {
+      throw InvalidInput("answer." + std::string(row.card->answer) + ("[" + std::to_string((first - 1) / each) + "]"),
+                         "different places in the list");
+    }
+  }
+}
+
+Judgement judgement_of_answer(const Examination& question, const Json& json, const Declaration& declaration) {
+  const RowFunctions& row = question.row();
+  try {
+    if (json.is_boolean()) return judgement_of_yes_or_no(question, json.get<bool>(), declaration);
+    const Tape<double> answer = read_answer(question, json);
+    if (row.card->kind == Kind::covering) require_places(question, answer);
+    Judgement judgement;
+    const Comparison found = compared(question, answer, Reading::partial, declaration.binary32, judgement);
+    const std::string said = outcome_of(*row.answer, answer.words, row.fault == nullptr);
+    const int reading =
+        row.card->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
+    if (!found.decision) {
+      std::string remark = std::move(judgement.remark);
+      judgement = wrong(question, declaration, reading == -1);
+      judgement.remark = std::move(remark);
+    } else if (!found.finite) {
+      judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
+    } else if (found.ulps > row.card->ulps) {
+      judgement.verdict = Verdict::inexact;
+    }
+    judgement.ulps = found.ulps;
+    judgement.touch_reading = reading;
+    judgement.said = said;
+    return judgement;
+  } catch (const InvalidInput& refused) {
+    return {Verdict::invalid, 0, refused.what()};
+  }
+}
+
+}  // namespace
+
+bool checks_numbers(const RowFunctions& row) { return row.fault != nullptr && holds_numbers(*row.answer); }
+
+bool is_right_exactly(const Examination& question) {
+  const RowFunctions& row = question.row();
+  const TrueTape& truth = question.solution().answer;
+  const Tape<Exact>& answer = question.formula_exactly();
+  const auto in_doubles = [&] {
+    return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
+  };
+  if (row.exact_fault != nullptr) {
+    const auto defined = [](const Exact& number) { return number.defined(); };
+    if (!std::all_of(answer.numbers.begin(), answer.numbers.end(), defined)) return false;
+    const auto value = [](const Exact& number) { return number.value(); };
+    return row.exact_fault(question.question(), tape_with<mpq_class>(answer, value)).empty();
+  }
+  if (row.fault != nullptr) {
+    // Numbers may be right, and wrong as soon as they are rounded.
+    if (checks_numbers(row) && same_as_truth(*row.answer, truth, answer, Reading::complete)) return true;
+    return row.fault(question.question(), in_doubles()).empty();
+  }
+  if (row.card->kind == Kind::covering) return covered(truth, in_doubles(), words_of_an_element(question)).missing == 0;
+  return same_as_truth(*row.answer, truth, answer, row.card->formula_answers_less ? Reading::less : Reading::complete);
+}
+
+Judgement judgement_of_formula(const Examination& question, bool binary32) {
+  const RowFunctions& row = question.row();
+  Judgement judgement;
+  const Comparison found = compared_formula(question, binary32, judgement);
+  judgement.ulps = found.ulps;
+  if (!found.decision) {
+    // What running error analysis is sure of, exact arithmetic decides alike, at a far higher price.
+    // Numbers that a checker refuses may be off although no comparison was in doubt.
+    const bool rounded = checks_numbers(row) || question.doubtful(binary32);
+    judgement.verdict = rounded && question.formula_right_exactly() ? Verdict::rounding : Verdict::algorithm;
+  } else if (!found.finite) {
+    judgement.verdict = Verdict::invalid;
+    judgement.remark = "NaN or infinity where the truth is finite";
+  } else if (found.ulps > row.card->ulps) {
+    judgement.verdict = question.formula_right_exactly() ? Verdict::inexact : Verdict::algorithm;
+  }
+  judgement.said = outcome_of(*row.answer, question.formula(binary32).words);
+  judgement.touch_reading = touch_reading(question, judgement.said);
+  return with_particulars(std::move(judgement), question, binary32);
+}
+
+Judgement judgement_of_robust(const Examination& question, std::size_t environment) {
+  const RowFunctions& row = question.row();
+  try {
+    Judgement judgement;
+    judgement.degenerate = question.degenerate();
+    const Tape<double>& answer = question.robust_answer(environment);
+    const Comparison found = compared(question, answer, Reading::complete, false, judgement);
+    judgement.ulps = found.ulps;
+    judgement.said = outcome_of(*row.answer, answer.words);
+    // Whoever promises to be right for all finite doubles has only the algorithm to blame.
+    if (!found.decision) judgement.verdict = Verdict::algorithm;
+    else if (!found.finite) judgement.verdict = Verdict::invalid;
+    else if (found.ulps > 0) judgement.verdict = Verdict::inexact;
+    if (row.decision != nullptr) {
+      const Word word = question.robust_decision(environment);
+      if (word_in(*row.answer, question.solution().answer.words, *row.decision) != word) {
+        judgement.verdict = Verdict::algorithm;
+        judgement.remark = std::string("the decision alone is ") + row.decision->words[word];
+      }
+    }
+    return judgement;
+  } catch (const std::exception& thrown) {
+    return {Verdict::invalid, 0, thrown.what()};
+  }
+}
+
+Judgement judgement_of_engine(const Examination& question, const Json& answer, const Declaration& declaration) {
+  return with_particulars(judgement_of_answer(question, answer, declaration), question, declaration.binary32);
+}
+
+std::string residual_complaint(const Examination& question) {
+  if (question.row().residuals == nullptr) return "";
+  for (const mpq_class& residual : question.row().residuals(question.question(), question.robust_answer())) {
+    if (sgn(residual) != 0) return "a residual that should be 0 is " + residual.get_str();
+  }
+  return "";
+}
+
+std::string broken_promise(const Examination& question) {
+  const Examination::Tracking& tracking = question.tracking();
+  if (tracking.compared_in_doubt) return "";
+  return promise_holds(question.formula(), tracking.answer, question.formula_exactly())
+             ? ""
+             : "the reference in double is beyond its proved error bound";
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "catalogue/operation/row.h"
+
+/// The hook `as_open_sets` of most rows: the answer for open sets where closed ones only touch.
+namespace touchstone::catalogue {
+
+/// Open shapes that touch are disjoint.
+template <class Question>
+std::optional<Contact> disjoint_if_touching(const Contact& truth, const Question&) {
+  if (truth != Contact::touching) return std::nullopt;
+  return Contact::disjoint;
+}
+
+/// An open shape does not have its boundary.
+template <class Question>
+std::optional<Location> outside_if_on_boundary(const Location& truth, const Question&) {
+  if (truth != Location::boundary) return std::nullopt;
+  return Location::outside;
+}
+
+/// Open shapes that only graze each other on their way, or touch at the start and part, or at the last moment, never
+/// meet. The margin tells: it is 0.
+template <class Row>
+std::optional<truth_t<Row>> never_if_grazing(const truth_t<Row>& truth, const typename Row::Question& question) {
+  if (truth.relation != HitRelation::hit) return std::nullopt;
+  const auto margin = ask_oracle<Row>(question).margin;
+  if (!margin || sgn(*margin) != 0) return std::nullopt;
+  return truth_t<Row>{HitRelation::never, {}};
+}
+
+}  // namespace touchstone::catalogue

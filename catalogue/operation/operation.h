@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalogue/codec/shape_json.h"
+#include "catalogue/judge/compare.h"
+#include "catalogue/operation/examination.h"
+#include "catalogue/operation/families.h"
+#include "catalogue/operation/row_functions.h"
+
+namespace touchstone::catalogue {
+
+/// One operation of the catalogue: all that the program, the tests and the fuzz target need, as ordinary functions over
+/// its row.
+class Operation {
+ public:
+  explicit Operation(RowFunctions functions);
+  Operation(const Operation&) = delete;
+  Operation& operator=(const Operation&) = delete;
+
+  const Card& card() const { return *row_.card; }
+  std::string name() const { return card().name; }
+  const RowFunctions& row() const { return row_; }
+  /// The shape of its questions, with the names of the fields, and of its answers.
+  const Shape& question_shape() const { return question_; }
+  const Shape& answer_shape() const { return *row_.answer; }
+  /// Every enumerator that an answer can hold ("inside", "boundary" ...); none where answers are numbers alone.
+  std::vector<std::string> words() const { return words_of(*row_.answer); }
+  /// The names of the fields of an alternative of its questions.
+  const std::vector<const char*>& fields(std::size_t alternative = 0) const;
+
+  /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard
+  /// case of the operation; "x+ulp" is x with one coordinate moved by a few units in the last place.
+  const std::vector<std::string>& families() const { return families_.names(); }
+  Question draw(Choices& choices, std::size_t family) const { return families_.draw(choices, family); }
+  /// Every number and every word 0; every list of that length; that alternative.
+  Question zeros(std::size_t list_length, std::size_t alternative = 0) const;
+  /// Lists as long as in exhaustive runs.
+  Question zeros() const { return zeros(card().list_length); }
+  /// One of each alternative; one where there are none.
+  std::vector<Question> zeros_of_alternatives(std::size_t list_length) const;
+  std::vector<Question> zeros_of_alternatives() const { return zeros_of_alternatives(card().list_length); }
+  /// Every number rounded to the nearest float.
+  Question in_binary32(const Question& question) const;
+
+  Question parse(const Json& input) const;  ///< throws InvalidInput naming the field and the rule
+  /// The same; "nan", "inf" and "-inf" are let through, for robust and oracle to refuse.
+  Question parse_any(const Json& input) const;
+  Json print(const Question& question) const;
+  Json print_hexadecimal(const Question& question) const;
+
+  /// An answer as JSON, under its field's name where it is one bare value.
+  Json answer_json(const Tape<double>& answer) const;
+  Json answer_json(const TrueTape& answer) const;
+
+  /// What an answer looks like: {"relation": "on | off", "t?": "number"}.
+  Json answer_description() const { return named(json_of(*row_.answer)); }
+
+  /// The same of a question, by field; a list of these where there are alternatives.
+  Json question_description() const;
+
+  /// Throws InvalidInput where the oracle refuses the question.
+  std::unique_ptr<Examination> examine(const Question& question) const;
+  /// Empty if robust and oracle both answer or both refuse with the same field and rule; else what differs.
+  std::string refusal_mismatch(const Question& question, std::size_t environment = 0) const;
+  /// Truth for the decimals as typed, read as exact rationals.
+  Json truth_as_typed(const Json& input) const;
+
+  /// How many configurations such a grid has; empty beyond 2^64.
+  std::optional<std::uint64_t> configurations(int size) const { return configurations(size, card().list_length); }
+  std::optional<std::uint64_t> configurations(int size, std::size_t list_length) const;
+  /// The question of that index. On a plain grid every number runs over 0 .. size - 1 and every word over what it may
+  /// be; the first number is the slowest, words are faster than numbers, and one alternative comes after the other.
+  Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, card().list_length); }
+  Question on_grid(int size, std::uint64_t index, std::size_t list_length) const;
+  /// Configurations `first` <= index < `last` of that grid, decisions alone. Empty where the operation has no such fast
+  /// pair of decisions.
+  std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const;
+
+  /// For maps: indices of the two numbers to move, and a degenerate question around which to move them.
+  Question map_centre() const;
+  std::pair<std::size_t, std::size_t> map_axes() const;
+
+ private:
+  template <class Real>
+  Tape<Real> read(const Json& input, ReadNumber<Real> read_number) const;
+  Json named(Json bare) const;
+
+  RowFunctions row_;
+  std::vector<Shape> alternatives_;
+  Shape question_;
+  Families families_;
+};
+
+/// The catalogue in the order of the deck.
+const std::vector<const Operation*>& all_operations();
+/// nullptr if there is none of that name.
+const Operation* find_operation(const std::string& name);
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalogue/draw/drawing.h"
+#include "catalogue/families/choices.h"
+#include "catalogue/numbers/exact.h"
+#include "catalogue/numbers/tracked.h"
+#include "catalogue/numbers/true_number.h"
+#include "catalogue/operation/card.h"
+#include "catalogue/operation/laws.h"
+#include "catalogue/shape/shape.h"
+#include "oracle/truth.h"
+#include "robust/kernel/staged.h"
+
+namespace touchstone::catalogue {
+
+/// What the oracle says of a question.
+struct Solution {
+  TrueTape answer;
+  std::optional<mpq_class> margin;  ///< where the operation decides something
+  std::function<oracle::Certificate()> certificate{};
+};
+
+/// Every decision on a range of a grid: robust against the oracle's integers, without numbers and certificates.
+struct DecisionCount {
+  std::uint64_t cases = 0, wrong = 0, hash = 0;  ///< hash: sum over the cases, so parts of a range add up
+  std::map<std::string, std::uint64_t> outcomes;
+  std::uint64_t first_wrong = 0;  ///< index of the first wrong case, if wrong > 0
+};
+
+/// Questions of an exhaustive run, where a plain grid of numbers would be too many or mostly invalid.
+struct World {
+  std::uint64_t (*count)(int size);
+  Question (*at)(int size, std::uint64_t index);
+};
+
+/// The stages of an answer or of a decision alone (robust/kernel/staged.h). Of valid questions only.
+struct StageFunctions {
+  struct One {
+    robust::Stage stage;
+    std::optional<Tape<double>> (*ask)(const Question&, std::size_t environment);  ///< empty: it does not know
+  };
+  std::vector<One> each;  ///< in the order in which they are asked
+  robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
+};
+
+/// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three modules
+/// over tapes, and what the row says beside them. Whatever may be nullptr says so.
+struct RowFunctions {
+  const Card* card;
+  const Shape* question;
+  const Shape* answer;
+
+  /// The formula of the deck.
+  Tape<double> (*reference)(const Question&);
+  Tape<double> (*reference_in_float)(const Question&);
+  Tape<Exact> (*reference_exactly)(const Question&);
+  Tape<Tracked<double>> (*reference_tracked)(const Question&);  ///< Tracked<double>::doubtful() is not reset
+  void (*track_in_float)(const Question&);                      ///< sets Tracked<float>::doubtful()
+
+  /// In that floating-point environment (catalogue/judge/environment.h).
+  Tape<double> (*robust)(const Question&, std::size_t environment);
+  Solution (*solve)(const Question&);
+  Solution (*solve_as_typed)(const Tape<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
+
+  /// Decisions alone; `decision` is the shape of the enumerator, nullptr where robust has no function for it.
+  const Shape* decision;
+  Word (*decide)(const Question&, std::size_t environment);
+  Word (*decide_by_oracle)(const Question&);    ///< nullptr: the oracle has no quick decision
+  Word (*decide_by_integers)(const Question&);  ///< of whole numbers below 2^31; nullptr likewise
+  DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last);  ///< nullptr likewise
+
+  StageFunctions stages, decision_stages;
+
+  /// Hard cases in the order of the row.
+  struct HardCaseName {
+    std::string name;
+    bool as_drawn;  ///< as in HardCase
+  };
+  std::vector<HardCaseName> hard_cases;
+  Question (*draw_hard_case)(std::size_t which, Choices&);
+
+  // Hooks of the row; nullptr where it has none.
+  std::optional<TrueTape> (*as_open_sets)(const TrueTape& truth, const Question&);
+  std::string (*fault)(const Question&, const Tape<double>& answer);
+  std::string (*exact_fault)(const Question&, const Tape<mpq_class>& answer);
+  void (*repair)(Question&);
+  void (*scale)(Question&, int exponent);
+  std::vector<mpq_class> (*residuals)(const Question&, const Tape<double>& answer);
+  Question (*map_centre)();
+  std::pair<std::size_t, std::size_t> (*map_axes)();
+  void (*draw)(Drawing&, const Question&, const Tape<double>& truth);  ///< the truth in nearest doubles
+  std::optional<World> world;
+  Laws laws;
+};
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "catalogue/judge/environment.h"
+#include "catalogue/operation/operation.h"
+#include "catalogue/operation/row.h"
+
+/// Makes an operation from its row: the one place where its types are forgotten.
+namespace touchstone::catalogue {
+
+/// SplitMix64's output function, as in Choices.
+inline std::uint64_t scattered(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+/// Every number 0, every list of that length.
+template <class Asked>
+Asked zeros(std::size_t length) {
+  Asked asked{};
+  walk(
+      asked, [](auto& number) { number = 0; }, [&](auto& list) { list.resize(length); });
+  return asked;
+}
+
+/// Whether a function of `Stages` takes the arguments of a question.
+template <class Ask, class Asked>
+inline constexpr bool takes = false;
+template <class Ask, class... Ts>
+inline constexpr bool takes<Ask, std::tuple<Ts...>> = requires(const Ts&... q) {
+  Ask::ask(q...);
+};
+template <class Ask, class... Ts>
+inline constexpr bool takes<Ask, std::variant<Ts...>> = (takes<Ask, Ts> && ...);
+
+template <class Stages, robust::Stage stage>
+struct AskStage {
+  static auto ask(const auto&... q) -> decltype(robust::asked<Stages>(robust::At<stage>(), q...)) {
+    return robust::asked<Stages>(robust::At<stage>(), q...);
+  }
+};
+
+template <class Ask, class Asked>
+auto asked_in(std::size_t environment, const Question& question) {
+  return in_environment(environment, unpacked<Asked>(question), [](const Asked& q) {
+    return applied([](const auto&... value) { return Ask::ask(value...); }, q);
+  });
+}
+
+template <class Stages, class Asked, robust::Stage stage>
+void add_stage(StageFunctions& found) {
+  using Ask = AskStage<Stages, stage>;
+  if constexpr (takes<Ask, Asked>) {
+    found.each.push_back({stage, [](const Question& question, std::size_t environment) -> std::optional<Tape<double>> {
+                            const auto answer = asked_in<Ask, Asked>(environment, question);
+                            if constexpr (requires { *answer; }) {
+                              if (!answer) return std::nullopt;
+                              return packed(*answer);
+                            } else {
+                              return packed(answer);
+                            }
+                          }});
+  }
+}
+
+template <class Stages, class Asked>
+StageFunctions stage_functions() {
+  StageFunctions found;
+  [&]<std::size_t... i>(std::index_sequence<i...>) { (add_stage<Stages, Asked, robust::all_stages[i]>(found), ...); }
+  (std::make_index_sequence<robust::all_stages.size()>());
+  if constexpr (takes<Stages, Asked>) {
+    found.decided_by = [](const Question& question, std::size_t environment) {
+      return asked_in<Stages, Asked>(environment, question).stage;
+    };
+  }
+  return found;
+}
+
+template <class Row>
+struct RowOf {
+  using Asked = typename Row::Question;
+  using Answer = answer_t<Row>;
+  using Truth = truth_t<Row>;
+  static constexpr bool decides = requires(const Asked& q) { Row::decision::robust(q); };
+  static constexpr bool decides_quickly = requires(const Asked& q) { Row::decision::oracle(q); };
+
+  template <class Real, class Convert>
+  static auto formula(const Question& question, const Convert& convert) {
+    return ask_reference<Row>(unpacked<rebound_t<Asked, Real>>(question, convert));
+  }
+  static Tape<double> reference(const Question& question) {
+    return packed(ask_reference<Row>(unpacked<Asked>(question)));
+  }
+  static Tape<double> reference_in_float(const Question& question) {
+    return packed(formula<float>(question, [](double number) { return static_cast<float>(number); }));
+  }
+  static Tape<Exact> reference_exactly(const Question& question) {
+    return packed_as<Exact>(formula<Exact>(question, [](double number) { return Exact(exact_value(number)); }));
+  }
+  static Tape<Tracked<double>> reference_tracked(const Question& question) {
+    using Bounded = Tracked<double>;
+    return packed_as<Bounded>(formula<Bounded>(question, [](double number) { return Bounded(number); }));
+  }
+  static void track_in_float(const Question& question) {
+    using Bounded = Tracked<float>;
+    formula<Bounded>(question, [](double number) { return Bounded(static_cast<float>(number)); });
+  }
+
+  static Tape<double> robust(const Question& question, std::size_t environment) {
+    return packed(
+        in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_robust<Row>(q); }));
+  }
+  static Solution solve(const Question& question) {
+    auto truth = ask_oracle<Row>(unpacked<Asked>(question));
+    return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin), std::move(truth.certificate)};
+  }
+  static Solution solve_as_typed(const Tape<mpq_class>& question) {
+    using Typed = rebound_t<Asked, mpq_class>;
+    auto truth = ask_oracle<Row>(unpacked<Typed>(question, [](const mpq_class& number) { return number; }));
+    return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
+  }
+
+  static Word decide(const Question& question, std::size_t environment) {
+    return static_cast<Word>(in_environment(environment, unpacked<Asked>(question),
+                                            [](const Asked& q) { return Row::decision::robust(q); }));
+  }
+  static Word decide_by_oracle(const Question& question) {
+    return static_cast<Word>(Row::decision::oracle(unpacked<Asked>(question)));
+  }
+  static Word decide_by_integers(const Question& question) {
+    using Whole = rebound_t<Asked, std::int64_t>;
+    return static_cast<Word>(Row::decision::oracle(
+        unpacked<Whole>(question, [](double number) { return static_cast<std::int64_t>(number); })));
+  }
+  static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last);
+
+  static const std::vector<HardCase<Asked>>& hard_cases() {
+    static const std::vector<HardCase<Asked>> all = Row::hard_cases();
+    return all;
+  }
+  static Question draw_hard_case(std::size_t which, Choices& choices) {
+    return packed(hard_cases()[which].draw(choices));
+  }
+
+  /// The hooks with their types forgotten.
+  static constexpr auto hooks = [] { return Row::hooks(); };
+  static auto typed_number(const TrueNumber& number) {
+    if constexpr (std::is_same_v<number_of_t<Truth>, TrueNumber>) return number;
+    else return number.rational_part();
+  }
+  static std::optional<TrueTape> as_open_sets(const TrueTape& truth, const Question& question) {
+    const auto open = hooks().as_open_sets(unpacked<Truth>(truth, typed_number), unpacked<Asked>(question));
+    if (!open) return std::nullopt;
+    return packed_as<TrueNumber>(*open);
+  }
+  static std::string fault(const Question& question, const Tape<double>& answer) {
+    return hooks().fault(unpacked<Asked>(question), unpacked<Answer>(answer));
+  }
+  static std::string exact_fault(const Question& question, const Tape<mpq_class>& answer) {
+    using ExactAnswer = rebound_t<Answer, mpq_class>;
+    const auto as_it_is = [](const mpq_class& number) { return number; };
+    return hooks().exact_fault(unpacked<Asked>(question), unpacked<ExactAnswer>(answer, as_it_is));
+  }
+  static void repair(Question& question) {
+    auto asked = unpacked<Asked>(question);
+    hooks().repair(asked);
+    question = packed(asked);
+  }
+  static void scale(Question& question, int exponent) {
+    auto asked = unpacked<Asked>(question);
+    hooks().scale(asked, exponent);
+    question = packed(asked);
+  }
+  static std::vector<mpq_class> residuals(const Question& question, const Tape<double>& answer) {
+    return hooks().residuals(unpacked<Asked>(question), unpacked<Answer>(answer));
+  }
+  static Question map_centre() { return packed(hooks().map_centre()); }
+  static void draw(Drawing& drawing, const Question& question, const Tape<double>& truth) {
+    hooks().draw(drawing, unpacked<Asked>(question), unpacked<Answer>(truth));
+  }
+  static std::uint64_t world_count(int size) { return hooks().world_count(size); }
+  static Question world_at(int size, std::uint64_t index) { return packed(hooks().world_at(size, index)); }
+
+  static RowFunctions functions();
+};
+
+/// The inner loop of an exhaustive run of decisions, numbers counting up like digits.
+template <class Row>
+DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::uint64_t last) {
+  auto asked = zeros<Asked>(Row::card().list_length);
+  auto integers = zeros<rebound_t<Asked, std::int64_t>>(Row::card().list_length);
+  std::vector<double*> numbers;
+  std::vector<std::int64_t*> digits;
+  for_each_number(asked, [&](double& number) { numbers.push_back(&number); });
+  for_each_number(integers, [&](std::int64_t& number) { digits.push_back(&number); });
+  std::uint64_t rest = first;
+  for (std::size_t i = digits.size(); i-- > 0; rest /= static_cast<std::uint64_t>(size)) {
+    *digits[i] = static_cast<std::int64_t>(rest % static_cast<std::uint64_t>(size));
+    *numbers[i] = static_cast<double>(*digits[i]);
+  }
+  using Decision = decltype(Row::decision::robust(asked));
+  std::array<std::uint64_t, Words<Decision>::words.size()> outcomes{};
+  DecisionCount count;
+  for (std::uint64_t index = first; index < last; ++index) {
+    const Decision truth = Row::decision::oracle(integers);
+    const auto word = static_cast<std::size_t>(truth);
+    ++outcomes[word];
+    count.hash += scattered(index * 4 + word);
+    if (Row::decision::robust(asked) != truth && count.wrong++ == 0) count.first_wrong = index;
+    for (std::size_t i = digits.size(); i-- > 0;) {
+      if (++*digits[i] < size) {
+        *numbers[i] = static_cast<double>(*digits[i]);
+        break;
+      }
+      *digits[i] = 0;
+      *numbers[i] = 0;
+    }
+  }
+  count.cases = last - first;
+  for (std::size_t i = 0; i < outcomes.size(); ++i) count.outcomes[Words<Decision>::words[i]] = outcomes[i];
+  return count;
+}
+
+template <class Row>
+RowFunctions RowOf<Row>::functions() {
+  RowFunctions f{};
+  f.card = &Row::card();
+  f.question = &shape_of<Asked>();
+  f.answer = &shape_of<Answer>();
+  f.reference = reference;
+  f.reference_in_float = reference_in_float;
+  f.reference_exactly = reference_exactly;
+  f.reference_tracked = reference_tracked;
+  f.track_in_float = track_in_float;
+  f.robust = robust;
+  f.solve = solve;
+  if constexpr (oracle_takes<Row, rebound_t<Asked, mpq_class>>) f.solve_as_typed = solve_as_typed;
+  if constexpr (decides) {
+    f.decision = &shape_of<decltype(Row::decision::robust(std::declval<const Asked&>()))>();
+    f.decide = decide;
+  } else {
+    static_assert(std::is_same_v<typename Row::decision, NoDecision>, "decision: robust(Question), or NoDecision");
+  }
+  if constexpr (decides_quickly) {
+    f.decide_by_oracle = decide_by_oracle;
+    f.decide_by_integers = decide_by_integers;
+    f.count_decisions = count_decisions;
+  }
+  if constexpr (requires { typename Row::stages; }) f.stages = stage_functions<typename Row::stages, Asked>();
+  if constexpr (requires { typename Row::stages::decision; })
+    f.decision_stages = stage_functions<typename Row::stages::decision, Asked>();
+  for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back({hard.name, hard.as_drawn});
+  f.draw_hard_case = draw_hard_case;
+  const auto given = hooks();
+  if (given.as_open_sets) f.as_open_sets = as_open_sets;
+  if (given.fault) f.fault = fault;
+  if (given.exact_fault) f.exact_fault = exact_fault;
+  if (given.repair) f.repair = repair;
+  if (given.scale) f.scale = scale;
+  if (given.residuals) f.residuals = residuals;
+  if (given.map_centre) f.map_centre = map_centre;
+  f.map_axes = given.map_axes;
+  if (given.draw) f.draw = draw;
+  f.laws = given.laws;
+  if (given.world_count) f.world = World{world_count, world_at};
+  return f;
+}
+
+template <class Row>
+const Operation& operation_of_row() {
+  static const Operation operation(RowOf<Row>::functions());
+  return operation;
+}
+
+}  // namespace touchstone::catalogue

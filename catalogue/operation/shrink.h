@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace touchstone::catalogue {
+
+/// The simplest stream of choices that is still `interesting`, found by dropping, zeroing and lessening bytes. Because
+/// inputs are drawn from integer parameters, what shrinks stays in its family: a degenerate case stays degenerate.
+/// Deterministic; asks at most `budget` times.
+std::vector<std::uint8_t> shrunk(std::vector<std::uint8_t> choices,
+                                 const std::function<bool(const std::vector<std::uint8_t>&)>& interesting,
+                                 int budget = 2000);
+
+}  // namespace touchstone::catalogue

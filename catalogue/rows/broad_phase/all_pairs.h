@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/broad_phase/all_pairs.h"
+#include "oracle/volumes/aabb_aabb.h"
+#include "oracle/volumes/sphere_sphere.h"
+#include "reference/broad_phase/all_pairs.h"
+#include "robust/broad_phase/all_pairs.h"
+
+namespace touchstone::catalogue::rows {
+
+struct all_pairs {
+  TOUCHSTONE_MODULES(all_pairs)
+  using stages = ::touchstone::robust::stages::all_pairs;
+  using Spheres = std::vector<Sphere3d>;
+  using Boxes = std::vector<Aabb3d>;
+  using Question = std::variant<std::tuple<Spheres>, std::tuple<Boxes>>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "all_pairs",
+                           .chapter = "broad_phase",
+                           .pages = "55-56",
+                           .question = "Which of these balls, or boxes, meet?",
+                           .kind = Kind::covering,
+                           .fields = {"spheres"},
+                           .other_fields = {{"boxes"}},
+                           .answer = "pairs",
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 2};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"grid_of_spheres",
+         [](Choices& c) -> Question {
+           return spheres(c, [](Choices& d) {
+             const double x = small_integer(d, 4), y = small_integer(d, 4), z = small_integer(d, 4);
+             return Sphere3d{{x, y, z}, static_cast<double>(d.below(4))};
+           });
+         }},
+        {"grid_of_boxes",
+         [](Choices& c) -> Question {
+           return boxes(c, [](Choices& d) {
+             const double x = small_integer(d, 4), y = small_integer(d, 4), z = small_integer(d, 4);
+             const auto width = [&d] { return static_cast<double>(d.below(4)); };
+             const double dx = width(), dy = width(), dz = width();
+             return Aabb3d{{x, y, z}, {x + dx, y + dy, z + dz}};
+           });
+         }},
+        {"tangent_chain",
+         [](Choices& c) -> Question {
+           static constexpr std::array<std::array<double, 4>, 6> steps{
+               {{3, 4, 0, 5}, {1, 2, 2, 3}, {2, 3, 6, 7}, {4, 4, 7, 9}, {2, 10, 11, 15}, {5, 12, 0, 13}}};
+           Spheres chain{{{0, 0, 0}, 1}};
+           while (chain.size() < 12 && c.below(5) != 0) {
+             const auto [x, y, z, length] = steps[c.below(6)];
+             const Sphere3d& last = chain.back();
+             chain.push_back({{last.center.x + x, last.center.y + y, last.center.z + z}, length - last.radius});
+             if (chain.back().radius < 0) chain.pop_back();
+           }
+           return std::tuple(chain);
+         }},
+        {"touching_boxes",
+         [](Choices& c) -> Question {
+           const double low = integer(c, 20);
+           Boxes row{{{low, 0, 0}, {low + 1, 1, 1}}};
+           while (row.size() < 12 && c.below(5) != 0) {
+             const Point3d corner = row.back().max;
+             const double width = static_cast<double>(c.below(4)), y = static_cast<double>(c.below(3));
+             row.push_back({{corner.x, y, 0}, {corner.x + width, y + 1, 1}});
+           }
+           return std::tuple(row);
+         }},
+        {"coincident",
+         [](Choices& c) -> Question {
+           const double x = integer(c, 30), r = static_cast<double>(c.below(3));
+           const Sphere3d one{{x, -x, 0}, r};
+           Spheres same(1 + c.below(6), one);
+           if (c.below(2) == 1) same.push_back({{x, -x, 2 * r}, r});
+           return std::tuple(same);
+         }},
+        {"one_over_all",
+         [](Choices& c) -> Question {
+           Question question = spheres(c, [](Choices& d) {
+             const double x = integer(d, 20), y = integer(d, 20);
+             return Sphere3d{{x, y, 0}, static_cast<double>(d.below(2))};
+           });
+           std::get<0>(std::get<0>(question)).push_back({{0, 0, 0}, c.below(2) == 1 ? 0x1p60 : 0x1p19});
+           return question;
+         }},
+        {"subnormal_radii",
+         [](Choices& c) -> Question {
+           return spheres(c, [](Choices& d) {
+             const double x = std::ldexp(0x1p53 + 2 * static_cast<double>(d.below(9)), -1074);
+             const double z = std::ldexp(static_cast<double>(d.below(6)), -1074);
+             return Sphere3d{{x, 0, z}, std::ldexp(static_cast<double>(d.below(6)), -1074)};
+           });
+         }},
+        {"much_rounded",
+         [](Choices& c) -> Question {
+           // One position and one radius just above a power of two, the others far smaller: differences and sums round
+           // by all they may.
+           const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
+           const auto small = [&c] { return static_cast<double>(c.below(256)) * 0x1p-60; };
+           const double x = large(), r = large(), y = small(), s = small();
+           const int e = static_cast<int>(c.below(601)) - 300;
+           Spheres two{{{std::ldexp(x, e), 0, 0}, std::ldexp(s, e)},
+                       {{std::ldexp(c.below(2) == 1 ? -y : y, e), 0, 0}, std::ldexp(r, e)}};
+           if (c.below(2) == 1) std::swap(two[0], two[1]);
+           return std::tuple(two);
+         }},
+        {"rounded_tangent",
+         [](Choices& c) -> Question {
+           const auto position = [&c] {
+             const double x = ordinary(c), y = ordinary(c);
+             return Point3d{x, y, ordinary(c)};
+           };
+           const Point3d p = position(), q = position();
+           const Vector3d v = q - p;
+           const double distance = std::sqrt(dot(v, v)), r = distance * static_cast<double>(c.below(9)) / 8;
+           const int ulps = static_cast<int>(c.below(7)) - 3;
+           return std::tuple(Spheres{{p, r}, {q, std::fabs(moved_by_ulps(distance - r, ulps))}});
+         }},
+        {"few",
+         [](Choices& c) -> Question {
+           const Sphere3d one{{integer(c, 8), 0, 0}, 1};
+           const std::size_t count = c.below(3);
+           if (c.below(2) == 1) return std::tuple(Boxes(count, lattice_box(c)));
+           return std::tuple(Spheres(count, one));
+         }},
+    };
+  }
+
+  static void repair(Question& question) {
+    if (auto* balls = std::get_if<0>(&question)) {
+      for (Sphere3d& ball : std::get<0>(*balls)) ball.radius = std::fabs(ball.radius);
+    } else {
+      for (Aabb3d& box : std::get<0>(std::get<1>(question))) put_in_order(box);
+    }
+  }
+
+  /// Two balls that touch: moves the radius of one and the height of the other.
+  static Question map_centre() { return std::tuple(Spheres{{{0, 0, 0}, 2}, {{3, 4, 0}, 3}}); }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {3, 5}; }
+
+  using Pairs = std::vector<IndexPair>;
+  /// Solids that only touch are no pair.
+  static std::optional<Pairs> as_open_sets(const Pairs& truth, const Question& question) {
+    Pairs open = truth;
+    std::erase_if(open, [&](const IndexPair& pair) { return touching(pair, question); });
+    if (open.size() == truth.size()) return std::nullopt;
+    return open;
+  }
+
+  static Hooks<all_pairs> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+  template <class Draw>
+  static Question spheres(Choices& c, const Draw& draw) {
+    Spheres list;
+    while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
+    return std::tuple(list);
+  }
+  template <class Draw>
+  static Question boxes(Choices& c, const Draw& draw) {
+    Boxes list;
+    while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
+    return std::tuple(list);
+  }
+
+  static bool touching(const IndexPair& pair, const Question& question) {
+    if (const auto* asked = std::get_if<std::tuple<Spheres>>(&question)) {
+      const Spheres& list = std::get<0>(*asked);
+      return ::touchstone::oracle::sphere_sphere(list[pair.i], list[pair.j]).answer == Contact::touching;
+    }
+    const Boxes& list = std::get<0>(std::get<std::tuple<Boxes>>(question));
+    return ::touchstone::oracle::aabb_aabb(list[pair.i], list[pair.j]).answer == Contact::touching;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

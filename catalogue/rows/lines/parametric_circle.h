@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/operation/row.h"
+#include "oracle/lines/parametric_circle.h"
+#include "reference/lines/parametric_circle.h"
+#include "robust/lines/parametric_circle.h"
+
+namespace touchstone::catalogue::rows {
+
+struct parametric_circle {
+  TOUCHSTONE_MODULES(parametric_circle)
+  using stages = ::touchstone::robust::stages::parametric_circle;
+  using Question = std::tuple<Circle2d, double>;
+
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{
+        .name = "parametric_circle",
+        .chapter = "lines",
+        .pages = "8",
+        .question = "Which point of the circle belongs to the parameter u (radians from +x, counter-clockwise)?",
+        .kind = Kind::measure,
+        .fields = {"circle", "u"},
+        .answer = "point",
+        .ulps = 3,
+        .price = Price::ring};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"at_zero",
+         [](Choices& c) -> Question {
+           return {{lattice_point(c, 53), std::fabs(integer(c, 53))}, c.below(2) == 1 ? -0.0 : 0.0};
+         }},
+        {"radius_zero",
+         [](Choices& c) -> Question {
+           return {{lattice_point(c, 53), 0.0}, integer(c, 53)};
+         }},
+        {"near_quarter_turns",
+         [](Choices& c) -> Question {
+           static constexpr double quarter = 0x1.921fb54442d18p+0;  // the double nearest to pi / 2
+           const double turns = small_integer(c, 64);
+           return {{lattice_point(c), 1 + static_cast<double>(c.below(64))}, turns * quarter};
+         }},
+        {"huge_angle",
+         [](Choices& c) -> Question {
+           const double u = 1 + static_cast<double>(c.below(1 << 20));
+           const int exponent = static_cast<int>(c.below(1000));
+           return {{lattice_point(c), 1 + static_cast<double>(c.below(64))}, std::ldexp(u, exponent)};
+         }},
+        {"tiny_angle",
+         [](Choices& c) -> Question {
+           const double u = small_integer(c);
+           const int exponent = -static_cast<int>(c.below(1070));
+           return {{lattice_point(c), 1 + static_cast<double>(c.below(64))}, std::ldexp(u, exponent)};
+         }},
+        {"cancelling",
+         [](Choices& c) -> Question {
+           const double r = 1 + static_cast<double>(c.below(1 << 20)), u = 8 * ordinary(c);
+           return {{{-r * std::cos(u), -r * std::sin(u)}, r}, u};
+         }},
+        {"typed_angle",
+         [](Choices& c) -> Question {
+           return {{{typed(c), typed(c)}, std::fabs(typed(c))}, typed(c)};
+         }},
+    };
+  }
+
+  /// The angle is no length: it keeps its value.
+  static void scale(Question& question, int k) {
+    auto& circle = std::get<0>(question);
+    circle = {{std::ldexp(circle.center.x, k), std::ldexp(circle.center.y, k)}, std::ldexp(circle.radius, k)};
+  }
+
+  /// The unit circle at a quarter turn: moves the radius and the angle.
+  static Question map_centre() { return {{{0, 0}, 1}, 0x1.921fb54442d18p+0}; }
+
+  static Hooks<parametric_circle> hooks() { return {.scale = scale, .map_centre = map_centre}; }
+};
+
+}  // namespace touchstone::catalogue::rows

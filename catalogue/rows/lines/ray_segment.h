@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/long_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/lines/ray_segment.h"
+#include "reference/lines/ray_segment.h"
+#include "robust/lines/ray_segment.h"
+
+namespace touchstone::catalogue::rows {
+
+struct ray_segment {
+  TOUCHSTONE_MODULES(ray_segment)
+  using stages = ::touchstone::robust::stages::ray_segment;
+  using Question = std::tuple<Ray2d, Segment2d>;
+
+  static const Card& card() {
+    static const Card card{.name = "ray_segment",
+                           .chapter = "lines",
+                           .pages = "2, 14",
+                           .question = "Where does the ray meet the closed segment?",
+                           .kind = Kind::set,
+                           .fields = {"ray", "segment"},
+                           .ulps = 13,
+                           .margin_degree = 2};
+    return card;
+  }
+
+  struct decision {
+    static RayRelation robust(const Question& q) {
+      return ::touchstone::robust::ray_segment_relation(std::get<0>(q), std::get<1>(q));
+    }
+  };
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"crossing_on_lattice",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d u = lattice_direction(c), v = lattice_direction(c);
+           return {{along(p, small_integer(c, 4), u), u},
+                   {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
+         }},
+        {"through_end",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d v = lattice_direction(c);
+           return {{p, v}, {along(p, small_integer(c, 4), v), lattice_point(c)}};
+         }},
+        {"origin_on_segment",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d v = lattice_direction(c);
+           return {{p, lattice_direction(c)},
+                   {along(p, -static_cast<double>(c.below(4)), v), along(p, static_cast<double>(c.below(4)), v)}};
+         }},
+        {"collinear",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d v = lattice_direction(c);
+           return {{p, v}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
+         }},
+        {"ends_at_origin",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c, 40);
+           const Vector2d v = lattice_direction(c);
+           return {{p, v}, {along(p, -1 - static_cast<double>(c.below(4)), v), p}};
+         }},
+        {"parallel",
+         [](Choices& c) -> Question {
+           const Vector2d v = lattice_direction(c);
+           const Point2d q = lattice_point(c);
+           return {{lattice_point(c), v}, {q, along(q, small_integer(c), v)}};
+         }},
+        {"axis_parallel",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
+           const Vector2d across{c.below(2) == 1 ? -1.0 : 1.0, 0.0};
+           return c.below(2) == 1 ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
+                                  : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
+         }},
+        {"zero_length",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d v = lattice_direction(c);
+           const Point2d q = along(p, small_integer(c, 2), v);
+           return {{p, v}, {q, q}};
+         }},
+        {"zero_direction",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           return {{p, {0, 0}}, {p, lattice_point(c)}};
+         }},
+        {"through_far_end",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c, 45);
+           const Vector2d v = lattice_direction(c, 45);
+           return {{p, v}, {along(p, small_integer(c), v), lattice_point(c, 45)}};
+         }},
+        {"nearly_touching",
+         [](Choices& c) -> Question {
+           const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+           return {ray, {along(ray.origin, ordinary(c), ray.direction), {ordinary(c), ordinary(c)}}};
+         }},
+        {"nearly_collinear",
+         [](Choices& c) -> Question {
+           const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
+           return {ray, {along(ray.origin, ordinary(c), ray.direction), along(ray.origin, ordinary(c), ray.direction)}};
+         }},
+        {"end_on_long_line",
+         [](Choices& c) -> Question {
+           const auto [first, last, between] = long_triple(c);
+           return {{first, Vector2d{-first.x, -first.y}}, {last, along(last, 0.125, long_direction(c))}};
+         }},
+    };
+  }
+
+  /// An open segment does not have its ends, an open ray not its origin.
+  static std::optional<RaySegment<mpq_class>> as_open_sets(const RaySegment<mpq_class>& truth,
+                                                           const Question& question) {
+    if (truth.relation != RayRelation::point) return std::nullopt;
+    const Segment2d& segment = std::get<1>(question);
+    const auto is = [&](const Point2d& end) {
+      return truth.point->x == exact_value(end.x) && truth.point->y == exact_value(end.y);
+    };
+    if (*truth.t != 0 && !is(segment.a) && !is(segment.b)) return std::nullopt;
+    return RaySegment<mpq_class>{RayRelation::none, {}, {}, {}};
+  }
+
+  /// A ray along the diagonal through the end (24, 24) of the segment; moves the origin of the ray.
+  static Question map_centre() { return {{{0.5, 0.5}, {12, 12}}, {{24, 24}, {24, 3}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<ray_segment> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/families/space_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/planes/point_ground_plane.h"
+#include "reference/planes/point_ground_plane.h"
+#include "robust/planes/point_ground_plane.h"
+
+namespace touchstone::catalogue::rows {
+
+struct point_ground_plane {
+  TOUCHSTONE_MODULES(point_ground_plane)
+  using Question = std::tuple<Point3d>;
+
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "point_ground_plane",
+                           .chapter = "planes",
+                           .pages = "20",
+                           .question = "Is the point above, on or below the ground plane y = 0 (y is up)?",
+                           .kind = Kind::decision,
+                           .fields = {"point"},
+                           .answer = "side"};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_ground",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 53);
+           return {{p.x, c.below(2) == 1 ? -0.0 : 0.0, p.z}};
+         }},
+        {"beside_ground",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 53);
+           return {{p.x, small_integer(c, 1), p.z}};
+         }},
+        {"subnormal_height",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 53);
+           return {{p.x, std::ldexp(small_integer(c), -1074), p.z}};
+         }},
+        {"far_out",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 53);
+           return {{std::ldexp(p.x, 970), p.y, std::ldexp(p.z, 970)}};
+         }},
+        {"huge_height",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 53);
+           return {{p.x, std::ldexp(p.y, 970), p.z}};
+         }},
+        {"difference_of_typed",
+         [](Choices& c) -> Question {
+           const double a = typed(c), b = typed(c), sum = a + b;  // 0.1 + 0.2 - 0.3
+           return {{a, sum - typed(c), b}};
+         }},
+    };
+  }
+
+  /// From the front: x across, y up.
+  static void draw(Drawing& drawing, const Question& question, const Height&) {
+    const Point3d& p = std::get<0>(question);
+    drawing.figures.push_back({Figure::Kind::line, "ground", {p.x - 1, 0, p.x + 1, 0}, false});
+    drawing.figures.push_back({Figure::Kind::point, "point", {p.x, p.y}, false});
+    drawing.notes.push_back("seen along z: x across, y up");
+  }
+
+  /// Moves x and y: the formula is right everywhere.
+  static Question map_centre() { return {{0.5, 0, 0}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<point_ground_plane> hooks() {
+    return {.map_centre = map_centre, .map_axes = map_axes, .draw = draw, .laws = {.scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/ring_cases.h"
+#include "catalogue/operation/row.h"
+#include "oracle/polygons/convex_partition.h"
+#include "reference/polygons/convex_partition.h"
+#include "robust/polygons/convex_partition.h"
+
+namespace touchstone::catalogue::rows {
+
+struct convex_partition {
+  TOUCHSTONE_MODULES(convex_partition)
+  using stages = ::touchstone::robust::stages::convex_partition;
+  using Question = std::tuple<Polygon2d>;
+
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "convex_partition",
+                           .chapter = "polygons",
+                           .pages = "7",
+                           .question = "Which convex pieces, corners at its vertices, make up a simple polygon?",
+                           .kind = Kind::checked,
+                           .fields = {"polygon"},
+                           .answer = "pieces",
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 4};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() { return simple_ring_cases(); }
+  static void repair(Question& question) { untangle(std::get<0>(question)); }
+
+  static std::string fault(const Question& question, const std::vector<std::vector<Index>>& pieces) {
+    return ::touchstone::oracle::convex_partition_fault(std::get<0>(question), pieces);
+  }
+
+  /// Whether the first vertex is flat: the classroom example of orientation as a ring.
+  static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
+
+  static Hooks<convex_partition> hooks() {
+    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "catalogue/families/rings.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/lines/orientation.h"
+#include "oracle/polygons/point_in_convex_polygon.h"
+#include "reference/polygons/point_in_convex_polygon.h"
+#include "robust/polygons/point_in_convex_polygon.h"
+
+namespace touchstone::catalogue::rows {
+
+struct point_in_convex_polygon {
+  TOUCHSTONE_MODULES(point_in_convex_polygon)
+  using stages = ::touchstone::robust::stages::point_in_convex_polygon;
+  using Question = std::tuple<Polygon2d, Point2d>;
+
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "point_in_convex_polygon",
+                           .chapter = "polygons",
+                           .pages = "16-17",
+                           .question = "Does the point lie inside the convex polygon, on an edge, or outside?",
+                           .kind = Kind::decision,
+                           .fields = {"polygon", "point"},
+                           .answer = "location",
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 4};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_edge",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = turned(convex_ring(c), c);
+           return {ring, on_an_edge(ring, c)};
+         }},
+        {"beside_edge",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = turned(convex_ring(c), c);
+           return {ring, beside(on_an_edge(ring, c), c)};
+         }},
+        {"on_line_of_edge",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = turned(convex_ring(c), c);
+           const std::size_t i = c.below(ring.size());
+           return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
+         }},
+        {"beside_least_edge", beside_least_edge},
+        {"on_diagonal",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = turned(convex_ring(c), c);
+           const Point2d a = ring[c.below(ring.size())], b = ring[c.below(ring.size())];
+           return {ring, along(a, small_integer(c) / 8, b - a)};
+         }},
+        {"flat_vertices",
+         [](Choices& c) -> Question {
+           Polygon2d ring = convex_ring(c);
+           for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
+           for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
+           ring = turned(ring, c);
+           return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
+         }},
+        {"needle",
+         [](Choices& c) -> Question {
+           const Point2d a = lattice_point(c);
+           const Vector2d v = lattice_direction(c, 40);
+           const double width = small_integer(c, 1);
+           const Polygon2d ring{{a, along(a, 4, v), {a.x + width, a.y + 1}}};
+           return {turned(ring, c), beside(along(a, static_cast<double>(c.below(5)), v), c)};
+         }},
+        {"not_quite_convex",
+         [](Choices& c) -> Question {
+           Polygon2d ring = turned(convex_ring(c), c);
+           switch (c.below(5)) {
+             case 0: break;
+             case 1: ring = with_repeated_vertex(ring, c); break;
+             case 2: ring = with_spike(ring, c); break;
+             case 3: std::swap(ring.vertices[0], ring.vertices[c.below(ring.size())]); break;
+             default: ring.vertices[0] = beside(on_an_edge({{ring.previous(0), ring[1], ring[1]}}, c), c);
+           }
+           return {ring, beside(ring[0], c)};
+         }},
+        {"near_a_million",
+         [](Choices& c) -> Question {
+           Polygon2d ring = convex_ring(c);
+           for (Point2d& p : ring.vertices) p = {1e6 + p.x / 10, 1e6 + p.y / 10};
+           return {turned(ring, c), on_an_edge(ring, c)};
+         }},
+        {"rounded_on_edge",
+         [](Choices& c) -> Question {
+           Question question;
+           Polygon2d& ring = std::get<0>(question);
+           for (std::uint64_t more = 3 + c.below(6); more > 0; --more)
+             ring.vertices.push_back({ordinary(c), ordinary(c)});
+           repair(question);
+           const std::size_t i = c.below(ring.size());
+           std::get<1>(question) =
+               along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
+           return question;
+         }},
+    };
+  }
+
+  /// The convex hull of the vertices, every second time clockwise. What has none stays and is refused.
+  static void repair(Question& question) {
+    std::vector<Point2d>& vertices = std::get<0>(question).vertices;
+    if (vertices.size() < 3) return;
+    const bool clockwise = vertices.size() % 2 == 0;
+    std::vector<Point2d> sorted = vertices, hull;
+    std::sort(sorted.begin(), sorted.end(),
+              [](const Point2d& p, const Point2d& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+    for (int half = 0; half < 2; ++half) {
+      const std::size_t start = hull.size();
+      for (const Point2d& p : sorted) {
+        while (hull.size() >= start + 2 &&
+               ::touchstone::oracle::orientation_side(hull[hull.size() - 2], hull.back(), p) != Side::left)
+          hull.pop_back();
+        hull.push_back(p);
+      }
+      hull.pop_back();  // the other half begins with it
+      std::reverse(sorted.begin(), sorted.end());
+    }
+    if (hull.size() < 3) return;
+    if (clockwise) std::reverse(hull.begin(), hull.end());
+    vertices = hull;
+  }
+
+  /// The point (12, 12), on the edge from (24, 24) to (0.5, 0.5), is moved.
+  static Question map_centre() { return {{{{0.5, 0.5}, {24, 4}, {24, 24}}}, {12, 12}}; }
+
+  static Hooks<point_in_convex_polygon> hooks() {
+    return {.as_open_sets = outside_if_on_boundary<Question>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

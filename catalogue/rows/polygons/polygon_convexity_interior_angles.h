@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/rows/polygons/polygon_convexity.h"
+#include "reference/polygons/polygon_convexity_interior_angles.h"
+
+namespace touchstone::catalogue::rows {
+
+/// The deck's other method for the same question.
+struct polygon_convexity_interior_angles : polygon_convexity {
+  static auto reference(const auto&... q) { return ::touchstone::reference::polygon_convexity_interior_angles(q...); }
+
+  static const Card& card() {
+    static const Card card = [] {
+      Card other = polygon_convexity::card();
+      other.name = "polygon_convexity_interior_angles";
+      other.pages = "6";
+      other.question = "Is the polygon convex, by its interior angles?";
+      other.method_of = "polygon_convexity";
+      other.price = Price::mesh;  // its exact arithmetic has thousands of digits
+      return other;
+    }();
+    return card;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

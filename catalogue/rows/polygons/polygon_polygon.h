@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/families/rings.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/polygons/polygon_polygon.h"
+#include "reference/polygons/polygon_polygon.h"
+#include "robust/polygons/polygon_polygon.h"
+
+namespace touchstone::catalogue::rows {
+
+struct polygon_polygon {
+  TOUCHSTONE_MODULES(polygon_polygon)
+  using stages = ::touchstone::robust::stages::polygon_polygon;
+  using Question = std::tuple<Polygon2d, Polygon2d>;
+
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "polygon_polygon",
+                           .chapter = "polygons",
+                           .pages = "18-19",
+                           .question = "Do the two simple polygons, as closed solids, overlap, only touch, or neither?",
+                           .kind = Kind::decision,
+                           .fields = {"a", "b"},
+                           .answer = "contact",
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 3};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"coincident",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = simple_ring(c);
+           return {ring, turned(ring, c)};
+         }},
+        {"shared_vertex",
+         [](Choices& c) -> Question {
+           const Polygon2d a = simple_ring(c), b = simple_ring(c);
+           return {a, with_vertex_at(b, a[c.below(a.size())], c)};
+         }},
+        {"vertex_on_edge",
+         [](Choices& c) -> Question {
+           const Polygon2d a = simple_ring(c), flat = with_flat_vertex(a, c), b = simple_ring(c);
+           return {a, with_vertex_at(b, flat[c.below(flat.size())], c)};
+         }},
+        {"corner_in_corner",
+         [](Choices& c) -> Question {
+           // Only one of the corners that meet begins in the other; or they meet in the last vertex of both.
+           const bool last = c.below(2) == 1;
+           const Polygon2d a = last ? Polygon2d{{{0, 0}, {3, 1}, {0, 3}}} : Polygon2d{{{1, 1}, {1, 2}, {4, 2}}},
+                           b = last ? Polygon2d{{{1, 1}, {3, 1}, {1, 1.5}}} : Polygon2d{{{1, 4}, {2, 2}, {0, 0}}};
+           return c.below(2) == 1 ? Question{b, turned(a, c)} : Question{a, turned(b, c)};
+         }},
+        {"common_edge",
+         [](Choices& c) -> Question {
+           const Polygon2d a = simple_ring(c);
+           const std::size_t i = c.below(a.size());
+           const Vector2d along = a.next(i) - a[i], out{along.y, -along.x};
+           const double k = small_integer(c, 2), depth = 1 + small_integer(c, 3);
+           const Point2d p = a[i] + k * along, q = p + (1 + static_cast<double>(c.below(2))) * along;
+           return {a, turned({{p, p + depth * out, q + depth * out, q}}, c)};
+         }},
+        {"inscribed",
+         [](Choices& c) -> Question {
+           const Polygon2d outer = turned(convex_ring(c), c);
+           Polygon2d inner;
+           for (std::size_t i = 0; i < outer.size(); ++i) inner.vertices.push_back(with_flat_middle(outer, i));
+           return c.below(2) == 1 ? Question{turned(inner, c), outer} : Question{outer, turned(inner, c)};
+         }},
+        {"nested_sharing_a_vertex",
+         [](Choices& c) -> Question {
+           const Polygon2d outer = convex_ring(c);
+           const std::size_t i = c.below(outer.size());
+           Polygon2d inner = outer;
+           for (Point2d& p : inner.vertices) p = {(p.x + outer[i].x) / 2, (p.y + outer[i].y) / 2};
+           return {outer, turned(inner, c)};
+         }},
+        {"nested",
+         [](Choices& c) -> Question {
+           const Polygon2d star = star_ring(c);
+           Polygon2d around = star;
+           Point2d centre{0, 0};
+           centre = {(star[0].x + star[star.size() / 2].x) / 2, (star[0].y + star[star.size() / 2].y) / 2};
+           for (Point2d& p : around.vertices) p = centre + 4.0 * (p - centre);
+           return {turned(around, c), star};
+         }},
+        {"in_a_bay",
+         [](Choices& c) -> Question {
+           const double depth = 2 + static_cast<double>(c.below(6)), width = 2 + static_cast<double>(c.below(6));
+           const Polygon2d bay{{{-1, -1},
+                                {width + 1, -1},
+                                {width + 1, depth},
+                                {width, depth},
+                                {width, 0},
+                                {0, 0},
+                                {0, depth},
+                                {-1, depth}}};
+           const double x = static_cast<double>(c.below(4)), y = static_cast<double>(c.below(4)),
+                        s = 1 + static_cast<double>(c.below(4));
+           return {turned(bay, c), turned({{{x, y}, {x + s, y}, {x + s, y + 2 * s}, {x, y + 2 * s}}}, c)};
+         }},
+        {"apart",
+         [](Choices& c) -> Question {
+           const Polygon2d a = simple_ring(c);
+           return {turned(a, c), simple_ring(c)};
+         }},
+        {"spike",
+         [](Choices& c) -> Question {
+           const Polygon2d a = simple_ring(c), spoilt = with_spike(a, c);
+           return c.below(2) == 1 ? Question{spoilt, a} : Question{a, spoilt};
+         }},
+        {"repeated_vertex",
+         [](Choices& c) -> Question {
+           const Polygon2d a = simple_ring(c), spoilt = with_repeated_vertex(a, c);
+           return c.below(2) == 1 ? Question{spoilt, a} : Question{a, spoilt};
+         }},
+        {"rounded_vertex_on_edge",
+         [](Choices& c) -> Question {
+           const Polygon2d a{{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}};
+           const Point2d p = along(a[0], ordinary(c), a[1] - a[0]);
+           return {a, {{p, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}}};
+         }},
+        {"computed",
+         [](Choices& c) -> Question {
+           // A vertex of b on an edge of a, but for rounding.
+           Polygon2d a = with_flat_runs(simple_ring(c), c);
+           const Point2d p = on_an_edge(a, c);
+           const Vector2d v = lattice_direction(c), w = lattice_direction(c);
+           a.vertices.insert(a.vertices.end(), {p, p + v, p + w});
+           compute(a.vertices, c);
+           const Polygon2d b{{a.vertices.end() - 3, a.vertices.end()}};
+           a.vertices.resize(a.size() - 3);
+           return {a, b};
+         }},
+    };
+  }
+
+  static void repair(Question& question) { untangle(std::get<0>(question)), untangle(std::get<1>(question)); }
+
+  /// A vertex of b on an edge of a.
+  static Question map_centre() { return {{{{-12, -12}, {24, 24}, {-12, 30}}}, {{{0.5, 0.5}, {20, -5}, {16, -9}}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {8, 9}; }
+
+  static Hooks<polygon_polygon> hooks() {
+    return {.as_open_sets = disjoint_if_touching<Question>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1}}}};
+  }
+
+ private:
+  /// The ring moved so that one of its vertices is p.
+  static Polygon2d with_vertex_at(Polygon2d ring, const Point2d& p, Choices& c) {
+    const Vector2d by = p - ring[c.below(ring.size())];
+    for (Point2d& vertex : ring.vertices) vertex = vertex + by;
+    return ring;
+  }
+  static Point2d with_flat_middle(const Polygon2d& ring, std::size_t i) {
+    return {(ring[i].x + ring.next(i).x) / 2, (ring[i].y + ring.next(i).y) / 2};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

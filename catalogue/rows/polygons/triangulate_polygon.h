@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/ring_cases.h"
+#include "catalogue/operation/row.h"
+#include "oracle/polygons/triangulate_polygon.h"
+#include "reference/polygons/triangulate_polygon.h"
+#include "robust/polygons/triangulate_polygon.h"
+
+namespace touchstone::catalogue::rows {
+
+struct triangulate_polygon {
+  TOUCHSTONE_MODULES(triangulate_polygon)
+  using stages = ::touchstone::robust::stages::triangulate_polygon;
+  using Question = std::tuple<Polygon2d>;
+
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "triangulate_polygon",
+                           .chapter = "polygons",
+                           .pages = "7",
+                           .question = "Which triangles, corners at its vertices, make up a simple polygon?",
+                           .kind = Kind::checked,
+                           .fields = {"polygon"},
+                           .answer = "triangles",
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 4};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() { return simple_ring_cases(); }
+  static void repair(Question& question) { untangle(std::get<0>(question)); }
+
+  static std::string fault(const Question& question, const std::vector<std::vector<Index>>& triangles) {
+    return ::touchstone::oracle::triangulate_polygon_fault(std::get<0>(question), triangles);
+  }
+
+  /// Whether the first vertex is flat: the classroom example of orientation as a ring.
+  static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
+
+  static Hooks<triangulate_polygon> hooks() {
+    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/contact_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/contact_state.h"
+#include "reference/response/contact_state.h"
+#include "robust/response/contact_state.h"
+
+namespace touchstone::catalogue::rows {
+
+struct contact_state {
+  TOUCHSTONE_MODULES(contact_state)
+  using stages = ::touchstone::robust::stages::contact_state;
+  using Question = std::tuple<MovingBodyd, MovingBodyd, Point3d, Vector3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "contact_state",
+                           .chapter = "response",
+                           .pages = "74",
+                           .question = "Do two turning bodies part at the point where they touch, rest, or collide?",
+                           .kind = Kind::decision,
+                           .fields = {"a", "b", "point", "normal"},
+                           .answer = "state",
+                           .margin_degree = 2,
+                           .longest_vector = 6000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {{"on_lattice", [](Choices& c) -> Question { return asked(lattice_meeting(c)); }},
+            {"resting", [](Choices& c) -> Question { return asked(resting_meeting(c)); }},
+            {"beside_rest", [](Choices& c) -> Question { return asked(meeting_beside_rest(c)); }},
+            {"rolling", [](Choices& c) -> Question { return asked(rolling(c)); }},
+            {"of_one_body", [](Choices& c) -> Question { return asked(of_one_body(c)); }},
+            {"terms_below_least", [](Choices& c) -> Question { return asked(meeting_below_least(c)); }},
+            {"far_units", [](Choices& c) -> Question { return asked(meeting_in_far_units(c)); }},
+            {"as_wide_as_lattices", [](Choices& c) -> Question { return asked(as_wide_as_lattices(c)); }},
+            {"across_the_range", [](Choices& c) -> Question { return asked(across_the_range(c)); }},
+            {"typed_rest", [](Choices& c) -> Question { return asked(typed_rest(c)); }},
+            {"without_a_normal", [](Choices& c) -> Question {
+               Meeting m = lattice_meeting(c);
+               m.normal = zero_vector(c);
+               return asked(m);
+             }}};
+  }
+
+  /// Angular velocities have no unit of length: they keep their values.
+  static void scale(Question& question, int k) {
+    auto& [a, b, p, n] = question;
+    const auto longer = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
+    for (MovingBodyd* body : {&a, &b}) longer(body->position), longer(body->velocity);
+    longer(p), longer(n);
+  }
+
+  /// A ball that rises as fast as its edge goes down: moves the velocity's y and the angular velocity's z.
+  static Question map_centre() {
+    return {{{0, 1, 0}, {2, 1, 0}, {0, 0, -1}}, {{0, -1, 0}, {0, 0, 0}, {0, 0, 0}}, {1, 0, 0}, {0, 1, 0}};
+  }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {4, 8}; }
+
+  static Hooks<contact_state> hooks() {
+    return {.scale = scale, .map_centre = map_centre, .map_axes = map_axes, .laws = {.scales = true}};
+  }
+
+ private:
+  static Question asked(const Meeting& m) { return {m.a, m.b, m.point, m.normal}; }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/bounce_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/damped_reflection.h"
+#include "reference/response/damped_reflection.h"
+#include "robust/response/damped_reflection.h"
+
+namespace touchstone::catalogue::rows {
+
+struct damped_reflection {
+  TOUCHSTONE_MODULES(damped_reflection)
+  using stages = ::touchstone::robust::stages::damped_reflection;
+  using Question = std::tuple<Vector3d, Vector3d, double>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{
+        .name = "damped_reflection",
+        .chapter = "response",
+        .pages = "71",
+        .question = "Which velocity has a body after a bounce that leaves k of its speed along the normal?",
+        .kind = Kind::measure,
+        .fields = {"velocity", "normal", "k"},
+        .answer = "velocity",
+        .ulps = 15,
+        .margin_degree = 0,
+        .longest_vector = 3000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_bounce, usual>("on_lattice"),
+            hard<along_the_plane, usual>("along_the_plane"),
+            hard<grazing, usual>("grazing"),
+            hard<straight, usual>("straight"),
+            hard<across_an_axis, near_minus_one>("nothing_lost"),
+            hard<stretched_bounce, usual>("stretched_normal"),
+            hard<products_at_the_end, any_size>("products_at_the_end"),
+            hard<at_end_of_range, usual>("at_end_of_range"),
+            hard<bounce_beside_a_tie, one>("beside_a_tie"),
+            hard<without_a_normal, usual>("without_a_normal")};
+  }
+
+  /// k has no unit: it keeps its value.
+  static void scale(Question& question, int exponent) {
+    auto& [v, n, k] = question;
+    for (Vector3d* vector : {&v, &n})
+      *vector = {std::ldexp(vector->x, exponent), std::ldexp(vector->y, exponent), std::ldexp(vector->z, exponent)};
+  }
+
+  /// Nothing is left along the normal: moves the velocity's y and k.
+  static Question map_centre() { return {{3, 1, 0}, {1, 3, 0}, 0}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {1, 6}; }
+
+  static Hooks<damped_reflection> hooks() {
+    return {.scale = scale,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+
+ private:
+  static double usual(Choices& c) {
+    switch (c.below(4)) {
+      case 0: return 0.8;
+      case 1: return small_integer(c, 2);
+      case 2: return static_cast<double>(c.below(17)) / 16;
+      default: return typed(c);
+    }
+  }
+  static double one(Choices&) { return 1; }
+  /// 1 + k is 0, or all its digits are cancelled but the last.
+  static double near_minus_one(Choices& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
+  static double any_size(Choices& c) {
+    const int exponent = static_cast<int>(c.below(1200)) - 600;
+    return std::ldexp(ordinary(c), exponent);
+  }
+
+  template <auto draw, auto draw_k>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question {
+              const Bounce b = draw(c);
+              return {b.velocity, b.normal, draw_k(c)};
+            }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

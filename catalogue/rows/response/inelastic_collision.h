@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/impact_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/inelastic_collision.h"
+#include "reference/response/inelastic_collision.h"
+#include "robust/response/inelastic_collision.h"
+
+namespace touchstone::catalogue::rows {
+
+struct inelastic_collision {
+  TOUCHSTONE_MODULES(inelastic_collision)
+  using stages = ::touchstone::robust::stages::inelastic_collision;
+  using Question = std::tuple<Massesd, Velocitiesd>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "inelastic_collision",
+                           .chapter = "response",
+                           .pages = "70",
+                           .question = "Which velocity have two bodies after they met and stuck together?",
+                           .kind = Kind::measure,
+                           .fields = {"masses", "velocities"},
+                           .answer = "velocity",
+                           .ulps = 5,
+                           .margin_degree = 0,
+                           .longest_vector = 3000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_impact>("on_lattice"),
+            hard<opposite_momenta>("opposite_momenta"),
+            hard<in_company>("in_company"),
+            hard<fly_and_wall>("fly_and_wall"),
+            hard<impact_at_the_end>("products_at_the_end"),
+            hard<impact_at_end_of_range>("at_end_of_range"),
+            hard<mean_beside_a_tie>("beside_a_tie"),
+            hard<without_a_mass>("without_a_mass")};
+  }
+
+  static void repair(Question& question) {
+    auto& [m1, m2] = std::get<0>(question);
+    make_positive(m1), make_positive(m2);
+  }
+
+  /// Both stop: moves the second velocity's y and z.
+  static Question map_centre() { return {{2, 3}, {{3, -6, 9}, {-2, 4, -6}}}; }
+
+  static Hooks<inelastic_collision> hooks() {
+    return {.repair = repair, .map_centre = map_centre, .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+
+ private:
+  /// The sum is 0 or small, but for a number in one component.
+  static Impact opposite_momenta(Choices& c) {
+    const Massesd m = lattice_masses(c);
+    const Vector3d v = lattice_velocity(c, 20);
+    return {m, {m.second * v, -m.first * v + Vector3d{0, small_integer(c), 0}}, {0, 1, 0}};
+  }
+  /// Masses h and h + 1: 2 q + 2 (h + 1) / (2 h + 1) is 2 q + 1, an odd number of 54 digits, and 1 / (2 h + 1) more or,
+  /// exchanged, less.
+  static Impact mean_beside_a_tie(Choices& c) {
+    const double h = static_cast<double>((std::uint64_t{1} << 50) + c.below(std::uint64_t{1} << 51)),
+                 q = 0x1p53 + 2 * static_cast<double>(1 + c.below(std::uint64_t{1} << 51));
+    const Velocitiesd v{{q, -q, 1}, {q + 2, -q - 2, 0}};
+    return {c.below(2) == 1 ? Massesd{h + 1, h} : Massesd{h, h + 1}, v, {1, 0, 0}};
+  }
+
+  template <auto draw>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question {
+              const Impact i = draw(c);
+              return {i.masses, i.velocities};
+            }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/body_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/kinetic_energy.h"
+#include "reference/response/kinetic_energy.h"
+#include "robust/response/kinetic_energy.h"
+
+namespace touchstone::catalogue::rows {
+
+struct kinetic_energy {
+  TOUCHSTONE_MODULES(kinetic_energy)
+  using stages = ::touchstone::robust::stages::kinetic_energy;
+  using Question = std::tuple<Bodies>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "kinetic_energy",
+                           .chapter = "response",
+                           .pages = "66",
+                           .question = "Which kinetic energy have these bodies together?",
+                           .kind = Kind::measure,
+                           .fields = {"bodies"},
+                           .answer = "energy",
+                           .ulps = 56,
+                           .margin_degree = 0,
+                           .price = Price::ring,
+                           .list_length = 2,
+                           .longest_vector = 3000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_bodies>("on_lattice"),
+            hard<cancelling_bodies>("cancelling"),
+            hard<far_apart_bodies>("far_apart"),
+            hard<bodies_at_the_end>("products_at_the_end"),
+            hard<bodies_at_end_of_range>("at_end_of_range"),
+            hard<sum_beside_a_tie>("beside_a_tie"),
+            hard<bodies_without_a_mass>("without_a_mass")};
+  }
+
+  static void scale(Question& question, int k) {
+    for (auto& [mass, v] : std::get<0>(question)) v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+  }
+  static void repair(Question& question) {
+    for (Bodyd& body : std::get<0>(question)) make_positive(body.mass);
+  }
+
+  /// Nothing moves: moves the second velocity's y and z.
+  static Question map_centre() { return {{{2, {0, 0, 0}}, {3, {0, 0, 0}}}}; }
+
+  static Hooks<kinetic_energy> hooks() {
+    return {.repair = repair, .scale = scale, .map_centre = map_centre, .laws = {.maps = Laws::Maps::axes}};
+  }
+
+ private:
+  /// An integer of 53 digits, and a half, or one unit in the last place less; and perhaps something beyond all digits.
+  static Bodies sum_beside_a_tie(Choices& c) {
+    const double whole = 0x1p52 + static_cast<double>(c.below(std::uint64_t{1} << 51));
+    Bodies list{{2 * whole, {0, -1, 0}}, {c.below(2) == 1 ? 1 - 0x1p-53 : 1, {1, 0, 0}}};
+    if (c.below(2) == 1) list.push_back({1, {0, 0, std::ldexp(1, -static_cast<int>(c.below(200)))}});
+    return list;
+  }
+
+  template <auto draw>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question { return {draw(c)}; }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/body_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/momentum.h"
+#include "reference/response/momentum.h"
+#include "robust/response/momentum.h"
+
+namespace touchstone::catalogue::rows {
+
+struct momentum {
+  TOUCHSTONE_MODULES(momentum)
+  using stages = ::touchstone::robust::stages::momentum;
+  using Question = std::tuple<Bodies>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "momentum",
+                           .chapter = "response",
+                           .pages = "65",
+                           .question = "Which momentum have these bodies together?",
+                           .kind = Kind::measure,
+                           .fields = {"bodies"},
+                           .answer = "momentum",
+                           .ulps = 16,
+                           .margin_degree = 0,
+                           .price = Price::ring,
+                           .list_length = 2,
+                           .longest_vector = 3000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_bodies>("on_lattice"),
+            hard<cancelling_bodies>("cancelling"),
+            hard<far_apart_bodies>("far_apart"),
+            hard<bodies_at_the_end>("products_at_the_end"),
+            hard<bodies_at_end_of_range>("at_end_of_range"),
+            hard<sum_beside_a_tie>("beside_a_tie"),
+            hard<bodies_without_a_mass>("without_a_mass")};
+  }
+
+  /// Velocities: masses keep theirs, so that momentum goes with the velocities.
+  static void scale(Question& question, int k) {
+    for (auto& [mass, v] : std::get<0>(question)) v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+  }
+  static void repair(Question& question) {
+    for (Bodyd& body : std::get<0>(question)) make_positive(body.mass);
+  }
+
+  /// It cancels: moves the second velocity's y and z.
+  static Question map_centre() { return {{{2, {3, -6, 9}}, {3, {-2, 4, -6}}}}; }
+
+  static Hooks<momentum> hooks() {
+    return {.repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+
+ private:
+  static Bodies sum_beside_a_tie(Choices& c) {
+    const BesideTie x = beside_tie(c);
+    const double z = integer(c, 20);
+    return {{x.t, {x.v, -x.v, z}}, {1, {x.rest, -x.rest, -z}}};
+  }
+
+  template <auto draw>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question { return {draw(c)}; }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/bounce_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/reflect_plane.h"
+#include "reference/response/reflect_plane.h"
+#include "robust/response/reflect_plane.h"
+
+namespace touchstone::catalogue::rows {
+
+struct reflect_plane {
+  TOUCHSTONE_MODULES(reflect_plane)
+  using stages = ::touchstone::robust::stages::reflect_plane;
+  using Question = std::tuple<Vector3d, Vector3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "reflect_plane",
+                           .chapter = "response",
+                           .pages = "68",
+                           .question = "Which velocity has a body after it has bounced off a plane with that normal?",
+                           .kind = Kind::measure,
+                           .fields = {"velocity", "normal"},
+                           .answer = "velocity",
+                           .ulps = 14,
+                           .margin_degree = 0,
+                           .longest_vector = 3000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_bounce>("on_lattice"),
+            hard<along_the_plane>("along_the_plane"),
+            hard<grazing>("grazing"),
+            hard<straight>("straight"),
+            hard<across_an_axis>("across_an_axis"),
+            hard<stretched_bounce>("stretched_normal"),
+            hard<products_at_the_end>("products_at_the_end"),
+            hard<at_end_of_range>("at_end_of_range"),
+            hard<bounce_beside_a_tie>("beside_a_tie"),
+            hard<without_a_normal>("without_a_normal")};
+  }
+
+  /// Along the plane: moves the normal's y and z.
+  static Question map_centre() { return {{3, 1, 0}, {1, -3, 0}}; }
+
+  static Hooks<reflect_plane> hooks() {
+    return {.map_centre = map_centre, .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+
+ private:
+  template <auto draw>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question {
+              const Bounce b = draw(c);
+              return {b.velocity, b.normal};
+            }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/reflect_wall.h"
+#include "reference/response/reflect_wall.h"
+#include "robust/response/reflect_wall.h"
+
+namespace touchstone::catalogue::rows {
+
+struct reflect_wall {
+  TOUCHSTONE_MODULES(reflect_wall)
+  using Question = std::tuple<Vector3d, Axis>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "reflect_wall",
+                           .chapter = "response",
+                           .pages = "67",
+                           .question = "Which velocity has a body after it has bounced off a wall across an axis?",
+                           .kind = Kind::measure,
+                           .fields = {"velocity", "axis"},
+                           .answer = "velocity",
+                           .margin_degree = 0};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_lattice", [](Choices& c) -> Question { return bounce(lattice_velocity(c), c); }},
+        {"along_the_wall",
+         [](Choices& c) -> Question {
+           const Vector3d v = lattice_velocity(c);
+           const double zero = c.below(2) == 1 ? -0.0 : 0.0;
+           switch (c.below(3)) {
+             case 0: return {{zero, v.y, v.z}, Axis::x};
+             case 1: return {{v.x, zero, v.z}, Axis::y};
+             default: return {{v.x, v.y, zero}, Axis::z};
+           }
+         }},
+        {"straight",
+         [](Choices& c) -> Question {
+           const double speed = integer(c, 53);
+           switch (c.below(3)) {
+             case 0: return {{speed, 0, 0}, Axis::x};
+             case 1: return {{0, speed, 0}, Axis::y};
+             default: return {{0, 0, speed}, Axis::z};
+           }
+         }},
+        {"least_and_greatest",
+         [](Choices& c) -> Question {
+           const auto end = [&c] {
+             const double size = c.below(2) == 1 ? 0x1.fffffffffffffp+1023 : 0x1p-1074;
+             return c.below(2) == 1 ? -size : size;
+           };
+           const double x = end(), y = end(), z = end();
+           return bounce({x, y, z}, c);
+         }},
+    };
+  }
+
+  /// The kinetic energy gained, times 2 over the mass.
+  static std::vector<mpq_class> residuals(const Question& question, const Vector3d& after) {
+    const auto square = [](const Vector3d& v) {
+      const mpq_class x = exact_value(v.x), y = exact_value(v.y), z = exact_value(v.z);
+      return mpq_class(x * x + y * y + z * z);
+    };
+    return {mpq_class(square(after) - square(std::get<0>(question)))};
+  }
+
+  static Question map_centre() { return {{12, -5, 3}, Axis::x}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<reflect_wall> hooks() {
+    return {.residuals = residuals, .map_centre = map_centre, .map_axes = map_axes, .laws = {.scales = true}};
+  }
+
+ private:
+  static Vector3d lattice_velocity(Choices& c) {
+    const Point3d p = lattice_point_of_box(c, 40);
+    return {p.x, p.y, p.z};
+  }
+  static Question bounce(const Vector3d& velocity, Choices& c) { return {velocity, static_cast<Axis>(c.below(3))}; }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/impact_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/restitution_collision.h"
+#include "reference/response/restitution_collision.h"
+#include "robust/response/restitution_collision.h"
+
+namespace touchstone::catalogue::rows {
+
+struct restitution_collision {
+  TOUCHSTONE_MODULES(restitution_collision)
+  using stages = ::touchstone::robust::stages::restitution_collision;
+  using Question = std::tuple<Massesd, Velocitiesd, Vector3d, double>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{
+        .name = "restitution_collision",
+        .chapter = "response",
+        .pages = "70",
+        .question = "Which velocities have two bodies after a bounce with a coefficient of restitution?",
+        .kind = Kind::measure,
+        .fields = {"masses", "velocities", "normal", "e"},
+        .answer = "velocities",
+        .ulps = 21,
+        .margin_degree = 0,
+        .longest_vector = 4500};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_impact, usual>("on_lattice"),
+            hard<head_on, usual>("head_on"),
+            hard<grazing_impact, usual>("grazing"),
+            hard<in_company, usual>("in_company"),
+            hard<fly_and_wall, at_an_end>("fly_and_wall"),
+            hard<stretched_impact, usual>("stretched_normal"),
+            hard<impact_at_the_end, usual>("products_at_the_end"),
+            hard<impact_at_end_of_range, at_an_end>("at_end_of_range"),
+            hard<impact_beside_a_tie, one>("beside_a_tie"),
+            hard<without_a_mass, usual>("without_a_mass"),
+            hard<impact_without_a_normal, usual>("without_a_normal"),
+            hard<lattice_impact, restitution_at_a_bound>("e_at_a_bound")};
+  }
+
+  /// e has no unit: it keeps its value.
+  static void scale(Question& question, int exponent) {
+    auto& [m, velocities, n, e] = question;
+    m = {std::ldexp(m.first, exponent), std::ldexp(m.second, exponent)};
+    for (Vector3d* v : {&velocities.first, &velocities.second, &n})
+      *v = {std::ldexp(v->x, exponent), std::ldexp(v->y, exponent), std::ldexp(v->z, exponent)};
+  }
+
+  static void repair(Question& question) {
+    auto& [m, velocities, n, e] = question;
+    make_positive(m.first), make_positive(m.second);
+    e = std::fabs(e);
+    if (e > 1) e = 1 / e;
+  }
+
+  /// The first body stops: moves the normal's z and e.
+  static Question map_centre() { return {{1, 2}, {{3, 1, 0}, {0, 0, 0}}, {3, 1, 0}, 0.5}; }
+
+  static Hooks<restitution_collision> hooks() {
+    return {.repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+
+ private:
+  static double usual(Choices& c) {
+    return c.below(2) == 1 ? static_cast<double>(c.below(17)) / 16 : 0.1 * static_cast<double>(c.below(11));
+  }
+  static double one(Choices&) { return 1; }
+  static double at_an_end(Choices& c) {
+    constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-60, 0x1.fffffffffffffp-1, 0x1p-900};
+    return ends[c.below(7)];
+  }
+
+  template <auto draw, auto draw_e>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question {
+              const Impact i = draw(c);
+              return {i.masses, i.velocities, i.normal, draw_e(c)};
+            }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

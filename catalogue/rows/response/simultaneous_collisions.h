@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/families/simultaneous_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/simultaneous_collisions.h"
+#include "reference/response/simultaneous_collisions.h"
+#include "robust/response/simultaneous_collisions.h"
+
+namespace touchstone::catalogue::rows {
+
+struct simultaneous_collisions {
+  TOUCHSTONE_MODULES(simultaneous_collisions)
+  using Question = std::tuple<std::vector<PointBodyd>, std::vector<BodyContactd>, double>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "simultaneous_collisions",
+                           .chapter = "response",
+                           .pages = "74",
+                           .question = "Which velocities have bodies after all their contacts were resolved at once?",
+                           .kind = Kind::measure,
+                           .fields = {"bodies", "contacts", "e"},
+                           .ulps = 84,
+                           .margin_degree = 0,
+                           .price = Price::mesh,
+                           .longest_vector = 6000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_net>("net"),
+            hard<cradle>("cradle"),
+            hard<stack>("stack"),
+            hard<wedge>("wedge"),
+            hard<vice>("vice"),
+            hard<redundant>("redundant"),
+            hard<opposed>("opposed"),
+            hard<ring_of_contacts>("ring"),
+            hard<at_rest>("at_rest"),
+            hard<unequal>("unequal_masses"),
+            hard<ordinary_net>("full_digits"),
+            hard<stretched_net>("at_the_ends"),
+            hard<contact_beside_a_tie>("beside_a_tie"),
+            hard<refused_contacts>("refused")};
+  }
+
+  /// e has no unit: it keeps its value.
+  static void scale(Question& question, int exponent) {
+    auto& [bodies, contacts, e] = question;
+    const auto scale = [exponent](Vector3d& v) {
+      v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+    };
+    for (PointBodyd& body : bodies) body.inverse_mass = std::ldexp(body.inverse_mass, exponent), scale(body.velocity);
+    for (BodyContactd& contact : contacts) scale(contact.normal);
+  }
+
+  /// At most four bodies and three contacts: exact values of random bits grow by thousands of digits a contact.
+  static void repair(Question& question) {
+    auto& [bodies, contacts, e] = question;
+    if (bodies.size() > 4) bodies.resize(4);
+    while (bodies.size() < 2) bodies.push_back({1, {1, 0, 0}});
+    if (contacts.size() > 3) contacts.resize(3);
+    const auto count = static_cast<Index>(bodies.size());
+    for (PointBodyd& body : bodies) body.inverse_mass = std::fabs(body.inverse_mass);
+    for (auto& [a, b, n] : contacts) {
+      a %= count, b %= count;
+      if (a == b) b = (a + 1) % count;
+      n = not_zero(n);
+    }
+    e = std::fabs(e);
+    if (e > 1) e = 1 / e;
+  }
+
+  /// A ball in a wedge: moves the second normal's z, and e.
+  static Question map_centre() {
+    return {{{1, {-1, -1, 0}}, {0, {0, 0, 0}}}, {{0, 1, {0, 1, 0}}, {0, 1, {1, 1, 0}}}, 0.5};
+  }
+
+  /// The velocities before and after, each from its body's place in a row.
+  static void draw(Drawing& drawing, const Question& question, const SimultaneousVelocitiesd&) {
+    const auto& [bodies, contacts, e] = question;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      draw_from(drawing, "v" + std::to_string(i), {2.0 * static_cast<double>(i), 0, 0}, bodies[i].velocity, false);
+    for (const auto& [a, b, n] : contacts)
+      drawing.notes.push_back(std::to_string(a) + " and " + std::to_string(b) + " along " + in_words({n.x, n.y, n.z}));
+    drawing.notes.push_back("e = " + decimal(e));
+  }
+
+  /// Three bodies of inverse mass 0, 1 or 2 that move along one axis or lie still, each pair in a contact along one of
+  /// four normals; e is 0, 1/2 or 1.
+  static constexpr std::uint64_t masses = 3, normals = 4, restitutions = 3;
+  static std::uint64_t world_count(int size) {
+    const auto n = static_cast<std::uint64_t>(size);
+    return masses * masses * masses * n * n * n * normals * normals * normals * restitutions;
+  }
+  static Question world_at(int size, std::uint64_t index) {
+    const auto next = [&index](std::uint64_t of) {
+      const std::uint64_t digit = index % of;
+      index /= of;
+      return digit;
+    };
+    constexpr Vector3d along[]{{1, 0, 0}, {-1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    Question question{{}, {}, static_cast<double>(next(restitutions)) / 2};
+    auto& [bodies, contacts, e] = question;
+    for (Index i = 0; i < 3; ++i) {
+      const auto w = static_cast<double>(next(masses)), x = static_cast<double>(next(static_cast<std::uint64_t>(size)));
+      bodies.push_back({w, {x, 0, 0}});
+      contacts.push_back({i, (i + 1) % 3, along[next(normals)]});
+    }
+    return question;
+  }
+
+  static Hooks<simultaneous_collisions> hooks() {
+    return {.repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .draw = draw,
+            .world_count = world_count,
+            .world_at = world_at,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+
+ private:
+  template <auto draw>
+  static HardCase<Question> hard(const char* name) {
+    return {name, [](Choices& c) -> Question {
+              Touching t = draw(c);
+              return {std::move(t.bodies), std::move(t.contacts), t.e};
+            }};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "catalogue/families/mesh_choices.h"
+#include "catalogue/families/space_choices.h"
+#include "catalogue/operation/digits.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/sweeps/swept_convex_polyhedra.h"
+#include "reference/sweeps/swept_convex_polyhedra.h"
+#include "robust/sweeps/swept_convex_polyhedra.h"
+
+namespace touchstone::catalogue::rows {
+
+struct swept_convex_polyhedra {
+  TOUCHSTONE_MODULES(swept_convex_polyhedra)
+  using stages = ::touchstone::robust::stages::swept_convex_polyhedra;
+  using Question = std::tuple<Meshd, Meshd, Vector3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "swept_convex_polyhedra",
+                           .chapter = "sweeps",
+                           .pages = "51, 54",
+                           .question = "When in a step does a moving convex polyhedron first meet one at rest?",
+                           .kind = Kind::measure,
+                           .fields = {"a", "b", "velocity"},
+                           .ulps = 32,
+                           .price = Price::mesh,
+                           .list_length = 4};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"lattice",
+         [](Choices& c) -> Question {
+           // Everything in multiples of 12: features pass in one line, or in one plane.
+           const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+           const Vector3d apart = 12.0 * lattice_normal(c, 2), velocity = 12.0 * lattice_normal(c, 2);
+           return {a, shifted(b, apart), velocity};
+         }},
+        {"feature_to_feature",
+         [](Choices& c) -> Question {
+           const double n = static_cast<double>(c.below(4)), d = 1 + static_cast<double>(c.below(4));
+           return aimed(c, n, d);
+         }},
+        {"contact_at_end", [](Choices& c) -> Question { return aimed(c, 1, 1); }},
+        {"touching_at_start",
+         [](Choices& c) -> Question {
+           const double d = small_integer(c, 2);
+           return aimed(c, 0, d);
+         }},
+        {"one_inside",
+         [](Choices& c) -> Question {
+           Meshd a = lattice_polyhedron(c);
+           const Meshd b = lattice_polyhedron(c);
+           for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
+           return {a, b, lattice_normal(c, 8)};
+         }},
+        {"mapped",
+         [](Choices& c) -> Question {
+           auto [a, b, velocity] = aimed(c, 1, 2);
+           Meshd all = together(a, b);
+           Point3d v{velocity.x, velocity.y, velocity.z};
+           map_linearly(all, v, c);
+           return parted(all, a, b, {v.x, v.y, v.z});
+         }},
+        {"stretched",
+         [](Choices& c) -> Question {
+           // Each axis by its own power of two: past the filter's guards, and below them.
+           auto [a, b, velocity] = aimed(c, 1, 2);
+           static constexpr int exponents[] = {0, 60, 255, -170, 300, -300};
+           const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
+           const auto stretch = [=](auto& p) { p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)}; };
+           for (Meshd* mesh : {&a, &b}) std::for_each(mesh->vertices.begin(), mesh->vertices.end(), stretch);
+           stretch(velocity);
+           return {a, b, velocity};
+         }},
+        {"rounded",
+         [](Choices& c) -> Question {
+           Meshd a = ordinary_tetrahedron(c), b = ordinary_tetrahedron(c);
+           const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+           // A corner of b to which one of a gets at the end, as far as doubles can tell; or anywhere.
+           const Vector3d v{4 * x, 4 * y, 4 * z};
+           if (c.below(2) == 0) b = shifted(b, (a.vertices[0] - b.vertices[0]) + v);
+           return {a, b, v};
+         }},
+        {"broken",
+         [](Choices& c) -> Question {
+           auto [a, b, velocity] = aimed(c, 1, 1);
+           if (c.below(2) == 0) return {broken(a, c), b, velocity};
+           return {a, broken(b, c), velocity};
+         }},
+        {"named_mesh",
+         [](Choices& c) -> Question {
+           const Meshd& a = named_mesh(c);
+           const Point3d p = on_a_face_plane(a, c);
+           const Vector3d w = 12.0 * lattice_normal(c, 3);
+           Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
+           make_tetrahedron(b);
+           const Point3d to = p + 2.0 * w;
+           return {a, shifted(b, {to.x, to.y, to.z}), static_cast<double>(1 + c.below(4)) * w};
+         },
+         /*as_drawn=*/true},
+    };
+  }
+
+  static void repair(Question& question) {
+    make_tetrahedron(std::get<0>(question)), make_tetrahedron(std::get<1>(question));
+  }
+
+  /// A tetrahedron of size 4 beside another, its top and its velocity on a grid.
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
+  static Question world_at(int size, std::uint64_t index) {
+    Digits digit(size, index);
+    const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
+    Meshd a{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2 * x, 2 * y, 2 * (z + 1)}}, {}};
+    Meshd b{{{4, 4, 4}, {8, 4, 4}, {4, 8, 4}, {4, 4, 8}}, {}};
+    make_tetrahedron(a), make_tetrahedron(b);
+    return {a, b, {2 * u, 2 * v, 2 * w}};
+  }
+
+  /// A corner of a passes an edge of b at t = 1/2: moves its velocity.
+  static Question map_centre() {
+    Meshd a{{{0, 0, 0}, {-12, 0, 0}, {0, -12, 0}, {0, 0, -12}}, {}},
+        b{{{12, -6, 0}, {12, 6, 0}, {24, 0, 0}, {12, 0, 12}}, {}};
+    make_tetrahedron(a), make_tetrahedron(b);
+    return {a, b, {24, 0, 0}};
+  }
+
+  static Hooks<swept_convex_polyhedra> hooks() {
+    return {.as_open_sets = never_if_grazing<swept_convex_polyhedra>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .world_count = world_count,
+            .world_at = world_at,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+
+ private:
+  static Meshd shifted(Meshd mesh, const Vector3d& by) {
+    for (Point3d& p : mesh.vertices) p = p + by;
+    return mesh;
+  }
+
+  /// Two lattice polyhedra, a point on or beside the surface of each, and a velocity with which one comes to the other
+  /// at n / d.
+  static Question aimed(Choices& c, double n, double d) {
+    const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+    const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+    const Vector3d w = lattice_normal(c, 4);
+    return {a, shifted(b, (p - q) + n * w), d * w};
+  }
+
+  static Meshd ordinary_tetrahedron(Choices& c) {
+    Meshd mesh;
+    for (int i = 0; i < 4; ++i) {
+      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+      mesh.vertices.push_back({x, y, z});
+    }
+    make_tetrahedron(mesh);
+    return mesh;
+  }
+
+  /// The vertices of both in one list, and again in two.
+  static Meshd together(const Meshd& a, const Meshd& b) {
+    Meshd all{a.vertices, {}};
+    all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
+    return all;
+  }
+  static Question parted(const Meshd& all, Meshd a, Meshd b, const Vector3d& velocity) {
+    const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
+    std::copy(all.vertices.begin(), middle, a.vertices.begin());
+    std::copy(middle, all.vertices.end(), b.vertices.begin());
+    return {a, b, velocity};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

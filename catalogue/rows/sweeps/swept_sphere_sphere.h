@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "catalogue/families/space_choices.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/sweeps/swept_sphere_sphere.h"
+#include "reference/sweeps/swept_sphere_sphere.h"
+#include "robust/sweeps/swept_sphere_sphere.h"
+
+namespace touchstone::catalogue::rows {
+
+struct swept_sphere_sphere {
+  TOUCHSTONE_MODULES(swept_sphere_sphere)
+  using stages = ::touchstone::robust::stages::swept_sphere_sphere;
+  using Question = std::tuple<Sphere3d, Sphere3d, Vector3d, Vector3d>;
+
+  static const Card& card() {
+    static const Card card{.name = "swept_sphere_sphere",
+                           .chapter = "sweeps",
+                           .pages = "23, 51",
+                           .question = "When in a step do two moving balls first have a common point?",
+                           .kind = Kind::measure,
+                           .fields = {"a", "b", "velocity_a", "velocity_b"},
+                           .ulps = 30,
+                           .margin_degree = 2,
+                           .price = Price::ring};
+    return card;
+  }
+
+  struct decision {
+    static HitRelation robust(const Question& q) {
+      return applied([](const auto&... value) { return ::touchstone::robust::swept_sphere_sphere_relation(value...); },
+                     q);
+    }
+  };
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"tangent",
+         [](Choices& c) -> Question {
+           // A line at the distance of the radii from the origin, by a Pythagorean triple.
+           static constexpr std::array<std::array<double, 3>, 4> triples{
+               {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}}};
+           const auto [m, n, r] = triples[c.below(4)];
+           const double s = 1 + static_cast<double>(c.below(8)), f = 1 + static_cast<double>(c.below(16)),
+                        k = static_cast<double>(c.below(20));
+           const Vector3d along{-n, m, small_integer(c, 4)};
+           const Vector3d p = Vector3d{m * s, n * s, 0} + k * along;
+           return common_motion(p, -f * along, r * s, c);
+         }},
+        {"touching_at_start",
+         [](Choices& c) -> Question {
+           const auto [p, r] = hypotenuse(c);
+           return common_motion(p, lattice_normal(c, 4), r, c);
+         }},
+        {"contact_at_end",
+         [](Choices& c) -> Question {
+           const auto [p, r] = hypotenuse(c);
+           const Vector3d v = lattice_normal(c, 4);
+           return common_motion(p - v, v, r, c);
+         }},
+        {"head_on",
+         [](Choices& c) -> Question {
+           const double gap = 1 + static_cast<double>(c.below(8)), speed = 1 + static_cast<double>(c.below(16)),
+                        reach = static_cast<double>(c.below(6));
+           return common_motion({-gap - reach, 0, 0}, {speed, 0, 0}, reach, c);
+         }},
+        {"aimed",
+         [](Choices& c) -> Question {
+           const Vector3d p = lattice_normal(c, 6), v = (-1 - static_cast<double>(c.below(2))) * p;
+           const double x = small_integer(c, 2), y = small_integer(c, 2);
+           const Vector3d aside{x, y, small_integer(c, 2)};
+           return common_motion(p, v + aside, static_cast<double>(c.below(12)), c);
+         }},
+        {"same_velocity",
+         [](Choices& c) -> Question {
+           const Vector3d p = lattice_normal(c, 4);
+           return common_motion(p, {0, 0, 0}, static_cast<double>(c.below(16)), c);
+         }},
+        {"points",
+         [](Choices& c) -> Question {
+           const Vector3d p = lattice_normal(c, 8);
+           return common_motion(p, -static_cast<double>(c.below(3)) * p, 0, c);
+         }},
+        {"one_inside",
+         [](Choices& c) -> Question {
+           const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 6);
+           return common_motion(p, v, 64 + static_cast<double>(c.below(8)), c);
+         }},
+        {"fast",
+         [](Choices& c) -> Question {
+           // Velocities that cancel but for a little.
+           const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 3);
+           Question question = common_motion(p, v, static_cast<double>(c.below(6)), c);
+           const double size = std::ldexp(1, 30 + static_cast<int>(c.below(23)));
+           auto& [a, b, va, vb] = question;
+           va.x += size, vb.x += size;
+           return question;
+         }},
+        {"rounded_tangent",
+         [](Choices& c) -> Question {
+           const auto tenth = [&c] { return small_integer(c, 40) / 10; };
+           const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
+           const Vector3d p{x, y, z}, v{vx, vy, vz};
+           // A touch at the start, at the nearest point of the passage, or at the end, as far as doubles can tell.
+           const Vector3d end = p + v, area = cross(p, v);
+           const double speed = std::sqrt(dot(v, v));
+           double reach = std::sqrt(dot(p, p));
+           switch (c.below(3)) {
+             case 0: break;
+             case 1: reach = speed > 0 ? std::sqrt(dot(area, area)) / speed : reach; break;
+             default: reach = std::sqrt(dot(end, end));
+           }
+           return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
+         }},
+        {"rounded_touch",
+         [](Choices& c) -> Question {
+           // The reach is the distance at the start or at the end, rounded.
+           const auto tenth = [&c] { return small_integer(c, 40) / 10; };
+           const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
+           const Vector3d p{x, y, z}, v{vx, vy, vz}, end = p + v, touch = c.below(2) == 0 ? p : end;
+           return {{{x, y, z}, std::sqrt(dot(touch, touch))}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
+         }},
+        {"least_beside_greatest",
+         [](Choices& c) -> Question {
+           const double tiny = std::ldexp(small_integer(c), -1074),
+                        huge = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
+           const Vector3d v = c.below(2) == 1 ? Vector3d{-huge, 0, 0} : Vector3d{-4, tiny, 0};
+           return {{{c.below(2) == 1 ? huge : 3.0, tiny, 0}, 1},
+                   {{0, 0, 0}, c.below(2) == 1 ? 1.0 : std::fabs(tiny)},
+                   v,
+                   {0, 0, 0}};
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+           const double x = zero(), r = zero(), s = zero(), v = zero();
+           return {{{x, small_integer(c, 1), 0}, r}, {{0, 0, 0}, s}, {v, small_integer(c, 1), 0}, {0, 0, 0}};
+         }},
+        {"one_stands",
+         [](Choices& c) -> Question {
+           // The other comes from just beside it, or from afar, mostly fast.
+           const Point3d at = lattice_point_in_space(c, 3);
+           const Vector3d p = lattice_normal(c, 6), aside = lattice_normal(c, 2);
+           const Vector3d v = -static_cast<double>(1 + c.below(1000)) * p + aside;
+           const double radius = static_cast<double>(c.below(3)),
+                        length = std::floor(std::sqrt(dot(p, p))) + small_integer(c, 1);
+           const Sphere3d stands{at, radius}, comes{at + p, std::fabs(length - radius)};
+           if (c.below(2) == 0) return {stands, comes, {0, 0, 0}, v};
+           return {comes, stands, v, {0, 0, 0}};
+         }},
+    };
+  }
+
+  /// Lengths and velocities alike: t stays. What would make a radius negative is taken without its sign.
+  static void repair(Question& question) {
+    auto& [a, b, va, vb] = question;
+    a.radius = std::fabs(a.radius), b.radius = std::fabs(b.radius);
+  }
+
+  /// A tangent sweep: moves the radius and the height of the first ball.
+  static Question map_centre() { return {{{-12, 5, 0}, 2}, {{0, 0, 0}, 3}, {24, 0, 0}, {0, 0, 0}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {1, 3}; }
+
+  static Hooks<swept_sphere_sphere> hooks() {
+    return {.as_open_sets = never_if_grazing<swept_sphere_sphere>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+
+ private:
+  /// A vector of whole length, and that length.
+  static std::pair<Vector3d, double> hypotenuse(Choices& c) {
+    static constexpr std::array<std::array<double, 4>, 5> quadruples{
+        {{1, 2, 2, 3}, {3, 4, 0, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {4, 4, 7, 9}}};
+    const auto [x, y, z, r] = quadruples[c.below(5)];
+    const double s = 1 + static_cast<double>(c.below(8)), sign = c.below(2) == 1 ? -1 : 1;
+    return {{sign * x * s, y * s, z * s}, r * s};
+  }
+
+  /// p, v and reach are what b sees of a: both moved by one lattice vector, both with one more velocity, the reach
+  /// dealt out.
+  static Question common_motion(const Vector3d& p, const Vector3d& v, double reach, Choices& c) {
+    const Point3d at = lattice_point_in_space(c, 6);
+    const double x = small_integer(c, 2), y = small_integer(c, 2);
+    const Vector3d common{x, y, small_integer(c, 2)};
+    const double radius = static_cast<double>(c.below(static_cast<std::uint64_t>(reach) + 1));
+    const Sphere3d a{at + p, reach - radius}, b{at, radius};
+    if (c.below(2) == 0) return {a, b, v + common, common};
+    return {b, a, common, v + common};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/aabb_aabb.h"
+#include "reference/volumes/aabb_aabb.h"
+#include "robust/volumes/aabb_aabb.h"
+
+namespace touchstone::catalogue::rows {
+
+struct aabb_aabb {
+  TOUCHSTONE_MODULES(aabb_aabb)
+  using stages = ::touchstone::robust::stages::aabb_aabb;
+  using InPlane = std::tuple<Aabb2d, Aabb2d>;
+  using InSpace = std::tuple<Aabb3d, Aabb3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "aabb_aabb",
+                           .chapter = "volumes",
+                           .pages = "45-47",
+                           .question = "Do the two axis-aligned boxes overlap, only touch, or neither?",
+                           .kind = Kind::decision,
+                           .fields = {"a", "b"},
+                           .answer = "contact"};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"shared_face", [](Choices& c) -> Question { return beside_each_other(c, 1); }},
+        {"shared_edge", [](Choices& c) -> Question { return beside_each_other(c, 2); }},
+        {"shared_corner", [](Choices& c) -> Question { return beside_each_other(c, 3); }},
+        {"apart_on_one_axis",
+         [](Choices& c) -> Question {
+           const Aabb3d a = lattice_box(c);
+           Aabb3d b = overlapping(a, c);
+           const double gap = 1 + static_cast<double>(c.below(4));
+           switch (c.below(3)) {
+             case 0: b = shifted(b, a.max.x - b.min.x + gap, 0, 0); break;
+             case 1: b = shifted(b, 0, a.max.y - b.min.y + gap, 0); break;
+             default: b = shifted(b, 0, 0, a.max.z - b.min.z + gap);
+           }
+           return seen(a, b, c);
+         }},
+        {"nested",
+         [](Choices& c) -> Question {
+           const Aabb3d a = lattice_box(c);
+           return seen(a, within(a, c), c);
+         }},
+        {"flat_inside",
+         [](Choices& c) -> Question {
+           const Aabb3d a = lattice_box(c);
+           Aabb3d b = overlapping(a, c);
+           b.max.x = b.min.x;
+           if (c.below(2) == 1) b.max.y = b.min.y;
+           return seen(a, b, c);
+         }},
+        {"both_flat",
+         [](Choices& c) -> Question {
+           Aabb3d a = lattice_box(c), b = overlapping(a, c);
+           a.max.x = a.min.x;
+           b.min.x = b.max.x = a.min.x + small_integer(c, 1);
+           return seen(a, b, c);
+         }},
+        {"points",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_of_box(c);
+           const Point3d q = c.below(2) == 1 ? lattice_point_of_box(c) : p;
+           return seen({p, p}, {q, q}, c);
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
+           const double p = least(), q = least(), r = least(), s = least();
+           return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+           const double z0 = zero(), z1 = zero(), z2 = zero(), z3 = zero();
+           return InPlane{{{-1, z0}, {z1, 1}}, {{z2, z3}, {1, 1}}};
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           constexpr double huge = 0x1.fffffffffffffp+1023;
+           const double x = c.below(2) == 1 ? huge : 0x1p1000, y = small_integer(c);
+           return InPlane{{{-huge, -huge}, {x, y}}, {{c.below(2) == 1 ? x : -x, y}, {huge, huge}}};
+         }},
+        {"typed_touch",
+         [](Choices& c) -> Question {
+           // As typed the one ends where the other begins.
+           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+           return InPlane{{{0, 0}, {k / 10 + m / 10, 1}}, {{(k + m) / 10, 0}, {2, 1}}};
+         }},
+    };
+  }
+
+  static void repair(Question& question) {
+    std::visit([](auto& boxes) { put_in_order(std::get<0>(boxes)), put_in_order(std::get<1>(boxes)); }, question);
+  }
+
+  /// They share the corner (12, 12): moves it of the first.
+  static Question map_centre() { return InPlane{{{0.5, 0.5}, {12, 12}}, {{12, 12}, {24, 24}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
+
+  static Hooks<aabb_aabb> hooks() {
+    return {.as_open_sets = disjoint_if_touching<Question>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true, .exchanges = {{0, 1}}}};
+  }
+
+ private:
+  /// In space, or the same without z.
+  static Question seen(const Aabb3d& a, const Aabb3d& b, Choices& c) {
+    if (c.below(2) == 0) return InSpace{a, b};
+    return InPlane{without_z(a), without_z(b)};
+  }
+  /// b begins where a ends along the first `axes` axes and overlaps it along the others.
+  static Question beside_each_other(Choices& c, int axes) {
+    const Aabb3d a = lattice_box(c);
+    Aabb3d b = overlapping(a, c);
+    b = shifted(b, a.max.x - b.min.x, axes > 1 ? a.max.y - b.min.y : 0, axes > 2 ? a.max.z - b.min.z : 0);
+    return c.below(2) == 1 ? seen(b, a, c) : seen(a, b, c);
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

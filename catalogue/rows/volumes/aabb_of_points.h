@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/aabb_of_points.h"
+#include "reference/volumes/aabb_of_points.h"
+#include "robust/volumes/aabb_of_points.h"
+
+namespace touchstone::catalogue::rows {
+
+struct aabb_of_points {
+  template <class Real>
+  using Answers = std::variant<Aabb2<Real>, Aabb3<Real>>;
+  TOUCHSTONE_MODULES_EITHER(aabb_of_points)
+  using stages = ::touchstone::robust::stages::aabb_of_points;
+  using InPlane = std::vector<Point2d>;
+  using InSpace = std::vector<Point3d>;
+  using Question = std::variant<std::tuple<InPlane>, std::tuple<InSpace>>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "aabb_of_points",
+                           .chapter = "volumes",
+                           .pages = "28-30",
+                           .question = "Which is the least axis-aligned box that holds all the points?",
+                           .kind = Kind::measure,
+                           .fields = {"points"},
+                           .answer = "aabb",
+                           .margin_degree = 0,
+                           .price = Price::ring,
+                           .list_length = 3};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_lattice", [](Choices& c) -> Question { return seen(lattice_points(c), c); }},
+        {"one_point", [](Choices& c) -> Question { return seen({lattice_point_of_box(c)}, c); }},
+        {"flat",
+         [](Choices& c) -> Question {
+           InSpace points = lattice_points(c);
+           const std::uint64_t axes = c.below(3);
+           for (Point3d& p : points) {
+             p.y = points[0].y;
+             if (axes > 0) p.x = points[0].x;
+             if (axes > 1) p.z = points[0].z;
+           }
+           return seen(points, c);
+         }},
+        {"in_order",
+         [](Choices& c) -> Question {
+           // The first point and the last are the ends on each axis.
+           InSpace points = lattice_points(c);
+           const auto sort = [&](double Point3d::*axis) {
+             std::vector<double> numbers;
+             for (const Point3d& p : points) numbers.push_back(p.*axis);
+             std::sort(numbers.begin(), numbers.end());
+             if (c.below(2) == 1) std::reverse(numbers.begin(), numbers.end());
+             for (std::size_t i = 0; i < points.size(); ++i) points[i].*axis = numbers[i];
+           };
+           sort(&Point3d::x), sort(&Point3d::y), sort(&Point3d::z);
+           return seen(points, c);
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           return seen(points_of(c, [](Choices& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           // Where subnormals are read as zero all of these are equal.
+           const double shift = small_integer(c, 4);
+           return seen(points_of(c, [shift](Choices& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
+         }},
+        {"beside_normal",
+         [](Choices& c) -> Question {
+           const double sign = c.below(2) == 1 ? -1 : 1;
+           return seen(points_of(c, [sign](Choices& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           return seen(points_of(c,
+                                 [](Choices& d) {
+                                   static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
+                                   const double size = ends[d.below(4)];
+                                   return d.below(2) == 1 ? -size : size;
+                                 }),
+                       c);
+         }},
+        {"an_ulp_apart",
+         [](Choices& c) -> Question {
+           const double size = typed(c);
+           return seen(points_of(c, [size](Choices& d) { return moved_by_ulps(size, ulps(d)); }), c);
+         }},
+        {"few",
+         [](Choices& c) -> Question {
+           const std::size_t count = c.below(3);
+           return seen(InSpace(count, lattice_point_of_box(c)), c);
+         }},
+    };
+  }
+
+  /// A box whose upper right corner is one of the points, which moves.
+  static Question map_centre() { return std::tuple(InPlane{{0, 0}, {8, 3}, {5, 8}, {8, 8}}); }
+
+  static Hooks<aabb_of_points> hooks() {
+    return {.map_centre = map_centre, .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  static int ulps(Choices& c) { return static_cast<int>(small_integer(c, 4)); }
+
+  /// In space, or the same without z.
+  static Question seen(const InSpace& points, Choices& c) {
+    if (c.below(2) == 0 && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
+    InPlane seen;
+    for (const Point3d& p : points) seen.push_back({p.x, p.y});
+    return std::tuple(seen);
+  }
+  /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+  template <class Draw>
+  static InSpace points_of(Choices& c, const Draw& number) {
+    InSpace points;
+    do {
+      const double x = number(c), y = number(c), z = number(c);
+      points.push_back({x, y, z});
+    } while (points.size() < 24 && c.below(6) != 0);
+    return points;
+  }
+  static InSpace lattice_points(Choices& c) {
+    return points_of(c, [](Choices& d) { return integer(d, 53); });
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

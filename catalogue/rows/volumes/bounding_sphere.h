@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "catalogue/families/space_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/bounding_sphere.h"
+#include "reference/volumes/bounding_sphere.h"
+#include "robust/volumes/bounding_sphere.h"
+
+namespace touchstone::catalogue::rows {
+
+struct bounding_sphere {
+  /// The method may be left out.
+  using Method = std::optional<SphereMethod>;
+  using Question = std::tuple<std::vector<Point3d>, Method>;
+  using decision = NoDecision;
+
+  static SphereMethod method_of(const Method& method) { return method.value_or(SphereMethod::smallest); }
+
+  template <class Real>
+  static auto reference(const std::vector<Point3<Real>>& points, const Method& method) {
+    return ::touchstone::reference::bounding_sphere(points, method_of(method));
+  }
+  static Sphere3d robust(const std::vector<Point3d>& points, const Method& method) {
+    return ::touchstone::robust::bounding_sphere(points, method_of(method));
+  }
+  template <class Real>
+  static auto oracle(const std::vector<Point3<Real>>& points, const Method& method) {
+    return ::touchstone::oracle::bounding_sphere(points, method_of(method));
+  }
+  TOUCHSTONE_MEMBER_OF_ENGINES(bounding_sphere)
+  template <class E>
+  static auto ask(E& engine, const auto&... q) -> decltype(engine.bounding_sphere(q...)) {
+    return engine.bounding_sphere(q...);
+  }
+
+  static const Card& card() {
+    static const Card card{.name = "bounding_sphere",
+                           .chapter = "volumes",
+                           .pages = "31-34",
+                           .question = "Which ball, found by that method, contains all of the points?",
+                           .kind = Kind::checked,
+                           .fields = {"points", "method"},
+                           .answer = "sphere",
+                           .margin_degree = 0,
+                           .price = Price::ring,
+                           .list_length = 4,
+                           .longest_vector = 6000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_a_sphere",
+         [](Choices& c) -> Question {
+           // Ways of length 3 k around a lattice point, by the quadruples 1, 2, 2 and 3, 0, 0.
+           static constexpr std::array<std::array<double, 3>, 2> steps{{{1, 2, 2}, {3, 0, 0}}};
+           const Point3d center = lattice_point_in_space(c, 20);
+           const double k = 1 + static_cast<double>(c.below(1 << 12));
+           return many(c, [&] {
+             const auto& step = steps[c.below(2)];
+             const std::size_t from = c.below(3);
+             const auto part = [&](std::size_t i) { return (c.below(2) == 1 ? -k : k) * step[(from + i) % 3]; };
+             const double x = part(0), y = part(1), z = part(2);
+             return center + Vector3d{x, y, z};
+           });
+         }},
+        {"on_a_line",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 20);
+           const Vector3d v = lattice_normal(c, 12);
+           return many(c, [&] { return p + small_integer(c) * v; });
+         }},
+        {"on_a_plane",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 20);
+           const Vector3d v = lattice_normal(c, 12), w = lattice_normal(c, 12);
+           return many(c, [&] {
+             const double s = small_integer(c), t = small_integer(c);
+             return p + s * v + t * w;
+           });
+         }},
+        {"corners_of_a_box",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c, 20);
+           const auto width = [&c] { return static_cast<double>(c.below(8)); };
+           const double dx = width(), dy = width(), dz = width();
+           return many(c, [&] {
+             const double x = c.below(2) == 1 ? dx : 0.0, y = c.below(2) == 1 ? dy : 0.0;
+             return p + Vector3d{x, y, c.below(2) == 1 ? dz : 0.0};
+           });
+         }},
+        {"equal",
+         [](Choices& c) -> Question {
+           const double x = any_finite(c), y = any_finite(c);
+           const Point3d p{x, y, any_finite(c)};
+           return many(c, [&p] { return p; });
+         }},
+        {"far_from_the_origin",
+         [](Choices& c) -> Question {
+           // The points differ in their last places, so that the center of their ball is no double.
+           const double far = std::ldexp(1, static_cast<int>(c.below(40)));
+           return many(c, [&] {
+             const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
+             const double x = beside(), y = beside();
+             return Point3d{x, y, beside()};
+           });
+         }},
+        {"one_far_away",
+         [](Choices& c) -> Question {
+           // One point at a distance beside which the others are nothing, or just something.
+           const double far = std::ldexp(1, static_cast<int>(c.below(1000)));
+           Question question = many(c, [&c] { return lattice_point_in_space(c, 3); });
+           std::get<0>(question).push_back({far, 0, 0});
+           return question;
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           return many(c, [&c] {
+             const double x = small_integer(c) * 0x1p-1074, y = small_integer(c) * 0x1p-1074;
+             return Point3d{x, y, c.below(2) == 1 ? -0.0 : 0x1p-1074};
+           });
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           return many(c, [&c] {
+             const auto end = [&c] {
+               const double size = c.below(2) == 1 ? greatest : 0x1p1022;
+               return c.below(2) == 1 ? -size : size;
+             };
+             const double x = end(), y = c.below(2) == 1 ? end() : 0.0;
+             return Point3d{x, y, c.below(2) == 1 ? end() : 1.0};
+           });
+         }},
+        {"rounded_on_a_sphere",
+         [](Choices& c) -> Question {
+           // Beside the unit sphere, by roundings.
+           return many(c, [&c] {
+             const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+             const double length = std::sqrt(x * x + y * y + z * z);
+             return length == 0 ? Point3d{1, 0, 0} : Point3d{x / length, y / length, z / length};
+           });
+         }},
+    };
+  }
+
+  /// What has no points gets one.
+  static void repair(Question& question) {
+    if (std::get<0>(question).empty()) std::get<0>(question).push_back({1, 2, 3});
+  }
+
+  static std::string fault(const Question& question, const Sphere3d& sphere) {
+    const auto& [points, method] = question;
+    return ::touchstone::oracle::bounding_sphere_fault(points, method_of(method), sphere);
+  }
+
+  /// Four points on one sphere; moves the last.
+  static Question map_centre() { return {{{1, 2, 2}, {-2, -1, 2}, {2, -2, 1}, {-1, 2, -2}}, std::nullopt}; }
+
+  static Hooks<bounding_sphere> hooks() {
+    return {.fault = fault, .repair = repair, .map_centre = map_centre, .laws = {.scales = true}};
+  }
+
+ private:
+  /// Some points, and a method.
+  template <class Draw>
+  static Question many(Choices& c, const Draw& draw) {
+    Question question;
+    auto& [points, method] = question;
+    const std::size_t length = 1 + c.below(9);
+    while (points.size() < length) points.push_back(draw());
+    if (const auto word = c.below(5)) method = static_cast<SphereMethod>(4 - word);
+    return question;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/closest_point_on_aabb.h"
+#include "reference/volumes/closest_point_on_aabb.h"
+#include "robust/volumes/closest_point_on_aabb.h"
+
+namespace touchstone::catalogue::rows {
+
+struct closest_point_on_aabb {
+  template <class Real>
+  using Answers = std::variant<Point2<Real>, Point3<Real>>;
+  TOUCHSTONE_MODULES_EITHER(closest_point_on_aabb)
+  using InPlane = std::tuple<Point2d, Aabb2d>;
+  using InSpace = std::tuple<Point3d, Aabb3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "closest_point_on_aabb",
+                           .chapter = "volumes",
+                           .pages = "48-50",
+                           .question = "Which point of an axis-aligned box is nearest to the point?",
+                           .kind = Kind::measure,
+                           .fields = {"point", "aabb"},
+                           .answer = "point",
+                           .margin_degree = 0};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"beyond",
+         [](Choices& c) -> Question {
+           // On each axis below the box, in it, at an end or above: faces, edges and corners.
+           const Aabb3d box = lattice_box(c);
+           const auto coordinate = [&c](double min, double max) {
+             const auto far = static_cast<double>(c.below(8));
+             switch (c.below(3)) {
+               case 0: return min - far;
+               case 1: return max + far;
+               default: return std::min(min + far, max);
+             }
+           };
+           const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);
+           return seen({x, y, coordinate(box.min.z, box.max.z)}, box, c);
+         }},
+        {"inside",
+         [](Choices& c) -> Question {
+           const Aabb3d box = lattice_box(c);
+           return seen(within(box, c).min, box, c);
+         }},
+        {"flat",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_of_box(c);
+           Aabb3d box = lattice_box(c);
+           box.max.x = box.min.x = p.x + small_integer(c, 1);
+           if (c.below(2) == 1) box.max.y = box.min.y;
+           if (c.below(2) == 1) box.max.z = box.min.z;
+           return seen(p, box, c);
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
+           const double p = least(), q = least(), x = least(), y = least();
+           return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+           const double x = zero(), y = zero(), z0 = zero(), z1 = zero();
+           return InPlane{{x, y}, {{z0, -1}, {z1, zero()}}};
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           const double x = c.below(2) == 1 ? greatest : -greatest, y = c.below(2) == 1 ? 0x1p1000 : 0x1p-1000;
+           const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
+           return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
+         }},
+    };
+  }
+
+  static void repair(Question& question) {
+    std::visit([](auto& asked) { put_in_order(std::get<1>(asked)); }, question);
+  }
+
+  /// Moves a point at the corner (12, 12).
+  static Question map_centre() { return InPlane{{12, 12}, {{0.5, 0.5}, {12, 12}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<closest_point_on_aabb> hooks() {
+    return {.repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  /// In space, or the same without z.
+  static Question seen(const Point3d& point, const Aabb3d& box, Choices& c) {
+    if (c.below(2) == 0) return InSpace{point, box};
+    return InPlane{{point.x, point.y}, without_z(box)};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

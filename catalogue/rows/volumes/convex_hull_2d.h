@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/families/list_choices.h"
+#include "catalogue/families/long_choices.h"
+#include "catalogue/families/rings.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/convex_hull_2d.h"
+#include "reference/volumes/convex_hull_2d.h"
+#include "robust/volumes/convex_hull_2d.h"
+
+namespace touchstone::catalogue::rows {
+
+struct convex_hull_2d {
+  TOUCHSTONE_MODULES(convex_hull_2d)
+  using stages = ::touchstone::robust::stages::convex_hull_2d;
+  using Points = std::vector<Point2d>;
+  using Question = std::tuple<Points>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "convex_hull_2d",
+                           .chapter = "volumes",
+                           .pages = "35-42",
+                           .question = "Which of these points of the plane are the corners of their convex hull?",
+                           .kind = Kind::checked,
+                           .fields = {"points"},
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 4};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"few",
+         [](Choices& c) -> Question {
+           Points points{lattice_point(c)};
+           for (std::uint64_t more = c.below(3); more > 0; --more) points.push_back(lattice_point(c));
+           return points;
+         }},
+        {"all_equal",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           Points points(1 + c.below(6), p);
+           if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
+           return points;
+         }},
+        {"collinear",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d v = lattice_direction(c);
+           return one_by_one(c, 12, [&](Choices& d) { return along(p, small_integer(d), v); });
+         }},
+        {"one_beside_a_line",
+         [](Choices& c) -> Question {
+           const Point2d p = lattice_point(c);
+           const Vector2d v = lattice_direction(c);
+           Points points = one_by_one(c, 12, [&](Choices& d) { return along(p, small_integer(d), v); });
+           points.push_back(beside(points[0], c));
+           return points;
+         }},
+        {"small_grid",
+         [](Choices& c) -> Question {
+           return one_by_one(c, 24, [](Choices& d) { return Point2d{small_integer(d, 2), small_integer(d, 2)}; });
+         }},
+        {"on_a_circle",
+         [](Choices& c) -> Question {
+           static constexpr std::array<Vector2d, 5> of_65{{{16, 63}, {25, 60}, {33, 56}, {39, 52}, {65, 0}}};
+           return one_by_one(c, 24, [](Choices& d) {
+             const Vector2d v = of_65[d.below(5)];
+             const double x = d.below(2) == 1 ? -v.x : v.x, y = d.below(2) == 1 ? -v.y : v.y;
+             return d.below(2) == 1 ? Point2d{x, y} : Point2d{y, x};
+           });
+         }},
+        {"points_inside_edges",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = with_flat_runs(convex_ring(c), c);
+           return shuffled(ring.vertices, c);
+         }},
+        {"points_inside",
+         [](Choices& c) -> Question {
+           Points points = convex_ring(c).vertices;
+           for (Point2d& p : points) p = {2 * p.x, 2 * p.y};
+           for (std::uint64_t more = c.below(12); more > 0; --more) points.push_back(middle(points, c));
+           return shuffled(points, c);
+         }},
+        {"repeated",
+         [](Choices& c) -> Question {
+           Points points = convex_ring(c).vertices;
+           for (std::uint64_t more = 1 + c.below(6); more > 0; --more) {
+             const Point2d again = points[c.below(points.size())];
+             points.push_back(again);
+           }
+           return shuffled(points, c);
+         }},
+        {"many",
+         [](Choices& c) -> Question {
+           const int most = 1 + static_cast<int>(c.below(64));
+           Points points;
+           for (std::uint64_t left = 32 + c.below(64); left > 0; --left) {
+             const double x = small_integer(c, most);
+             points.push_back({x, small_integer(c, most)});
+           }
+           return points;
+         }},
+        {"many_inside_two_edges",
+         [](Choices& c) -> Question {
+           // Nothing is left out but what lies strictly inside: most points lie on the diagonals of a square.
+           Points points{{-64, -64}, {64, 64}, {-64, 64}, {64, -64}};
+           for (std::uint64_t left = 28 + c.below(20); left > 0; --left) {
+             const double x = small_integer(c, 64);
+             points.push_back({x, c.below(4) == 3 ? 64 : x});
+           }
+           return shuffled(points, c);
+         }},
+        {"tiny_beside_huge",
+         [](Choices& c) -> Question {
+           return one_by_one(c, 12, [](Choices& d) {
+             static constexpr std::array<int, 5> exponents{0, 60, -60, 1000, -1074};
+             const Point2d p = lattice_point(d, 10);
+             const int k = exponents[d.below(5)];
+             return Point2d{std::ldexp(p.x, k), std::ldexp(p.y, k)};
+           });
+         }},
+        {"beside_least_edge",
+         [](Choices& c) -> Question {
+           const auto [ring, point] = beside_least_edge(c);
+           Points points = ring.vertices;
+           points.push_back(point);
+           return shuffled(points, c);
+         }},
+        {"long_lines",
+         [](Choices& c) -> Question {
+           const LongTriple one = long_triple(c), other = long_triple(c);
+           return shuffled(Points{one.first, one.last, one.between, other.first, other.last, other.between}, c);
+         }},
+        {"computed",
+         [](Choices& c) -> Question {
+           Points points = with_flat_runs(convex_ring(c), c).vertices;
+           compute(points, c);
+           return shuffled(points, c);
+         }},
+    };
+  }
+
+  static std::string fault(const Question& question, const ConvexHull2& hull) {
+    return ::touchstone::oracle::convex_hull_2d_fault(std::get<0>(question), hull);
+  }
+
+  static void draw(Drawing& drawing, const Question& question, const ConvexHull2& hull) {
+    const Points& points = std::get<0>(question);
+    for (std::size_t i = 0; i < points.size(); ++i) catalogue::draw(drawing, std::to_string(i), points[i], false);
+    if (hull.segment) catalogue::draw(drawing, "", Segment2d{points[hull.segment->i], points[hull.segment->j]}, true);
+    Polygon2d polygon;
+    for (const Index i : hull.polygon.value_or(std::vector<Index>())) polygon.vertices.push_back(points[i]);
+    if (hull.polygon) catalogue::draw(drawing, "", polygon, true);
+  }
+
+  /// A point inside an edge.
+  static Question map_centre() { return {{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}; }
+
+  static Hooks<convex_hull_2d> hooks() { return {.fault = fault, .map_centre = map_centre, .draw = draw}; }
+
+ private:
+  /// Of two points: exact where both are even.
+  static Point2d middle(const Points& points, Choices& c) {
+    const Point2d p = points[c.below(points.size())], q = points[c.below(points.size())];
+    return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

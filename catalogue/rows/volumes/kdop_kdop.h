@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/kdop_choices.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/kdop_kdop.h"
+#include "reference/volumes/kdop_kdop.h"
+#include "robust/volumes/kdop_kdop.h"
+
+namespace touchstone::catalogue::rows {
+
+struct kdop_kdop {
+  TOUCHSTONE_MODULES(kdop_kdop)
+  using stages = ::touchstone::robust::stages::kdop_kdop;
+  using Question = std::tuple<Kdop3d, Kdop3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{
+        .name = "kdop_kdop",
+        .chapter = "volumes",
+        .pages = "43",
+        .question = "Do the two k-DOPs with the same normals overlap, only touch, or neither, slab by slab?",
+        .kind = Kind::decision,
+        .fields = {"a", "b"},
+        .answer = "contact",
+        .price = Price::ring,
+        .list_length = 1};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"side_by_side", [](Choices& c) -> Question { return pair_of(c, [](Choices& d) { return beside(d, 0); }); }},
+        {"a_gap",
+         [](Choices& c) -> Question {
+           return pair_of(c, [](Choices& d) { return beside(d, static_cast<double>(d.below(3))); });
+         }},
+        {"overlapping", [](Choices& c) -> Question { return pair_of(c, overlap); }},
+        {"flat_within",
+         [](Choices& c) -> Question {
+           return pair_of(c, [](Choices& d) {
+             auto [s, t] = overlap(d);
+             if (d.below(2) == 1) t.min = t.max = s.min + 1 + static_cast<double>(d.below(3));
+             return d.below(2) == 1 ? Pair{t, s} : Pair{s, t};
+           });
+         }},
+        {"both_flat",
+         [](Choices& c) -> Question {
+           return pair_of(c, [](Choices& d) {
+             const double s = integer(d, 53), t = d.below(4) == 3 ? s + small_integer(d, 1) : s;
+             return Pair{{s, s}, {t, t}};
+           });
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           return pair_of(c, [](Choices& d) {
+             const auto least = [&d] { return small_integer(d, 3) * 0x1p-1074; };
+             const double p = least(), q = least(), r = least(), s = least();
+             return Pair{{std::min(p, q), std::max(p, q)}, {std::min(r, s), std::max(r, s)}};
+           });
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           return pair_of(c, [](Choices& d) {
+             const auto zero = [&d] { return d.below(2) == 1 ? -0.0 : 0.0; };
+             const double p = zero(), q = zero(), width = static_cast<double>(d.below(2));
+             return Pair{{-width, p}, {q, 1}};
+           });
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           return pair_of(c, [](Choices& d) {
+             constexpr double huge = 0x1.fffffffffffffp+1023;
+             const double x = d.below(2) == 1 ? huge : 0x1p1000;
+             return Pair{{-huge, x}, {d.below(2) == 1 ? x : -x, huge}};
+           });
+         }},
+        {"other_normals",
+         [](Choices& c) -> Question {
+           auto [a, b] = pair_of(c, overlap);
+           Vector3d& n = b.normals[c.below(b.normals.size())];
+           switch (c.below(6)) {
+             case 0: break;
+             case 1: n.z = n.z == 0 ? -0.0 : moved_by_ulps(n.z, 1); break;
+             case 2: n = {2 * n.x, 2 * n.y, 2 * n.z}; break;
+             case 3: b.normals.pop_back(), b.slabs.pop_back(); break;
+             case 4: n.y = n.y == 0 ? 0x1p-1074 : n.y; break;
+             default: std::reverse(b.normals.begin(), b.normals.end());
+           }
+           return {a, b};
+         }},
+        {"not_valid",
+         [](Choices& c) -> Question {
+           auto [a, b] = pair_of(c, [](Choices& d) { return beside(d, 1); });
+           const std::size_t i = c.below(a.slabs.size());
+           switch (c.below(4)) {
+             case 0: break;
+             case 1: a.normals[i] = b.normals[i] = {0.0, -0.0, 0.0}; break;
+             case 2: b.slabs[i] = {b.slabs[i].max, b.slabs[i].min}; break;
+             default: a.slabs.pop_back();
+           }
+           return {a, b};
+         }},
+    };
+  }
+
+  /// The normals of a for both.
+  static void repair(Question& question) {
+    auto& [a, b] = question;
+    catalogue::repair(a);
+    b.normals = a.normals, b.slabs.resize(b.normals.size());
+    catalogue::repair(b);
+  }
+
+  /// Normals have no unit: they keep their values.
+  static void scale(Question& question, int k) {
+    for (Kdop3d* kdop : {&std::get<0>(question), &std::get<1>(question)})
+      for (Slabd& slab : kdop->slabs) slab = {std::ldexp(slab.min, k), std::ldexp(slab.max, k)};
+  }
+
+  /// The slabs of x touch at 4, those of x + y overlap: moves the ends of the first pair that touch.
+  static Question map_centre() {
+    const std::vector<Vector3d> normals{{1, 0, 0}, {1, 1, 0}};
+    return {{normals, {{0, 4}, {0, 8}}}, {normals, {{4, 9}, {5, 9}}}};
+  }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {7, 16}; }
+
+  static Hooks<kdop_kdop> hooks() {
+    return {.as_open_sets = disjoint_if_touching<Question>,
+            .repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true, .exchanges = {{0, 1}}}};
+  }
+
+ private:
+  using Pair = std::pair<Slabd, Slabd>;
+
+  /// Pairs of slabs one after another. slabs(choices)
+  template <class DrawSlabs>
+  static Question pair_of(Choices& c, const DrawSlabs& slabs) {
+    Kdop3d b;
+    const Kdop3d a = kdop_of(c, kdop_normal, [&](Choices& d, const Vector3d& n) {
+      const auto [s, t] = slabs(d);
+      b.normals.push_back(n), b.slabs.push_back(t);
+      return s;
+    });
+    return {a, b};
+  }
+
+  static double width(Choices& c) { return 1 + static_cast<double>(c.below(8)); }
+  /// One ends where the other begins, or with a gap; every other pair overlaps.
+  static Pair beside(Choices& c, double gap) {
+    if (c.below(2) == 1) return overlap(c);
+    const double from = integer(c, 50), s = width(c), t = width(c);
+    const Slabd first{from, from + s}, second{from + s + gap, from + s + gap + t};
+    return c.below(2) == 1 ? Pair{second, first} : Pair{first, second};
+  }
+  static Pair overlap(Choices& c) {
+    const double from = integer(c, 50), s = 1 + width(c), t = 1 + width(c), into = 1 + static_cast<double>(c.below(2));
+    return {{from, from + s}, {from + s - into, from + s - into + t}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

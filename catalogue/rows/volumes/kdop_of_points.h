@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/kdop_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/kdop_of_points.h"
+#include "reference/volumes/kdop_of_points.h"
+#include "robust/volumes/kdop_of_points.h"
+
+namespace touchstone::catalogue::rows {
+
+struct kdop_of_points {
+  TOUCHSTONE_MODULES(kdop_of_points)
+  using stages = ::touchstone::robust::stages::kdop_of_points;
+  using Points = std::vector<Point3d>;
+  using Normals = std::vector<Vector3d>;
+  using Question = std::tuple<Points, Normals>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "kdop_of_points",
+                           .chapter = "volumes",
+                           .pages = "43",
+                           .question = "Which slabs of these normals are the narrowest that hold all the points?",
+                           .kind = Kind::checked,
+                           .fields = {"points", "normals"},
+                           .answer = "slabs",
+                           .margin_degree = 0,
+                           .price = Price::ring,
+                           .list_length = 1,
+                           .longest_vector = 6000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_lattice",
+         [](Choices& c) -> Question {
+           Points points = points_of(c, [](Choices& d) { return integer(d, 30); });
+           return {points, normals_of(c, kdop_normal)};
+         }},
+        {"across_the_normal",
+         [](Choices& c) -> Question {
+           // All points are on one plane, or an integer beside it.
+           const Vector3d n = lattice_normal(c);
+           const Point3d from = lattice_point_in_space(c);
+           Points points;
+           do {
+             Point3d p = from + lattice_across(c, n);
+             p.x += c.below(4) == 3 ? small_integer(c, 1) : 0;
+             points.push_back(p);
+           } while (points.size() < 8 && c.below(4) != 0);
+           return {points, {n}};
+         }},
+        {"rounded",
+         [](Choices& c) -> Question {
+           Points points = points_of(c, ordinary);
+           return {points, normals_of(c, usual_normal)};
+         }},
+        {"turned",
+         [](Choices& c) -> Question {
+           Points points = points_of(c, ordinary);
+           return {points, normals_of(c, drawn_normal<ordinary>)};
+         }},
+        {"of_unit_length",
+         [](Choices& c) -> Question {
+           Points points = points_of(c, typed);
+           return {points, normals_of(c, [](Choices& d) {
+                     const Vector3d n = usual_normal(d);
+                     const double length = std::sqrt(dot(n, n));
+                     return Vector3d{n.x / length, n.y / length, n.z / length};
+                   })};
+         }},
+        {"nearly_equal",
+         [](Choices& c) -> Question {
+           // Which of them is outermost is told by the last digits alone.
+           const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+           const auto moved = [&c](double number) { return moved_by_ulps(number, ulps(c)); };
+           Points points;
+           do {
+             const double px = moved(x), py = moved(y), pz = moved(z);
+             points.push_back({px, py, pz});
+           } while (points.size() < 16 && c.below(6) != 0);
+           return {points, normals_of(c, kdop_normal)};
+         }},
+        {"cancelling",
+         [](Choices& c) -> Question {
+           // Sums of which little is left beside the products, or nothing.
+           Points points;
+           do {
+             const int exponent = 40 + static_cast<int>(c.below(60));
+             const double x = std::ldexp(1 + static_cast<double>(c.below(8)), exponent);
+             const double y = c.below(2) == 1 ? moved_by_ulps(x, ulps(c)) : x;
+             points.push_back({x, y, small_integer(c)});
+           } while (points.size() < 8 && c.below(4) != 0);
+           return {points, {{1, -1, c.below(2) == 1 ? 1.0 : 0x1p-60}}};
+         }},
+        {"as_wide_as_a_lattice",
+         [](Choices& c) -> Question {
+           // The terms span about 124 binary digits, from where on their sum does not fit two words.
+           const int exponent = 57 + static_cast<int>(c.below(4));
+           const double x = std::ldexp(8 + static_cast<double>(c.below(8)), exponent);
+           const double y = c.below(2) == 1 ? x : -x, sign = c.below(2) == 1 ? -1 : 1;
+           return {{{x, y, small_integer(c, 2)}, {x, y, small_integer(c, 2)}}, {{x, sign * x, 1}}};
+         }},
+        {"below_least",
+         [](Choices& c) -> Question {
+           // Products of about the least subnormal number, or half of it.
+           const int k = static_cast<int>(c.below(1000)) - 500;
+           const auto number = [k](Choices& d) { return std::ldexp(small_integer(d), -1077 - k); };
+           Points points = points_of(c, number);
+           const auto part = [k](Choices& d) { return std::ldexp(1 + static_cast<double>(d.below(4)), k); };
+           return {points, normals_of(c, [part](Choices& d) {
+                     const double x = part(d), y = part(d);
+                     return Vector3d{x, y, d.below(2) == 1 ? part(d) : 0.0};
+                   })};
+         }},
+        {"beyond_range",
+         [](Choices& c) -> Question {
+           Points points = points_of(c, [](Choices& d) { return std::ldexp(small_integer(d), 1020); });
+           return {points, normals_of(c, kdop_normal)};
+         }},
+        {"at_the_range",
+         [](Choices& c) -> Question {
+           // The greatest double, and more by half a unit in its last place, or by a hair.
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           Points points;
+           do {
+             static constexpr double beside[]{0, 0x1p969, 0x1p970, 0x1p971, 0x1p-1074, 1};
+             const double y = beside[c.below(6)], sign = c.below(2) == 1 ? -1 : 1;
+             points.push_back({sign * greatest, c.below(2) == 1 ? y : -y, 0});
+           } while (points.size() < 6 && c.below(3) != 0);
+           return {points, {{1, 1, 0}}};
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           Points points = points_of(c, [](Choices& d) { return d.below(2) == 1 ? -0.0 : 0.0; });
+           return {points, normals_of(c, kdop_normal)};
+         }},
+        {"few",
+         [](Choices& c) -> Question {
+           const Point3d p = lattice_point_in_space(c);
+           const Vector3d n = c.below(4) == 3 ? Vector3d{0.0, -0.0, 0.0} : kdop_normal(c);
+           const std::size_t points = c.below(3), normals = c.below(3);
+           return {Points(points, p), Normals(normals, n)};
+         }},
+    };
+  }
+
+  static std::string fault(const Question& question, const std::vector<Slabd>& slabs) {
+    return ::touchstone::oracle::kdop_of_points_fault(std::get<0>(question), std::get<1>(question), slabs);
+  }
+
+  /// Normals have no unit: they keep their values.
+  static void scale(Question& question, int k) {
+    for (Point3d& p : std::get<0>(question)) p = {std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+  }
+
+  /// The sum of the first point's coordinates, x + y + z, is the greatest: moves two of these.
+  static Question map_centre() { return {{{0.1, 0.2, 0.3}, {0, 0, 0}}, {{1, 1, 1}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<kdop_of_points> hooks() {
+    return {.fault = fault, .scale = scale, .map_centre = map_centre, .map_axes = map_axes};
+  }
+
+ private:
+  static int ulps(Choices& c) { return static_cast<int>(small_integer(c, 4)); }
+
+  template <double (*number)(Choices&)>
+  static Vector3d drawn_normal(Choices& c) {
+    const double x = number(c), y = number(c), z = number(c);
+    return {x, y, z == 0 ? 1 : z};
+  }
+
+  /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+  template <class Draw>
+  static Points points_of(Choices& c, const Draw& number) {
+    Points points;
+    do {
+      const double x = number(c), y = number(c), z = number(c);
+      points.push_back({x, y, z});
+    } while (points.size() < 16 && c.below(6) != 0);
+    return points;
+  }
+  template <class Draw>
+  static Normals normals_of(Choices& c, const Draw& normal) {
+    Normals normals;
+    do {
+      normals.push_back(normal(c));
+    } while (normals.size() < 7 && c.below(3) != 0);
+    return normals;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

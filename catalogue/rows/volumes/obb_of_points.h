@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/cloud_choices.h"
+#include "catalogue/families/obb_choices.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/obb_of_points.h"
+#include "reference/volumes/obb_of_points.h"
+#include "robust/volumes/obb_of_points.h"
+
+namespace touchstone::catalogue::rows {
+
+struct obb_of_points {
+  using Points = std::vector<Point3d>;
+  using Question = std::tuple<Points>;
+  using decision = NoDecision;
+
+  template <class Real>
+  static Obb3<Real> reference(const std::vector<Point3<Real>>& points) {
+    return ::touchstone::reference::obb_of_points(points);
+  }
+  /// Eigenvectors are irrational: along those that the formula finds in double, put at right angles.
+  static Obb3<Exact> reference(const std::vector<Point3<Exact>>& points) {
+    Points doubles;
+    double greatest = 0;
+    for (const auto& p : points) {
+      doubles.push_back({nearest(p.x.value()), nearest(p.y.value()), nearest(p.z.value())});
+      const auto& [x, y, z] = doubles.back();
+      greatest = std::max({greatest, std::fabs(x), std::fabs(y), std::fabs(z)});
+    }
+    const int up = greatest == 0 ? 0 : -std::ilogb(greatest);
+    for (Point3d& p : doubles) p = {std::ldexp(p.x, up), std::ldexp(p.y, up), std::ldexp(p.z, up)};
+    const auto [one, other, third] = ::touchstone::reference::covariance_axes(doubles);
+    const auto exactly = [](const Vector3d& v) {
+      const auto number = [](double x) { return Exact(exact_value(x)); };
+      return Vector3<Exact>{number(v.x), number(v.y), number(v.z)};
+    };
+    const Vector3<Exact> u = exactly(one), w = cross(u, exactly(other));
+    return ::touchstone::reference::box_along<Exact>({u, cross(w, u), w}, points);
+  }
+  static Obb3d robust(const Points& points) { return ::touchstone::robust::obb_of_points(points); }
+  static auto oracle(const auto& points) -> decltype(::touchstone::oracle::obb_of_points(points)) {
+    return ::touchstone::oracle::obb_of_points(points);
+  }
+  TOUCHSTONE_MEMBER_OF_ENGINES(obb_of_points)
+  template <class E>
+  static auto ask(E& engine, const auto&... q) -> decltype(engine.obb_of_points(q...)) {
+    return engine.obb_of_points(q...);
+  }
+
+  static const Card& card() {
+    static const Card card{.name = "obb_of_points",
+                           .chapter = "volumes",
+                           .pages = "27",
+                           .question = "Which oriented box contains all of the points?",
+                           .kind = Kind::checked,
+                           .fields = {"points"},
+                           .answer = "obb",
+                           .margin_degree = 0,
+                           .price = Price::ring,
+                           .list_length = 3,
+                           .longest_vector = 4000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    std::vector<HardCase<Question>> cases{
+        {"in_a_box",
+         [](Choices& c) -> Question {
+           const Obb3d box = lattice_obb(c);
+           return many(c, [&] {
+             const double r = small_integer(c, 2), s = small_integer(c, 2);
+             return halves_along(box, r, s, small_integer(c, 2));
+           });
+         }},
+        {"long_and_thin",
+         [](Choices& c) -> Question {
+           // Each axis of its own size: of two that differ by more than a double's digits the shorter is lost in the
+           // rounding of the longer.
+           Obb3d box{{0, 0, 0}, turned_half_axes(c)};
+           for (Vector3d* axis : each_of(box.half_axes)) *axis = std::ldexp(1, -static_cast<int>(c.below(120))) * *axis;
+           return many(c, [&] {
+             const double r = small_integer(c, 2), s = small_integer(c, 2);
+             return halves_along(box, r, s, small_integer(c, 2));
+           });
+         }},
+        {"far_from_the_origin",
+         [](Choices& c) -> Question {
+           // The points differ in their last places, so that the center of their box is no double.
+           const double far = std::ldexp(1, static_cast<int>(c.below(40)));
+           return many(c, [&] {
+             const auto beside = [&c, far] { return far * (1 + small_integer(c) * 0x1p-52); };
+             const double x = beside(), y = beside();
+             return Point3d{x, y, beside()};
+           });
+         }},
+        {"least_normal",
+         [](Choices& c) -> Question {
+           // Flat sets of sizes at which the thickness of a box becomes subnormal, and of which robust's guard says so.
+           const int exponent = -850 - static_cast<int>(c.below(224));
+           const Vector3d v = lattice_normal(c, 8), w = lattice_normal(c, 8);
+           return many(c, [&] {
+             const double s = small_integer(c), t = small_integer(c);
+             const Vector3d p = s * v + t * w;
+             return Point3d{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+           });
+         }},
+        {"lost_beside_huge",
+         [](Choices& c) -> Question {
+           // All is huge and equal but for numbers that are next to nothing beside it.
+           const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - static_cast<int>(c.below(200)));
+           return many(c, [&] {
+             const double y = 1 + small_integer(c) * 0x1p-52;
+             return Point3d{x, y, c.below(2) == 1 ? -1.0 : 1.0};
+           });
+         }},
+        {"across_the_range",
+         [](Choices& c) -> Question {
+           // The half axes of a box along its diagonal are beyond the range.
+           double end = -0x1.fffffffffffffp+1023;
+           return many(c, [&] {
+             end = -end;
+             const double one = c.below(2) == 1 ? -1 : 1, y = c.below(8) == 7 ? one : end;
+             return Point3d{end, y, c.below(2) == 1 ? one : end};
+           });
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           return many(c, [&c] {
+             const auto end = [&c] {
+               const double size = c.below(2) == 1 ? greatest : 0x1p1022;
+               return c.below(2) == 1 ? -size : size;
+             };
+             const double x = end(), y = c.below(2) == 1 ? end() : 0.0, one = c.below(2) == 1 ? -1 : 1;
+             return Point3d{x, y, c.below(2) == 1 ? end() : one};
+           });
+         }},
+        {"rounded",
+         [](Choices& c) -> Question {
+           return many(c, [&c] {
+             const double x = ordinary(c), y = ordinary(c);
+             return Point3d{x, y, ordinary(c)};
+           });
+         }},
+    };
+    for (std::size_t i = 0; i < clouds; ++i) cases.push_back({all_clouds()[i].name, nullptr});
+    draw_each(&cases[cases.size() - clouds], std::make_index_sequence<clouds>());
+    return cases;
+  }
+
+  static std::string fault(const Question& question, const Obb3d& box) {
+    return ::touchstone::oracle::obb_of_points_fault(std::get<0>(question), box);
+  }
+  static std::string exact_fault(const Question& question, const Obb3<mpq_class>& box) {
+    return ::touchstone::oracle::obb_of_points_fault(std::get<0>(question), box);
+  }
+
+  /// The corners of a turned box and a point on one of its faces; moves that.
+  static Question map_centre() {
+    return {
+        {{0, 0, 0}, {12, 9, 0}, {-3, 4, 0}, {9, 13, 0}, {0, 0, 1}, {12, 9, 1}, {-3, 4, 1}, {9, 13, 1}, {8, 6, 0.5}}};
+  }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {24, 25}; }
+
+  static Hooks<obb_of_points> hooks() {
+    return {.fault = fault, .exact_fault = exact_fault, .map_centre = map_centre, .map_axes = map_axes};
+  }
+
+ private:
+  static constexpr std::size_t clouds = 16;  ///< the small ones
+
+  template <std::size_t... i>
+  static void draw_each(HardCase<Question>* cases, std::index_sequence<i...>) {
+    ((cases[i].draw = [](Choices& c) -> Question { return all_clouds()[i].draw(c); }), ...);
+  }
+  template <class Draw>
+  static Question many(Choices& c, const Draw& draw) {
+    Points points;
+    const std::size_t length = 1 + c.below(9);
+    while (points.size() < length) points.push_back(draw());
+    return points;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/kdop_choices.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/point_in_kdop.h"
+#include "reference/volumes/point_in_kdop.h"
+#include "robust/volumes/point_in_kdop.h"
+
+namespace touchstone::catalogue::rows {
+
+struct point_in_kdop {
+  TOUCHSTONE_MODULES(point_in_kdop)
+  using stages = ::touchstone::robust::stages::point_in_kdop;
+  using Question = std::tuple<Kdop3d, Point3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "point_in_kdop",
+                           .chapter = "volumes",
+                           .pages = "43",
+                           .question = "Does the point lie inside the k-DOP, at the end of a slab, or outside?",
+                           .kind = Kind::decision,
+                           .fields = {"kdop", "point"},
+                           .answer = "location",
+                           .margin_degree = 2,
+                           .price = Price::ring,
+                           .list_length = 1};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"around",
+         [](Choices& c) -> Question {
+           return on_lattice(c, kdop_normal, [](Choices& d, double value) {
+             const double below = static_cast<double>(d.below(8)), above = static_cast<double>(d.below(8));
+             return Slabd{value - below, value + above};
+           });
+         }},
+        {"beside_an_end",
+         [](Choices& c) -> Question {
+           return on_lattice(c, kdop_normal, [](Choices& d, double value) {
+             const double end = value + small_integer(d, 1), other = 1 + static_cast<double>(d.below(8));
+             return d.below(2) == 1 ? Slabd{end, end + other} : Slabd{end - other, end};
+           });
+         }},
+        {"flat_slab",
+         [](Choices& c) -> Question {
+           return on_lattice(c, kdop_normal, [](Choices& d, double value) {
+             const double end = d.below(6) == 5 ? value + small_integer(d, 1) : value;
+             return d.below(2) == 1 ? Slabd{end, end} : Slabd{value - 1, value + 1};
+           });
+         }},
+        {"no_solid",
+         [](Choices& c) -> Question {
+           // The same slab of one direction and its opposite, which have nothing in common unless they touch.
+           const Vector3d n = lattice_normal(c);
+           const Point3d p = lattice_point_in_space(c);
+           const double value = product(n, p), gap = static_cast<double>(c.below(3));
+           return {{{n, {-n.x, -n.y, -n.z}}, {{value - 4, value}, {-value - 4 - gap, -value - gap}}}, p};
+         }},
+        {"normals_of_any_size",
+         [](Choices& c) -> Question {
+           auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
+           for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
+             const int exponent = static_cast<int>(c.below(2000)) - 1050;
+             Vector3d& n = kdop.normals[i];
+             n = {std::ldexp(n.x, exponent), std::ldexp(n.y, exponent), std::ldexp(n.z, exponent)};
+             kdop.slabs[i] = {std::ldexp(kdop.slabs[i].min, exponent), std::ldexp(kdop.slabs[i].max, exponent)};
+           }
+           return {kdop, p};
+         }},
+        {"terms_below_least",
+         [](Choices& c) -> Question {
+           const auto [plane, p] = terms_below_least(c);
+           const double end = -plane.offset;
+           return {{{plane.normal}, {c.below(2) == 1 ? Slabd{end, 1} : Slabd{-1, end}}}, p};
+         }},
+        {"subnormal_times_huge",
+         [](Choices& c) -> Question {
+           const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));
+           const double end = std::ldexp(huge * small, -531);
+           const Vector3d n{std::ldexp(huge, 500), 0, 0};
+           return {{{n}, {c.below(2) == 1 ? Slabd{end, 2 * end} : Slabd{-end, end}}}, {std::ldexp(small, -1030), 0, 0}};
+         }},
+        {"as_wide_as_a_lattice",
+         [](Choices& c) -> Question {
+           // The terms span about 124 binary digits, from where on their sum does not fit two words.
+           const double size = 8 + static_cast<double>(c.below(8));
+           const double x = std::ldexp(size, 57 + static_cast<int>(c.below(4)));
+           const double end = c.below(4) == 3 ? 0.0 : small_integer(c, 1);
+           return {{{{x, -x, 1}}, {c.below(2) == 1 ? Slabd{end, x} : Slabd{-1, end}}}, {x, x, small_integer(c, 1)}};
+         }},
+        {"beyond_range",
+         [](Choices& c) -> Question {
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           const double x = std::ldexp(1 + static_cast<double>(c.below(8)), 1020), y = c.below(2) == 1 ? -x : x;
+           const Point3d p{x, y, x};
+           return {kdop_of(c, usual_normal,
+                           [](Choices& d, const Vector3d&) {
+                             const double end = std::ldexp(small_integer(d), 1020);
+                             return d.below(2) == 1 ? Slabd{end, greatest} : Slabd{-greatest, end};
+                           }),
+                   p};
+         }},
+        {"rounded_end", [](Choices& c) -> Question { return rounded(c, [](Choices& d) { return ordinary(d); }); }},
+        {"typed_end", [](Choices& c) -> Question { return rounded(c, typed); }},
+        {"not_valid",
+         [](Choices& c) -> Question {
+           auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
+           const std::size_t i = c.below(kdop.slabs.size());
+           switch (c.below(5)) {
+             case 0: break;
+             case 1: kdop.normals[i] = {0.0, -0.0, 0.0}; break;
+             case 2: kdop.slabs[i] = {kdop.slabs[i].max + 1, kdop.slabs[i].min}; break;
+             case 3: kdop.slabs.pop_back(); break;
+             default: kdop = {};
+           }
+           return {kdop, p};
+         }},
+    };
+  }
+
+  static void repair(Question& question) { catalogue::repair(std::get<0>(question)); }
+
+  /// Normals have no unit: they keep their values.
+  static void scale(Question& question, int k) {
+    auto& [kdop, p] = question;
+    for (Slabd& slab : kdop.slabs) slab = {std::ldexp(slab.min, k), std::ldexp(slab.max, k)};
+    p = {std::ldexp(p.x, k), std::ldexp(p.y, k), std::ldexp(p.z, k)};
+  }
+
+  /// The point (1, 1, 1) is at an end of 0 <= x + y + z <= 3 and within the other slab: moves x and y.
+  static Question map_centre() { return {{{{1, 1, 1}, {1, 0, 0}}, {{0, 3}, {-4, 4}}}, {1, 1, 1}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {10, 11}; }
+
+  static Hooks<point_in_kdop> hooks() {
+    return {.as_open_sets = outside_if_on_boundary<Question>,
+            .repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  static Slabd at_an_end(Choices& c, double value) {
+    const double other = static_cast<double>(c.below(4));
+    return c.below(2) == 1 ? Slabd{value, value + other} : Slabd{value - other, value};
+  }
+
+  /// A lattice point, and slabs that are drawn by N . P. slab(choices, N . P)
+  template <class DrawNormal, class DrawSlab>
+  static Question on_lattice(Choices& c, const DrawNormal& normal, const DrawSlab& slab) {
+    const Point3d p = lattice_point_in_space(c);
+    return {kdop_of(c, normal, [&](Choices& d, const Vector3d& n) { return slab(d, product(n, p)); }), p};
+  }
+
+  /// Ends that are N . P as computed.
+  template <class DrawNumber>
+  static Question rounded(Choices& c, const DrawNumber& number) {
+    const auto drawn = [&](Choices& d) {
+      const double x = number(d), y = number(d), z = number(d);
+      return Vector3d{x, y, z == 0 ? 1 : z};
+    };
+    const Vector3d p = drawn(c);
+    const Point3d point{p.x, p.y, p.z};
+    return {kdop_of(c, drawn,
+                    [&](Choices& d, const Vector3d& n) {
+                      const double value = product(n, point);
+                      return d.below(2) == 1 ? Slabd{value, value + 1} : Slabd{value - 1, value};
+                    }),
+            point};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/obb_choices.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/point_in_obb.h"
+#include "reference/volumes/point_in_obb.h"
+#include "robust/volumes/point_in_obb.h"
+
+namespace touchstone::catalogue::rows {
+
+struct point_in_obb {
+  TOUCHSTONE_MODULES(point_in_obb)
+  using stages = ::touchstone::robust::stages::point_in_obb;
+  using Question = std::tuple<Obb3d, Point3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "point_in_obb",
+                           .chapter = "volumes",
+                           .pages = "27",
+                           .question = "Does the point lie inside the oriented box, on its boundary, or outside?",
+                           .kind = Kind::decision,
+                           .fields = {"obb", "point"},
+                           .answer = "location",
+                           .margin_degree = 2};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_boundary",
+         [](Choices& c) -> Question {
+           const Obb3d box = lattice_obb(c);
+           return {box, on_obb(box, c)};
+         }},
+        {"on_orthogonal_box",
+         [](Choices& c) -> Question {
+           const Obb3d box{lattice_point_in_space(c, 20),
+                           c.below(2) == 1 ? turned_half_axes(c) : straight_half_axes(c)};
+           return {box, on_obb(box, c)};
+         }},
+        {"around",
+         [](Choices& c) -> Question {
+           const Obb3d box = lattice_obb(c);
+           const double r = small_integer(c, 3), s = small_integer(c, 3);
+           return {box, halves_along(box, r, s, small_integer(c, 3))};
+         }},
+        {"near_boundary",
+         [](Choices& c) -> Question {
+           const Obb3d box{lattice_point_in_space(c, 20), skew_half_axes(c, 24)};
+           const Point3d p = on_obb(box, c);
+           const double x = small_integer(c, 1), y = small_integer(c, 1);
+           return {box, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
+         }},
+        {"nearly_dependent",
+         [](Choices& c) -> Question {
+           const Obb3d box{lattice_point_in_space(c, 20), slanted_half_axes(c)};
+           const Point3d p = on_obb(box, c);
+           const double x = small_integer(c, 1), y = small_integer(c, 1);
+           return {box, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
+         }},
+        {"dependent",
+         [](Choices& c) -> Question {
+           const Vector3d u = lattice_normal(c), v = lattice_normal(c);
+           const double r = small_integer(c), s = small_integer(c);
+           const Vector3d w = r * u + s * v;
+           const Obb3d box{lattice_point_in_space(c, 20), c.below(2) == 1 ? HalfAxes3d{w, u, v} : HalfAxes3d{u, v, w}};
+           return {box, lattice_point_in_space(c, 20)};
+         }},
+        {"stretched",
+         [](Choices& c) -> Question {
+           Obb3d box = lattice_obb(c);
+           Point3d p = on_obb(box, c);
+           const Stretch stretch(c);
+           stretch(box), stretch(p);
+           return {box, p};
+         }},
+        {"long_and_thin",
+         [](Choices& c) -> Question {
+           const Obb3d box = long_and_thin_obb(c);
+           const double r = small_integer(c, 3);
+           switch (c.below(3)) {
+             case 0: return {box, halves_along(box, r, 0, 0)};
+             case 1: return {box, halves_along(box, 0, r, 0)};
+             default: return {box, halves_along(box, 0, 0, r)};
+           }
+         }},
+        {"rounded_on_face",
+         [](Choices& c) -> Question {
+           Obb3d box{};
+           for (Vector3d* axis : each_of(box.half_axes)) {
+             const double x = ordinary(c), y = ordinary(c);
+             *axis = {x, y, ordinary(c)};
+           }
+           box.center = {ordinary(c), 0, 1};
+           const double s = 2 * ordinary(c), t = 2 * ordinary(c);
+           return {box, halves_along(box, 2, s, t)};
+         }},
+        {"terms_below_least",
+         [](Choices& c) -> Question {
+           // Products of three coordinates are a few times the least number, or less.
+           Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
+           Point3d p = on_obb(box, c);
+           const int k = -350 - static_cast<int>(c.below(16));
+           const auto shrink = [k](auto& v) { v = {std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)}; };
+           for (Vector3d* axis : each_of(box.half_axes)) shrink(*axis);
+           shrink(p);
+           return {box, p};
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           // The point's way from the center is beyond the range.
+           const auto part = [&c] { return std::ldexp(static_cast<double>(4 + c.below(4)), 1021); };
+           const double x = part(), y = part(), r = part(), far = small_integer(c, 1);
+           return {{{-x, 0, 0}, {{r, 0, 0}, {far * x, y, 0}, {0, 0, 1}}}, {r - x, far * r, small_integer(c, 1)}};
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+           Obb3d box{{zero(), zero(), zero()}, {{1, zero(), zero()}, {zero(), -1, zero()}, {zero(), zero(), 1}}};
+           const double x = small_integer(c, 1);
+           return {box, {x == 0 ? zero() : x, zero(), zero()}};
+         }},
+        {"typed_boundary",
+         [](Choices& c) -> Question {
+           // As typed the point is on a face.
+           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+           return {{{k / 10, 0, 0}, {{m / 10, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {(k + m) / 10, 0.5, 0.5}};
+         }},
+    };
+  }
+
+  /// A corner of a box turned by the triple 3, 4, 5.
+  static Question map_centre() { return {{{12, 12, 0.5}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 0.5}}}, {11, 19, 0.5}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {12, 13}; }
+
+  static Hooks<point_in_obb> hooks() {
+    return {.as_open_sets = outside_if_on_boundary<Question>,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/box_choices.h"
+#include "catalogue/families/whole_steps.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/sphere_aabb.h"
+#include "reference/volumes/sphere_aabb.h"
+#include "robust/volumes/sphere_aabb.h"
+
+namespace touchstone::catalogue::rows {
+
+struct sphere_aabb {
+  TOUCHSTONE_MODULES(sphere_aabb)
+  using stages = ::touchstone::robust::stages::sphere_aabb;
+  using InPlane = std::tuple<Circle2d, Aabb2d>;
+  using InSpace = std::tuple<Sphere3d, Aabb3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{
+        .name = "sphere_aabb",
+        .chapter = "volumes",
+        .pages = "48-50",
+        .question = "Do the ball, or disc, and the axis-aligned box overlap, only touch, or neither?",
+        .kind = Kind::decision,
+        .fields = {"sphere", "aabb"},
+        .answer = "contact",
+        .margin_degree = 2};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"tangent",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           return beyond(step, step.length, c);
+         }},
+        {"beside_tangent",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           return beyond(step, std::max(step.length + small_integer(c, 1), 0.0), c);
+         }},
+        {"point_ball",
+         [](Choices& c) -> Question {
+           // In the box, on its boundary, or beside it.
+           const Aabb3d box = lattice_box(c);
+           const Point3d p = within(box, c).min;
+           const double aside = small_integer(c, 1), r = c.below(2) == 1 ? -0.0 : 0.0;
+           return seen({{p.x + aside, p.y, p.z}, r}, box, c.below(2) == 1);
+         }},
+        {"center_inside",
+         [](Choices& c) -> Question {
+           const Aabb3d box = lattice_box(c);
+           const Point3d p = within(box, c).max;
+           const auto r = static_cast<double>(c.below(4));
+           return seen({p, r}, box, c.below(2) == 1);
+         }},
+        {"flat",
+         [](Choices& c) -> Question {
+           // A rectangle, a segment or a point: beside the ball, tangent to it or in it.
+           const Step step = whole_step(c);
+           auto [ball, box] = in_space(step, std::max(step.length + small_integer(c, 1), 0.0), c);
+           box.max.x = box.min.x;
+           if (c.below(2) == 1) box.max.y = box.min.y;
+           if (c.below(2) == 1) box.max.z = box.min.z;
+           return seen(ball, box, step.in_plane);
+         }},
+        {"long_tangent",
+         [](Choices& c) -> Question {
+           // A multiple of 3, 4, 5 whose squares do not fit a double.
+           const double w = 0x1p49 + static_cast<double>(c.below(std::uint64_t{1} << 49));
+           const double side = c.below(2) == 1 ? -1 : 1, less = small_integer(c, 1);
+           const Aabb3d box{{-1, -1, -1}, {0, 0, 1}};
+           return seen({{3 * w, side < 0 ? -1 - 4 * w : 4 * w, 0}, 5 * w + less}, box, c.below(2) == 1);
+         }},
+        {"far_below",
+         [](Choices& c) -> Question {
+           // Tangent to a face, the radius as large as the lattice just holds beside the box, or larger; the box aside
+           // by a hair, or the ball.
+           const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
+                        larger = c.below(2) == 1 ? std::ldexp(large, static_cast<int>(c.below(900))) : large;
+           const double side = small_integer(c, 1), hair = std::ldexp(side, -static_cast<int>(c.below(1074)));
+           const double off = c.below(2) == 1 ? hair : 0.0;
+           return seen({{-larger, 0, 0}, larger}, {{off, hair - 1, -1}, {1, hair, 1}}, c.below(2) == 1);
+         }},
+        {"rounded_tangent",
+         [](Choices& c) -> Question {
+           const double x = ordinary(c), y = ordinary(c), z = ordinary(c), dx = ordinary(c), dy = ordinary(c);
+           const Point3d corner{x, y, z};
+           const Vector3d way{std::fabs(dx), std::fabs(dy), c.below(2) == 1 ? std::fabs(ordinary(c)) : 0.0};
+           const double r = moved_by_ulps(std::sqrt(dot(way, way)), static_cast<int>(c.below(7)) - 3);
+           return seen({corner + way, std::fabs(r)}, {{x - 1, y - 1, z - 1}, corner}, c.below(2) == 1);
+         }},
+        {"much_rounded",
+         [](Choices& c) -> Question {
+           // A difference just above a power of two less a small number, and a radius like it: both round by all they
+           // may.
+           const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
+           const double x = large(), r = large(), y = static_cast<double>(c.below(256)) * 0x1p-60;
+           const int e = static_cast<int>(c.below(601)) - 300;
+           const double from = std::ldexp(c.below(2) == 1 ? -y : y, e);
+           return seen({{std::ldexp(x, e), 0, 0}, std::ldexp(r, e)}, {{-std::ldexp(1, e), -1, -1}, {from, 1, 1}},
+                       c.below(2) == 1);
+         }},
+        {"squares_underflow",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           const double r = std::max(step.length + small_integer(c, 1), 0.0);
+           Question question = beyond(step, r, c);
+           const int down = 530 + static_cast<int>(c.below(32));
+           for_each_number(question, [down](double& x) { x = std::ldexp(x, -down); });
+           return question;
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           // Beside the least normal number, and at the origin.
+           const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
+           const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
+           const double x = least(), y = least(), r = least(), s = least(), t = least();
+           return seen({{from + x, y, 0}, r}, {{from - s, -t, -0.0}, {from, s, t}}, c.below(2) == 1);
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+           const double x = zero(), y = zero(), r = zero(), z0 = zero(), z1 = zero();
+           const double more = static_cast<double>(c.below(2)), end = c.below(2) == 1 ? zero() : 1.0, top = zero();
+           return seen({{x, y, z0}, more == 0 ? r : more}, {{z1, z0, -1}, {end, 1, top}}, c.below(2) == 1);
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           const double r = c.below(2) == 1 ? greatest : std::ldexp(1 + static_cast<double>(c.below(2)), 1022);
+           const double x = c.below(2) == 1 ? -greatest : -0x1p1023, y = c.below(2) == 1 ? 0.0 : 0x1p1022;
+           const double aside = small_integer(c, 1), end = c.below(2) == 1 ? greatest : 1;
+           return seen({{x, y, 0}, r}, {{aside, -end, -end}, {end, end, end}}, c.below(2) == 1);
+         }},
+        {"typed_touch",
+         [](Choices& c) -> Question {
+           // As typed the ball reaches the corner.
+           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+           return seen({{(m + 3 * k) / 10, (m + 4 * k) / 10, 0}, 5 * k / 10}, {{-1, -1, -1}, {m / 10, m / 10, 1}},
+                       c.below(2) == 1);
+         }},
+    };
+  }
+
+  /// What would make the radius negative is taken without its sign.
+  static void repair(Question& question) {
+    std::visit(
+        [](auto& solids) {
+          auto& [sphere, aabb] = solids;
+          sphere.radius = std::fabs(sphere.radius), put_in_order(aabb);
+        },
+        question);
+  }
+
+  /// A disc that reaches the corner (12, 12) by the triple 3, 4, 5; moves its center.
+  static Question map_centre() { return InPlane{{{15, 16}, 5}, {{0.5, 0.5}, {12, 12}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<sphere_aabb> hooks() {
+    return {.as_open_sets = disjoint_if_touching<Question>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  /// A ball whose center is beyond a box by a step: beyond a face, an edge or a corner, as the step has one, two or
+  /// three coordinates that are not 0.
+  static InSpace in_space(const Step& step, double radius, Choices& c) {
+    const Aabb3d box = lattice_box(c);
+    const Point3d inside = within(box, c).min;
+    const auto coordinate = [&c](double way, double min, double max, double beside) {
+      if (way == 0) return beside;
+      return c.below(2) == 1 ? min - std::fabs(way) : max + std::fabs(way);
+    };
+    const double x = coordinate(step.way.x, box.min.x, box.max.x, inside.x),
+                 y = coordinate(step.way.y, box.min.y, box.max.y, inside.y),
+                 z = coordinate(step.way.z, box.min.z, box.max.z, inside.z);
+    return {{{x, y, z}, radius}, box};
+  }
+  static Question beyond(const Step& step, double radius, Choices& c) {
+    const auto [ball, box] = in_space(step, radius, c);
+    return seen(ball, box, step.in_plane);
+  }
+  static Question seen(const Sphere3d& ball, const Aabb3d& box, bool in_plane) {
+    if (!in_plane) return InSpace{ball, box};
+    return InPlane{{{ball.center.x, ball.center.y}, ball.radius}, without_z(box)};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/space_choices.h"
+#include "catalogue/families/whole_steps.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/volumes/sphere_sphere.h"
+#include "reference/volumes/sphere_sphere.h"
+#include "robust/volumes/sphere_sphere.h"
+
+namespace touchstone::catalogue::rows {
+
+struct sphere_sphere {
+  TOUCHSTONE_MODULES(sphere_sphere)
+  using stages = ::touchstone::robust::stages::sphere_sphere;
+  using InPlane = std::tuple<Circle2d, Circle2d>;
+  using InSpace = std::tuple<Sphere3d, Sphere3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "sphere_sphere",
+                           .chapter = "volumes",
+                           .pages = "44",
+                           .question = "Do the two balls, or discs, overlap, only touch, or neither?",
+                           .kind = Kind::decision,
+                           .fields = {"a", "b"},
+                           .answer = "contact",
+                           .margin_degree = 2};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"tangent",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           const double r = part_of(step.length, c);
+           return apart_by(step, r, step.length - r, c);
+         }},
+        {"beside_tangent",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           const double r = part_of(step.length, c);
+           return apart_by(step, r, std::fabs(step.length - r + small_integer(c, 1)), c);
+         }},
+        {"tangent_inside",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           const double r = static_cast<double>(c.below(8));
+           return apart_by(step, r, r + step.length + small_integer(c, 1), c);
+         }},
+        {"concentric",
+         [](Choices& c) -> Question {
+           const double r = static_cast<double>(c.below(4));
+           const double s = static_cast<double>(c.below(4));
+           return apart_by({{0, 0, 0}, 0, c.below(2) == 1}, r, s, c);
+         }},
+        {"point_inside",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           return apart_by(step, 0, step.length + small_integer(c, 3), c);
+         }},
+        {"points",
+         [](Choices& c) -> Question {
+           const double x = small_integer(c, 1), y = small_integer(c, 1);
+           return apart_by({{x, y, 0}, 0, c.below(2) == 1}, 0, 0, c);
+         }},
+        {"long_tangent",
+         [](Choices& c) -> Question {
+           // A multiple of 3, 4, 5 whose squares do not fit a double.
+           const double w = 0x1p49 + static_cast<double>(c.below(std::uint64_t{1} << 49)), r = part_of(5 * w, c);
+           const Step step{{3 * w, c.below(2) == 1 ? -4 * w : 4 * w, 0}, 5 * w, c.below(2) == 1};
+           return seen({{0, 0, 0}, r}, {at(step), 5 * w - r}, step.in_plane, c);
+         }},
+        {"far_below",
+         [](Choices& c) -> Question {
+           // Tangent balls, one of them as large as the lattice just holds beside the other, or larger; or aside by a
+           // hair.
+           const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
+                        larger = c.below(2) == 1 ? std::ldexp(large, static_cast<int>(c.below(900))) : large;
+           const double m = 1 + static_cast<double>(c.below(3)), s = m + small_integer(c, 1);
+           const double side = small_integer(c, 1), hair = std::ldexp(side, -static_cast<int>(c.below(1074)));
+           return seen({{-larger, 0, 0}, larger}, {{m, hair, 0}, s}, c);
+         }},
+        {"rounded_tangent",
+         [](Choices& c) -> Question {
+           const auto position = [&c] {
+             const double x = ordinary(c), y = ordinary(c);
+             return Point3d{x, y, ordinary(c)};
+           };
+           const bool plane = c.below(2) == 1;
+           Point3d p = position(), q = position();
+           if (plane) p.z = q.z = 0;
+           const Vector3d v = q - p;
+           const double distance = std::sqrt(dot(v, v)), r = distance * static_cast<double>(c.below(9)) / 8;
+           const int ulps = static_cast<int>(c.below(7)) - 3;
+           return seen({p, r}, {q, std::fabs(moved_by_ulps(distance - r, ulps))}, plane, c);
+         }},
+        {"much_rounded",
+         [](Choices& c) -> Question {
+           // One position and one radius just above a power of two, the others far smaller: differences and sums round
+           // by all they may.
+           const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
+           const auto small = [&c] { return static_cast<double>(c.below(256)) * 0x1p-60; };
+           const double x = large(), r = large(), y = small(), s = small();
+           const int e = static_cast<int>(c.below(601)) - 300;
+           const double sign = c.below(2) == 1 ? -1 : 1;
+           return seen({{std::ldexp(x, e), 0, 0}, std::ldexp(s, e)},
+                       {{std::ldexp(sign * y, e), 0, 0}, std::ldexp(r, e)}, c);
+         }},
+        {"subnormal",
+         [](Choices& c) -> Question {
+           // Beside the least normal number, and at the origin.
+           const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
+           const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
+           const double x = least(), y = least(), r = least(), s = least();
+           return seen({{from, 0, 0}, r}, {{from + x, y, 0}, s}, c);
+         }},
+        {"least_radius",
+         [](Choices& c) -> Question {
+           // A point, or a ball as small as can be, in another: only one of them has an interior.
+           const double r = std::ldexp(static_cast<double>(c.below(3)), -1074), x = small_integer(c, 2);
+           const double s = 1 + static_cast<double>(c.below(2));
+           return seen({{x, 0, 0}, r}, {{0, 0, 0}, s}, c);
+         }},
+        {"either_zero",
+         [](Choices& c) -> Question {
+           const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
+           const double x = zero(), y = zero(), r = zero(), s = zero();
+           const double more = static_cast<double>(c.below(2)), aside = small_integer(c, 1);
+           return seen({{x, 0, 0}, r}, {{aside == 0 ? y : aside, 0, 0}, more == 0 ? s : more}, c);
+         }},
+        {"whole_range",
+         [](Choices& c) -> Question {
+           constexpr double greatest = 0x1.fffffffffffffp+1023;
+           const auto half = [&c] { return std::ldexp(1 + static_cast<double>(c.below(2)), 1022); };
+           const double r = half(), s = c.below(2) == 1 ? half() : greatest;
+           const double x = c.below(2) == 1 ? -half() : -greatest, y = c.below(2) == 1 ? 0.0 : half();
+           const double aside = small_integer(c, 1);
+           return seen({{x, 0, 0}, r}, {{y, aside, 0}, s}, c);
+         }},
+        {"typed_touch",
+         [](Choices& c) -> Question {
+           // As typed they touch.
+           const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
+           const double scale = 1 + static_cast<double>(c.below(2));
+           return seen({{0, 0, 0}, k / 10}, {{3 * scale * (k + m) / 50, 4 * scale * (k + m) / 50, 0}, m / 10}, c);
+         }},
+    };
+  }
+
+  /// What would make a radius negative is taken without its sign.
+  static void repair(Question& question) {
+    std::visit(
+        [](auto& solids) {
+          auto& [a, b] = solids;
+          a.radius = std::fabs(a.radius), b.radius = std::fabs(b.radius);
+        },
+        question);
+  }
+
+  /// Two discs that touch, by the triple 3, 4, 5; moves the center of the first.
+  static Question map_centre() { return InPlane{{{0.5, 0.5}, 8}, {{12.5, 16.5}, 12}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<sphere_sphere> hooks() {
+    return {.as_open_sets = disjoint_if_touching<Question>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true, .exchanges = {{0, 1}}}};
+  }
+
+ private:
+  /// From nothing to all of a whole length.
+  static double part_of(double length, Choices& c) {
+    return static_cast<double>(c.below(static_cast<std::uint64_t>(length) + 1));
+  }
+
+  static Point3d at(const Step& step) { return {step.way.x, step.way.y, step.way.z}; }
+
+  /// From a lattice point.
+  static Question apart_by(const Step& step, double r, double s, Choices& c) {
+    Point3d p = lattice_point_in_space(c);
+    if (step.in_plane) p.z = 0;
+    return seen({p, std::fabs(r)}, {p + step.way, std::fabs(s)}, step.in_plane, c);
+  }
+
+  /// In space, or the same without z; in either order.
+  static Question seen(const Sphere3d& a, const Sphere3d& b, bool in_plane, Choices& c) {
+    if (c.below(2) == 1) return in_order(b, a, in_plane);
+    return in_order(a, b, in_plane);
+  }
+  /// Centers with z = 0: either.
+  static Question seen(const Sphere3d& a, const Sphere3d& b, Choices& c) {
+    const bool in_plane = c.below(2) == 1;
+    return seen(a, b, in_plane, c);
+  }
+  static Question in_order(const Sphere3d& a, const Sphere3d& b, bool in_plane) {
+    if (!in_plane) return InSpace{a, b};
+    return InPlane{{{a.center.x, a.center.y}, a.radius}, {{b.center.x, b.center.y}, b.radius}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

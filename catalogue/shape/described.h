@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "geometry/polygons.h"
+
+/// What the machine must know of a vocabulary type to convert, print, parse, compare, nudge and draw it: its members by
+/// name, or the words of an enumeration. A new type needs its lines in described_shapes.h or described_answers.h and
+/// nothing elsewhere.
+namespace touchstone::catalogue {
+
+template <class Class, class Type>
+struct Member {
+  const char* name;
+  Type Class::*pointer;
+};
+
+template <class Class, class Type>
+constexpr Member<Class, Type> member(const char* name, Type Class::*pointer) {
+  return {name, pointer};
+}
+
+/// What a number says.
+enum class Meaning {
+  number,     ///< nothing but itself: a parameter, a ratio
+  place,      ///< a coordinate of a position
+  direction,  ///< a coordinate of a displacement
+  length,
+};
+
+/// A list is a JSON array in the order of its members; a record is a JSON object; what is bare is written as its only
+/// member.
+enum class Form { list, record, bare };
+
+template <class T>
+struct Described;
+
+/// The words of an enumeration, in the order of its enumerators, and the words that mean "no common point" /
+/// "not in the closed shape": a plain false. An enumeration without `no` has no yes-or-no reading.
+template <class E>
+struct Words;
+
+template <class T>
+concept Enumeration = std::is_enum_v<T>;
+
+template <class T>
+concept Composite = requires {
+  Described<T>::members;
+};
+
+template <class T>
+inline constexpr bool is_bare = false;
+template <Composite T>
+inline constexpr bool is_bare<T> = Described<T>::form == Form::bare;
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
+template <class T>
+inline constexpr bool may_be_left_out = is_optional<T>;
+template <Composite T>
+inline constexpr bool may_be_left_out<T> = std::apply(
+    [](const auto&... member) {
+      return (may_be_left_out<std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>> && ...);
+    },
+    Described<T>::members);
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+template <class T>
+inline constexpr bool is_tuple = false;
+template <class... Ts>
+inline constexpr bool is_tuple<std::tuple<Ts...>> = true;
+
+/// Alternatives of one question: in the plane or in space, of spheres or of boxes.
+template <class T>
+inline constexpr bool is_variant = false;
+template <class... Ts>
+inline constexpr bool is_variant<std::variant<Ts...>> = true;
+
+/// Neither a number that is rounded nor a word: true or false, a place in a list. The same over every number type.
+template <class T>
+concept Plain = std::same_as<T, bool> || std::same_as<T, Index>;
+
+/// Whatever is neither described nor an enumeration nor a container nor plain is a number.
+template <class T>
+concept Number =
+    !Enumeration<T> && !Composite<T> && !Plain<T> && !is_optional<T> && !is_vector<T> && !is_variant<T> && !is_tuple<T>;
+
+/// The same shape over another number type.
+template <class T, class To>
+struct Rebound {
+  using type = To;
+};
+template <class T, class To>
+requires(Enumeration<T> || Plain<T> || Composite<T>) struct Rebound<T, To> {
+  using type = T;
+};
+template <template <class> class Shape, class From, class To>
+requires Composite<Shape<From>>
+struct Rebound<Shape<From>, To> {
+  using type = Shape<To>;
+};
+template <class T, class To>
+struct Rebound<std::optional<T>, To> {
+  using type = std::optional<typename Rebound<T, To>::type>;
+};
+template <class T, class To>
+struct Rebound<std::vector<T>, To> {
+  using type = std::vector<typename Rebound<T, To>::type>;
+};
+template <class... Ts, class To>
+struct Rebound<std::tuple<Ts...>, To> {
+  using type = std::tuple<typename Rebound<Ts, To>::type...>;
+};
+template <class... Ts, class To>
+struct Rebound<std::variant<Ts...>, To> {
+  using type = std::variant<typename Rebound<Ts, To>::type...>;
+};
+template <class T, class To>
+using rebound_t = typename Rebound<T, To>::type;
+
+template <class T, class Visit>
+void for_each_member(Visit&& visit) {
+  std::apply([&](const auto&... member) { (visit(member), ...); }, Described<T>::members);
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/shape/tape.h"
+
+namespace touchstone::catalogue {
+
+/// A type of questions or answers, described at run time: what the numbers and words of a tape mean, in order.
+struct Shape {
+  enum class Kind {
+    number,
+    word,      ///< an enumerator
+    flag,      ///< true or false
+    index,     ///< a place in a list
+    optional,  ///< a word that says whether it is there, then perhaps a value of the one part
+    list,      ///< its length, then values of the one part
+    record,    ///< values of all parts
+    choice,    ///< which of the parts, then a value of that one
+  };
+  struct Part {
+    const char* name;  ///< in JSON; "" where there is none
+    const Shape* shape;
+  };
+
+  Kind kind = Kind::number;
+  Form form = Form::record;           ///< of a record: how JSON writes it
+  Meaning meaning = Meaning::number;  ///< of a record's own numbers, else of the number
+  std::vector<const char*> words;     ///< of a word: its enumerators
+  int no = -1;  ///< of a word: the enumerator that means "no common point", -1 where there is none
+  std::vector<Part> parts;
+  /// Draws a value over doubles; nullptr where the type has no figure of its own.
+  void (*draw)(Drawing&, const std::string& label, Cursor<double>& from, bool answer) = nullptr;
+  /// How many numbers and words a value takes; only where that is the same for all (nothing optional, no list, no
+  /// choice).
+  bool fixed = true;
+  std::size_t numbers = 0, word_count = 0;
+};
+
+/// A number of that meaning.
+const Shape& number_shape(Meaning meaning);
+
+/// Fills in `fixed`, `numbers` and `word_count` from the parts.
+Shape measured(Shape shape);
+
+template <class T>
+const Shape& shape_of(Meaning meaning = Meaning::number);
+
+/// Numbers, flags and indices alone have none.
+template <class T>
+inline constexpr bool has_figure = Composite<T>;
+template <class T>
+inline constexpr bool has_figure<std::vector<T>> = has_figure<T>;
+
+template <class T>
+Shape made_shape() {
+  Shape shape;
+  if constexpr (is_tuple<T>) {
+    shape.kind = Shape::Kind::record;
+    [&]<class... Ts>(const std::tuple<Ts...>*) {
+      (shape.parts.push_back({"", &shape_of<Ts>()}), ...);
+    }(static_cast<const T*>(nullptr));
+  } else if constexpr (Enumeration<T>) {
+    shape.kind = Shape::Kind::word;
+    shape.words.assign(Words<T>::words.begin(), Words<T>::words.end());
+    if constexpr (requires { Words<T>::no; }) shape.no = static_cast<int>(Words<T>::no);
+  } else if constexpr (Plain<T>) {
+    shape.kind = std::is_same_v<T, bool> ? Shape::Kind::flag : Shape::Kind::index;
+  } else if constexpr (is_optional<T>) {
+    shape.kind = Shape::Kind::optional;
+    shape.parts.push_back({"", &shape_of<typename T::value_type>()});
+  } else if constexpr (is_vector<T>) {
+    shape.kind = Shape::Kind::list;
+    shape.parts.push_back({"", &shape_of<typename T::value_type>()});
+  } else if constexpr (is_variant<T>) {
+    shape.kind = Shape::Kind::choice;
+    [&]<class... Ts>(const std::variant<Ts...>*) {
+      (shape.parts.push_back({"", &shape_of<Ts>()}), ...);
+    }(static_cast<const T*>(nullptr));
+  } else {
+    static_assert(Composite<T>);
+    shape.kind = Shape::Kind::record;
+    shape.form = Described<T>::form;
+    if constexpr (requires { Described<T>::meaning; }) shape.meaning = Described<T>::meaning;
+    for_each_member<T>([&](const auto& member) {
+      using Part = std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>;
+      shape.parts.push_back({member.name, &shape_of<Part>(shape.meaning)});
+    });
+  }
+  if constexpr (has_figure<T> &&
+                requires(Drawing & drawing, const T& value) { draw(drawing, std::string(), value, false); }) {
+    shape.draw = [](Drawing& drawing, const std::string& label, Cursor<double>& from, bool answer) {
+      T value{};
+      unpack(value, from, [](double number) { return number; });
+      catalogue::draw(drawing, label, value, answer);
+    };
+  }
+  return measured(std::move(shape));
+}
+
+/// The shape of a type over doubles, made once; the meaning is for numbers alone.
+template <class T>
+const Shape& shape_of(Meaning meaning) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return number_shape(meaning);
+  } else {
+    static const Shape made = made_shape<T>();
+    return made;
+  }
+}
+
+/// Calls what there is for every leaf of a value in canonical order, moving the cursor past it:
+///   visit.number(shape, cursor), visit.word(shape, cursor); the length of a list is a word too.
+template <class Real, class Visit>
+void walk_tape(const Shape& shape, Cursor<Real>& at, Visit& visit) {
+  switch (shape.kind) {
+    case Shape::Kind::number:
+      visit.number(shape, at);
+      ++at.number;
+      return;
+    case Shape::Kind::word:
+    case Shape::Kind::flag:
+    case Shape::Kind::index:
+      visit.word(shape, at);
+      ++at.word;
+      return;
+    case Shape::Kind::optional:
+      visit.word(shape, at);
+      if (*at.word++ != 0) walk_tape(*shape.parts[0].shape, at, visit);
+      return;
+    case Shape::Kind::list: {
+      visit.word(shape, at);
+      const Word length = *at.word++;
+      for (Word i = 0; i < length; ++i) walk_tape(*shape.parts[0].shape, at, visit);
+      return;
+    }
+    case Shape::Kind::choice: {
+      visit.word(shape, at);
+      const Word which = *at.word++;
+      walk_tape(*shape.parts[which].shape, at, visit);
+      return;
+    }
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) walk_tape(*part.shape, at, visit);
+  }
+}
+
+/// Where each number of a question stands among all its numbers and words in canonical order.
+std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& question);
+
+/// How long the longest list of a question is.
+Word longest_list(const Shape& shape, const Question& question);
+
+/// Draws a question's arguments by their types; what has no figure is told.
+void draw_question(Drawing& drawing, const Shape& shape, const Question& question);
+
+/// The same tape over another number type.
+template <class To, class From, class Change>
+Tape<To> tape_with(const Tape<From>& tape, const Change& change) {
+  Tape<To> result;
+  result.words = tape.words;
+  result.numbers.reserve(tape.numbers.size());
+  for (const From& number : tape.numbers) result.numbers.push_back(change(number));
+  return result;
+}
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/shape/described_answers.h"
+#include "catalogue/shape/described_shapes.h"
+
+/// Walks over described values: every number in canonical order, and the same value over another number type.
+namespace touchstone::catalogue {
+
+/// visit(number) for every number, and before the elements of a list visit_list(list), which may change its length.
+template <class T, class Visit, class VisitList>
+void walk(T& value, const Visit& visit, const VisitList& visit_list) {
+  using Bare = std::remove_const_t<T>;
+  if constexpr (Enumeration<Bare> || Plain<Bare>) {
+    return;
+  } else if constexpr (Composite<Bare>) {
+    for_each_member<Bare>([&](const auto& member) { walk(value.*member.pointer, visit, visit_list); });
+  } else if constexpr (is_optional<Bare>) {
+    if (value) walk(*value, visit, visit_list);
+  } else if constexpr (is_vector<Bare>) {
+    visit_list(value);
+    for (auto& element : value) walk(element, visit, visit_list);
+  } else {
+    visit(value);
+  }
+}
+template <class... Ts, class Visit, class VisitList>
+void walk(std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
+  std::apply([&](auto&... value) { (walk(value, visit, visit_list), ...); }, values);
+}
+template <class... Ts, class Visit, class VisitList>
+void walk(const std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
+  std::apply([&](const auto&... value) { (walk(value, visit, visit_list), ...); }, values);
+}
+
+template <class... Ts, class Visit, class VisitList>
+void walk(std::variant<Ts...>& value, const Visit& visit, const VisitList& visit_list) {
+  std::visit([&](auto& alternative) { walk(alternative, visit, visit_list); }, value);
+}
+template <class... Ts, class Visit, class VisitList>
+void walk(const std::variant<Ts...>& value, const Visit& visit, const VisitList& visit_list) {
+  std::visit([&](const auto& alternative) { walk(alternative, visit, visit_list); }, value);
+}
+
+template <class T, class Visit>
+void for_each_number(T& value, const Visit& visit) {
+  walk(value, visit, [](auto&) {});
+}
+
+/// The same value over the number type To, each number passed through `change`.
+template <class To, class T, class Change>
+rebound_t<T, To> converted(const T& value, const Change& change) {
+  if constexpr (Enumeration<T> || Plain<T>) {
+    return value;
+  } else if constexpr (Composite<T>) {
+    rebound_t<T, To> result{};
+    std::apply(
+        [&](const auto&... from) {
+          std::apply(
+              [&](const auto&... to) { ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...); },
+              Described<rebound_t<T, To>>::members);
+        },
+        Described<T>::members);
+    return result;
+  } else if constexpr (is_optional<T>) {
+    if (!value) return std::nullopt;
+    return converted<To>(*value, change);
+  } else if constexpr (is_vector<T>) {
+    rebound_t<T, To> result;
+    result.reserve(value.size());
+    for (const auto& element : value) result.push_back(converted<To>(element, change));
+    return result;
+  } else {
+    return change(value);
+  }
+}
+
+template <class To, class... Ts, class Change>
+rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
+  return std::apply(
+      [&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; }, values);
+}
+
+template <class To, class... Ts, class Change>
+rebound_t<std::variant<Ts...>, To> converted(const std::variant<Ts...>& value, const Change& change) {
+  return std::visit(
+      [&](const auto& alternative) { return rebound_t<std::variant<Ts...>, To>(converted<To>(alternative, change)); },
+      value);
+}
+
+}  // namespace touchstone::catalogue

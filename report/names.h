@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace touchstone::catalogue {}
+namespace touchstone::audit {}
+
+/// The names of the modules below, in which report is written.
+namespace touchstone::report {
+using namespace catalogue;
+using namespace audit;
+}  // namespace touchstone::report
