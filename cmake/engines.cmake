@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# program/engines/NAME.cpp -> engines/NAME: one audit program a foreign library. What a program needs is read
+# engines/NAME.cpp -> engines/NAME: one audit program a foreign library. What a program needs is read
 # from its own includes; where the library is not installed the program is left out.
 
 find_package(GEOS QUIET)
@@ -41,7 +41,7 @@ engine_library(libqhull_r libqhull_r/qhull_ra.h qhull_r)
 # Programs over these are built only where they are asked for: by name, or by the target `engines`.
 add_custom_target(engines)
 
-file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/program/engines/*.cpp)
+file(GLOB programs CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/engines/*.cpp)
 foreach(source ${programs})
   cmake_path(GET source STEM name)
   set(missing "")

@@ -3,6 +3,7 @@
 
 include(components)
 include(public_headers)
+include(rows)
 
 set(touchstone_asked ${TOUCHSTONE_COMPONENTS})
 if("all" IN_LIST touchstone_asked)
@@ -33,7 +34,7 @@ endforeach()
 # Users, of the installed package and of this source tree in a project of theirs, have one include directory, for <touchstone/...>. Our
 # own sources are spelled from the root of the repository.
 if(PROJECT_IS_TOP_LEVEL)
-  set(touchstone_includes ${PROJECT_SOURCE_DIR})
+  set(touchstone_includes ${PROJECT_SOURCE_DIR} ${touchstone_generated})
 else()
   set(touchstone_includes ${PROJECT_BINARY_DIR}/include)
   touchstone_write_headers(${PROJECT_SOURCE_DIR} ${touchstone_includes} ${touchstone_built})
@@ -41,12 +42,9 @@ else()
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
 endif()
 
-# touchstone_room(name sources...): touchstone::name, installed with the package.
-function(touchstone_room room)
-  if(NOT room IN_LIST touchstone_built)
-    return()
-  endif()
-  set(target touchstone_${room})
+# touchstone_library(name sources...): touchstone::name, installed with the package.
+function(touchstone_library name)
+  set(target touchstone_${name})
   if(ARGN)
     add_library(${target} STATIC ${ARGN})
     touchstone_own(${target})
@@ -55,14 +53,20 @@ function(touchstone_room room)
     add_library(${target} INTERFACE)
     set(scope INTERFACE)
   endif()
-  add_library(touchstone::${room} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  add_library(touchstone::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   if(ARGN AND NOT PROJECT_IS_TOP_LEVEL AND NOT TOUCHSTONE_INSTALL)
     set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
   endif()
   target_compile_features(${target} ${scope} cxx_std_20)
   target_include_directories(
-    ${target} ${scope} $<BUILD_INTERFACE:${touchstone_includes}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+    ${target} ${scope} "$<BUILD_INTERFACE:${touchstone_includes}>" $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+endfunction()
+# touchstone_room(component sources...): the library of a component that is built.
+function(touchstone_room component)
+  if(component IN_LIST touchstone_built)
+    touchstone_library(${component} ${ARGN})
+  endif()
 endfunction()
 
 # touchstone_links(room PUBLIC|PRIVATE libraries...), also while a room has no sources yet.
@@ -79,8 +83,12 @@ endfunction()
 
 file(GLOB_RECURSE robust_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/robust/*.cpp)
 file(GLOB_RECURSE oracle_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/oracle/*.cpp)
-file(GLOB_RECURSE audit_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/catalogue/*.cpp ${PROJECT_SOURCE_DIR}/audit/*.cpp
-     ${PROJECT_SOURCE_DIR}/report/*.cpp ${PROJECT_SOURCE_DIR}/program/*.cpp)
+# Each of these is a library of its own, which sees those before it: a wrong arrow does not link.
+set(touchstone_modules catalogue audit report program)
+foreach(module ${touchstone_modules})
+  file(GLOB_RECURSE ${module}_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${module}/*.cpp)
+endforeach()
+list(FILTER program_sources EXCLUDE REGEX "/program/main\\.cpp|/engines/")
 set(certify_sources ${oracle_sources})
 list(FILTER certify_sources INCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
 list(FILTER oracle_sources EXCLUDE REGEX "/oracle/certificates/(check[^/]*|named_file)\\.cpp$")
@@ -109,42 +117,12 @@ constexpr Checks (*checks_of_all_files[])() = {@listed@};
 }  // namespace touchstone::certify
 ]])
 
-list(FILTER audit_sources EXCLUDE REGEX "/program/main\\.cpp|/program/engines/")
-
-# catalogue/rows/CHAPTER/*.h -> one translation unit that makes the operations of the chapter's rows: one for each row would take five times as
-# long, because it is the headers that cost.
-file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/catalogue/*/*.h)
-list(FILTER rows EXCLUDE REGEX "^catalogue/(codec|families|judge)/")
-set(row_chapters "")
-foreach(row ${rows})
-  cmake_path(GET row STEM name)
-  cmake_path(GET row PARENT_PATH chapter)
-  cmake_path(GET chapter FILENAME chapter)
-  list(APPEND row_chapters ${chapter})
-  string(APPEND includes_of_${chapter} "#include \"${row}\"\n")
-  string(APPEND operations_of_${chapter} "template const Operation& operation_of_row<rows::${name}>();\n")
-endforeach()
-list(REMOVE_DUPLICATES row_chapters)
-set(row_sources "")
-foreach(chapter ${row_chapters})
-  set(includes "${includes_of_${chapter}}")
-  set(operations "${operations_of_${chapter}}")
-  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp @ONLY CONTENT [[
-#include "catalogue/operation/row_of.h"
-@includes@
-namespace touchstone::audit {
-@operations@
-}  // namespace touchstone::audit
-]])
-  list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp)
-endforeach()
-
 touchstone_room(geometry)
 touchstone_room(reference)
 touchstone_room(robust ${robust_sources})
 touchstone_room(oracle ${oracle_sources})
 touchstone_room(certify ${certify_sources})
-touchstone_room(audit ${audit_sources} ${row_sources})
+touchstone_room(audit)
 touchstone_room(testing)
 
 touchstone_links(reference PUBLIC touchstone_geometry)
@@ -161,11 +139,28 @@ touchstone_links(certify PRIVATE GMP::gmpxx)
 if(TARGET touchstone_certify)
   target_include_directories(touchstone_certify PRIVATE ${PROJECT_BINARY_DIR}/certify)
 endif()
-touchstone_links(audit PUBLIC touchstone_reference touchstone_robust touchstone_oracle touchstone_certify MPFR::mpfr
-                 nlohmann_json::nlohmann_json)
-touchstone_links(audit PRIVATE fmt::fmt PNG::PNG)
-touchstone_links(testing PUBLIC touchstone_audit)
-
-if(TOUCHSTONE_PCH AND TARGET touchstone_audit)
-  target_precompile_headers(touchstone_audit PRIVATE <nlohmann/json.hpp> <gmpxx.h>)
+# What users link as touchstone::audit: the four modules, the topmost first.
+if(TARGET touchstone_audit)
+  set(below touchstone_reference touchstone_robust touchstone_oracle touchstone_certify MPFR::mpfr nlohmann_json::nlohmann_json)
+  foreach(module ${touchstone_modules})
+    touchstone_library(module_${module} ${${module}_sources})
+    target_link_libraries(touchstone_module_${module} PUBLIC ${below} PRIVATE fmt::fmt)
+    if(TOUCHSTONE_PCH AND module STREQUAL catalogue)
+      target_precompile_headers(touchstone_module_catalogue PRIVATE <nlohmann/json.hpp> <gmpxx.h>)
+    elseif(TOUCHSTONE_PCH)
+      target_precompile_headers(touchstone_module_${module} REUSE_FROM touchstone_module_catalogue)
+    endif()
+    if(PROJECT_IS_TOP_LEVEL)
+      # All of the module, and nothing above it: what is not there does not link.
+      file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/arrows.cpp CONTENT "")
+      add_library(arrows_of_${module} MODULE ${PROJECT_BINARY_DIR}/arrows.cpp)
+      target_link_libraries(arrows_of_${module} PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,touchstone_module_${module}>" ${below})
+      target_link_options(arrows_of_${module} PRIVATE -Wl,-z,defs)
+    endif()
+    set(below touchstone_module_${module})
+  endforeach()
+  target_sources(touchstone_module_catalogue PRIVATE ${row_sources})
+  target_link_libraries(touchstone_module_report PRIVATE PNG::PNG)
+  target_link_libraries(touchstone_audit INTERFACE touchstone_module_program)
 endif()
+touchstone_links(testing PUBLIC touchstone_audit)

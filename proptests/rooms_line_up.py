@@ -51,7 +51,7 @@ COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision/")
 FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
 CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
-CGAL_MAY_BE_PEER = ("proptests/", "bench/", "program/engines/")
+CGAL_MAY_BE_PEER = ("proptests/", "bench/", "engines/")
 # A family draws its choices from `c`: handed on, or a member called.
 CALL = re.compile(r"\b(?!(?:for|if|while|switch|return)\b)\w+(?:<[\w:]+>)?\(")
 DRAW = re.compile(r"[(,] *c *[,)]|\bc\.\w+\(")

@@ -47,7 +47,7 @@ ALLOWED = [
     r"share/doc/touchstone/(docs|examples)/.+",
     r"share/(man/man1/touchstone\.1|bash-completion/completions/touchstone|zsh/\S+|fish/\S+)",
 ]
-NEVER = r"include/touchstone/(report|program/engines|robust/(rings|hulls)|proptests)/|__pycache__|node_modules"
+NEVER = r"include/touchstone/(report|engines|robust/(rings|hulls)|proptests)/|__pycache__|node_modules"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 
 
@@ -108,7 +108,7 @@ def right_listing():
 def self_check():
     right = right_listing()
     wrong = [f"a right listing was blamed: {fault}" for fault in faults_of_listing(right)]
-    for file in ("include/touchstone/report/html.h", "include/touchstone/program/engines/one_hit.h",
+    for file in ("include/touchstone/report/html.h", "include/touchstone/engines/one_hit.h",
                  "include/touchstone/robust/rings/touch.h", "include/geometry/points.h",
                  "include/touchstone/robust/lines/touch.cpp", "share/doc/touchstone/examples/__pycache__/a.pyc"):
         if not list(faults_of_listing(right + [file])):

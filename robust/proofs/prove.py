@@ -4,6 +4,7 @@
 
   prove.py [--work DIR]          everything, in a fresh folder (build/proofs unless told)
   prove.py --looked-at           writes looked_at.txt: every proof was looked at after the last change of its filter
+  prove.py --only NAME           the theorems of one filter or part
   prove.py --share               a share of the theorems, for the tests; all filters' texts are compared all the same
   prove.py --mutants [FILTER]    each constant one unit smaller: refused by Coq, or as changed text alone
   prove.py --self-check          changed constants, open steps, axioms and caches are refused, without a run of Coq
@@ -129,19 +130,20 @@ def closure(names, files):
     return found
 
 
-def prove(work, jobs, share):
+def prove(work, jobs, chosen):
+    """chosen: the names of some filters and parts; None: everything."""
     started = time.monotonic()
     made, filters = extract.all_of(ROOT)
     files = {**sources(), **made}
     found = list(faults(files, filters))
     if found:
         return found
-    names = [name for name, _, _ in filters if not share or name in SHARE]
+    names = [name for name, _, _ in filters if chosen is None or name in chosen]
     groups = [[f"{name}_right"] for name in names if name not in enclosed.THEOREMS]
     # all that rests on Flocq at once: Coq goes through the whole of it each time
     groups.append([theorem for name in names for theorem in theorems_of(name) if [theorem] not in groups]
-                  + ["in_binary64", "growing_in_binary64"] + ([] if share else OTHERS))
-    if share:
+                  + ["in_binary64", "growing_in_binary64"] + ([] if chosen else OTHERS))
+    if chosen:
         parts = closure({proof_of(theorem, files) for group in groups for theorem in group}, files)
         files = {name: files[name] for name in parts}
     files["assumptions"] = f"From Filters Require Import {' '.join(sorted(files))}.\n" + "".join(
@@ -248,6 +250,7 @@ def main():
     options.add_argument("--jobs", type=int, default=2)
     options.add_argument("--looked-at", action="store_true")
     options.add_argument("--share", action="store_true")
+    options.add_argument("--only", metavar="NAME")
     options.add_argument("--self-check", action="store_true")
     options.add_argument("--mutants", nargs="?", const="", metavar="FILTER")
     given = options.parse_args()
@@ -263,7 +266,7 @@ def main():
     elif given.mutants is not None:
         found = try_mutants(given.work, given.jobs, given.mutants or None)
     else:
-        found = prove(given.work, given.jobs, given.share)
+        found = prove(given.work, given.jobs, SHARE if given.share else {given.only} if given.only else None)
     for line in found:
         print(line, file=sys.stderr)
     return 1 if found else 0

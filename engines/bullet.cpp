@@ -4,8 +4,8 @@
 #include <bullet/btBulletDynamicsCommon.h>
 
 #include "program/engine_main.h"
-#include "program/engines/exactly.h"
-#include "program/engines/one_hit.h"
+#include "engines/exactly.h"
+#include "engines/one_hit.h"
 
 using namespace touchstone;
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "program/engine_main.h"
-#include "program/engines/exactly.h"
+#include "engines/exactly.h"
 
 using namespace touchstone;
 

@@ -3,8 +3,8 @@
 #include <box2d/box2d.h>
 
 #include "program/engine_main.h"
-#include "program/engines/exactly.h"
-#include "program/engines/one_hit.h"
+#include "engines/exactly.h"
+#include "engines/one_hit.h"
 
 using namespace touchstone;
 

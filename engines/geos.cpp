@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "program/engine_main.h"
-#include "program/engines/geos_session.h"
+#include "engines/geos_session.h"
 
 using namespace touchstone;
 

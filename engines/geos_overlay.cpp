@@ -2,7 +2,7 @@
 #include <geos_c.h>
 
 #include "program/engine_main.h"
-#include "program/engines/geos_session.h"
+#include "engines/geos_session.h"
 
 using namespace touchstone;
 

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+# The catalogue's list, made from its rows, catalogue/rows/CHAPTER/NAME.h: a header that includes them all in the order of the deck, and
+# for each chapter one translation unit that makes their operations (one for each row would take five times as long, because it is the
+# headers that cost).
+
+# In the order of the deck, and within a chapter by page.
+set(touchstone_chapters lines polygons planes volumes sweeps polyhedra broad_phase response)
+set(row_order "")
+set(row_sources "")
+foreach(chapter ${touchstone_chapters})
+  file(GLOB rows CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/catalogue/rows/${chapter} ${PROJECT_SOURCE_DIR}/catalogue/rows/${chapter}/*.h)
+  set(keys "")
+  set(includes "")
+  set(operations "")
+  foreach(row ${rows})
+    cmake_path(GET row STEM name)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/catalogue/rows/${chapter}/${row})
+    # pages = "2, 14" or "45-47, 51": the operation is where the last of them begin.
+    file(STRINGS ${PROJECT_SOURCE_DIR}/catalogue/rows/${chapter}/${row} pages REGEX "\\.pages = \"" LIMIT_COUNT 1)
+    string(REGEX REPLACE ".*\\.pages = \"([0-9-]+, )*([0-9]+)-?([0-9]*)\".*" "\\2 \\3" pages "${pages}")
+    list(APPEND keys "${pages} ${name}")
+    string(APPEND includes "#include \"catalogue/rows/${chapter}/${row}\"\n")
+    string(APPEND operations "template const Operation& operation_of_row<rows::${name}>();\n")
+  endforeach()
+  list(SORT keys COMPARE NATURAL)
+  foreach(key ${keys})
+    string(REGEX REPLACE ".* " "" name "${key}")
+    list(APPEND row_order rows::${name})
+  endforeach()
+  string(APPEND all_includes "${includes}")
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp @ONLY CONTENT [[
+#include "catalogue/operation/row_of.h"
+@includes@
+namespace touchstone::catalogue {
+@operations@
+}  // namespace touchstone::catalogue
+]])
+  list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp)
+endforeach()
+list(JOIN row_order ",\n    " row_order)
+set(touchstone_generated ${PROJECT_BINARY_DIR}/generated)
+file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/all.h @ONLY CONTENT [[
+// Made by cmake/rows.cmake from the rows.
+#pragma once
+
+@all_includes@
+namespace touchstone::catalogue {
+
+template <class... R>
+struct RowList;
+using Rows = RowList<
+    @row_order@>;
+
+}  // namespace touchstone::catalogue
+]])
