@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/codec/json.h"
+#include "catalogue/numbers/true_number.h"
 #include "catalogue/shape/shape.h"
 
 /// Values in JSON, by their shapes.
@@ -11,6 +12,8 @@ template <class Real>
 using WriteNumber = Json (*)(const Real&);
 template <class Real>
 using ReadNumber = Real (*)(const Json&, const std::string& field);
+
+inline Json written(const TrueNumber& value) { return value.text(); }
 
 /// Double, mpq_class, or the truth's numbers.
 template <class Real>

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "catalogue/operation/row.h"
+#include "catalogue/families/plane_choices.h"
 
 /// Points that lie exactly on one line although no difference of two of them is a double: where a filter sees a
 /// position other than the true one, but not by much.

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "catalogue/draw/figures.h"
+#include "catalogue/families/hard_case.h"
 #include "catalogue/families/rings.h"
-#include "catalogue/operation/row.h"
 
 /// What the operations on one simple polygon that cut it into pieces are asked, and how their pieces are drawn.
 namespace touchstone::catalogue {

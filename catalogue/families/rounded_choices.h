@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "catalogue/operation/row.h"
+#include "catalogue/families/plane_choices.h"
 
 /// Points whose differences are rounded by nearly a unit in the last place, all to the side that makes a determinant
 /// wrong. With u that unit of 1, it is off by 5 u upwards (4 u where FMA leaves a product unrounded) and by 4 u

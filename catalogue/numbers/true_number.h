@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/codec/json.h"
 #include "catalogue/shape/tape.h"
 #include "oracle/exact/surd.h"
 
@@ -11,7 +10,6 @@ namespace touchstone::catalogue {
 using TrueNumber = oracle::Surd;
 using TrueTape = Tape<TrueNumber>;
 
-inline Json written(const TrueNumber& value) { return value.text(); }
 /// As those of rationals in catalogue/numbers/ulps.h.
 double nearest(const TrueNumber& truth, bool binary32 = false);
 double distance_in_ulps(double answered, const TrueNumber& truth, bool binary32 = false);

@@ -6,7 +6,8 @@
 #include <tuple>
 #include <variant>
 
-#include "catalogue/families/numbers.h"
+#include "catalogue/families/hard_case.h"
+#include "catalogue/families/plane_choices.h"
 #include "catalogue/numbers/ulps.h"
 #include "catalogue/operation/row_functions.h"
 #include "catalogue/shape/tape.h"
@@ -85,14 +86,6 @@ std::optional<Answers<number_of_t<Answer>>> either(const std::optional<Answer>& 
 /// The rows, each named like its operation.
 namespace rows {}
 
-template <class Question>
-struct HardCase {
-  std::string name;            ///< the family: "collinear", "shared_end" ...
-  Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
-  /// Neither scaled nor, as a family of its own, moved by an ulp: its mesh has to stay one that test vectors can name.
-  bool as_drawn = false;
-};
-
 /// robust has no function for the decision alone. Where it has, the row's `decision` holds robust(Question) ->
 /// enumerator, and, for exhaustive runs at full speed, oracle(Question) and oracle(the same over std::int64_t).
 struct NoDecision {};
@@ -169,20 +162,5 @@ class Operation;
 /// The operation made from a row. Defined in the unit of the row's chapter, which CMake writes (cmake/rooms.cmake).
 template <class Row>
 const Operation& operation_of_row();
-
-/// A lattice point of the plane, near the origin first.
-inline Point2d lattice_point(Choices& choices, int bits = 26) {
-  const double x = integer(choices, bits);
-  return {x, integer(choices, bits)};
-}
-
-/// A lattice vector that is not zero; (1, 0) is the simplest.
-inline Vector2d lattice_direction(Choices& choices, int bits = 20) {
-  const double x = integer(choices, bits), y = integer(choices, bits);
-  return x == 0 && y == 0 ? Vector2d{1, 0} : Vector2d{x, y};
-}
-
-/// p + t v; exact for the sizes that the two functions above and small t give.
-inline Point2d along(const Point2d& p, double t, const Vector2d& v) { return {p.x + t * v.x, p.y + t * v.y}; }
 
 }  // namespace touchstone::catalogue

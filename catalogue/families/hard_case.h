@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "catalogue/families/choices.h"
+
+namespace touchstone::catalogue {
+
+/// A family of questions that are hard on purpose.
+template <class Question>
+struct HardCase {
+  std::string name;            ///< the family: "collinear", "shared_end" ...
+  Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
+  /// Neither scaled nor, as a family of its own, moved by an ulp: its mesh has to stay one that test vectors can name.
+  bool as_drawn = false;
+};
+
+}  // namespace touchstone::catalogue

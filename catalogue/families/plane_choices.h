@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/numbers.h"
+#include "geometry/points.h"
+
+/// Points and vectors of the plane, drawn from a stream of choices.
+namespace touchstone::catalogue {
+
+/// A lattice point of the plane, near the origin first.
+inline Point2d lattice_point(Choices& choices, int bits = 26) {
+  const double x = integer(choices, bits);
+  return {x, integer(choices, bits)};
+}
+
+/// A lattice vector that is not zero; (1, 0) is the simplest.
+inline Vector2d lattice_direction(Choices& choices, int bits = 20) {
+  const double x = integer(choices, bits), y = integer(choices, bits);
+  return x == 0 && y == 0 ? Vector2d{1, 0} : Vector2d{x, y};
+}
+
+/// p + t v; exact for the sizes that the two functions above and small t give.
+inline Point2d along(const Point2d& p, double t, const Vector2d& v) { return {p.x + t * v.x, p.y + t * v.y}; }
+
+}  // namespace touchstone::catalogue
