@@ -40,7 +40,7 @@ function(touchstone_test_program folder)
   add_executable(${target} ${ARGN})
   touchstone_test_sources(${target})
   target_link_libraries(${target} PRIVATE touchstone_test_main)
-  # Some files a unit: each has a namespace of its own, and it is the headers that cost.
+  # Some files a unit, those with a namespace of their own: it is the headers that cost.
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests
                                              UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
   if(TOUCHSTONE_PCH)
@@ -48,6 +48,10 @@ function(touchstone_test_program folder)
   endif()
   foreach(source ${ARGN})
     cmake_path(GET source STEM file)
+    file(STRINGS ${source} own REGEX "^namespace touchstone::proptests::${file}_tests {" LIMIT_COUNT 1)
+    if(NOT own)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
     # The durations are read by costs.py: a test that asks all operations says how long each took.
     add_test(NAME ${folder}/${file} COMMAND ${target} ${catch_arguments} "[#${file}]"
              WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

@@ -40,7 +40,7 @@ PLACES = {
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
 METHOD_PLACES = {"reference", "catalogue"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs", "batch"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 FEWEST_MUTANTS = 6

@@ -77,6 +77,10 @@ struct RowFunctions {
   Word (*decide_by_integers)(const Question&);  ///< of whole numbers below 2^31; nullptr likewise
   DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last);  ///< nullptr likewise
 
+  /// The decisions on `count` questions over columns, one for each number of a question: enumerators, a byte each.
+  /// nullptr: robust does not answer arrays.
+  void (*batch)(const double* const* columns, std::size_t count, std::uint8_t* decisions);
+
   StageFunctions stages, decision_stages;
 
   /// Hard cases in the order of the row.

@@ -249,6 +249,7 @@ RowFunctions RowOf<Row>::functions() {
     f.decide_by_integers = decide_by_integers;
     f.count_decisions = count_decisions;
   }
+  if constexpr (requires { Row::batch(nullptr, 0, nullptr); }) f.batch = Row::batch;
   if constexpr (requires { typename Row::stages; }) f.stages = stage_functions<typename Row::stages, Asked>();
   if constexpr (requires { typename Row::stages::decision; })
     f.decision_stages = stage_functions<typename Row::stages::decision, Asked>();

@@ -9,6 +9,7 @@
 #include "oracle/exact/elimination.h"
 #include "oracle/lines/orientation.h"
 #include "reference/lines/orientation.h"
+#include "robust/batch/orientation.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::catalogue::rows {
@@ -28,6 +29,10 @@ struct orientation {
                            .answer = "side",
                            .margin_degree = 2};
     return card;
+  }
+
+  static void batch(const double* const* c, std::size_t count, std::uint8_t* sides) {
+    ::touchstone::robust::batch::orientation({c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, count, sides);
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
