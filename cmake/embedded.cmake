@@ -12,10 +12,10 @@ endforeach()
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/embedded/embedded.h @ONLY CONTENT [[
 #pragma once
 
-namespace touchstone::audit {
+namespace touchstone::report {
 
 @scripts@
-}  // namespace touchstone::audit
+}  // namespace touchstone::report
 ]])
 set_source_files_properties(${PROJECT_SOURCE_DIR}/report/html_parts.cpp ${PROJECT_SOURCE_DIR}/program/documentation.cpp
                             PROPERTIES INCLUDE_DIRECTORIES ${PROJECT_BINARY_DIR}/embedded)

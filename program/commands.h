@@ -124,6 +124,7 @@ void write_file(const std::string& option, const std::string& file, const std::s
 
 /// What stands before every complaint about a line.
 std::string place(const std::string& file, std::uint64_t line);
+int simulate_command(const std::string& file, std::uint64_t steps, std::ostream& out);
 
 }  // namespace touchstone::program
 

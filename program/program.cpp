@@ -233,6 +233,15 @@ void add_map(CLI::App& program, Action& action) {
   });
 }
 
+void add_simulate(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
+  auto file = std::make_shared<std::string>();
+  auto steps = std::make_shared<std::uint64_t>(60);
+  command->add_option("scene", *file, "Its JSON file")->required();
+  command->add_option("--steps", *steps, "How many")->check(whole(0, 1'000'000'000));
+  command->callback([=, &action] { action = [=] { return simulate_command(*file, *steps, std::cout); }; });
+}
+
 /// In one line, whatever names of files and fields it quotes.
 int complained(const std::exception& wrong, int code) {
   std::cerr << "touchstone: " << excerpt(wrong.what(), 2000) << '\n';
@@ -253,7 +262,8 @@ int run_program(int argc, const char* const* argv) {
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
   for (auto* add :
-       {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_vectors, add_certify, add_map})
+       {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_vectors, add_certify, add_map,
+        add_simulate})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

@@ -20,9 +20,11 @@ ROOMS = {
     "oracle": {"geometry", "oracle"},
     "catalogue": {"geometry", "reference", "robust", "oracle", "catalogue"},
     "audit": {"geometry", "reference", "robust", "oracle", "catalogue", "audit"},
+    "simulate": {"geometry", "reference", "robust", "catalogue", "simulate"},
     "testing": {"geometry", "oracle", "robust", "catalogue", "audit", "testing"},
-    "report": {"geometry", "oracle", "catalogue", "audit", "report"},
-    "program": {"geometry", "oracle", "catalogue", "audit", "report", "program"},
+    "report": {"geometry", "oracle", "catalogue", "audit", "simulate", "report"},
+    "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
+    "engines": None,
     "proptests": None,
     "fuzz": None,
     "bench": None,
@@ -34,11 +36,11 @@ PLACES = {
     "reference": (".h",),
     "robust": (".h", ".cpp"),
     "oracle": (".h", ".cpp"),
-    "catalogue": (".h",),
+    "catalogue/rows": (".h",),
     "proptests/operations": (".cpp",),
 }
 # Another method for an operation's question has a formula and a row of its own, and nothing else.
-METHOD_PLACES = {"reference", "catalogue"}
+METHOD_PLACES = {"reference", "catalogue/rows"}
 # Folders beside the chapters.
 NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs", "batch"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/public_headers.cmake refuses to install these.
@@ -81,10 +83,7 @@ def operation_files(tree, operations):
         }
         for name in sorted(wanted - tree.text.keys()):
             yield f"{name}: missing"
-        if place == "catalogue":  # other folders stand here too
-            folders = chapters
-        else:
-            folders = {p.name for p in (tree.root / place).glob("*") if p.is_dir()} - NO_CHAPTER.get(place, set())
+        folders = {p.name for p in (tree.root / place).glob("*") if p.is_dir()} - NO_CHAPTER.get(place, set())
         for name in sorted(tree.text):
             for folder in folders:
                 if name.startswith(f"{place}/{folder}/") and name not in wanted:
@@ -108,12 +107,12 @@ def evidence(tree, operations):
         name = operation["name"]
         if "method_of" in operation:
             continue
-        header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "catalogue"))
+        header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "catalogue/rows"))
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
             if f"robust::{alone}(" not in row:
-                yield f"catalogue/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
+                yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
         if "namespace stages {" in header and f"using stages = ::touchstone::robust::stages::{name};" not in row:
-            yield f"catalogue/{operation['chapter']}/{name}.h: nobody asks robust::stages::{name}, each stage alone"
+            yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::stages::{name}, each stage alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:
             yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
@@ -267,7 +266,7 @@ def right_tree():
 PLANTED = [
     ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
     ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
-    ("catalogue/lines/touch.h", None, "catalogue/lines/touch.h: missing"),
+    ("catalogue/rows/lines/touch.h", None, "catalogue/rows/lines/touch.h: missing"),
     ("proptests/operations/lines/cross.cpp", "", "proptests/operations/lines/cross.cpp: stray"),
     ("reference/lines/cross.h", "", "reference/lines/cross.h: stray"),
     ("oracle/planes/touch.cpp", "", "oracle/planes/touch.cpp: stray"),
@@ -290,8 +289,8 @@ PLANTED = [
     ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
     ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
-    ("catalogue/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/lines/touch.h:1: two draws in one call"),
-    ("catalogue/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
+    ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
+    ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),
