@@ -7,7 +7,7 @@
 #include "proptests/each_operation.h"
 #include "proptests/property.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::grids_tests {
 namespace {
 
 using catalogue::Operation;
@@ -103,4 +103,4 @@ EACH_OPERATION("decisions counted at full speed are those of the full examinatio
   CHECK(hash == whole->hash);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::grids_tests

@@ -6,7 +6,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::interrogation_tests {
 namespace {
 
 /// How many questions of a family, where questions are cheap, are asked for an aspect.
@@ -40,4 +40,4 @@ EACH_OPERATION("robust, oracle, formula, certificate, stages and laws agree on e
       static_cast<int>(most / batch));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::interrogation_tests

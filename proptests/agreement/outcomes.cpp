@@ -8,7 +8,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::outcomes_tests {
 namespace {
 
 using robust::Stage;
@@ -135,4 +135,4 @@ EACH_OPERATION("every outcome and stage is reached, and every family asks what i
   CHECK(!std::getline(kept, line));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::outcomes_tests

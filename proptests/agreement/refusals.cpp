@@ -8,7 +8,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::refusals_tests {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -93,4 +93,4 @@ EACH_OPERATION("of several numbers that are not finite the first is named, and b
       2000);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::refusals_tests

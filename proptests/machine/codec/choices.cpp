@@ -8,7 +8,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::choices_tests {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -176,4 +176,4 @@ EACH_OPERATION("a shrunk question stays in its family: a refused or degenerate o
   CHECK(end.size() <= start.choices.size());
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::choices_tests

@@ -2,8 +2,9 @@
 #include "catalogue/codec/did_you_mean.h"
 
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::did_you_mean_tests {
 namespace {
 
 const std::vector<std::string> names{"orientation", "segment_segment", "ray_segment", "aabb_aabb", "line_line"};
@@ -39,4 +40,4 @@ TEST_CASE("did you mean: of several equally near the first is named, and a neare
   CHECK(did_you_mean("x", std::vector<const char*>{"y"}).empty());
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::did_you_mean_tests

@@ -3,8 +3,9 @@
 
 #include "catalogue/codec/json.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::excerpt_tests {
 
 TEST_CASE("excerpt: letters of any language stay, control characters and broken UTF-8 are escaped") {
   CHECK(excerpt("M\u00f6bius \u6e2c \U0001f600", 100) == "M\u00f6bius \u6e2c \U0001f600");
@@ -23,4 +24,4 @@ TEST_CASE("one line: text is written so that a terminal shows nothing else") {
   CHECK(one_line("\x7f\u009b\u00f6") == R"("\u007f\u009b\u00f6")");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::excerpt_tests

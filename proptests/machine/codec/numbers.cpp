@@ -7,8 +7,9 @@
 #include "catalogue/codec/json.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::numbers_tests {
 namespace {
 
 double as_double(const std::string& typed) { return read_double(parse_line("{\"x\":" + typed + "}")["x"], "x"); }
@@ -167,4 +168,4 @@ TEST_CASE("lines: a zero byte ends no line") {
   CHECK(refusal([] { parse_line(std::string("{\"a\":1}\0 nonsense", 17)); }) == "line: one JSON object");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::numbers_tests

@@ -6,7 +6,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::shapes_tests {
 namespace {
 
 using catalogue::Json;
@@ -214,4 +214,4 @@ TEST_CASE("words: an answer's word is one of its enumeration's, letter by letter
     CHECK_THAT(side(wrong), StartsWith("side: expected one of left, on, right, got "));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::shapes_tests

@@ -8,9 +8,10 @@
 #include "audit/engines/engine.h"
 #include "proptests/catch.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// The engines that the documentation shows: each works as it stands there.
-namespace touchstone::audit {
+namespace touchstone::proptests::documented_tests {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -123,4 +124,4 @@ SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b); 
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::documented_tests

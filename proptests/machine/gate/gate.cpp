@@ -12,9 +12,10 @@
 #include "program/audit_gate.h"
 #include "proptests/catch.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// What makes an audit fail in CI, and the files that say so.
-namespace touchstone::audit {
+namespace touchstone::proptests::gate_tests {
 namespace {
 
 Judgement judged_as(Verdict verdict, const char* said = "left", bool out_of_range = false) {
@@ -324,4 +325,4 @@ TEST_CASE("gate: the program's exit code is the gate's, and the baseline that it
   require_refused(audit({"--write-baseline", "/nowhere/b.json"}), bad_usage, "--write-baseline /nowhere/b.json");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::gate_tests

@@ -7,9 +7,10 @@
 #include "audit/generic.h"
 #include "audit/tally_json.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/table.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::audit_runs_tests {
 namespace {
 
 /// An engine of one line: what it makes of the right answer. Null: unsupported.
@@ -324,4 +325,4 @@ TEST_CASE("audit_runs: a stopped run says so and keeps what there is") {
   CHECK_FALSE(Run{.cases = 100}.tally().interrupted);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::audit_runs_tests

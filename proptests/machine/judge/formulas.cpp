@@ -9,9 +9,10 @@
 #include "catalogue/numbers/tracked.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
 /// The two number types in which the judge runs the slides' formulas again.
-namespace touchstone::audit {
+namespace touchstone::proptests::formulas_tests {
 namespace {
 
 /// A formula of a few steps, run in a floating-point type, in that type with its error bound, and exactly.
@@ -351,4 +352,4 @@ TEST_CASE("Exact: arc cosines, also of numbers as near to 1 and -1 as cosines of
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::formulas_tests

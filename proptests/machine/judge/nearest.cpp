@@ -7,8 +7,9 @@
 #include "catalogue/families/choices.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::nearest_tests {
 namespace {
 
 constexpr std::uint64_t cases = 120000;  // for each of the two formats
@@ -163,4 +164,4 @@ TEST_CASE("exact_value: a double's bits as a rational") {
   CHECK(exact_value(-6) == -6);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::nearest_tests

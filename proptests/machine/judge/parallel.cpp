@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/map_image.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::parallel_tests {
 
 TEST_CASE("parallel: every number is worked on once, however many jobs there are") {
   for (const int jobs : {-1, 0, 1, 3, 200}) {
@@ -53,4 +54,4 @@ TEST_CASE("parallel: a failure map is the same with any number of jobs") {
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::parallel_tests

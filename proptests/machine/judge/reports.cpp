@@ -11,13 +11,14 @@
 #include "audit/tally_json.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/html.h"
 #include "report/palette.h"
 #include "report/svg.h"
 #include "report/wording.h"
 
 /// The report's pages as text: what a browser needs so that nothing is missing on the screen or on paper.
-namespace touchstone::audit {
+namespace touchstone::proptests::reports_tests {
 namespace {
 
 using Pages = std::map<std::string, std::string>;  ///< by file name
@@ -224,4 +225,4 @@ TEST_CASE("reports: a point a hair beside an edge of a polygon is seen in a seco
   CHECK(drawing_svg(drawing, "spike").find("around polygon, ") != std::string::npos);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::reports_tests

@@ -5,7 +5,7 @@
 
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::sensitivity_tests {
 namespace {
 
 std::vector<catalogue::Sensitivity> asked(const char* operation, const char* input) {
@@ -50,4 +50,4 @@ TEST_CASE("sensitivity: what has words has none, what is refused is refused") {
   CHECK_THROWS_AS(asked("momentum", R"({"bodies":[{"mass":-1,"velocity":[1,0,0]}]})"), InvalidInput);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::sensitivity_tests

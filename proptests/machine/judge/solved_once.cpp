@@ -11,12 +11,13 @@
 #include "proptests/any_robust_bits.h"
 #include "proptests/catch.h"
 #include "proptests/interrogation.h"
+#include "proptests/names.h"
 #include "report/html.h"
 #include "report/table.h"
 
 /// A question is solved once, whatever is asked of it. Counted on an operation whose functions are those of
 /// orientation, and count.
-namespace touchstone::audit {
+namespace touchstone::proptests::solved_once_tests {
 namespace {
 
 const Operation& orientation() { return *find_operation("orientation"); }
@@ -210,4 +211,4 @@ TEST_CASE("interrogation: says which of its aspects is broken") {
   CHECK(said(Aspect::laws_of_oracle) == "law of the oracle");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::solved_once_tests

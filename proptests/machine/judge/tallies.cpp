@@ -6,8 +6,9 @@
 #include "audit/generic.h"
 #include "audit/tally_json.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::tallies_tests {
 namespace {
 
 Tally audited(std::uint64_t seed, const char* operation = "orientation", std::uint64_t cases = 3000) {
@@ -332,4 +333,4 @@ TEST_CASE("tallies: a shard that the cut does not have is refused") {
   CHECK(said({2, 2}) == "grid.done[1]: ascending");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::tallies_tests

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
 #include "proptests/mandatory_number.h"
+#include "proptests/names.h"
 
 /// What the judge says of answers made by hand.
-namespace touchstone::audit {
+namespace touchstone::proptests::verdicts_tests {
 namespace {
 
 using Boundary = Declaration::Boundary;
@@ -319,4 +320,4 @@ TEST_CASE("verdicts: an engine may leave out every number, also one that is alwa
   CHECK(judged(R"({"side":"front","distance":3})").verdict == Verdict::invalid);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::verdicts_tests

@@ -7,8 +7,9 @@
 
 #include "oracle/polyhedra/point_in_convex_polyhedron.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::named_meshes_tests {
 namespace {
 
 /// How many vertices lie on the plane of a face.
@@ -62,4 +63,4 @@ TEST_CASE("named meshes: faces have the corners that their mesh is there for") {
   CHECK(corners("stretched_72") == sphere);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::named_meshes_tests

@@ -11,7 +11,7 @@
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::read_mesh_tests {
 namespace {
 
 using audit::parse_mesh;
@@ -207,4 +207,4 @@ TEST_CASE("meshes: hostile PLY and STL files are refused, whatever they count") 
   CHECK(refusal("a.stl", "solid x\nfacet\nouter loop\nendloop\n") == "a.stl:4: at least 3 corners");
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::read_mesh_tests

@@ -6,7 +6,7 @@
 #include "proptests/catch.h"
 #include "proptests/machine/oracle/claims.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::checkers_agree_tests {
 namespace {
 
 using catalogue::Choices;
@@ -269,4 +269,4 @@ TEST_CASE("certificates: both checkers refuse another truth, for the same reason
   CHECK(shown.said_in_python_too());
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::checkers_agree_tests

@@ -13,7 +13,7 @@
 #include "oracle/lines/parametric_circle.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::circular_tests {
 namespace {
 
 using catalogue::Choices;
@@ -145,4 +145,4 @@ TEST_CASE("certificates: no enclosure of a sine or cosine is accepted that leave
   mpfr_clears(angle, sine, cosine, static_cast<mpfr_ptr>(nullptr));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::circular_tests

@@ -4,7 +4,7 @@
 #include "proptests/machine/oracle/claims.h"
 
 /// Claims that name a file instead of holding a mesh, and what both checkers say where the file is none.
-namespace touchstone::proptests {
+namespace touchstone::proptests::named_files_tests {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST_CASE("named files: both checkers read the mesh that a claim names, and refu
                              folder.path() + "/verdicts.txt'"));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::named_files_tests

@@ -12,7 +12,7 @@
 #include "oracle/exact/decode.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::nearest_double_tests {
 namespace {
 
 using catalogue::Choices, catalogue::Environment, catalogue::environment_count;
@@ -125,4 +125,4 @@ TEST_CASE("rounding margin: far beyond the range it is the distance from the tie
   CHECK(oracle::rounding_margin(far) == expected);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::nearest_double_tests

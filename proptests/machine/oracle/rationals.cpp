@@ -15,7 +15,7 @@
 #include "oracle/lines/explicit_line.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::rationals_tests {
 namespace {
 
 using catalogue::Choices;
@@ -251,4 +251,4 @@ TEST_CASE("rationals: refused with the field and the rule that doubles are refus
         }) == "circle.radius: radius >= 0");
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::rationals_tests

@@ -8,7 +8,7 @@
 #include "catalogue/rows/lines/ray_segment.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::refusals_tests {
 namespace {
 
 template <class Row, class Question>
@@ -39,4 +39,4 @@ TEST_CASE("truth: shapes without a meaning are refused by field and rule") {
   CHECK(refused(implicit_circle{}, {{p, -0.0}, p}) == "answered");
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::refusals_tests

@@ -10,7 +10,7 @@
 #include "proptests/growth.h"
 #include "proptests/long_rings.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::rings_tests {
 namespace {
 
 using namespace oracle;
@@ -74,4 +74,4 @@ TEST_CASE("oracle: what is asked of a long ring takes far less than the square o
         far_below_quadratic);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::rings_tests

@@ -2,7 +2,7 @@
 #include "proptests/catch.h"
 #include "proptests/machine/oracle/claims.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::simplest_truth_tests {
 namespace {
 
 const char* const script = "proptests/machine/oracle/simplest_truth.py ";
@@ -37,4 +37,4 @@ TEST_CASE("truth: an operation without a second truth, and a word that was never
   CHECK(python_finds_nothing(script + no_claims.path() + " " + excused.path()));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::simplest_truth_tests

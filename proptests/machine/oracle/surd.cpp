@@ -16,7 +16,7 @@
 // Exact numbers p + q sqrt(r): by hand, by identities, and against MPFR with 6000 digits. Two of the numbers drawn here
 // that differ, or one and the middle between two doubles, differ by more than 2^-4000 of their terms: times its
 // conjugate, which has fewer than 1000 digits, such a difference is a fraction whose denominator has fewer than 2200.
-namespace touchstone::proptests {
+namespace touchstone::proptests::surd_tests {
 namespace {
 
 using catalogue::Choices;
@@ -327,4 +327,4 @@ TEST_CASE("surds: the nearest double and float by hand, beside ties and at the e
   CHECK(nearest_double(Surd(end, 1, 2)) == infinity);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::surd_tests

@@ -8,7 +8,7 @@
 #include "proptests/machine/oracle/claims.h"
 #include "proptests/machine/oracle/tampering.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::tampered_claims_tests {
 namespace {
 
 using catalogue::Choices;
@@ -107,4 +107,4 @@ TEST_CASE("certificates: drawn claims made malformed are refused, and of altered
   CHECK(verdicts.python_agrees());
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::tampered_claims_tests

@@ -7,7 +7,7 @@
 #include "oracle/lines/segment_segment.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::two_truths_tests {
 namespace {
 
 using namespace oracle;
@@ -79,4 +79,4 @@ TEST_CASE("segment_segment, orientation: both truths agree where the integers st
   for (const int count : seen) CHECK(count > 1000);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::two_truths_tests

@@ -7,7 +7,7 @@
 #include "oracle/exact/linear_program.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::wide_tests {
 namespace {
 
 using namespace oracle;
@@ -84,4 +84,4 @@ TEST_CASE("linear program: 128-bit integers give what GMP's give, up to the size
   CHECK(infeasible > 1000);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::wide_tests

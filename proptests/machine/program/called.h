@@ -13,9 +13,10 @@
 
 #include "program/program.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
 /// The program as it is called, inside this process.
-namespace touchstone::audit {
+namespace touchstone::proptests {
 
 struct Called {
   int code = 0;
@@ -61,4 +62,4 @@ class TextFile {
   std::string path_;
 };
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests

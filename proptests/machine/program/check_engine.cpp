@@ -4,8 +4,9 @@
 
 #include "audit/engines/easy_questions.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
-namespace touchstone::audit {
+namespace touchstone::proptests::check_engine_tests {
 namespace {
 
 /// Answers orientation and segment_segment rightly, or wired up as its argument says.
@@ -117,4 +118,4 @@ TEST_CASE("check-engine: every operation has five easy questions, or as many as 
   CHECK(truths == std::set<std::string>{"left", "right"});  // "on" is a touch
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::check_engine_tests

@@ -2,9 +2,10 @@
 #include <cstdio>
 
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// What documents the program comes from the tree of its options.
-namespace touchstone::audit {
+namespace touchstone::proptests::documentation_tests {
 namespace {
 
 std::string said_by(const std::string& shell, const std::string& script) {
@@ -89,4 +90,4 @@ TEST_CASE("documentation: no colours, on a terminal or not") {
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::documentation_tests

@@ -3,9 +3,10 @@
 
 #include "program/commands.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// touchstone draw: questions with their truth, for tests in any language.
-namespace touchstone::audit {
+namespace touchstone::proptests::draw_tests {
 namespace {
 
 std::vector<Json> drawn(const std::vector<const char*>& arguments) {
@@ -101,4 +102,4 @@ TEST_CASE("draw: an operation or a family that is none is named in one line") {
   require_refused(called({"draw", "orientation", "--cases", "0"}), bad_usage, "a whole number from 1 to");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::draw_tests

@@ -10,9 +10,10 @@
 #include "program/commands.h"
 #include "program/program.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
 /// Exhaustive runs cut into shards, and their merging.
-namespace touchstone::audit {
+namespace touchstone::proptests::exhaust_tests {
 namespace {
 
 /// Results of shards as files of this process that are gone afterwards.
@@ -153,4 +154,4 @@ TEST_CASE("exhaust: what is no shard is refused") {
   }
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::exhaust_tests

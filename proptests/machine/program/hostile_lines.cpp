@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// Lines that nobody writes by accident cost themselves, with one line of complaint, and nothing else.
-namespace touchstone::audit {
+namespace touchstone::proptests::hostile_lines_tests {
 namespace {
 
 std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
@@ -104,4 +105,4 @@ for line in sys.stdin:
   CHECK(std::count(std::istreambuf_iterator<char>(questions), {}, '\n') <= 3 + 3 * 4);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::hostile_lines_tests

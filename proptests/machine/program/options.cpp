@@ -4,9 +4,10 @@
 #include "audit/shell_quoted.h"
 #include "catalogue/codec/json.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// What is typed on the command line, and what the program says to type.
-namespace touchstone::audit {
+namespace touchstone::proptests::options_tests {
 namespace {
 
 /// What a shell makes of a line.
@@ -152,4 +153,4 @@ TEST_CASE("options: defaults stand in the help") {
   CHECK_THAT(help.out, ContainsSubstring("nested at most 64 deep") && ContainsSubstring("Exit codes: 0 nothing found"));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::options_tests

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// The program as it is called: exit codes, and one line on standard error where it refuses.
-namespace touchstone::audit {
+namespace touchstone::proptests::program_tests {
 
 TEST_CASE("program: numbers that an option cannot hold are refused in one line") {
   for (const char* cases : {"0", "-1", "1.5", "1e6", "99999999999999999999", "x"}) {
@@ -130,4 +131,4 @@ TEST_CASE("program: asking an engine one question ends with 1 where its answer i
   CHECK(called({"ask", "orientation", "--engine", engine, lost.path()}).code == findings);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::program_tests

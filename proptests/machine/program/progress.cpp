@@ -4,9 +4,10 @@
 #include <sstream>
 
 #include "proptests/catch.h"
+#include "proptests/names.h"
 
 /// The clock of these tests is a number.
-namespace touchstone::audit {
+namespace touchstone::proptests::progress_tests {
 namespace {
 
 using std::chrono::milliseconds;
@@ -82,4 +83,4 @@ TEST_CASE("progress: times are told as people tell them") {
   CHECK(in_words(Seconds(3 * 3600)) == "3 h");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::progress_tests

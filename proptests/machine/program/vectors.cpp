@@ -22,9 +22,10 @@
 #include "catalogue/shape/described_shapes.h"
 #include "oracle/certificates/check.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// What `vectors check` says of vectors that were changed by hand.
-namespace touchstone::audit {
+namespace touchstone::proptests::vectors_tests {
 namespace {
 
 using Line = nlohmann::json;
@@ -283,4 +284,4 @@ TEST_CASE("vectors: what is no vector is complained about") {
   CHECK(vector_complaint(R"({"touchstone":1,"op":7})", "vectors") == "op: an operation of the catalogue");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::vectors_tests

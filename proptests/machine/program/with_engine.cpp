@@ -5,9 +5,10 @@
 #include "catalogue/codec/json.h"
 #include "program/engine_main.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// What is done to our own formulas is done to an engine.
-namespace touchstone::audit {
+namespace touchstone::proptests::with_engine_tests {
 namespace {
 
 const char* const engine = "python3 examples/engine.py";
@@ -138,4 +139,4 @@ TEST_CASE("with engine: a noisy engine is audited like a quiet one, and its nois
                  !ContainsSubstring("restarted"));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::with_engine_tests

@@ -11,10 +11,11 @@
 
 #include "catalogue/codec/json.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/html.h"
 
 /// Scripts of pages, run in node.
-namespace touchstone::audit {
+namespace touchstone::proptests {
 
 /// Warns where there is none.
 inline bool there_is_node() {
@@ -44,4 +45,4 @@ inline std::vector<Json> lines_of_node(const std::string& script, const std::str
   return lines;
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests

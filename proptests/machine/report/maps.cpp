@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/html.h"
 #include "report/html_map.h"
 #include "report/wording.h"
 
 /// Failure maps: where they are centred, and what their legends say.
-namespace touchstone::audit {
+namespace touchstone::proptests::maps_tests {
 namespace {
 
 std::vector<FailureMap> maps_of(const char* name) { return failure_maps(*find_operation(name), 2); }
@@ -84,4 +85,4 @@ TEST_CASE("maps: the legend speaks in words") {
     CHECK_THAT(page, ContainsSubstring(words));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::maps_tests

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
 #include "proptests/machine/report/in_node.h"
+#include "proptests/names.h"
 #include "report/html.h"
 #include "report/map_image.h"
 #include "report/phrases.h"
 #include "report/wording.h"
 
 /// The script of a page with failure maps, run in node: what it shows of a pixel is what the catalogue says of it.
-namespace touchstone::audit {
+namespace touchstone::proptests::page_script_tests {
 namespace {
 
 /// What the page shows at first and after each step.
@@ -63,4 +64,4 @@ TEST_CASE("page script: it begins where the formula fails") {
   CHECK(seen[0]["answers"][0][1] != seen[0]["answers"][1][1]);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::page_script_tests

@@ -2,6 +2,7 @@
 #include "audit/audit_run.h"
 #include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/answered.h"
 #include "report/html.h"
 #include "report/html_compare.h"
@@ -11,7 +12,7 @@
 #include "report/phrases.h"
 
 /// What the pages of a report say, from tallies made by hand.
-namespace touchstone::audit {
+namespace touchstone::proptests::pages_tests {
 namespace {
 
 const Question below_line{{0, 0, 2, 0, 1, -1}, {}};  // truth: right
@@ -191,4 +192,4 @@ TEST_CASE("pages: the footer holds the versions and the command that gives the s
   CHECK_THAT(versions(), ContainsSubstring("GMP ") && ContainsSubstring("MPFR "));
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::pages_tests

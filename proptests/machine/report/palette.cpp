@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "proptests/catch.h"
+#include "proptests/names.h"
 #include "report/html_style.h"
 
 /// Colours by the formulas of WCAG 2.1 (relative luminance, contrast ratio) and CIE 1976 (L*a*b*).
-namespace touchstone::audit {
+namespace touchstone::proptests::palette_tests {
 namespace {
 
 using Linear = std::array<double, 3>;
@@ -155,4 +156,4 @@ TEST_CASE("palette: the second right answer is a hatch on the ground of the firs
   CHECK(contrast(line.ground, first.ground) >= 2);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::palette_tests

@@ -4,12 +4,13 @@
 #include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
 #include "proptests/machine/report/in_node.h"
+#include "proptests/names.h"
 #include "report/answered.h"
 #include "report/html_parts.h"
 #include "report/space_model.h"
 
 /// Scenes in space as a page holds them; what its script draws of them: viewer.mjs.
-namespace touchstone::audit {
+namespace touchstone::proptests::space_figures_tests {
 namespace {
 
 template <class Shape>
@@ -113,4 +114,4 @@ TEST_CASE("figures in space: a wrong point is drawn beside the truth, the right 
   CHECK(scene.space[2].said);
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::space_figures_tests

@@ -8,9 +8,10 @@
 #include "audit/tally_json.h"
 #include "proptests/catch.h"
 #include "proptests/machine/program/called.h"
+#include "proptests/names.h"
 
 /// The table that an audit prints: its numbers add up.
-namespace touchstone::audit {
+namespace touchstone::proptests::table_tests {
 namespace {
 
 struct Line {
@@ -246,4 +247,4 @@ TEST_CASE("table: --range and --summary reach the table, and limits that are non
                     std::string("--ordinary ") + limits + ": LEAST,MOST, two positive numbers");
 }
 
-}  // namespace touchstone::audit
+}  // namespace touchstone::proptests::table_tests

@@ -8,7 +8,7 @@
 
 // Sine, cosine and arc tangent against MPFR with 300 bits: no enclosure misses the truth, and hardly any is too wide to
 // round.
-namespace touchstone::proptests {
+namespace touchstone::proptests::enclosed_angles_tests {
 namespace {
 
 using namespace robust::kernel;
@@ -115,4 +115,4 @@ TEST_CASE("enclosed angles: beyond 2^20, and where nothing is left of an angle, 
   CHECK(!enclosed_angle({0, 0, 0}, {1, 0, 0}));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::enclosed_angles_tests

@@ -4,7 +4,7 @@
 #include "proptests/each_operation.h"
 #include "robust/kernel/control_word.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::environments_tests {
 namespace {
 
 std::string complaint(const Operation& operation, const Question& question) {
@@ -85,4 +85,4 @@ TEST_CASE(
 #endif
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::environments_tests

@@ -12,7 +12,7 @@
 #include "robust/lines/orientation.h"
 
 #if defined(__SSE2__)
-namespace touchstone::proptests {
+namespace touchstone::proptests::masked_exceptions_tests {
 namespace {
 
 constexpr unsigned all_masks = 0x1f80, all_flags = 0x3f;
@@ -97,5 +97,5 @@ TEST_CASE("masked exceptions: rounding mode and flushing stay as they are in the
   }
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::masked_exceptions_tests
 #endif

@@ -13,7 +13,7 @@
 
 // Roots of quadratic polynomials, rounded once: by hand, and in every floating-point environment against MPFR with so
 // many digits that a root that is no tie does not look like one.
-namespace touchstone::proptests {
+namespace touchstone::proptests::quadratic_root_tests {
 namespace {
 
 using catalogue::Choices, catalogue::Environment, catalogue::environment_count;
@@ -250,4 +250,4 @@ TEST_CASE("quadratic roots: products of 128 bits are compared in all their 256")
   CHECK(equal > 1000);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::quadratic_root_tests

@@ -7,7 +7,7 @@
 #include "robust/lines/segment_segment.h"
 #include "robust/rings/simple.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::ring_defect_tests {
 namespace {
 
 using Found = std::pair<std::size_t, std::size_t>;
@@ -57,4 +57,4 @@ TEST_CASE("ring_defect: naming the defect of a long ring takes far less than the
   CHECK(naming([](std::size_t n) { return spoilt_at_the_end(comb(n, false)); }) < far_below_quadratic);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::ring_defect_tests

@@ -9,7 +9,7 @@
 
 // Correct rounding against MPFR. Numbers are built from choices whose exponents fall everywhere: normal, subnormal,
 // below, beyond; every second quotient is built next to a double or next to the middle between two.
-namespace touchstone::proptests {
+namespace touchstone::proptests::rounding_tests {
 namespace {
 
 using catalogue::Choices;
@@ -258,4 +258,4 @@ TEST_CASE("rounding: ties, subnormals and the ends of the range, by hand") {
   CHECK(same_bits(round_quotient(mpz_class(0), mpz_class(-3)), 0.0));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::rounding_tests

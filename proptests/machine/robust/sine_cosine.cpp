@@ -8,7 +8,7 @@
 #include "catalogue/families/numbers.h"
 #include "proptests/catch.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::sine_cosine_tests {
 namespace {
 
 namespace kernel = robust::kernel;
@@ -71,4 +71,4 @@ TEST_CASE("sine and cosine: within their error of MPFR's, at any size and sign o
   mpfr_clears(angle, sine, cosine, static_cast<mpfr_ptr>(nullptr));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::sine_cosine_tests

@@ -17,7 +17,7 @@
 // Decisions about small integers, asked again with one axis stretched to one end of the range of the doubles and the
 // other to any end: no decision changes, whatever the environment does to subnormal numbers. What it takes away from a
 // factor near the least normal number, a huge other factor makes visible; only the guards of the filters keep that out.
-namespace touchstone::proptests {
+namespace touchstone::proptests::stretched_tests {
 namespace {
 
 using catalogue::Choices, catalogue::environment_count, catalogue::environment_name, catalogue::in_environment;
@@ -131,4 +131,4 @@ TEST_CASE("stretched: above or below a line, where the slope outweighs what is t
   CHECK(changed == 0);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::stretched_tests

@@ -10,7 +10,7 @@
 
 // The number kernel on formats of 12 and 13 digits, where every truth is known: no enclosure misses it, no rounded
 // number is another, and most are found. Quotients and roots of single numbers are tried on all of them.
-namespace touchstone::proptests {
+namespace touchstone::proptests::toy_enclosed_tests {
 namespace {
 
 using namespace robust::kernel;
@@ -167,4 +167,4 @@ TEST_CASE("enclosed: products and differences of such sums") {
 TEST_CASE("enclosed: their square roots") { roots<12>(), roots<13>(), roots<20>(); }
 TEST_CASE("enclosed: all quotients of two numbers of 10 digits, and all roots") { all_of_a_binade<10>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::toy_enclosed_tests

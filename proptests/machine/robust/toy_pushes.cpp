@@ -9,7 +9,7 @@
 // The one bound of robust/kernel/along_normal.h and push.h on formats of 12, 13 and 20 digits: a velocity v that
 // changes by t n, t = (1 + e) m (d . n) / ((m + l) n . n), d a difference that may cancel, along n or before; and a t
 // that is exact.
-namespace touchstone::proptests {
+namespace touchstone::proptests::toy_pushes_tests {
 namespace {
 
 using namespace robust::kernel;
@@ -111,4 +111,4 @@ TEST_CASE("along_normal: velocities that change along a normal") {
 }
 TEST_CASE("push: points along a line") { pushes<12>(step_one<12>), pushes<13>(step_one<13>), pushes<20>(step_one<20>); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::toy_pushes_tests

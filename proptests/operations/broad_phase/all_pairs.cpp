@@ -4,7 +4,7 @@
 #include "proptests/space_laws.h"
 #include "robust/volumes/aabb_aabb.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::all_pairs_tests {
 namespace {
 
 using Row = rows::all_pairs;
@@ -322,4 +322,4 @@ TEST_CASE("all_pairs: the formula in double is right of every pair beyond the bo
   right_in_exact_arithmetic<Row>();
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::all_pairs_tests

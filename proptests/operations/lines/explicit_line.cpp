@@ -7,7 +7,7 @@
 #include "robust/lines/explicit_line.h"
 #include "robust/lines/orientation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::explicit_line_tests {
 namespace {
 
 using Row = rows::explicit_line;
@@ -90,4 +90,4 @@ TEST_CASE("explicit_line: three terms that add up to the most that 128 bits may 
   }
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::explicit_line_tests

@@ -3,7 +3,7 @@
 
 #include "proptests/laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::implicit_circle_tests {
 namespace {
 
 using Row = rows::implicit_circle;
@@ -57,4 +57,4 @@ TEST_CASE("implicit_circle: of two broken rules the first is named") {
   refused<Row>({{{0, 0}, -tiny}, {9, infinity}}, "circle.radius", "radius >= 0");
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::implicit_circle_tests

@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::line_line_tests {
 namespace {
 
 using Row = rows::line_line;
@@ -79,4 +79,4 @@ CONTRACT("line_line: the formula in double is right beyond the margin of its con
          coordinate_kept(a.p.y, da.y, answer.point->y, truth.answer.point->y);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::line_line_tests

@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::line_point_at_tests {
 namespace {
 
 using Row = rows::line_point_at;
@@ -77,4 +77,4 @@ CONTRACT("line_point_at: the formula in double stays within the bound of its con
 
 TEST_CASE("line_point_at: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::line_point_at_tests

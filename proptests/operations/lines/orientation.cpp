@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::orientation_tests {
 namespace {
 
 using Row = rows::orientation;
@@ -65,4 +65,4 @@ CONTRACT("orientation: the formula in double is right beyond the margin of its c
 
 TEST_CASE("orientation: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::orientation_tests

@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "proptests/rounded_answers.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::parametric_circle_tests {
 namespace {
 
 using Row = rows::parametric_circle;
@@ -104,4 +104,4 @@ CONTRACT("parametric_circle: the formula in double stays within the bound of its
          kept(circle.center.y, std::sin(u), answer.y, truth.answer.y);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::parametric_circle_tests

@@ -6,7 +6,7 @@
 #include "robust/lines/point_on_segment.h"
 #include "robust/lines/segment_segment.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_on_segment_tests {
 namespace {
 
 using Row = rows::point_on_segment;
@@ -106,4 +106,4 @@ ROBUST_LAW("point_on_segment: along an axis the formula is off even in exact ari
              .relation == Incidence::off;
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_on_segment_tests

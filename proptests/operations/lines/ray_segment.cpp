@@ -5,7 +5,7 @@
 #include "robust/lines/ray_segment.h"
 #include "robust/lines/segment_segment.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::ray_segment_tests {
 namespace {
 
 using Row = rows::ray_segment;
@@ -112,4 +112,4 @@ CONTRACT(
          coordinate_kept(ray.origin.y, ray.direction.y, answer.point->y, truth.answer.point->y);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::ray_segment_tests

@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "robust/lines/orientation.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::segment_segment_tests {
 namespace {
 
 using Row = rows::segment_segment;
@@ -116,4 +116,4 @@ ROBUST_LAW(
          (!collinear && (a.a == a.b || b.a == b.b) && formula.relation == SegmentRelation::disjoint);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::segment_segment_tests

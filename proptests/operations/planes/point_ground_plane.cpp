@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "robust/lines/explicit_line.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_ground_plane_tests {
 namespace {
 
 using Row = rows::point_ground_plane;
@@ -57,4 +57,4 @@ CONTRACT("point_ground_plane: the formula in double is right everywhere, as in e
 
 TEST_CASE("point_ground_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_ground_plane_tests

@@ -5,7 +5,7 @@
 #include "proptests/space_laws.h"
 #include "robust/planes/point_ground_plane.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_plane_tests {
 namespace {
 
 using Row = rows::point_plane;
@@ -167,4 +167,4 @@ CONTRACT("point_plane: the formula in double has the distance within the bound o
 
 TEST_CASE("point_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_plane_tests

@@ -4,7 +4,7 @@
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_plane_toi_tests {
 namespace {
 
 using Row = rows::point_plane_toi;
@@ -158,4 +158,4 @@ CONTRACT("point_plane_toi: the formula in double keeps its contract", plane, sta
   return close(start.x, end.x, p.x, q.x) && close(start.y, end.y, p.y, q.y) && close(start.z, end.z, p.z, q.z);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_plane_toi_tests

@@ -5,7 +5,7 @@
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::polygon_normal_tests {
 namespace {
 
 using Row = rows::polygon_normal;
@@ -189,4 +189,4 @@ ROBUST_LAW("polygon_normal: of a triangle the formula is right in exact arithmet
                                   catalogue::Reading::less);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::polygon_normal_tests

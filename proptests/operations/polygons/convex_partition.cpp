@@ -3,7 +3,7 @@
 
 #include "proptests/partition_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::convex_partition_tests {
 namespace {
 
 using Row = rows::convex_partition;
@@ -67,4 +67,4 @@ TEST_CASE("convex_partition: the formula in double is right beyond the margins o
   formula_keeps_contract<Row>();
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::convex_partition_tests

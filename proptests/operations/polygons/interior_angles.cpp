@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "proptests/rounded_answers.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::interior_angles_tests {
 namespace {
 
 using Row = rows::interior_angles;
@@ -141,4 +141,4 @@ TEST_CASE("interior_angles: the formula in double stays within the bound of its 
   CHECK(promised > 100);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::interior_angles_tests

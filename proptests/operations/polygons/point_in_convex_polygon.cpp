@@ -6,7 +6,7 @@
 #include "robust/polygons/point_in_polygon.h"
 #include "robust/polygons/polygon_convexity.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_in_convex_polygon_tests {
 namespace {
 
 using Row = rows::point_in_convex_polygon;
@@ -128,4 +128,4 @@ CONTRACT("point_in_convex_polygon: the formula in double is right where the boun
 
 TEST_CASE("point_in_convex_polygon: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_in_convex_polygon_tests

@@ -5,7 +5,7 @@
 #include "robust/lines/orientation.h"
 #include "robust/lines/point_on_segment.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_in_polygon_tests {
 namespace {
 
 using Row = rows::point_in_polygon;
@@ -210,4 +210,4 @@ CONTRACT("point_in_polygon: the formula in double is right beyond the margin of 
 
 TEST_CASE("point_in_polygon: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_in_polygon_tests

@@ -10,7 +10,7 @@
 #include "robust/polygons/polygon_convexity.h"
 #include "robust/rings/simple.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::polygon_convexity_tests {
 namespace {
 
 using Row = rows::polygon_convexity;
@@ -239,4 +239,4 @@ TEST_CASE("polygon_convexity: ask shows both methods") {
   CHECK_FALSE(catalogue::explained(method, method.zeros()).contains("reference_interior_angles"));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::polygon_convexity_tests

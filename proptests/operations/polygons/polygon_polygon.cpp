@@ -5,7 +5,7 @@
 
 #include "proptests/laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::polygon_polygon_tests {
 namespace {
 
 using Row = rows::polygon_polygon;
@@ -81,4 +81,4 @@ TEST_CASE("polygon_polygon: huge, subnormal and in the last place") {
   example<Row>({square, {{{below, 2}, {6, 1}, {6, 3}}}}, Contact::overlapping);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::polygon_polygon_tests

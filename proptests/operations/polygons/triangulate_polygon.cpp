@@ -3,7 +3,7 @@
 
 #include "proptests/partition_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::triangulate_polygon_tests {
 namespace {
 
 using Row = rows::triangulate_polygon;
@@ -74,4 +74,4 @@ TEST_CASE("triangulate_polygon: the formula in double is right beyond the margin
   formula_keeps_contract<Row>();
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::triangulate_polygon_tests

@@ -6,7 +6,7 @@
 #include "proptests/space_laws.h"
 #include "robust/polygons/point_in_convex_polygon.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_in_convex_polyhedron_tests {
 namespace {
 
 using Row = rows::point_in_convex_polyhedron;
@@ -289,4 +289,4 @@ CONTRACT("point_in_convex_polyhedron: the formula in double is right where the b
 
 TEST_CASE("point_in_convex_polyhedron: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_in_convex_polyhedron_tests

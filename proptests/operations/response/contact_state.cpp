@@ -3,7 +3,7 @@
 
 #include "proptests/contact_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::contact_state_tests {
 namespace {
 
 using Row = rows::contact_state;
@@ -107,4 +107,4 @@ CONTRACT("contact_state: the formula in double keeps its contract", a, b, p, n) 
 
 TEST_CASE("contact_state: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::contact_state_tests

@@ -6,7 +6,7 @@
 #include "robust/response/damped_reflection.h"
 #include "robust/response/reflect_plane.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::damped_reflection_tests {
 namespace {
 
 using Row = rows::damped_reflection;
@@ -82,4 +82,4 @@ CONTRACT("damped_reflection: the formula in double keeps its contract", v, n, k)
 
 TEST_CASE("damped_reflection: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::damped_reflection_tests

@@ -3,7 +3,7 @@
 
 #include "proptests/impact_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::elastic_collision_tests {
 namespace {
 
 using Row = rows::elastic_collision;
@@ -88,4 +88,4 @@ CONTRACT("elastic_collision: the formula in double keeps its contract", masses, 
 
 TEST_CASE("elastic_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::elastic_collision_tests

@@ -3,7 +3,7 @@
 
 #include "proptests/impact_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::inelastic_collision_tests {
 namespace {
 
 using Row = rows::inelastic_collision;
@@ -71,4 +71,4 @@ CONTRACT("inelastic_collision: the formula in double keeps its contract", masses
 
 TEST_CASE("inelastic_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::inelastic_collision_tests

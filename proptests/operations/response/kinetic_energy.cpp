@@ -4,7 +4,7 @@
 #include "oracle/response/momentum.h"
 #include "proptests/body_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::kinetic_energy_tests {
 namespace {
 
 using Row = rows::kinetic_energy;
@@ -86,4 +86,4 @@ CONTRACT("kinetic_energy: the formula in double keeps its contract", bodies) {
 
 TEST_CASE("kinetic_energy: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::kinetic_energy_tests

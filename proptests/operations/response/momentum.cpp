@@ -3,7 +3,7 @@
 
 #include "proptests/body_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::momentum_tests {
 namespace {
 
 using Row = rows::momentum;
@@ -76,4 +76,4 @@ CONTRACT("momentum: the formula in double keeps its contract", bodies) {
 
 TEST_CASE("momentum: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::momentum_tests

@@ -4,7 +4,7 @@
 #include "proptests/response_laws.h"
 #include "robust/planes/point_plane.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::penalty_force_tests {
 namespace {
 
 using Row = rows::penalty_force;
@@ -102,4 +102,4 @@ CONTRACT("penalty_force: the formula in double keeps its contract", p, v, plane,
 
 TEST_CASE("penalty_force: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::penalty_force_tests

@@ -5,7 +5,7 @@
 #include "robust/response/reflect_plane.h"
 #include "robust/response/reflect_wall.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::reflect_plane_tests {
 namespace {
 
 using Row = rows::reflect_plane;
@@ -86,4 +86,4 @@ CONTRACT("reflect_plane: the formula in double keeps its contract", v, n) {
 
 TEST_CASE("reflect_plane: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::reflect_plane_tests

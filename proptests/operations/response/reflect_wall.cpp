@@ -3,7 +3,7 @@
 
 #include "proptests/space_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::reflect_wall_tests {
 namespace {
 
 using Row = rows::reflect_wall;
@@ -99,4 +99,4 @@ CONTRACT("reflect_wall: the formula in double is right everywhere, as in exact a
 
 TEST_CASE("reflect_wall: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::reflect_wall_tests

@@ -5,7 +5,7 @@
 #include "proptests/impact_laws.h"
 #include "robust/response/elastic_collision.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::restitution_collision_tests {
 namespace {
 
 using Row = rows::restitution_collision;
@@ -89,4 +89,4 @@ CONTRACT("restitution_collision: the formula in double keeps its contract", mass
 
 TEST_CASE("restitution_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::restitution_collision_tests

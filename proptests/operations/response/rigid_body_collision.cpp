@@ -4,7 +4,7 @@
 #include "proptests/contact_laws.h"
 #include "robust/response/restitution_collision.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::rigid_body_collision_tests {
 namespace {
 
 using Row = rows::rigid_body_collision;
@@ -245,4 +245,4 @@ CONTRACT("rigid_body_collision: the formula in double keeps its contract", a, b,
 
 TEST_CASE("rigid_body_collision: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::rigid_body_collision_tests

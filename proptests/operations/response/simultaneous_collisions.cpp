@@ -7,7 +7,7 @@
 #include "robust/kernel/contact_system.h"
 #include "robust/response/restitution_collision.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::simultaneous_collisions_tests {
 namespace {
 
 using Row = rows::simultaneous_collisions;
@@ -279,4 +279,4 @@ ROBUST_LAW("simultaneous_collisions: the formula in double leaves what does not 
   return true;
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::simultaneous_collisions_tests

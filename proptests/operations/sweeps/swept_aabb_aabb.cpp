@@ -5,7 +5,7 @@
 #include "proptests/space_laws.h"
 #include "robust/volumes/aabb_aabb.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::swept_aabb_aabb_tests {
 namespace {
 
 using Row = rows::swept_aabb_aabb;
@@ -226,4 +226,4 @@ CONTRACT("swept_aabb_aabb: the formula in double keeps its contract", a, b, v) {
 
 TEST_CASE("swept_aabb_aabb: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::swept_aabb_aabb_tests

@@ -6,7 +6,7 @@
 #include "robust/sweeps/swept_aabb_aabb.h"
 #include "robust/sweeps/swept_convex_polyhedra.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::swept_convex_polyhedra_tests {
 namespace {
 
 using Row = rows::swept_convex_polyhedra;
@@ -211,4 +211,4 @@ CONTRACT("swept_convex_polyhedra: the formula in double keeps its contract", a, 
 
 TEST_CASE("swept_convex_polyhedra: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::swept_convex_polyhedra_tests

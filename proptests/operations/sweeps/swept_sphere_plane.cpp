@@ -4,7 +4,7 @@
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::swept_sphere_plane_tests {
 namespace {
 
 using Row = rows::swept_sphere_plane;
@@ -169,4 +169,4 @@ TEST_CASE(
   right_but_at_the_start<Row>();
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::swept_sphere_plane_tests

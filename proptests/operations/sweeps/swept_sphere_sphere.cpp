@@ -4,7 +4,7 @@
 #include "proptests/motion_laws.h"
 #include "proptests/space_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::swept_sphere_sphere_tests {
 namespace {
 
 using Row = rows::swept_sphere_sphere;
@@ -234,4 +234,4 @@ TEST_CASE("swept_sphere_sphere: in exact arithmetic the formula is wrong of ball
   right_but_at_the_start<Row>();
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::swept_sphere_sphere_tests

@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::aabb_aabb_tests {
 namespace {
 
 using Row = rows::aabb_aabb;
@@ -184,4 +184,4 @@ TEST_CASE("aabb_aabb: the formula has no rounding: in double it answers as in ex
       3);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::aabb_aabb_tests

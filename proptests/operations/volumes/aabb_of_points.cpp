@@ -3,7 +3,7 @@
 
 #include "proptests/space_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::aabb_of_points_tests {
 namespace {
 
 using Row = rows::aabb_of_points;
@@ -127,4 +127,4 @@ CONTRACT("aabb_of_points: the formula in double is right everywhere, as in exact
 
 TEST_CASE("aabb_of_points: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::aabb_of_points_tests

@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::bounding_sphere_tests {
 namespace {
 
 using Row = rows::bounding_sphere;
@@ -206,4 +206,4 @@ CONTRACT("bounding_sphere: the formula in double keeps its contract", points, me
   return radius * radius <= square * (1 + part) * (1 + part) && radius * radius >= square * (1 - part) * (1 - part);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::bounding_sphere_tests

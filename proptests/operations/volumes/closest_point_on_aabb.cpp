@@ -3,7 +3,7 @@
 
 #include "proptests/forward_error.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::closest_point_on_aabb_tests {
 namespace {
 
 using Row = rows::closest_point_on_aabb;
@@ -145,4 +145,4 @@ CONTRACT("closest_point_on_aabb: the formula in double is right everywhere, as i
 
 TEST_CASE("closest_point_on_aabb: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::closest_point_on_aabb_tests

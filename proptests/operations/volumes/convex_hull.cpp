@@ -8,7 +8,7 @@
 #include "robust/kernel/control_word.h"
 #include "robust/volumes/convex_hull_2d.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::convex_hull_tests {
 namespace {
 
 using Row = rows::convex_hull;
@@ -284,4 +284,4 @@ TEST_CASE("convex_hull: time far below quadratic, in a ball, on a sphere, on a g
   }
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::convex_hull_tests

@@ -4,7 +4,7 @@
 #include "proptests/hull_laws.h"
 #include "proptests/polygons_from_elsewhere.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::convex_hull_2d_tests {
 namespace {
 
 using Row = rows::convex_hull_2d;
@@ -187,4 +187,4 @@ TEST_CASE("convex_hull_2d: time far below quadratic, on a circle, in a square an
   }
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::convex_hull_2d_tests

@@ -6,7 +6,7 @@
 #include "robust/volumes/kdop_kdop.h"
 #include "robust/volumes/point_in_kdop.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::kdop_kdop_tests {
 namespace {
 
 using Row = rows::kdop_kdop;
@@ -126,4 +126,4 @@ CONTRACT("kdop_kdop: the formula in double keeps its contract", a, b) {
   return answer == truth.answer || (flat && answer == overlapping && truth.answer == touching);
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::kdop_kdop_tests

@@ -6,7 +6,7 @@
 #include "robust/volumes/kdop_of_points.h"
 #include "robust/volumes/point_in_kdop.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::kdop_of_points_tests {
 namespace {
 
 using Row = rows::kdop_of_points;
@@ -177,4 +177,4 @@ CONTRACT("kdop_of_points: the formula in double keeps its contract and is right 
 
 TEST_CASE("kdop_of_points: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::kdop_of_points_tests

@@ -7,7 +7,7 @@
 #include "robust/volumes/obb_obb.h"
 #include "robust/volumes/point_in_obb.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::obb_obb_tests {
 namespace {
 
 using Row = rows::obb_obb;
@@ -189,4 +189,4 @@ CONTRACT("obb_obb: the formula in double is that in exact arithmetic where the b
   return answer == truth.answer || !(orthogonal(a.half_axes) && orthogonal(b.half_axes));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::obb_obb_tests

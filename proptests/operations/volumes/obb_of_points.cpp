@@ -5,7 +5,7 @@
 #include "robust/volumes/obb_obb.h"
 #include "robust/volumes/point_in_obb.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::obb_of_points_tests {
 namespace {
 
 using Row = rows::obb_of_points;
@@ -185,4 +185,4 @@ CONTRACT("obb_of_points: what the formula in double loses is within its contract
   return true;
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::obb_of_points_tests

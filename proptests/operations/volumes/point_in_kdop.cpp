@@ -4,7 +4,7 @@
 #include "proptests/space_laws.h"
 #include "robust/planes/point_plane.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_in_kdop_tests {
 namespace {
 
 using Row = rows::point_in_kdop;
@@ -128,4 +128,4 @@ CONTRACT("point_in_kdop: the formula in double keeps its contract and is right i
 
 TEST_CASE("point_in_kdop: the formula is right in exact arithmetic") { right_in_exact_arithmetic<Row>(); }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_in_kdop_tests

@@ -5,7 +5,7 @@
 #include "proptests/laws.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::point_in_obb_tests {
 namespace {
 
 using Row = rows::point_in_obb;
@@ -153,4 +153,4 @@ CONTRACT("point_in_obb: the formula in double is that in exact arithmetic where 
   return answer == truth.answer || !(orthogonal(u, v) && orthogonal(v, w) && orthogonal(w, u));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::point_in_obb_tests

@@ -6,7 +6,7 @@
 #include "robust/volumes/sphere_aabb.h"
 #include "robust/volumes/sphere_sphere.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::sphere_aabb_tests {
 namespace {
 
 using Row = rows::sphere_aabb;
@@ -162,4 +162,4 @@ CONTRACT("sphere_aabb: the formula in double keeps its contract", ball, box) {
          (answer == truth.answer || (truth.answer == touching && flat(box)));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::sphere_aabb_tests

@@ -4,7 +4,7 @@
 #include "proptests/forward_error.h"
 #include "proptests/space_laws.h"
 
-namespace touchstone::proptests {
+namespace touchstone::proptests::sphere_sphere_tests {
 namespace {
 
 using Row = rows::sphere_sphere;
@@ -119,4 +119,4 @@ CONTRACT("sphere_sphere: the formula in double keeps its contract", a, b) {
          (answer == truth.answer || (truth.answer == touching && (is_point(a) || is_point(b))));
 }
 
-}  // namespace touchstone::proptests
+}  // namespace touchstone::proptests::sphere_sphere_tests
