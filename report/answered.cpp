@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "catalogue/draw/by_shape.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::report {
@@ -38,12 +39,12 @@ bool all_indices(const Shape& shape) {
 
 /// Draws what has a figure; indices mean `points`.
 void draw_parts(Drawing& said, const Shape& shape, const Json& json, const std::string& field, const Json& points) {
-  if (shape.draw != nullptr) {
+  if (has_figure(shape)) {
     try {
       Tape<double> tape;
       read_json<double>(shape, json, field, tape, finite_number);
       Cursor<double> at(tape);
-      shape.draw(said, field, at, false);
+      draw_figure(said, shape, field, at, false);
     } catch (const InvalidInput&) {
       // An answer of another alternative, or none at all.
     }

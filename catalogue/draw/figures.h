@@ -14,7 +14,7 @@
 #include "geometry/thin_shapes.h"
 #include "geometry/volumes.h"
 
-/// How each shape is drawn; a new type of geometry adds its overload.
+/// How each shape is drawn; a new type of geometry adds its overload, and its name to the list in by_shape.cpp.
 namespace touchstone::catalogue {
 
 inline void draw(Drawing& drawing, const std::string& label, double value, bool) {

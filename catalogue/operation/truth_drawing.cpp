@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/operation/truth_drawing.h"
 
+#include "catalogue/draw/by_shape.h"
 #include "catalogue/operation/operation.h"
 
 namespace touchstone::catalogue {
@@ -13,10 +14,7 @@ class AnswerDrawing {
       : drawing_(drawing), exact_(question.solution().answer), at_(question.nearest_truth()) {}
 
   void draw(const Shape& shape, const std::string& label) {
-    if (shape.draw != nullptr) {
-      shape.draw(drawing_, label, at_, true);
-      return pass(shape);
-    }
+    if (draw_figure(drawing_, shape, label, at_, true)) return pass(shape);
     switch (shape.kind) {
       case Shape::Kind::optional:
         if (*at_.word++ != 0) ++exact_.word, draw(*shape.parts[0].shape, label);

@@ -36,35 +36,6 @@ Shape measured(Shape shape) {
   return shape;
 }
 
-namespace {
-
-void draw_value(Drawing& drawing, const Shape& shape, const std::string& label, Cursor<double>& at) {
-  if (shape.draw != nullptr) return shape.draw(drawing, label, at, false);
-  switch (shape.kind) {
-    case Shape::Kind::number: return draw(drawing, label, *at.number++, false);
-    case Shape::Kind::word: drawing.notes.push_back(label + ": " + shape.words[*at.word++]); return;
-    case Shape::Kind::flag: drawing.notes.push_back(label + (*at.word++ != 0 ? ": true" : ": false")); return;
-    case Shape::Kind::index: drawing.notes.push_back(label + ": " + std::to_string(*at.word++)); return;
-    case Shape::Kind::optional:
-      if (*at.word++ != 0) draw_value(drawing, *shape.parts[0].shape, label, at);
-      return;
-    case Shape::Kind::list: {
-      const Word length = *at.word++;
-      for (Word i = 0; i < length; ++i)
-        draw_value(drawing, *shape.parts[0].shape, label + "[" + std::to_string(i) + "]", at);
-      return;
-    }
-    case Shape::Kind::choice: {
-      const Word which = *at.word++;
-      return draw_value(drawing, *shape.parts[which].shape, label, at);
-    }
-    case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) draw_value(drawing, *part.shape, part.name, at);
-  }
-}
-
-}  // namespace
-
 std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& question) {
   struct Places {
     std::size_t slots = 0;
@@ -88,11 +59,6 @@ Word longest_list(const Shape& shape, const Question& question) {
   Cursor<double> at(question);
   walk_tape(shape, at, longest);
   return longest.length;
-}
-
-void draw_question(Drawing& drawing, const Shape& shape, const Question& question) {
-  Cursor<double> at(question);
-  draw_value(drawing, shape, "", at);
 }
 
 }  // namespace touchstone::catalogue

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "catalogue/draw/figures.h"
 #include "catalogue/shape/tape.h"
 
 namespace touchstone::catalogue {
@@ -33,8 +33,6 @@ struct Shape {
   std::vector<const char*> words;     ///< of a word: its enumerators
   int no = -1;  ///< of a word: the enumerator that means "no common point", -1 where there is none
   std::vector<Part> parts;
-  /// Draws a value over doubles; nullptr where the type has no figure of its own.
-  void (*draw)(Drawing&, const std::string& label, Cursor<double>& from, bool answer) = nullptr;
   /// How many numbers and words a value takes; only where that is the same for all (nothing optional, no list, no
   /// choice).
   bool fixed = true;
@@ -49,12 +47,6 @@ Shape measured(Shape shape);
 
 template <class T>
 const Shape& shape_of(Meaning meaning = Meaning::number);
-
-/// Numbers, flags and indices alone have none.
-template <class T>
-inline constexpr bool has_figure = Composite<T>;
-template <class T>
-inline constexpr bool has_figure<std::vector<T>> = has_figure<T>;
 
 template <class T>
 Shape made_shape() {
@@ -90,14 +82,6 @@ Shape made_shape() {
       using Part = std::remove_cvref_t<decltype(std::declval<T>().*member.pointer)>;
       shape.parts.push_back({member.name, &shape_of<Part>(shape.meaning)});
     });
-  }
-  if constexpr (has_figure<T> &&
-                requires(Drawing & drawing, const T& value) { draw(drawing, std::string(), value, false); }) {
-    shape.draw = [](Drawing& drawing, const std::string& label, Cursor<double>& from, bool answer) {
-      T value{};
-      unpack(value, from, [](double number) { return number; });
-      catalogue::draw(drawing, label, value, answer);
-    };
   }
   return measured(std::move(shape));
 }
@@ -154,9 +138,6 @@ std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& q
 
 /// How long the longest list of a question is.
 Word longest_list(const Shape& shape, const Question& question);
-
-/// Draws a question's arguments by their types; what has no figure is told.
-void draw_question(Drawing& drawing, const Shape& shape, const Question& question);
 
 /// The same tape over another number type.
 template <class To, class From, class Change>

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "catalogue/draw/drawing.h"
+#include "catalogue/shape/shape.h"
+
+/// Values whose types are known by their shapes alone, drawn.
+namespace touchstone::catalogue {
+
+/// Draws a value and moves the cursor past it. False, and nothing done, where the type has no figure of its own.
+bool draw_figure(Drawing& drawing, const Shape& shape, const std::string& label, Cursor<double>& from, bool answer);
+bool has_figure(const Shape& shape);
+
+/// Draws a question's arguments by their types; what has no figure is told.
+void draw_question(Drawing& drawing, const Shape& shape, const Question& question);
+
+}  // namespace touchstone::catalogue
