@@ -31,6 +31,10 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 
 void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
            std::uint64_t size) {
+  // A test's name begins with the operation, which is said of every family.
+  std::string told = sentence;
+  const std::string prefix = operation.name() + ": ";
+  if (const auto at = told.find(prefix); at != std::string::npos) told.erase(at, prefix.size());
   // A dear question is asked less often.
   const auto cases = std::max<std::uint64_t>(
       least_cases, static_cast<std::uint64_t>(usual) * size / static_cast<std::uint64_t>(operation.card().price));
@@ -38,7 +42,7 @@ void never(const Operation& operation, const std::string& sentence, const Compla
   usual = static_cast<int>(cases / size);
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     property(
-        operation.name() + ", " + operation.families()[family] + ": " + sentence,
+        operation.name() + ", " + operation.families()[family] + ": " + told,
         [&] {
           const Drawn drawn = *questions(operation, family, complaint, size);
           const std::string said = complaint(drawn.question);
