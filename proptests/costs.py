@@ -246,7 +246,7 @@ def self_check():
     files = {"build/release/.ninja_log": "# ninja log v5\n" + log, "build/release/Testing/Temporary/LastTest.log": done,
              "build/release/x/CTestTestfile.cmake":
                  'set_tests_properties([=[mutation/mutants_are_killed]=] PROPERTIES  PROCESSORS "2" TIMEOUT "9")\n',
-             "reference/lines/touch.h": "1\n2\n", "catalogue/lines/touch_slowly.h": "1\n",
+             "reference/lines/touch.h": "1\n2\n", "catalogue/rows/lines/touch_slowly.h": "1\n",
              "robust/kernel/touch.h": "1\n",
              claims + "check_lines.cpp": "Complaint check_touch(const Claim& c) {\n  x;\n}\n\nvoid f() {\n}\n",
              claims + "certify_lines.py": "def check_touch(c):\n    x\n\n    y\n\n\ndef check_touch_all(c):\n    z\n",
