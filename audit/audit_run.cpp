@@ -122,57 +122,6 @@ std::vector<std::size_t> chosen_families(const Operation& operation, const std::
 
 }  // namespace
 
-Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration) {
-  Judgement judgement;
-  judgement.degenerate = examination.degenerate();
-  switch (reply.kind) {
-    case Reply::Kind::unsupported: judgement.verdict = Verdict::unsupported; return judgement;
-    case Reply::Kind::failed:
-      judgement.verdict = Verdict::invalid;
-      judgement.remark = reply.remark;
-      return judgement;
-    default: return examination.judge_engine(reply.answer, declaration);
-  }
-}
-
-Way way_of(const Judgement& judgement, const std::string& truth) {
-  const Verdict verdict = judgement.verdict;
-  return {verdict, truth,
-          verdict == Verdict::invalid       ? no_valid_answer
-          : verdict == Verdict::unsupported ? no_answer
-                                            : judgement.said};
-}
-
-void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer) {
-  const Verdict verdict = judgement.verdict;
-  const Range range = range_of(asked.question, asked.limits);
-  const auto r = static_cast<std::size_t>(range);
-  WayCount& counted = cell.ways[way_of(judgement, asked.truth)];
-  ++counted.cases[r];
-  if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
-  // A decision that rounding may have taken, or none at all, says nothing about the convention.
-  const bool meant = verdict != Verdict::rounding && verdict != Verdict::invalid;
-  if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
-  if (meant && judgement.touch_reading < 0) ++cell.touches_open;
-  cell.surplus += judgement.surplus;
-  if (verdict == Verdict::agree || verdict == Verdict::inexact) {
-    cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
-  }
-  if (verdict == Verdict::agree || verdict == Verdict::unsupported) return;
-  if (counted.example && counted.example->range < range) return;
-  const bool generic = !judgement.degenerate && in_general_position(asked.operation, asked.question);
-  Finding found{asked.question, judgement, nullptr, asked.index, range, generic};
-  if (counted.example && !shown_before(found, *counted.example)) return;
-  found.answer = kept(answer);
-  counted.example = std::move(found);
-}
-
-Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
-                     bool record) {
-  const std::string stream = operation.name() + "/" + operation.families()[family];
-  return Choices::seeded(seed_of(seed, stream.c_str(), index), record);
-}
-
 Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
                 const std::function<void(const std::string&, std::uint64_t)>& progress) {
   std::vector<std::unique_ptr<Engine>> engines(static_cast<std::size_t>(std::max(1, options.jobs)));

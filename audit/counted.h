@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 
 /// Counts as people read them.
 namespace touchstone::audit {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {

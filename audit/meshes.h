@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "geometry/polyhedra.h"
 
 /// Meshes from files that other programs wrote.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 
 namespace touchstone::audit {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/json.h"
 #include "geometry/invalid_input.h"

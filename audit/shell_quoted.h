@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 
 namespace touchstone::audit {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "audit/audit_run.h"
 #include "audit/generic.h"
+#include "audit/judged.h"
 #include "audit/parallel.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/shrink.h"

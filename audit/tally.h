@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
 
 /// What an audit has counted. Tallies of disjoint sets of cases merge; the order in which cases were asked leaves no

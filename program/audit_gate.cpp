@@ -8,7 +8,8 @@
 #include "audit/gate/baseline.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
-#include "program/commands.h"
+#include "catalogue/codec/expected.h"
+#include "program/names.h"
 
 namespace touchstone::program {
 namespace {

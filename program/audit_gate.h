@@ -6,7 +6,7 @@
 #include <string>
 
 #include "audit/gate/gate.h"
-#include "program/names.h"
+#include "program/uses.h"
 
 namespace touchstone::program {
 

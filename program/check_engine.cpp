@@ -4,7 +4,7 @@
 #include <map>
 
 #include "audit/audit_run.h"
-#include "audit/engines/easy_questions.h"
+#include "audit/easy_questions.h"
 #include "audit/engines/pipe.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/plain.h"

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <istream>
 #include <ostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,15 +12,12 @@
 #include "audit/tally.h"
 #include "catalogue/operation/operation.h"
 #include "program/audit_gate.h"
+#include "program/each_line.h"
+#include "program/names.h"
 
 /// The commands, each a function of its parsed options: what goes to standard output is written to `out`, complaints to
 /// `err`, and the exit code is returned.
 namespace touchstone::program {
-
-/// Wrong usage: one line, exit code 2.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct AuditCommand {
   std::string program = "touchstone";  ///< as it was called
@@ -29,7 +25,7 @@ struct AuditCommand {
   std::string operations = "all";      ///< "all" or names with commas
   std::string families;                ///< names with commas; empty: all
   std::uint64_t cases = 20000, seed = 1;
-  double seconds = 0, timeout = 5;
+  double seconds = 0, timeout = usual_timeout;
   int jobs = 0;  ///< 0: as many as the machine has
   std::string json_file, report_directory;
   std::string before;         ///< file of an earlier audit (--json), shown beside this one in the report
@@ -43,7 +39,7 @@ struct AskCommand {
   std::string operation, file = "-";
   bool as_typed = false;
   std::string engine;  ///< command of an engine that is asked as well; empty: none
-  double timeout = 5;
+  double timeout = usual_timeout;
   std::vector<std::string> meshes;  ///< "field=FILE": a mesh field of every line, from a file
 };
 
@@ -54,25 +50,22 @@ struct ExhaustCommand {
   std::string shard = "1/1", json_file;
   bool decisions = false;
   std::string engine;  ///< command of an engine, which is asked instead of our reference; empty: none
-  double timeout = 5;
+  double timeout = usual_timeout;
 };
 
 struct VectorsCheckCommand {
   std::string directory;
   std::string engine;  ///< command of an engine that is asked as well; empty: none
-  double timeout = 5;
+  double timeout = usual_timeout;
 };
 
 struct CheckEngineCommand {
   std::string engine;
-  double timeout = 5;
+  double timeout = usual_timeout;
 };
 
 /// The command that starts this very program as an engine: its path and --serve.
 std::string own_engine_command();
-/// How findings of an engine are asked again. The program is named by its path if it was called by one, so that the
-/// line works where this one was typed.
-Repeat repeat_of(const std::string& program, const std::string& engine, double timeout);
 
 struct DrawCommand {
   std::string operation;
@@ -101,31 +94,6 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
 int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
 
-/// An engine that has the operation; nullptr where the command is empty. Throws EngineError.
-std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
-                                   EngineNotes& notes);
-
-/// Throws UsageError naming what is not known and what is. A name given twice counts once.
-const Operation& operation_named(const std::string& name);
-std::vector<const Operation*> operations_named(const std::string& names);
-std::vector<std::string> split(const std::string& names);
-
-/// Calls visit(line number, text) for each line of a file, or of standard input for "-" or "". Throws UsageError if it
-/// cannot be opened. Returns the number of lines that are not blank.
-template <class Visit>
-std::uint64_t each_line(const std::string& file, const Visit& visit);
-
-/// "-", where a file's name is asked for. What people read is then written to standard error.
-bool is_standard_output(const std::string& file);
-/// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to
-/// do. "-" is standard output. Throws UsageError naming the option.
-void require_writable(const std::string& option, const std::string& file);
-void write_file(const std::string& option, const std::string& file, const std::string& text);
-
-/// What stands before every complaint about a line.
-std::string place(const std::string& file, std::uint64_t line);
 int simulate_command(const std::string& file, std::uint64_t steps, std::ostream& out);
 
 }  // namespace touchstone::program
-
-#include "program/each_line.h"

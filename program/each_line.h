@@ -6,10 +6,12 @@
 #include <iostream>
 
 #include "catalogue/codec/expected.h"
-#include "program/commands.h"
+#include "program/exit_codes.h"
 
 namespace touchstone::program {
 
+/// Calls visit(line number, text) for each line of a file, or of standard input for "-" or "". Throws UsageError if it
+/// cannot be opened. Returns the number of lines that are not blank.
 template <class Visit>
 std::uint64_t each_line(const std::string& file, const Visit& visit) {
   std::ifstream opened;

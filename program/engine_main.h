@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audit/engines/adapter.h"
-#include "program/names.h"
+#include "program/uses.h"
 
 namespace touchstone::program {
 

@@ -7,7 +7,7 @@
 #include "audit/engines/notes.h"
 #include "audit/parallel.h"
 #include "program/commands.h"
-#include "program/program.h"
+#include "program/exit_codes.h"
 #include "report/html.h"
 
 namespace touchstone::program {

@@ -20,7 +20,7 @@ struct MapCommand {
   bool binary32 = false;
   int jobs = 0;
   std::string engine;
-  double timeout = 5;
+  double timeout = usual_timeout;
 };
 int run_map(const MapCommand& command);
 

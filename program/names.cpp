@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "program/names.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
@@ -9,7 +11,6 @@
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
 #include "catalogue/codec/expected.h"
-#include "program/commands.h"
 
 namespace touchstone::program {
 
@@ -59,7 +60,7 @@ Repeat repeat_of(const std::string& program, const std::string& engine, double t
   if (engine.empty()) return repeat;
   if (program.find('/') != std::string::npos) repeat.program = shell_quoted(program);
   if (engine != own_engine_command()) repeat.options = "--engine " + shell_quoted(engine);
-  if (timeout != AuditCommand{}.timeout)
+  if (timeout != usual_timeout)
     repeat.options += (repeat.options.empty() ? "" : " ") + ("--timeout " + decimal(timeout));
   return repeat;
 }

@@ -1,13 +1,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace touchstone::catalogue {}
-namespace touchstone::audit {}
-namespace touchstone::report {}
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
 
-/// The names of the modules below, in which program is written.
+#include "audit/engines/engine.h"
+#include "audit/engines/notes.h"
+#include "audit/tally.h"
+#include "program/exit_codes.h"
+
+/// Names on the command line: of operations, engines and files.
 namespace touchstone::program {
-using namespace catalogue;
-using namespace audit;
-using namespace report;
+
+/// Seconds that an engine has for one answer.
+inline constexpr double usual_timeout = 5;
+
+/// How findings of an engine are asked again. The program is named by its path if it was called by one, so that the
+/// line works where this one was typed.
+Repeat repeat_of(const std::string& program, const std::string& engine, double timeout);
+
+/// An engine that has the operation; nullptr where the command is empty. Throws EngineError.
+std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
+                                   EngineNotes& notes);
+
+/// Throws UsageError naming what is not known and what is. A name given twice counts once.
+const Operation& operation_named(const std::string& name);
+std::vector<const Operation*> operations_named(const std::string& names);
+std::vector<std::string> split(const std::string& names);
+
+/// "-", where a file's name is asked for. What people read is then written to standard error.
+bool is_standard_output(const std::string& file);
+/// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to
+/// do. "-" is standard output. Throws UsageError naming the option.
+void require_writable(const std::string& option, const std::string& file);
+void write_file(const std::string& option, const std::string& file, const std::string& text);
+
+/// What stands before every complaint about a line.
+std::string place(const std::string& file, std::uint64_t line);
+
 }  // namespace touchstone::program

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "program/names.h"
+#include "program/exit_codes.h"
 
 namespace touchstone::program {
 
@@ -9,7 +9,5 @@ namespace touchstone::program {
 /// 1 findings, 2 wrong usage, bad input, or nothing to judge (one line on stderr), 3 the engine could not be run or has
 /// none of the operations, 130 interrupted (what was counted until then is kept).
 int run_program(int argc, const char* const* argv);
-
-enum ExitCode { nothing_found = 0, findings = 1, bad_usage = 2, engine_failed = 3, interrupted = 130 };
 
 }  // namespace touchstone::program

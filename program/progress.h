@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "catalogue/operation/operation.h"
-#include "program/names.h"
+#include "program/uses.h"
 
 namespace touchstone::program {
 

@@ -19,7 +19,7 @@ def handwritten(root, chapters, names):
     operation that it answers."""
     certificates = root / "oracle/certificates"
     cpp = together(certificates.glob("check*.cpp"))
-    truths = (root / "proptests/machine/oracle").glob("simplest_truth*.py")
+    truths = (root / "proptests/infrastructure/oracle").glob("simplest_truth*.py")
     python = together([*certificates.glob("certify*.py"), *truths])
     found = {}
     for operation, chapter in chapters.items():

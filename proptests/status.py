@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The state of every operation, docs/status.md, and the numbers of docs/how_it_is_tested.md: made from the tree and the
-program, not written.
+"""The state of every operation, and what the tests are in numbers: build/status.md, made from the tree and the program.
 
-  status.py --program PATH           writes both
-  status.py --program PATH --check   exit code 1 if they are not what it would write
+  status.py --program PATH
 """
 import argparse
 import importlib
@@ -16,7 +14,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-sys.path.insert(0, str(ROOT / "proptests/machine/oracle"))
+sys.path.insert(0, str(ROOT / "proptests/infrastructure/oracle"))
 sys.path.insert(0, str(ROOT / "coverage"))
 sys.path.insert(0, str(ROOT / "robust/proofs"))
 sys.dont_write_bytecode = True
@@ -26,7 +24,6 @@ KINDS = {"decision": "words are equal", "measure": "numbers in ulps", "set": "eq
 PARTS_OF_FILTERS = {"FloatFormat", "Sign", "Meeting", "Bounds", "by_sign", "power_of_two", "extent", "apart", "slab",
                     "beyond_interval"}
 UNPROVED = re.compile(r"Not proved by\s(?:\s*/// )?machine")  # as the comment of such a bound says
-BEGIN, END = "<!-- made by proptests/status.py -->\n", "<!-- end -->\n"
 
 
 def text_of(path):
@@ -232,22 +229,14 @@ def numbers(operations, asked):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", required=True)
-    parser.add_argument("--check", action="store_true")
     options = parser.parse_args()
     told = subprocess.run([options.program, "ops", "--json"], check=True, text=True, stdout=subprocess.PIPE).stdout
     operations = [operation for operation in json.loads(told) if "method_of" not in operation]
     page, asked = status(options.program, operations)
-    tested = text_of("docs/how_it_is_tested.md")
-    begin, end = tested.index(BEGIN) + len(BEGIN), tested.index(END)
-    tested = tested[:begin] + numbers(operations, asked) + tested[end:]
-    made = {"docs/status.md": page, "docs/how_it_is_tested.md": tested}
-    stale = [name for name, text in made.items() if not (ROOT / name).is_file() or text_of(name) != text]
-    if options.check and stale:
-        sys.exit("not as they would be made (./dev status): " + ", ".join(stale))
-    if not options.check:
-        for name in stale:
-            (ROOT / name).write_text(made[name], encoding="utf-8")
-        print("written: " + (", ".join(stale) or "nothing, both are as they would be"))
+    written = ROOT / "build/status.md"
+    written.parent.mkdir(exist_ok=True)
+    written.write_text(page + "\n## The tests in numbers\n\n" + numbers(operations, asked), encoding="utf-8")
+    print(f"written: {written}")
 
 
 if __name__ == "__main__":

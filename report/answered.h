@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/operation/operation.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "catalogue/operation/operation.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audit/tally.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

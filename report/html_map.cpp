@@ -13,8 +13,6 @@
 namespace touchstone::report {
 namespace {
 
-constexpr const char* section_opening = "<div class=\"mapped\" data-map=\"";
-
 std::string axis_in_words(const MapGrid& grid, std::size_t number, const std::string& field, double step) {
   return escaped(
       fmt::format("{} = {} + k \u00b7 {}", field, decimal(grid.centre.numbers[number]), about(exact_value(step))));
@@ -125,8 +123,6 @@ std::string class_in_words(const Operation& operation, const MapClass& entry) {
   return entry.said.empty() ? words : words + ": " + said(operation, entry);
 }
 
-bool has_map_section(const std::string& html) { return html.find(section_opening) != std::string::npos; }
-
 std::string map_picture(const FailureMap& map, const std::string& alt) {
   return picture(image_of(map, Scheme::light), image_of(map, Scheme::dark),
                  fmt::format("alt=\"{0}\" width=\"{1}\" height=\"{1}\"", escaped(alt), 2 * MapGrid::side));
@@ -134,7 +130,7 @@ std::string map_picture(const FailureMap& map, const std::string& alt) {
 
 std::string map_section(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
   const MapGrid& grid = maps[0].grid;
-  std::string text = section_opening + escaped(data_of(operation, maps, repeat)) + "\"><div class=\"maps\">";
+  std::string text = map_opening + escaped(data_of(operation, maps, repeat)) + "\"><div class=\"maps\">";
   for (const FailureMap& map : maps) {
     text += "<div><h4>" + escaped(map.subject) + "</h4><div class=\"map\">" +
             map_picture(map, map.subject + ": " + summary_of(Cell::of(map.counts))) + "</div><ul>";

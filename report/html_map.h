@@ -19,7 +19,4 @@ std::string map_picture(const FailureMap& map, const std::string& alt);
 /// What a class of answers is, in words: "right: left of the line", "wrong by rounding: on it".
 std::string class_in_words(const Operation& operation, const MapClass& entry);
 
-/// Whether a page has maps that its script can walk over.
-bool has_map_section(const std::string& html);
-
 }  // namespace touchstone::report

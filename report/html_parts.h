@@ -12,6 +12,9 @@
 /// Pieces that several pages of the report are made of. Arguments are plain text, results are HTML.
 namespace touchstone::report {
 
+/// What a failure map's element begins with: pages that have one carry its script (map.js).
+inline constexpr const char* map_opening = "<div class=\"mapped\" data-map=\"";
+
 /// A whole page. `body` is HTML.
 std::string page(const std::string& title, const std::string& body);
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "audit/engines/engine.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

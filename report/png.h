@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

@@ -5,7 +5,7 @@
 
 #include "catalogue/codec/json.h"
 #include "catalogue/draw/drawing.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catalogue/draw/drawing.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 /// From the coordinates of a scene in space to whole steps from the middle of its box, exactly.
 namespace touchstone::report {

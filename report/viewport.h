@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/names.h"
+#include "report/uses.h"
 
 /// From the coordinates of an input to pixels, exactly: 5e-324 and 1e308 in one figure neither vanish nor overflow, and
 /// two neighbouring doubles are two places once the view is small enough.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "audit/tally.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 namespace touchstone::report {
 

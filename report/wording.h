@@ -9,7 +9,7 @@
 
 #include "audit/counted.h"
 #include "audit/tally.h"
-#include "report/names.h"
+#include "report/uses.h"
 
 /// What tables and pages say in words, once for both.
 namespace touchstone::report {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/operation/row.h"
 

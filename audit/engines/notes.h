@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 
 namespace touchstone::audit {
 

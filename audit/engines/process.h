@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 
 namespace touchstone::audit {
 

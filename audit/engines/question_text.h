@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
 
 namespace touchstone::audit {

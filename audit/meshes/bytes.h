@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "geometry/invalid_input.h"
 
 namespace touchstone::audit::meshes {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "geometry/polyhedra.h"
 
 /// What the readers of mesh files share.

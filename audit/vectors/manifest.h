@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/codec/json.h"
 
 /// What vectors there are: manifest.json beside them, with a count and a hash of every file.

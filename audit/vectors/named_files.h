@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/codec/json.h"
 
 /// Meshes that vectors name (catalogue/families/named_meshes.h): each is a file of JSON beside the vectors, and a line's input

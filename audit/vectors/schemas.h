@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "audit/names.h"
+#include "audit/uses.h"
 #include "catalogue/operation/operation.h"
 
 /// JSON Schemas (draft 2020-12) of the lines of vectors.

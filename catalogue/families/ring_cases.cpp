@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "catalogue/families/plane_choices.h"
+
 namespace touchstone::catalogue {
 namespace {
 

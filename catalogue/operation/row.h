@@ -159,7 +159,7 @@ struct Hooks {
 };
 
 class Operation;
-/// The operation made from a row. Defined in the unit of the row's chapter, which CMake writes (cmake/rooms.cmake).
+/// The operation made from a row. Defined in the unit of the row's chapter, which CMake writes (cmake/modules.cmake).
 template <class Row>
 const Operation& operation_of_row();
 

@@ -39,7 +39,7 @@
 ///     of the format for double.
 /// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
 ///
-/// Half of the bound of cross_sign or of circle would be too small: proptests/machine/robust/toy_halves.cpp and the
+/// Half of the bound of cross_sign or of circle would be too small: proptests/infrastructure/robust/toy_halves.cpp and the
 /// families past_half_the_bound have the inputs. The other three are looser, and say why.
 ///
 /// A filter NAME that says "Proved" has a theorem NAME_right in robust/proofs, about its text as it stands: where it

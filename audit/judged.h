@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "audit/engines/engine.h"
+#include "audit/tally.h"
+
+/// One case of an audit: drawn, judged and counted.
+namespace touchstone::audit {
+
+/// The verdict on what an engine replied to a question.
+Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
+
+/// A case as it is counted.
+struct Asked {
+  const Operation& operation;
+  const Question& question;
+  std::string truth;        ///< Examination::outcome(), or "refused"
+  std::uint64_t index = 0;  ///< within its operation and family
+  Limits limits = {};
+};
+
+/// Counts a judged case into a cell, and keeps it if it is the best example of its way of answering.
+void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer = nullptr);
+
+/// How a judged case was answered.
+Way way_of(const Judgement& judgement, const std::string& truth);
+
+/// Our reference in double, as if it were somebody's engine.
+inline const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
+
+/// The choices that give case `index` of a family.
+Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                     bool record = false);
+
+}  // namespace touchstone::audit

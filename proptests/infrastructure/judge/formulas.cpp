@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <bit>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "catalogue/families/numbers.h"
+#include "catalogue/numbers/exact.h"
+#include "catalogue/numbers/tracked.h"
+#include "catalogue/numbers/ulps.h"
+#include "proptests/catch.h"
+#include "proptests/uses.h"
+
+/// The two number types in which the judge runs the slides' formulas again.
+namespace touchstone::proptests::formulas_tests {
+namespace {
+
+/// A formula of a few steps, run in a floating-point type, in that type with its error bound, and exactly.
+template <class Float>
+struct Run {
+  std::vector<Float> plain;
+  std::vector<Tracked<Float>> tracked;
+  std::vector<Exact> exact;
+
+  void start(Float number) {
+    plain.push_back(number), tracked.push_back(Tracked<Float>(number)), exact.push_back(Exact(exact_value(number)));
+  }
+  template <class Step>
+  void apply(const Step& step, std::size_t i, std::size_t j) {
+    plain.push_back(static_cast<Float>(step(plain[i], plain[j])));
+    tracked.push_back(step(tracked[i], tracked[j]));
+    exact.push_back(step(exact[i], exact[j]));
+  }
+  void apply(std::uint64_t operation, std::size_t i, std::size_t j) {
+    switch (operation) {
+      case 0: return apply([](const auto& a, const auto& b) { return a + b; }, i, j);
+      case 1: return apply([](const auto& a, const auto& b) { return a - b; }, i, j);
+      case 2: return apply([](const auto& a, const auto& b) { return a * b; }, i, j);
+      default: return apply([](const auto& a, const auto& b) { return a / b; }, i, j);
+    }
+  }
+
+  bool same_value(std::size_t i) const {
+    return plain[i] == tracked[i].value() ? std::signbit(plain[i]) == std::signbit(tracked[i].value())
+                                          : plain[i] != plain[i] && tracked[i].value() != tracked[i].value();
+  }
+  bool promised(std::size_t i) const {
+    return std::isfinite(plain[i]) && std::isfinite(tracked[i].error()) && exact[i].defined();
+  }
+  bool within_bound(std::size_t i) const {
+    return abs(exact_value(plain[i]) - exact[i].value()) <= exact_value(tracked[i].error());
+  }
+};
+
+template <class Float>
+Float number(Choices& choices) {
+  switch (choices.below(5)) {
+    case 0: return static_cast<Float>(small_integer(choices));
+    case 1: return static_cast<Float>(typed(choices));
+    case 2: return static_cast<Float>(ordinary(choices));
+    case 3:
+      return std::ldexp(
+          static_cast<Float>(1 + choices.below(16)),
+          static_cast<int>(choices.below(sizeof(Float) == 8 ? 1900 : 240)) - (sizeof(Float) == 8 ? 1000 : 130));
+    default: return std::numeric_limits<Float>::denorm_min() * static_cast<Float>(choices.below(1000));
+  }
+}
+
+template <class Float>
+void hold_random_formulas(std::uint64_t formulas) {
+  std::uint64_t promised = 0, exact_steps = 0, steps = 0;
+  for (std::uint64_t i = 0; i < formulas; ++i) {
+    Choices choices = Choices::seeded(seed_of(sizeof(Float), "formulas", i));
+    Run<Float> run;
+    for (int k = 0; k < 3; ++k) run.start(number<Float>(choices));
+    for (int k = 0; k < 6; ++k) {
+      const std::size_t n = run.plain.size(), a = choices.below(n), b = choices.below(n);
+      run.apply(choices.below(4), a, b);
+      INFO("formula " << i << ", step " << k);
+      if (!run.same_value(n)) FAIL("another value than the plain computation's");
+      ++steps;
+      if (!run.promised(n)) continue;
+      ++promised;
+      if (!run.within_bound(n)) FAIL("the exact value is beyond the bound");
+      exact_steps += run.tracked[n].error() == 0;
+    }
+  }
+  CHECK(promised > steps / 2);
+  CHECK(exact_steps > steps / 20);
+}
+
+/// A function of one number: the value is the plain one, and its bound contains the exact value. Counts what was
+/// promised.
+template <class Float, class Function>
+std::uint64_t holds(const Function& function, const Tracked<Float>& argument, const Exact& exactly) {
+  const Tracked<Float> found = function(argument);
+  const Float plain = function(argument.value());
+  const Exact exact = function(exactly);
+  CAPTURE(argument.value(), argument.error(), plain, found.error());
+  if (plain == plain ? plain != found.value() : found.value() == found.value())
+    FAIL("another value than the plain computation's");
+  if (!std::isfinite(plain) || !std::isfinite(found.error()) || !exact.defined()) return 0;
+  if (abs(exact_value(plain) - exact.value()) > exact_value(found.error())) FAIL("the exact value is beyond the bound");
+  return 1;
+}
+
+/// Roots and arc cosines of numbers that are exact, and of numbers that carry an error: quotients, and differences that
+/// cancel.
+template <class Float>
+void hold_roots_and_arc_cosines(std::uint64_t each) {
+  using T = Tracked<Float>;
+  const auto root = [](const auto& x) {
+    using std::sqrt;
+    return sqrt(x);
+  };
+  const auto arc_cosine = [](const auto& x) {
+    using std::acos;
+    return acos(x);
+  };
+  std::uint64_t roots = 0, angles = 0, angles_near_ends = 0;
+  for (std::uint64_t i = 0; i < each; ++i) {
+    Choices choices = Choices::seeded(seed_of(sizeof(Float), "roots", i));
+    const Float x = number<Float>(choices), y = number<Float>(choices);
+    roots += holds(root, T(std::fabs(x)), Exact(exact_value(std::fabs(x))));
+    roots += holds(root, T(x) * T(y), Exact(exact_value(x)) * Exact(exact_value(y)));
+    const Float less = std::nextafter(x, Float(0));
+    roots += holds(root, T(x) * T(x) - T(x) * T(less), Exact(exact_value(x) * (exact_value(x) - exact_value(less))));
+    if (x == 0 || y == 0) continue;
+    const Float small = std::fmin(std::fabs(x), std::fabs(y)), large = std::fmax(std::fabs(x), std::fabs(y));
+    const Float sign = choices.below(2) == 0 ? Float(1) : Float(-1);
+    angles += holds(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
+    // Beside an end: n / (n + k) for a large n, rounded; and exact numbers there.
+    const Float n = std::ldexp(Float(1), static_cast<int>(choices.below(std::numeric_limits<Float>::digits))),
+                k = static_cast<Float>(choices.below(4));
+    angles_near_ends += holds(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
+    const Float beside = sign - sign * k * std::numeric_limits<Float>::epsilon() / 2;
+    angles_near_ends += holds(arc_cosine, T(beside), Exact(exact_value(beside)));
+    angles += holds(arc_cosine, T(beside * small) / T(small), Exact(exact_value(beside * small) / exact_value(small)));
+  }
+  CHECK(roots > each);
+  CHECK(angles > each);
+  CHECK(angles_near_ends > each);
+}
+
+}  // namespace
+
+TEST_CASE("Tracked: in double, every value is the plain one and its bound contains the exact value") {
+  hold_random_formulas<double>(40000);
+}
+TEST_CASE("Tracked: in float too") { hold_random_formulas<float>(20000); }
+
+TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that rounds at most its half unit") {
+  using T = Tracked<double>;
+  CHECK((T(3.0) + T(4.0)).error() == 0);
+  CHECK((T(3.0) - T(0.25)).error() == 0);
+  CHECK((T(3.0) * T(-7.5)).error() == 0);
+  CHECK((T(6.0) / T(4.0)).error() == 0);
+  CHECK((T(0.0) / T(7.0)).error() == 0);
+  CHECK((T(5e-324) + T(5e-324)).error() == 0);
+  CHECK((-T(0.1)).error() == 0);
+  const double third = (T(1.0) / T(3.0)).error(), sum = (T(1.0) + T(0x1p-60)).error(),
+               product = (T(0.1) * T(0.1)).error();
+  CHECK((third > 0 && third <= 0x1p-55 * (1 + 0x1p-40)));      // half a unit of 1/3
+  CHECK((sum > 0 && sum <= 0x1p-53 * (1 + 0x1p-40)));          // of 1
+  CHECK((product > 0 && product <= 0x1p-60 * (1 + 0x1p-40)));  // of 0.01, between 2^-7 and 2^-6
+  CHECK((T(5e-324) * T(0.5)).error() >= 5e-324);               // half of it is no double
+  CHECK(std::isinf((T(1e308) * T(10.0)).error()));
+  CHECK(std::isinf((T(1.0) / T(0.0)).error()));
+}
+
+TEST_CASE("Tracked: a quotient by a number that is far off is within its bound, its own rounding included") {
+  // Each 6 is half way between two floats beyond 2^25 and counts for 8: the divisor is 88 instead of 66. The bound is a
+  // double: its own roundings are no help to a float.
+  using T = Tracked<float>;
+  T divisor(0x1p25f);
+  for (int i = 0; i < 11; ++i) divisor = divisor + T(6.0f);
+  divisor = divisor - T(0x1p25f);
+  REQUIRE(divisor.value() == 88);
+  REQUIRE(divisor.error() >= 22);
+  int wrong = 0;
+  for (int a = 1; a <= 5000; ++a) {
+    const T quotient = T(static_cast<float>(a)) / divisor;
+    wrong += abs(mpq_class(exact_value(quotient.value()) - mpq_class(a) / 66)) > exact_value(quotient.error());
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("Tracked: roots and arc cosines, their bounds contain the exact value") {
+  hold_roots_and_arc_cosines<double>(4000);
+  hold_roots_and_arc_cosines<float>(2000);
+}
+
+TEST_CASE("Tracked: bounds of roots and arc cosines are no larger than they must be") {
+  using T = Tracked<double>;
+  CHECK(sqrt(T(6.25)).error() == 0);
+  CHECK(sqrt(T(0.0)).error() == 0);
+  CHECK((sqrt(T(2.0)).error() > 0 && sqrt(T(2.0)).error() <= 0x1p-53 * (1 + 0x1p-40)));  // half a unit
+  CHECK(acos(T(1.0)).error() == 0);
+  const T tenth = T(0.1) * T(1.1);  // off by at most 2^-57
+  CHECK(sqrt(tenth).error() <= 0x1p-57 / 0.33 / 1.9 * 2 + 0x1p-54);
+  for (const double x : {0.0, 0.5, -1.0}) {  // pi/2, pi/3 and pi are irrational: two units at most
+    CHECK((acos(T(x)).error() > 0 && acos(T(x)).error() <= 4 * 0x1p-52));
+  }
+  CHECK(acos(tenth).error() <= 0x1p-57 * 1.01 + 4 * 0x1p-53 * 1.01);
+  const T almost_one = T(1.0) / T(1 + 0x1p-52) + T(0x1p-53);  // 1, off by 2^-53: the angle may be sqrt(2^-52)
+  CHECK((acos(almost_one).error() > 0x1p-26 && acos(almost_one).error() < 4 * 0x1p-26));
+}
+
+TEST_CASE(
+    "Tracked: whether there is an arc cosine is in doubt beside 1 where the argument was rounded, and nowhere else") {
+  using T = Tracked<double>;
+  const auto doubtful = [](const T& argument) {
+    T::doubtful() = false;
+    acos(argument);
+    return T::doubtful();
+  };
+  CHECK(doubtful(T(0.1) * T(10.0)));
+  CHECK(doubtful(T(-0.1) * T(10.0)));
+  CHECK_FALSE(doubtful(T(0.1) * T(9.0)));
+  CHECK_FALSE(doubtful(T(1.0)));
+  CHECK_FALSE(doubtful(T(3.0)));  // undefined, certainly
+  CHECK_FALSE(doubtful(T(3.0) / T(3.0)));
+  T::doubtful() = false;
+}
+
+TEST_CASE("Tracked: overflow, and bits lost below the least normal number, are noticed, and nothing else") {
+  using T = Tracked<double>;
+  const auto left = [](const T&) { return std::exchange(T::out_of_range(), false); };
+  T::out_of_range() = false;
+  CHECK(left(T(1e200) * T(1e200)));
+  CHECK(left(T(1e308) + T(1e308)));
+  CHECK(left(T(-1e308) - T(1e308)));
+  CHECK(left(T(1e308) / T(0.1)));
+  CHECK(left(T(1e-200) * T(1e-200)));
+  CHECK(left(T(1e-200) / T(1e200)));
+  CHECK(left(T(0x1.0000000000001p-1000) * T(0x1p-40)));  // 53 bits, 35 of them above 2^-1075
+  CHECK(left(T(0x1p-1074) * T(0.5)));
+  CHECK(left(T(0x1p-1074) / T(3.0)));
+  CHECK(left(T(0x1p-1072) / T(3.0)));
+  CHECK_FALSE(left(T(0x1p-1000) * T(0x1p-74)));  // the least double, exactly
+  CHECK_FALSE(left(T(0x1p-1072) / T(4.0)));
+  CHECK_FALSE(left(T(0x1.8p-1000) / T(0x1p72)));
+  CHECK_FALSE(left(T(0x1p-1022) + T(0x1p-1074)));
+  CHECK_FALSE(left(T(0x1.0000000000001p-1022) - T(0x1p-1022)));  // subnormal, exactly
+  CHECK_FALSE(left(T(0.0) * T(1e-300)));
+  CHECK_FALSE(left(T(0.1) * T(0.1)));  // rounded, within the range
+  CHECK_FALSE(left(T(1e16) + T(1.0)));
+  CHECK_FALSE(left(T(1.0) / T(3.0)));
+  CHECK_FALSE(left(T(1.0) / T(0.0)));  // undefined, not too large
+  CHECK_FALSE(left((T(1.0) / T(0.0)) * T(1e300) + T(1e308)));
+  using Single = Tracked<float>;
+  Single::out_of_range() = false;
+  const Single small = Single(1e-30f) * Single(1e-30f);
+  CHECK(Single::out_of_range());
+  CHECK(small.value() == 0);
+  Single::out_of_range() = false;
+  CHECK((Single(0x1p-100f) * Single(0x1p-49f)).value() == 0x1p-149f);
+  CHECK((Single(0x1p-100f) / Single(0x1p49f)).value() == 0x1p-149f);
+  CHECK_FALSE(Single::out_of_range());
+  CHECK((Single(0x1.8p-100f) / Single(0x1p49f)).value() > 0);
+  CHECK(Single::out_of_range());
+  Single::out_of_range() = false;
+}
+
+TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no other") {
+  using T = Tracked<double>;
+  const auto doubtful = [](const auto& comparison) {
+    T::doubtful() = false;
+    comparison();
+    return T::doubtful();
+  };
+  const T ten_tenths = T(0.1) * T(10.0);  // 1 + 2^-54 rounded to 1
+  CHECK(doubtful([&] { return ten_tenths == T(1.0); }));
+  CHECK(doubtful([&] { return ten_tenths < T(1.0); }));
+  CHECK(doubtful([&] { return ten_tenths >= T(1.0); }));
+  CHECK_FALSE(doubtful([&] { return ten_tenths > T(0.5); }));
+  CHECK_FALSE(doubtful([&] { return ten_tenths != T(2.0); }));
+  CHECK_FALSE(doubtful([&] { return T(1.0) == T(1.0); }));           // both exact
+  CHECK_FALSE(doubtful([&] { return T(0.0) / T(0.0) <= T(1.0); }));  // undefined in exact arithmetic too
+  CHECK_FALSE(doubtful([&] { return T(1.0) / T(0.0) <= T(1.0); }));
+  CHECK_FALSE(doubtful([&] { return T(3.0) * (T(1.0) / T(0.0)) + T(0.1) * T(0.1) > T(1.0); }));
+  CHECK(doubtful([&] { return T(1.0) / (ten_tenths - T(1.0)) > T(1.0); }));  // the divisor is 0 by rounding
+  CHECK(doubtful([&] { return T(1e308) * T(10.0) > T(0.0); }));
+  CHECK((T(0.0) / T(0.0)).value() != 0);
+  T::doubtful() = false;
+}
+
+TEST_CASE("Exact: x / 0 is undefined, and so is what is computed from it; every comparison with it is false") {
+  const Exact undefined = Exact(3) / Exact(0), one(1);
+  CHECK_FALSE(undefined.defined());
+  CHECK_FALSE((Exact(0) / Exact(0)).defined());
+  for (const Exact& derived :
+       {undefined + one, one - undefined, undefined * Exact(0), one / undefined, -undefined, cos(undefined)}) {
+    CHECK_FALSE(derived.defined());
+  }
+  for (const auto& [a, b] : {std::pair{undefined, one}, {one, undefined}, {undefined, undefined}}) {
+    CHECK_FALSE(a < b);
+    CHECK_FALSE(a > b);
+    CHECK_FALSE(a <= b);
+    CHECK_FALSE(a >= b);
+    CHECK_FALSE(a == b);
+    CHECK(a != b);  // as with NaN
+  }
+}
+
+TEST_CASE("Exact: arithmetic and comparisons of rationals") {
+  const Exact third = Exact(1) / Exact(3);
+  CHECK((third + third + third == Exact(1)));
+  CHECK((third * Exact(3) - Exact(1) == Exact(0)));
+  CHECK((-third < Exact(0) && third > Exact(0) && third <= third && third >= third && third != Exact(1)));
+  CHECK((cos(Exact(0)) == Exact(1) && sin(Exact(0)) == Exact(0)));
+  const Exact c = cos(Exact(1)), s = sin(Exact(1));
+  mpq_class within(1);
+  within >>= 2390;
+  CHECK(abs((c * c + s * s - Exact(1)).value()) < within);
+  CHECK(nearest(c.value()) == 0.54030230586813971740093660744297660373);  // OEIS A049470
+}
+
+TEST_CASE("Exact: roots of squares, other roots, and what has none") {
+  CHECK((sqrt(Exact(49) / Exact(100)) == Exact(7) / Exact(10)));
+  CHECK((sqrt(Exact(0)) == Exact(0)));
+  CHECK_FALSE(sqrt(Exact(-1)).defined());
+  CHECK_FALSE(sqrt(Exact(1) / Exact(0)).defined());
+  mpq_class within(1);
+  within >>= 8990;
+  for (const double x : {2.0, 0.1, 1e308, 5e-324}) {
+    const Exact a(exact_value(x)), root = sqrt(a);
+    CHECK(abs((root * root / a - Exact(1)).value()) < within);
+  }
+}
+
+TEST_CASE("Exact: arc cosines, also of numbers as near to 1 and -1 as cosines of doubles come, and what has none") {
+  CHECK((acos(Exact(1)) == Exact(0)));
+  CHECK(nearest(acos(Exact(-1)).value()) == 3.14159265358979323846264338327950288419);  // OEIS A000796
+  CHECK_FALSE(acos(Exact(1) / Exact(0)).defined());
+  mpq_class within(1), above(1);
+  within >>= 2390;
+  above >>= 8401;
+  CHECK(abs((acos(Exact(0)) + acos(Exact(0)) - acos(Exact(-1))).value()) < within);
+  CHECK_FALSE(acos(Exact(mpq_class(1 + above))).defined());
+  CHECK_FALSE(acos(Exact(mpq_class(-1 - above))).defined());
+  for (const double x : {0.1, -0.7, 1 - 0x1p-53, -1 + 0x1p-53, 5e-324}) {
+    CHECK(abs((cos(acos(Exact(exact_value(x)))) - Exact(exact_value(x))).value()) < within);
+  }
+  // 1 - cos x = x^2 / 2 - x^4 / 24 + ...
+  for (const int k : {2500, 5000, 8401}) {
+    mpq_class room(1);
+    room >>= static_cast<mp_bitcnt_t>(k);
+    const Exact small = acos(Exact(mpq_class(1 - room))), other = acos(Exact(-1)) - acos(Exact(mpq_class(room - 1)));
+    CHECK(abs((small * small / Exact(mpq_class(2 * room))).value() - 1) < within);
+    CHECK((other > Exact(0) && abs((other * other / Exact(mpq_class(2 * room))).value() - 1) < mpq_class(1, 2)));
+  }
+}
+
+}  // namespace touchstone::proptests::formulas_tests

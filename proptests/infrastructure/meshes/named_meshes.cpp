@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/families/named_meshes.h"
+
+#include <gmpxx.h>
+
+#include <set>
+
+#include "oracle/polyhedra/point_in_convex_polyhedron.h"
+#include "proptests/catch.h"
+#include "proptests/uses.h"
+
+namespace touchstone::proptests::named_meshes_tests {
+namespace {
+
+/// How many vertices lie on the plane of a face.
+std::size_t on_plane(const Meshd& mesh, const Face& face) {
+  const auto minus = [](const Point3d& p, const Point3d& q) {
+    return std::array{mpq_class(mpq_class(p.x) - q.x), mpq_class(mpq_class(p.y) - q.y),
+                      mpq_class(mpq_class(p.z) - q.z)};
+  };
+  const Point3d& a = mesh.vertices[face.a];
+  const auto v = minus(mesh.vertices[face.b], a), w = minus(mesh.vertices[face.c], a);
+  std::size_t count = 0;
+  for (const Point3d& p : mesh.vertices) {
+    const auto d = minus(p, a);
+    const mpq_class volume =
+        d[0] * (v[1] * w[2] - v[2] * w[1]) + d[1] * (v[2] * w[0] - v[0] * w[2]) + d[2] * (v[0] * w[1] - v[1] * w[0]);
+    count += sgn(volume) == 0;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("named meshes: each is closed and convex, and all of its vertices are corners") {
+  std::set<std::string> names;
+  for (const auto& [name, mesh] : named_meshes()) {
+    INFO(name);
+    CHECK(names.insert(name).second);
+    CHECK(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos);
+    CHECK(name.ends_with("_" + std::to_string(mesh.vertices.size())));
+    CHECK(mesh.vertices.size() >= 60);
+    CHECK(mesh.faces.size() == 2 * mesh.vertices.size() - 4);  // Euler's formula, every vertex being in a face
+    CHECK(oracle::point_in_convex_polyhedron(mesh, mesh.vertices.back()).answer == Location::boundary);
+  }
+  CHECK(names.size() >= 4);
+}
+
+TEST_CASE("named meshes: faces have the corners that their mesh is there for") {
+  const auto corners = [](const char* name) {
+    std::multiset<std::size_t> found;
+    for (const NamedMesh& named : named_meshes()) {
+      if (named.name != name) continue;
+      for (const Face& face : named.mesh.faces) found.insert(on_plane(named.mesh, face));
+    }
+    return found;
+  };
+  CHECK(corners("geodesic_66").count(3) == 128);
+  CHECK(corners("prism_64").count(32) == 60);
+  CHECK(corners("prism_64").count(4) == 64);
+  const auto sphere = corners("lattice_sphere_72");
+  CHECK(2 * sphere.count(3) < sphere.size());
+  CHECK(corners("stretched_72") == sphere);
+}
+
+}  // namespace touchstone::proptests::named_meshes_tests

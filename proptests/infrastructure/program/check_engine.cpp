@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <set>
+
+#include "audit/easy_questions.h"
+#include "proptests/infrastructure/program/called.h"
+#include "proptests/uses.h"
+
+namespace touchstone::proptests::check_engine_tests {
+namespace {
+
+/// Answers orientation and segment_segment rightly, or wired up as its argument says.
+const char* const wired = R"(import json, sys
+
+def cross(p, q, r):
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+def orientation(p0, p1, p):
+    s = cross(p0, p1, p)
+    return "left" if s > 0 else "right" if s < 0 else "on"
+
+wirings = {
+    "rightly": lambda side: {"side": side},
+    "sign": lambda side: {"side": {"left": "right", "right": "left", "on": "on"}[side]},
+    "field": lambda side: {"sid": side},
+    "word": lambda side: {"side": side.upper()},
+    "bare": lambda side: side,
+    "always": lambda side: {"side": "left"},
+}
+sys.stdin.readline()
+print(json.dumps({"engine": "wired 1", "ops": sys.argv[2].split(","), "boundary": "closed"}), flush=True)
+for line in sys.stdin:
+    q = json.loads(line, parse_int=float)
+    if sys.argv[1] == "declines" or (sys.argv[1] == "in_space" and len(q["input"]["a"]["min"]) == 2):
+        print(json.dumps({"id": q["id"], "unsupported": True}), flush=True)
+        continue
+    said = True if sys.argv[1] == "in_space" else wirings[sys.argv[1]](orientation(**q["input"])) if q["op"] == "orientation" else True
+    print(json.dumps({"id": q["id"], "answer": said}), flush=True)
+)";
+
+Called checked(const std::string& wiring, const std::string& operations = "orientation") {
+  const TextFile engine("wired.py", wired);
+  const std::string command = std::string("python3 ") + engine.path() + " " + wiring + " " + operations;
+  return called({"check-engine", "--timeout", "60", command.c_str()});
+}
+
+}  // namespace
+
+TEST_CASE("check-engine: an engine that is wired up rightly passes") {
+  const Called call = checked("rightly");
+  INFO(call.out << call.err);
+  CHECK(call.code == nothing_found);
+  CHECK_THAT(call.out, StartsWith("wired 1 (binary64), boundary closed, tolerance 0\n") &&
+                           ContainsSubstring("5 of 5 right") && ContainsSubstring("wired up: 1 operation\n"));
+  CHECK(call.err.empty());
+}
+
+TEST_CASE("check-engine: an operation of which no easy question is supported is not called wired up") {
+  const Called call = checked("declines");
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out,
+             ContainsSubstring("wired up: 0 operations\nnot checked: 1 operation, of which no easy question"));
+}
+
+TEST_CASE("check-engine: boxes in the plane are asked, and boxes in space") {
+  const Called call = checked("in_space", "aabb_aabb");
+  INFO(call.out << call.err);
+  CHECK_THAT(call.out, ContainsSubstring(" not supported\n") && !ContainsSubstring("5 not supported\n"));
+}
+
+TEST_CASE("check-engine: what is wired up wrongly is said as expectation and fact") {
+  const auto require_told = [](const std::string& wiring, const std::string& words) {
+    const Called call = checked(wiring);
+    INFO(call.out << call.err);
+    CHECK(call.code == findings);
+    CHECK_THAT(call.out, ContainsSubstring(words) && ContainsSubstring("not wired up: 1 of 1 operation\n"));
+  };
+  require_told("field", "answer.sid: no such field (did you mean \"side\"?); expected side\n");
+  require_told("word", "answer.side: expected one of left, on, right, got \"");
+  require_told("bare", R"(answer: expected an object like {"side":"left"}, got ")");
+  require_told("sign",
+               "right is said for left, left is said for right: is the order of the arguments, or a sign, another");
+  require_told("always", "another answer than the definition gives");
+}
+
+TEST_CASE("check-engine: every operation is told apart, and a name misspelt is told with the one meant") {
+  const Called call = checked("rightly", "orientation,segment_segment,ray_segmnt");
+  INFO(call.out << call.err);
+  CHECK(call.code == findings);  // the truth is not always that segments meet
+  CHECK_THAT(call.out, ContainsSubstring("not wired up: 1 of 2 operations\n"));
+  CHECK_THAT(call.err, ContainsSubstring("ray_segmnt: no operation of the catalogue (did you mean \"ray_segment\"?)"));
+}
+
+TEST_CASE("check-engine: an engine that does not start, or has no operation, cannot be run") {
+  require_refused(called({"check-engine", "exit 3"}), engine_failed, "exit code 3");
+  require_refused(called({"check-engine", "echo '{\"engine\":\"e\",\"ops\":[\"juggle\"]}'; cat"}), engine_failed,
+                  "it declares none of the operations; ops: juggle: no operation of the catalogue, never asked");
+  require_refused(called({"check-engine", ""}), bad_usage, "expected the command of an engine, got an empty one");
+}
+
+TEST_CASE("check-engine: every operation has five easy questions, or as many as it has, and robust answers them") {
+  for (const Operation* operation : all_operations()) {
+    if (operation->card().is_method()) continue;
+    const auto easy = easy_questions(*operation);
+    INFO(operation->name());
+    CHECK(easy.size() == 5);
+    std::set<std::string> asked;
+    for (const EasyQuestion& one : easy) {
+      CHECK_FALSE(one.examination->touch());
+      CHECK(one.examination->judge_robust().verdict == Verdict::agree);
+      asked.insert(one_line(operation->print(one.question)));
+    }
+    CHECK(asked.size() == easy.size());
+  }
+  const auto sides = easy_questions(*find_operation("orientation"));
+  std::set<std::string> truths;
+  for (const EasyQuestion& one : sides) truths.insert(one.examination->outcome());
+  CHECK(truths == std::set<std::string>{"left", "right"});  // "on" is a touch
+}
+
+}  // namespace touchstone::proptests::check_engine_tests

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/progress.h"
+
+#include <sstream>
+
+#include "proptests/catch.h"
+#include "proptests/uses.h"
+
+/// The clock of these tests is a number.
+namespace touchstone::proptests::progress_tests {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Two operations of price 1 and one of price 8: shares of a tenth, a tenth and eight tenths.
+std::vector<const Operation*> operations() {
+  return {find_operation("orientation"), find_operation("line_line"), find_operation("polygon_convexity")};
+}
+
+struct Told {
+  std::ostringstream err;
+  Progress::Clock::time_point now{};
+  Progress progress;
+  Told() : progress(err, false, operations(), 1000, [this] { return now; }) {}
+};
+
+}  // namespace
+
+TEST_CASE("progress: a log gets a line every ten seconds, with the whole and the time left") {
+  REQUIRE(operations()[2]->card().price == Price::ring);
+  Told told;
+  told.progress("orientation", 500);
+  told.now += milliseconds(9'999);
+  told.progress("orientation", 800);
+  CHECK(told.err.str().empty());
+  told.now += milliseconds(1);
+  told.progress("orientation", 1000);  // a tenth in 10 s, so nine tenths in 90
+  CHECK(told.err.str() == "touchstone: 10 %, orientation (1 of 3), about 2 min left\n");
+  told.now += milliseconds(9'999);
+  told.progress("line_line", 1000);
+  told.now += milliseconds(20'001);
+  told.progress("polygon_convexity", 500);  // six tenths in 40 s
+  CHECK(told.err.str() ==
+        "touchstone: 10 %, orientation (1 of 3), about 2 min left\n"
+        "touchstone: 60 %, polygon_convexity (3 of 3), about 27 s left\n");
+}
+
+TEST_CASE("progress: a terminal gets one line, which is gone at the end") {
+  std::ostringstream err;
+  Progress::Clock::time_point now{};
+  {
+    Progress progress(err, true, operations(), 1000, [&] { return now; });
+    now += milliseconds(100);
+    progress("orientation", 500);
+    progress("orientation", 600);  // too soon
+    CHECK(err.str() == "\r\x1b[K5 %, orientation (1 of 3)");
+  }
+  CHECK(err.str() == "\r\x1b[K5 %, orientation (1 of 3)\r\x1b[K");
+}
+
+TEST_CASE("progress: what an engine does not have is no part of the whole") {
+  Told told;
+  told.progress.leave_out([](const Operation& operation) { return operation.name() == "polygon_convexity"; });
+  told.now += milliseconds(10'000);
+  told.progress("line_line", 0);
+  CHECK(told.err.str() == "touchstone: 50 %, line_line (2 of 2), about 10 s left\n");
+}
+
+TEST_CASE("progress: nothing is written of a run that is shorter than ten seconds, on no terminal") {
+  std::ostringstream err;
+  {
+    Progress progress(err, false, operations(), 10);
+    progress("orientation", 10);
+  }
+  CHECK(err.str().empty());
+}
+
+TEST_CASE("progress: times are told as people tell them") {
+  using Seconds = std::chrono::duration<double>;
+  CHECK(in_words(Seconds(0.2)) == "1 s");
+  CHECK(in_words(Seconds(89)) == "89 s");
+  CHECK(in_words(Seconds(600)) == "10 min");
+  CHECK(in_words(Seconds(3 * 3600)) == "3 h");
+}
+
+}  // namespace touchstone::proptests::progress_tests

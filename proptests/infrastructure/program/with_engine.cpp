@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdlib>
+
+#include "audit/engines/process.h"
+#include "catalogue/codec/json.h"
+#include "program/engine_main.h"
+#include "proptests/infrastructure/program/called.h"
+#include "proptests/uses.h"
+
+/// What is done to our own formulas is done to an engine.
+namespace touchstone::proptests::with_engine_tests {
+namespace {
+
+const char* const engine = "python3 examples/engine.py";
+
+/// Always the same side.
+const char* const leftist =
+    R"(read greeting; echo '{"engine":"leftist","ops":["orientation"],"boundary":"closed"}'
+id=1; while read question; do echo "{\"id\":$id,\"answer\":{\"side\":\"left\"}}"; id=$((id + 1)); done)";
+
+struct MyEngine {
+  static constexpr const char* name = "mine 3";
+  Side orientation(Point2d, Point2d, Point2d) { return Side::on; }
+};
+
+Called called_program(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "bin/mine");
+  std::ostringstream out, err;
+  auto* const previous_out = std::cout.rdbuf(out.rdbuf());
+  auto* const previous_err = std::cerr.rdbuf(err.rdbuf());
+  MyEngine mine;
+  Called call;
+  call.code = engine_program(served(mine), static_cast<int>(arguments.size()), arguments.data());
+  std::cout.rdbuf(previous_out);
+  std::cerr.rdbuf(previous_err);
+  call.out = out.str(), call.err = err.str();
+  return call;
+}
+
+}  // namespace
+
+TEST_CASE("with engine: exhaust asks the engine every configuration of the grid") {
+  const Called right = called({"exhaust", "orientation", "--grid", "3", "--timeout", "60", "--engine", engine});
+  INFO(right.out << right.err);
+  CHECK(right.code == nothing_found);  // small whole numbers: no rounding
+  CHECK_THAT(right.out, ContainsSubstring("textbook in Python (binary64)") && ContainsSubstring("729"));
+  // Of the 3^6 configurations those to the left are right: as many as to the right, and the rest lies on a line.
+  const Called wrong =
+      called({"exhaust", "orientation", "--grid", "2", "--json", "-", "--timeout", "60", "--engine", leftist});
+  CHECK(wrong.code == findings);
+  const Json cell = parse_own_line(wrong.out)["operations"][0]["families"][0];
+  CHECK(cell["cases"] == 64);
+  CHECK(cell["counts"]["agree"] == cell["outcomes"]["left"]);
+  CHECK(cell["counts"]["algorithm"].get<int>() + cell["counts"]["rounding"].get<int>() ==
+        cell["outcomes"]["right"].get<int>() + cell["outcomes"]["on"].get<int>());
+  require_refused(called({"exhaust", "line_line", "--timeout", "60", "--engine", engine}), engine_failed,
+                  "it does not declare line_line");
+  require_refused(called({"exhaust", "orientation", "--decisions", "--engine", engine}), bad_usage, "--decisions");
+}
+
+TEST_CASE("with engine: shards of an engine's exhaustive run merge") {
+  const TextFile first("first.json", ""), second("second.json", "");
+  called({"exhaust", "orientation", "--grid", "2", "--shard", "1/2", "--json", first.path(), "--engine", leftist});
+  called({"exhaust", "orientation", "--grid", "2", "--shard", "2/2", "--json", second.path(), "--engine", leftist});
+  const Called merged = called({"merge", first.path(), second.path()});
+  const Called whole = called({"exhaust", "orientation", "--grid", "2", "--engine", leftist});
+  CHECK(merged.code == findings);
+  const auto below_heading = [](const std::string& table) { return table.substr(table.find('\n')); };
+  CHECK(below_heading(merged.out) == below_heading(whole.out));
+}
+
+TEST_CASE("with engine: vectors check judges the engine's answers by the oracle") {
+  const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_vectors");
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file("vectors/orientation.jsonl", folder / "orientation.jsonl");
+  std::filesystem::copy_file("vectors/aabb_aabb.jsonl", folder / "aabb_aabb.jsonl");
+  std::size_t asked = 0, left = 0;
+  std::ifstream vectors(folder / "orientation.jsonl");
+  for (std::string line; std::getline(vectors, line);) {
+    const Json vector = parse_own_line(line);
+    if (vector.contains("refused")) continue;
+    ++asked;
+    left += vector["truth"]["side"] == "left" ? 1 : 0;
+  }
+  const Called call = called({"vectors", "check", folder.c_str(), "--timeout", "60", "--engine", leftist});
+  std::filesystem::remove_all(folder);
+  INFO(call.out << call.err);
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out, ContainsSubstring("leftist: " + std::to_string(asked) + " vectors asked, " +
+                                         std::to_string(asked - left) + " findings") &&
+                           ContainsSubstring(R"(orientation.jsonl: line )") &&
+                           ContainsSubstring(R"(: expected {"side":"right"}, got {"side":"left"})") &&
+                           ContainsSubstring(" more findings\n") && ContainsSubstring(" 0 refused\n"));
+}
+
+TEST_CASE("with engine: a map shows the engine beside reference and robust") {
+  const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_maps");
+  const Called call = called({"map", "orientation", "--jobs", "1", "--out", folder.c_str(), "--timeout", "60",
+                              "--engine", "python3 proptests/infrastructure/engines/misbehaving.py says_left"});
+  INFO(call.out << call.err);
+  CHECK(call.code == findings);
+  CHECK_THAT(call.out, ContainsSubstring("misbehaving 1 (binary64): "));
+  CHECK(std::filesystem::exists(folder / "orientation.png"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("with engine: an engine program's help shows what it has and accepts") {
+  const Called help = called_program({"--help"});
+  CHECK(help.code == nothing_found);
+  for (const char* words : {"mine 3, an engine of touchstone with 1 operation: orientation\n", "bin/mine --serve",
+                            "bin/mine [OPTIONS]", "ask OP", "--cases", "--families"})
+    CHECK_THAT(help.out, ContainsSubstring(words));
+}
+
+TEST_CASE("with engine: an engine program that is started as an engine without --serve says so at once") {
+  setenv(started_as_engine, "1", 1);
+  const Called call = called_program({"--ops", "orientation"});
+  unsetenv(started_as_engine);
+  CHECK(call.code == bad_usage);
+  CHECK(call.err == "bin/mine: started as an engine without --serve; the command is: bin/mine --serve\n");
+  // What an engine is started with, and what becomes of its complaint.
+  const std::string without = std::string("test -n \"$") + started_as_engine + "\" && echo without --serve >&2; exit 2";
+  require_refused(called({"audit", "--ops", "orientation", "--engine", without.c_str()}), engine_failed,
+                  "it said nothing and ended: exit code 2: without --serve");
+}
+
+TEST_CASE("with engine: a noisy engine is audited like a quiet one, and its noise is told") {
+  const auto audited = [](const std::string& behaviour) {
+    const std::string command = "python3 proptests/infrastructure/engines/misbehaving.py " + behaviour;
+    return called({"audit", "--ops", "orientation", "--cases", "2000", "--jobs", "1", "--timeout", "60", "--engine",
+                   command.c_str()});
+  };
+  const Called quiet = audited("says_left"), noisy = audited("babbles_and_says_left");
+  CHECK(quiet.code == findings);
+  CHECK(noisy.code == findings);
+  CHECK(quiet.out.substr(0, quiet.out.find("  repeat")) == noisy.out.substr(0, noisy.out.find("  repeat")));
+  CHECK_THAT(noisy.err,
+             ContainsSubstring("lines of its standard output that are no answer, the last: have a nice day") &&
+                 !ContainsSubstring("restarted"));
+}
+
+}  // namespace touchstone::proptests::with_engine_tests

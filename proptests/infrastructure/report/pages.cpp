@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "audit/audit_run.h"
+#include "catalogue/draw/figures.h"
+#include "proptests/catch.h"
+#include "proptests/uses.h"
+#include "report/answered.h"
+#include "report/html.h"
+#include "report/html_compare.h"
+#include "report/html_confusion.h"
+#include "report/html_finding.h"
+#include "report/html_footer.h"
+#include "report/phrases.h"
+
+/// What the pages of a report say, from tallies made by hand.
+namespace touchstone::proptests::pages_tests {
+namespace {
+
+const Question below_line{{0, 0, 2, 0, 1, -1}, {}};  // truth: right
+
+Finding finding(const Question& question, Verdict verdict, const Json& answer) {
+  Finding found;
+  found.question = question;
+  found.judgement.verdict = verdict;
+  found.answer = answer;
+  return found;
+}
+
+/// 90 right, 10 wrong: 5 by cancellation at ordinary size, 5 by underflow or overflow at extreme size.
+Cell cell_of_orientation() {
+  Cell cell;
+  cell.ways[{Verdict::agree, "left", "left"}].cases = {90, 0};
+  WayCount& wrong = cell.ways[{Verdict::rounding, "right", "on"}];
+  wrong.cases = {5, 5};
+  wrong.out_of_range = {0, 5};
+  wrong.example = finding(below_line, Verdict::rounding, {{"side", "on"}});
+  return cell;
+}
+
+Tally tally_of(std::vector<std::pair<std::string, Cell>> cells) {
+  Tally tally;
+  tally.declaration = reference_declaration;
+  tally.seed = 1;
+  tally.cases = 100;
+  for (auto& [name, cell] : cells) tally.operations.push_back({name, {{"collinear", cell}}});
+  return tally;
+}
+
+std::size_t place_of(const std::string& page, const std::string& part) {
+  INFO(part);
+  const std::size_t at = page.find(part);
+  REQUIRE(at != std::string::npos);
+  return at;
+}
+
+}  // namespace
+
+TEST_CASE("pages: the first lines say how much is wrong, at which size and why") {
+  const std::string page = index_page(tally_of({{"orientation", cell_of_orientation()}}), {});
+  CHECK_THAT(page, ContainsSubstring("<h1>The textbook formulas in double: 10.0% of 100 hard questions wrong</h1>"));
+  CHECK_THAT(page, ContainsSubstring("At ordinary size (every number 0 or between 2^-100 and 2^100): 5 of 95 wrong "
+                                     "(5.3%). Of all 10 wrong answers: 5 by cancellation, 5 by over- or underflow."));
+}
+
+TEST_CASE("pages: an engine is called by its name, and where nothing is wrong the headline says none") {
+  Cell right;
+  right.ways[{Verdict::agree, "left", "left"}].cases = {7, 0};
+  Tally tally = tally_of({{"orientation", right}});
+  tally.declaration = {"my engine 1.0", Declaration::Boundary::closed, true, 0};
+  CHECK_THAT(index_page(tally, {}),
+             ContainsSubstring("<h1>my engine 1.0 in float: none of 7 hard questions wrong</h1>"));
+}
+
+TEST_CASE("pages: the worst operation comes first, and where nothing fails there is no map") {
+  Cell right;
+  right.ways[{Verdict::agree, "above", "above"}].cases = {100, 0};
+  const Tally tally = tally_of({{"point_ground_plane", right}, {"orientation", cell_of_orientation()}});
+  const std::string page =
+      index_page(tally, {{"point_ground_plane", failure_maps(*find_operation("point_ground_plane"), 2)}});
+  CHECK(place_of(page, "href=\"orientation.html\"") < place_of(page, "href=\"point_ground_plane.html\""));
+  CHECK(page.find("Where it goes wrong") == std::string::npos);
+  CHECK(page.find("collinear") == std::string::npos);  // families stand on the pages of operations
+  CHECK_THAT(operation_page(tally, 1, {}), ContainsSubstring("collinear"));
+}
+
+TEST_CASE("pages: truth against answer, each pair once, with what is of ordinary size") {
+  const std::string matrix = confusion_matrix(*find_operation("orientation"), cell_of_orientation(), "the formula");
+  CHECK_THAT(matrix, ContainsSubstring("<td class=\"right\" data-label=\"answered: left of the line\">90</td>"));
+  CHECK_THAT(matrix,
+             ContainsSubstring("<td class=\"found\" data-label=\"answered: on it\">10<small>5 ordinary</small>"));
+  Cell numbers;
+  numbers.ways[{Verdict::inexact, "value", "value"}].cases = {1, 0};
+  CHECK(confusion_matrix(*find_operation("line_point_at"), numbers, "the formula").empty());
+}
+
+TEST_CASE("pages: an example says the truth and the answer in words") {
+  const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
+  const std::string page = operation_page(tally, 0, {});
+  CHECK_THAT(page, ContainsSubstring("Truth:</b> right of the line. <b class=\"who-said\">Formula:</b> on it."));
+  CHECK_THAT(page, ContainsSubstring("on it where it is right of the line"));
+  CHECK_THAT(page, ContainsSubstring("10 cases, 5 of ordinary size; 5 by over- or underflow"));
+}
+
+TEST_CASE("pages: answers in words") {
+  const Operation& segments = *find_operation("segment_segment");
+  CHECK(phrase(segments, Json{{"relation", "disjoint"}}) == "no common point");
+  CHECK(phrase(segments, Json::parse(R"({"relation":"point","ta":0.5,"tb":"1/3","point":[1,2]})")) ==
+        "a common point, ta = 0.5, tb = 1/3, point (1, 2)");
+  CHECK(phrase(*find_operation("polygon_convexity"), std::string("not_simple/none")) ==
+        "crossing itself, no orientation");
+  CHECK(phrase(segments, Json(nullptr)) == "no answer");
+  CHECK(sentence(segments, Json::parse(R"({"relation":"point","ta":"1234567890123/1234567890124"})")) ==
+        "a common point, ta = about 1");
+}
+
+TEST_CASE("pages: a wrong point is drawn beside the right one, the same figure without it") {
+  Cell cell;
+  WayCount& wrong = cell.ways[{Verdict::inexact, "point", "point"}];
+  wrong.cases = {1, 0};
+  wrong.example = finding({{0, 0, 2, 2, 0, 2, 2, 0}, {}}, Verdict::inexact,
+                          Json::parse(R"({"relation":"point","ta":0.5,"tb":0.5,"point":[1,1.5]})"));
+  const std::string page = operation_page(tally_of({{"segment_segment", cell}}), 0, {});
+  const std::size_t right = place_of(page, "Truth:</b>"), beside = place_of(page, "<div class=\"beside\">");
+  CHECK(beside < right);
+  const std::string first = page.substr(beside, right - beside),
+                    second = page.substr(right, place_of(page, "Formula:</b>") - right);
+  CHECK(first.find(">truth: point<") != std::string::npos);
+  CHECK(first.find(">answered<") == std::string::npos);
+  CHECK(second.find(">truth: point<") == std::string::npos);
+  CHECK(second.find(">answered<") != std::string::npos);
+}
+
+TEST_CASE("pages: pieces that were answered are drawn at the polygon's vertices, none where an index is too great") {
+  const Json input = Json::parse(R"({"polygon":[[0,0],[4,0],[4,4],[0,4]]})");
+  for (const auto& [answer, drawn] :
+       {std::pair(R"({"triangles":[[0,1,2],[0,2,3]]})", 2), std::pair(R"({"triangles":[[0,1,4]]})", 0)}) {
+    Drawing scene;
+    scene.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
+    draw_answered(scene, *find_operation("triangulate_polygon"), Json::parse(answer), input);
+    REQUIRE(scene.figures.size() == 1u + static_cast<std::size_t>(drawn));
+    if (drawn > 0) CHECK(scene.figures[1].numbers == std::vector<double>{0, 0, 4, 0, 4, 4});
+  }
+}
+
+TEST_CASE("pages: before and after a fix, what changed most first") {
+  Cell fixed, worse = cell_of_orientation();
+  fixed.ways[{Verdict::agree, "left", "left"}].cases = {100, 0};
+  worse.ways[{Verdict::algorithm, "on", "left"}].cases = {1, 0};
+  const Tally before = tally_of({{"point_on_segment", cell_of_orientation()}, {"orientation", cell_of_orientation()}}),
+              after = tally_of({{"point_on_segment", worse}, {"orientation", fixed}, {"line_line", fixed}});
+  const std::string text = comparison(before, after);
+  CHECK(place_of(text, "orientation.html") < place_of(text, "point_on_segment.html"));
+  CHECK_THAT(text, ContainsSubstring("10 of 100 (10.0%)</td><td data-label=\"wrong now\">0 of 100 (0%)"));
+  CHECK_THAT(text, ContainsSubstring(">fixed</td>"));
+  CHECK_THAT(text, ContainsSubstring(">more</td>"));
+  CHECK_THAT(text, ContainsSubstring("Not in the earlier audit: line_line."));
+  CHECK(text.find("not asked the same") == std::string::npos);
+  CHECK(comparison(before, after, "line_line").empty());
+  CHECK_THAT(comparison(before, after, "orientation"), ContainsSubstring(">collinear</th>"));
+  Tally other = before;
+  other.seed = 2;
+  CHECK_THAT(comparison(other, after), ContainsSubstring("not asked the same questions"));
+  CHECK_THAT(index_page(after, {}, {"", &before}), ContainsSubstring("Before and now"));
+}
+
+TEST_CASE("pages: what the gate says stands above the tables, and no gate says nothing") {
+  const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
+  const std::string page = index_page(tally, {}, {"", nullptr, "gate: failed: 1 new finding\n  a < b\n"});
+  CHECK_THAT(page, ContainsSubstring("<h2>Gate</h2><div class=\"card\"><pre>gate: failed: 1 new finding\n  a &lt; b"));
+  CHECK(place_of(page, "<h2>Gate</h2>") < place_of(page, "<h2>By operation</h2>"));
+  CHECK(index_page(tally, {}).find("<h2>Gate</h2>") == std::string::npos);
+}
+
+TEST_CASE("pages: a plain yes or no is right where it was judged right") {
+  Cell cell;
+  cell.ways[{Verdict::agree, "apart", "no"}].cases = {7, 0};
+  cell.ways[{Verdict::algorithm, "apart", "yes"}].cases = {3, 0};
+  const std::string matrix = confusion_matrix(*find_operation("aabb_aabb"), cell, "e");
+  CHECK_THAT(matrix, ContainsSubstring("<td class=\"right\" data-label=\"answered: no\">7") &&
+                         ContainsSubstring("<td class=\"found\" data-label=\"answered: yes\">3"));
+}
+
+TEST_CASE("pages: the footer holds the versions and the command that gives the same") {
+  Tally tally = tally_of({{"orientation", cell_of_orientation()}});
+  CHECK(audit_command_of(tally, {}) == "touchstone audit --ops orientation --cases 100 --seed 1 --report DIR");
+  CHECK(audit_command_of(tally, {"touchstone audit --seed 7", nullptr}) == "touchstone audit --seed 7");
+  tally.repeat.options = "--engine 'python3 engine.py'";
+  CHECK_THAT(audit_command_of(tally, {}), StartsWith("touchstone audit --engine 'python3 engine.py' --ops"));
+  tally.repeat.program = "build/release/touchstone";
+  CHECK_THAT(audit_command_of(tally, {}), StartsWith("build/release/touchstone audit --engine"));
+  const std::string page = index_page(tally, {});
+  CHECK_THAT(page.substr(place_of(page, "<footer>")), ContainsSubstring(versions()));
+  CHECK_THAT(versions(), ContainsSubstring("GMP ") && ContainsSubstring("MPFR "));
+}
+
+}  // namespace touchstone::proptests::pages_tests

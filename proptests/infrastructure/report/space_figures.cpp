@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "catalogue/draw/figures.h"
+#include "proptests/catch.h"
+#include "proptests/infrastructure/report/in_node.h"
+#include "proptests/uses.h"
+#include "report/answered.h"
+#include "report/html_parts.h"
+#include "report/space_model.h"
+
+/// Scenes in space as a page holds them; what its script draws of them: viewer.mjs.
+namespace touchstone::proptests::space_figures_tests {
+namespace {
+
+template <class Shape>
+void ask_for(Drawing& scene, const std::string& label, const Shape& shape) {
+  draw(scene, label, shape, false);
+}
+
+Drawing every_kind() {
+  Drawing scene;
+  ask_for(scene, "p", Point3d{1, 2, 3});
+  ask_for(scene, "v", Vector3d{1, 0, 0});
+  ask_for(scene, "plane", Plane3d{{0, 1, 0}, -1});
+  ask_for(scene, "polygon", Polygon3d{{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}});
+  ask_for(scene, "box", Aabb3d{{0, 0, 0}, {1, 1, 1}});
+  ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
+  ask_for(scene, "mesh", Meshd{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  scene.space.push_back({SpaceFigure::Kind::segment, "segment", {0, 0, 0, 1, 1, 1}});
+  draw(scene, "point", Point3d{0, 1, 0}, true);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("figures in space: between 5e-324 and 1.7e308 every point is within the box of steps") {
+  Drawing scene;
+  ask_for(scene, "a", Point3d{1e308, -1e308, 5e-324});
+  ask_for(scene, "b", Sphere3d{{0, 0, 0}, 1.7e308});
+  ask_for(scene, "plane", Plane3d{{5e-324, 1e308, 0}, 1e308});
+  const Json model = space_model(scene, "huge");
+  REQUIRE(model["figures"].size() == 3);
+  CHECK(model["figures"][1]["radius"] == 100000);
+  for (const Json& figure : model["figures"])
+    for (const Json& point : figure["points"])
+      for (const Json& coordinate : point) CHECK(std::abs(coordinate.get<int>()) <= 100000);
+}
+
+TEST_CASE("figures in space: neighbouring doubles are two places") {
+  Drawing scene;
+  ask_for(scene, "a", Point3d{1, 0, 0});
+  ask_for(scene, "b", Point3d{1 + 0x1p-52, 0, 0});
+  const Json model = space_model(scene, "near");
+  CHECK(model["figures"][0]["points"] == Json({{-100000, 0, 0}}));
+  CHECK(model["figures"][1]["points"] == Json({{100000, 0, 0}}));
+  CHECK(model["spans"][0] == "x: 1 \u00b1 1.1e-16");
+}
+
+TEST_CASE(
+    "figures in space: a plane is shown where it is nearest to the rest, its normal of one length for all sizes") {
+  for (const double size : {1.0, 1e300, 0x1p-1074}) {
+    Drawing scene;
+    ask_for(scene, "a", Point3d{-1, 0, 0});
+    ask_for(scene, "b", Point3d{1, 2, 0});
+    ask_for(scene, "plane", Plane3d{{0, -size, 0}, 0});
+    CHECK(space_model(scene, "")["figures"][2]["points"] == Json({{0, -100000, 0}, {0, -140000, 0}}));
+  }
+}
+
+TEST_CASE("figures in space: a thin scene is stretched and says so, one with a sphere is not and has a bar") {
+  Drawing scene;
+  ask_for(scene, "box", Aabb3d{{0, 0, 0}, {100, 1, 100}});
+  const Json thin = space_model(scene, "");
+  CHECK(thin["remarks"] == Json({"y stretched 50 times"}));  // to half of the longest side
+  CHECK_FALSE(thin.contains("bar"));
+  ask_for(scene, "sphere", Sphere3d{{50, 0, 50}, 50});
+  const Json round = space_model(scene, "");
+  CHECK(round["remarks"].empty());
+  CHECK(round["bar"] == Json({40000.0, "20"}));
+}
+
+TEST_CASE("figures in space: a plane without a normal and an infinite point are not drawn") {
+  Drawing scene;
+  ask_for(scene, "plane", Plane3d{{0, 0, 0}, 1});
+  ask_for(scene, "point", Point3d{HUGE_VAL, 0, 0});
+  CHECK(space_figure(scene, "nothing").empty());
+}
+
+TEST_CASE("figures in space: a page says in words what its script draws, and has the script with it") {
+  const std::string html = page("figures", space_figure(every_kind(), "every kind"));
+  CHECK_THAT(html, ContainsSubstring("<noscript><p>In space: point p, arrow v, plane plane, polygon polygon, box box, "
+                                     "sphere sphere, mesh mesh, segment segment, truth: point point; x: -1 to 1"));
+  CHECK_THAT(html, ContainsSubstring("; p: (1, 2, 3)"));
+  if (!there_is_node()) return;
+  const std::vector<Json> drawn = lines_of_node("drawn_page.mjs", html, {});
+  REQUIRE(drawn.size() == 1);
+  const std::string svg = drawn[0];
+  for (const char* label : {"p", "v", "plane", "polygon", "box", "sphere", "mesh", "segment", "truth: point"})
+    CHECK_THAT(svg, ContainsSubstring(std::string(">") + label + "</text>"));
+  CHECK_THAT(svg, ContainsSubstring("<title>every kind</title>"));
+  CHECK_THAT(svg, !ContainsSubstring("NaN"));
+}
+
+TEST_CASE("figures in space: a wrong point is drawn beside the truth, the right one is not drawn twice") {
+  const Operation& operation = *find_operation("closest_point_on_aabb");
+  Drawing scene;
+  ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
+  draw(scene, "point", Point3d{0, 1, 0}, true);
+  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0]})"), {});
+  CHECK(scene.space.size() == 2);
+  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0.5]})"), {});
+  REQUIRE(scene.space.size() == 3);
+  CHECK(scene.space[2].said);
+}
+
+}  // namespace touchstone::proptests::space_figures_tests

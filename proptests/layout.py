@@ -1,0 +1,394 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether every operation is in every module under its own name, and no module sees one that it must not.
+
+  layout.py --program PATH   the source tree around this file, with the operations that the program knows
+  layout.py --self-check     small trees with one fault each: every fault must be found
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+MODULES = {
+    "geometry": {"geometry"},
+    "reference": {"geometry", "reference"},
+    "robust": {"geometry", "robust"},
+    "oracle": {"geometry", "oracle"},
+    "catalogue": {"geometry", "reference", "robust", "oracle", "catalogue"},
+    "audit": {"geometry", "reference", "robust", "oracle", "catalogue", "audit"},
+    "simulate": {"geometry", "reference", "robust", "catalogue", "simulate"},
+    "testing": {"geometry", "oracle", "robust", "catalogue", "audit", "testing"},
+    "report": {"geometry", "oracle", "catalogue", "audit", "simulate", "report"},
+    "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
+    "engines": None,
+    "proptests": None,
+    "fuzz": None,
+    "bench": None,
+    "coverage": None,
+    "examples": None,
+}
+# Where an operation's files stand: folder (before the chapter) and suffixes.
+PLACES = {
+    "reference": (".h",),
+    "robust": (".h", ".cpp"),
+    "oracle": (".h", ".cpp"),
+    "catalogue/rows": (".h",),
+    "proptests/operations": (".cpp",),
+}
+# Another method for an operation's question has a formula and a row of its own, and nothing else.
+METHOD_PLACES = {"reference", "catalogue/rows"}
+# Folders beside the chapters.
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs", "batch"}, "oracle": {"exact", "certificates", "rings"}}
+# cmake/public_headers.cmake refuses to install these.
+NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
+# Headers that CMake makes.
+MADE = {"catalogue/rows/all.h"}
+FEWEST_MUTANTS = 6
+CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
+LONGEST = 400
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+FOREIGN_HEADER = re.compile(r"^(gmp|gmpxx|mpfr)\.h$|^CGAL/|^boost/multiprecision/")
+FOREIGN_TYPE = re.compile(r"\b(mp[zqf]_class|mp[zqf]_t|mpfr_t|CGAL::\w+)")
+CGAL_AS_PEER = re.compile(r"//.*\bCGAL as (peer|second opinion): *\S+")
+CGAL_MAY_BE_PEER = ("proptests/", "bench/", "engines/")
+# A family draws its choices from `c`: handed on, or a member called.
+CALL = re.compile(r"\b(?!(?:for|if|while|switch|return)\b)\w+(?:<[\w:]+>)?\(")
+DRAW = re.compile(r"[(,] *c *[,)]|\bc\.\w+\(")
+
+
+class Tree:
+    def __init__(self, root):
+        self.root = root
+        self.text = {}
+        for module in MODULES:
+            for path in sorted((root / module).rglob("*")):
+                if path.is_file() and path.suffix in CODE:
+                    self.text[path.relative_to(root).as_posix()] = path.read_text(encoding="utf-8")
+
+    def includes(self, name):
+        return [(quote, target) for quote, target in INCLUDE.findall(self.text[name])]
+
+
+def operation_files(tree, operations):
+    chapters = {operation["chapter"] for operation in operations}
+    for place, suffixes in PLACES.items():
+        wanted = {
+            f"{place}/{o['chapter']}/{o['name']}{suffix}"
+            for o in operations
+            for suffix in suffixes
+            if place in METHOD_PLACES or "method_of" not in o
+        }
+        for name in sorted(wanted - tree.text.keys()):
+            yield f"{name}: missing"
+        folders = {p.name for p in (tree.root / place).glob("*") if p.is_dir()} - NO_CHAPTER.get(place, set())
+        for name in sorted(tree.text):
+            for folder in folders:
+                if name.startswith(f"{place}/{folder}/") and name not in wanted:
+                    yield f"{name}: stray, no operation of that chapter has this name"
+
+
+def claimed(tree, file):
+    """Whether a file holds a true claim, and a false one."""
+    text = (tree.root / file).read_text(encoding="utf-8") if (tree.root / file).is_file() else ""
+    kinds = {"refused" in json.loads(line) for line in text.splitlines() if line.strip()}
+    return False in kinds, True in kinds
+
+
+def evidence(tree, operations):
+    """What an operation needs beside its files, module by module."""
+    certify = "oracle/certificates/"
+    readme = (tree.root / "README.md").read_text(encoding="utf-8")
+    checks = {suffix: "".join(text for name, text in tree.text.items() if name.startswith(certify) and name.endswith(suffix))
+              for suffix in (".cpp", ".py")}
+    for operation in operations:
+        name = operation["name"]
+        if "method_of" in operation:
+            continue
+        header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "catalogue/rows"))
+        for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
+            if f"robust::{alone}(" not in row:
+                yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
+        if "namespace stages {" in header and f"using stages = ::touchstone::robust::stages::{name};" not in row:
+            yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::stages::{name}, each stage alone"
+        vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
+        if not vectors.is_file() or not vectors.stat().st_size:
+            yield f"vectors/{name}.jsonl: missing or empty (./dev vectors)"
+        if not corpus.is_dir() or not any(corpus.iterdir()):
+            yield f"fuzz/corpus/{name}: missing or empty (./dev seeds {name})"
+        listed = f"proptests/mutation/mutants/{name}.jsonl"
+        mutants = (tree.root / listed).read_text(encoding="utf-8").count("\n") if (tree.root / listed).is_file() else 0
+        if mutants < FEWEST_MUTANTS:
+            yield f"{listed}: {mutants} mutants of {name}, fewer than {FEWEST_MUTANTS}"
+        if not re.search(rf'\{{\s*"{name}"\s*,\s*check_', checks[".cpp"]):
+            yield f"{certify}check_*.cpp: no check of {name} in the table of a file"
+        if not re.search(rf"^def check_{name}\(", checks[".py"], re.MULTILINE):
+            yield f"{certify}certify_*.py: no function check_{name}"
+        claims = f"{certify}claims/{name}.jsonl"
+        for held, sort in zip(claimed(tree, claims), ("true", "false")):
+            if not held:
+                yield f"{claims}: no {sort} claim of {name}"
+        if not re.search(rf"^\|.*`{name}`.*\|", readme, re.MULTILINE):
+            yield f"README.md: no row names `{name}`"
+
+
+def directions(tree):
+    for name in tree.text:
+        module = name.split("/")[0]
+        allowed = MODULES[module]
+        for quote, target in tree.includes(name):
+            other = target.removeprefix("touchstone/").split("/")[0]
+            if quote == '"' and target not in tree.text and target not in MADE and module != "examples":
+                yield f"{name}: there is no \"{target}\" from the root"
+            if allowed is not None and other in MODULES and other not in allowed and "/" in target:
+                yield f"{name}: {module} must not include {other} ({target})"
+            if re.match(r"oracle/certificates/check[^/]*$", name) and other in MODULES and not target.startswith(
+                    "oracle/certificates/"):
+                yield f"{name}: the checker of certificates must not include {target}"
+
+
+def cgal(tree):
+    for name, text in tree.text.items():
+        if name.startswith("robust/kernel/") or not any(t.startswith("CGAL/") for _, t in tree.includes(name)):
+            continue
+        if not name.startswith(CGAL_MAY_BE_PEER):
+            yield f"{name}: CGAL belongs in robust/kernel/"
+        elif not CGAL_AS_PEER.search(text):
+            yield f"{name}: includes CGAL without saying why (// CGAL as peer: ..., // CGAL as second opinion: ...)"
+
+
+def public_headers(tree):
+    """No exact number type reaches a user of geometry, reference or robust, not even through another header; nor does a
+    header that is not installed."""
+    for name in tree.text:
+        if not name.endswith(".h") or name.startswith(("robust/kernel/", *NOT_INSTALLED)):
+            continue
+        if name.split("/")[0] not in ("geometry", "reference", "robust"):
+            continue
+        stage = re.search(r"\bStage\b|\b\w+_(?:lattice|exact)(?=\()", COMMENT.sub("", tree.text[name]))
+        if stage:
+            yield f"{name}: {stage.group(0)}, a stage, in a public header"
+        found = FOREIGN_TYPE.search(COMMENT.sub("", tree.text[name]))
+        if found:
+            yield f"{name}: {found.group(1)} in a public header"
+        seen, waiting = set(), [name]
+        while waiting:
+            header = waiting.pop()
+            if header in seen or header not in tree.text:
+                continue
+            seen.add(header)
+            for _, target in tree.includes(header):
+                if FOREIGN_HEADER.match(target):
+                    yield f"{name}: reaches <{target}> through {header}"
+                if target.startswith(NOT_INSTALLED):
+                    yield f"{name}: reaches {target}, which is not installed, through {header}"
+                waiting.append(target)
+
+
+def arguments_of(text, start):
+    """What stands between the commas of the call whose parenthesis opens at start."""
+    depth, found = 0, [""]
+    for character in text[start:]:
+        depth += (character in "([{") - (character in ")]}")
+        if depth == 0:
+            break
+        if character == "," and depth == 1:
+            found.append("")
+        else:
+            found[-1] += character
+    return found
+
+
+def draws(tree):
+    """C++ leaves the order of arguments open: with two draws in one call, compilers make different questions."""
+    for name, text in tree.text.items():
+        if not name.startswith("catalogue/"):
+            continue
+        code = COMMENT.sub(lambda comment: "\n" * comment.group(0).count("\n"), text)
+        for call in CALL.finditer(code):
+            passed = arguments_of(code, call.end() - 1)
+            if sum(bool(DRAW.search(a)) for a in passed if not re.match(r"\(?\s*\[", a)) > 1:
+                yield f"{name}:{code[:call.start()].count(chr(10)) + 1}: two draws in one call, in no order"
+
+
+def circles(tree):
+    """Folders of a module, and files at its top, see one another in one direction."""
+    for module in MODULES:
+        sees = {}
+        for name in tree.text:
+            if not name.startswith(f"{module}/"):
+                continue
+            for _, target in tree.includes(name):
+                one, other = (part_of(module, path) for path in (name, target))
+                if target.startswith(f"{module}/") and one != other:
+                    sees.setdefault(one, {}).setdefault(other, f"{name} includes {target}")
+        for one in sees:
+            for other, why in sees[one].items():
+                if one in reach(sees, other) | {other}:
+                    yield f"{module}/{one}: a circle, {why}"
+
+
+def part_of(module, path):
+    """The folder below a module, or the file at its top without its suffix."""
+    first = path.removeprefix(f"{module}/").split("/")
+    return first[0] if len(first) > 1 else first[0].split(".")[0]
+
+
+def reach(sees, start):
+    reached, waiting = set(), [start]
+    while waiting:
+        for other in sees.get(waiting.pop(), {}):
+            if other not in reached:
+                reached.add(other)
+                waiting.append(other)
+    return reached
+
+
+def lengths(tree):
+    for name, text in tree.text.items():
+        lines = text.count("\n")
+        if lines > LONGEST:
+            yield f"{name}: {lines} lines, more than {LONGEST}"
+
+
+def faults(root, operations):
+    if not operations:
+        yield "the program knows no operations"
+        return
+    tree = Tree(root)
+    yield from operation_files(tree, operations)
+    yield from evidence(tree, operations)
+    yield from directions(tree)
+    yield from cgal(tree)
+    yield from public_headers(tree)
+    yield from circles(tree)
+    yield from draws(tree)
+    yield from lengths(tree)
+
+
+CLAIM = '{"op":"touch"}\n'
+FALSE_CLAIM = '{"op":"touch","refused":"truth: side is wrong"}\n'
+
+
+def right_tree():
+    files = {f"{place}/lines/touch{suffix}": "#pragma once\n" for place, suffixes in PLACES.items() for suffix in suffixes}
+    files["geometry/points.h"] = "#pragma once\n"
+    files["robust/kernel/filter.h"] = "#include <CGAL/version.h>\n#include <gmpxx.h>\nmpq_class exact();\n"
+    files["robust/lines/touch.cpp"] = '#include "robust/lines/touch.h"\n#include "robust/kernel/filter.h"\n'
+    files["reference/lines/touch.h"] = '#include "geometry/points.h"\n// not even mpq_class in a comment\n'
+    files["oracle/exact/truth.h"] = "#include <gmpxx.h>\nmpq_class truth();\n"
+    files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
+    files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
+    files["catalogue/hull.h"] = "turn(box(c), 1, c); Box{box(c), box(c)}; turn([](C& c) { return box(c); }, box(c));\n"
+    files["catalogue/operation/row.h"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+    files["program/main.cpp"] = '#include "catalogue/operation/row.h"\n'
+    files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
+    files["fuzz/driver/replay_main.cpp"] = '#include "program/main.cpp"\n'
+    files["vectors/touch.jsonl"] = CLAIM
+    files["oracle/certificates/claims/touch.jsonl"] = CLAIM + FALSE_CLAIM
+    files["fuzz/corpus/touch/seed"] = "seed"
+    files["proptests/mutation/mutants/touch.jsonl"] = 6 * "{}\n"
+    files["oracle/certificates/check_lines.cpp"] = 'Checks checks_of_lines() { return {{"touch", check_touch}}; }\n'
+    files["oracle/certificates/certify_lines.py"] = "def check_touch(claim):\n    pass\n"
+    files["README.md"] = "| `meet`, `touch` | do they touch? |\n"
+    return files
+
+
+# One fault each: what is written where (None removes it), and the file that must be blamed.
+PLANTED = [
+    ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
+    ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
+    ("catalogue/rows/lines/touch.h", None, "catalogue/rows/lines/touch.h: missing"),
+    ("proptests/operations/lines/cross.cpp", "", "proptests/operations/lines/cross.cpp: stray"),
+    ("reference/lines/cross.h", "", "reference/lines/cross.h: stray"),
+    ("oracle/planes/touch.cpp", "", "oracle/planes/touch.cpp: stray"),
+    ("geometry/points.h", '#include "reference/lines/touch.h"\n', "geometry/points.h: geometry must not include reference"),
+    ("reference/lines/touch.h", '#include "robust/lines/touch.h"\n', "reference must not include robust"),
+    ("robust/lines/touch.cpp", '#include "oracle/lines/touch.h"\n', "robust must not include oracle"),
+    ("oracle/lines/touch.cpp", '#include <touchstone/robust/lines/touch.h>\n', "oracle must not include robust"),
+    ("robust/kernel/filter.h", '#include "program/main.cpp"\n', "robust must not include program"),
+    ("catalogue/operation/row.h", '#include "program/main.cpp"\n', "catalogue must not include program"),
+    ("program/main.cpp", '#include "fuzz/driver/replay_main.cpp"\n', "program must not include fuzz"),
+    ("robust/lines/touch.cpp", '#include "touch.h"\n', 'there is no \"touch.h\" from the root'),
+    ("oracle/certificates/check.cpp", '#include "oracle/exact/truth.h"\n', "the checker of certificates must not"),
+    ("oracle/lines/touch.cpp", "#include <CGAL/Epick.h>\n", "CGAL belongs in robust/kernel/"),
+    ("bench/touch.cpp", "#include <CGAL/Epick.h>\n", "bench/touch.cpp: includes CGAL without saying why"),
+    ("robust/lines/touch.h", "inline Side touch_side(int);\n", "nobody asks robust::touch_side"),
+    ("robust/lines/touch.h", "#include <gmpxx.h>\n", "robust/lines/touch.h: reaches <gmpxx.h>"),
+    ("robust/lines/touch.h", '#include "robust/kernel/filter.h"\n', "robust/lines/touch.h: reaches <CGAL/version.h>"),
+    ("robust/lines/touch.h", "namespace stages {\nstruct touch;\n}\n", "nobody asks robust::stages::touch"),
+    ("robust/lines/touch.h", '#include "robust/rings/simple.h"\n', "rings/simple.h, which is not installed"),
+    ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
+    ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
+    ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
+    ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
+    ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
+    ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
+    ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
+    ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),
+    ("fuzz/corpus/touch/seed", None, "fuzz/corpus/touch: missing"),
+    ("proptests/mutation/mutants/touch.jsonl", 5 * "{}\n", "5 mutants of touch, fewer than 6"),
+    ("oracle/certificates/check_lines.cpp", '{{"touched", check_touched}}', "no check of touch in the table"),
+    ("oracle/certificates/certify_lines.py", "def check_touched(claim):\n", "no function check_touch"),
+    ("oracle/certificates/claims/touch.jsonl", FALSE_CLAIM, "claims/touch.jsonl: no true claim of touch"),
+    ("oracle/certificates/claims/touch.jsonl", CLAIM, "claims/touch.jsonl: no false claim of touch"),
+    ("oracle/certificates/claims/touch.jsonl", None, "claims/touch.jsonl: no true claim of touch"),
+    ("proptests/mutation/mutants/touch.jsonl", None, "0 mutants of touch, fewer than 6"),
+    ("README.md", "| `touched` | does it? |\nof `touch`\n", "README.md: no row names `touch`"),
+]
+
+
+def write(root, files):
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def self_check():
+    operations = [{"name": "touch", "chapter": "lines"}]
+    method = {"name": "touch_slowly", "chapter": "lines", "method_of": "touch"}
+    wrong = []
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        write(root / "right", right_tree())
+        wrong += [f"a right tree was blamed: {fault}" for fault in faults(root / "right", operations)]
+        write(root / "method", right_tree() | {f"{place}/lines/touch_slowly.h": "" for place in METHOD_PLACES})
+        wrong += [f"a right method was blamed: {fault}" for fault in faults(root / "method", operations + [method])]
+        if not list(faults(root / "right", [])):
+            wrong.append("a program without operations was not noticed")
+        for number, (name, text, blame) in enumerate(PLANTED):
+            files = right_tree()
+            files.pop(name, None)
+            if text is not None:
+                files[name] = text
+            write(root / str(number), files)
+            found = list(faults(root / str(number), operations))
+            if not any(blame in fault for fault in found):
+                wrong.append(f"planted in {name}, expected '{blame}', found {found}")
+    print(f"self-check: {len(PLANTED) + 3 - len(wrong)} of {len(PLANTED) + 3} as expected")
+    return wrong
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    choice = arguments.add_mutually_exclusive_group(required=True)
+    choice.add_argument("--program", help="the built program; its `ops --json` is the list of operations")
+    choice.add_argument("--self-check", action="store_true")
+    options = arguments.parse_args()
+    if options.self_check:
+        found = self_check()
+    else:
+        listing = subprocess.run([options.program, "ops", "--json"], check=True, capture_output=True, text=True).stdout
+        found = list(faults(pathlib.Path(__file__).resolve().parent.parent, json.loads(listing)))
+    for fault in found:
+        print(fault)
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
