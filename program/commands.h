@@ -64,8 +64,6 @@ struct CheckEngineCommand {
   double timeout = usual_timeout;
 };
 
-/// The command that starts this very program as an engine: its path and --serve.
-std::string own_engine_command();
 
 struct DrawCommand {
   std::string operation;

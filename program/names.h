@@ -21,6 +21,9 @@ inline constexpr double usual_timeout = 5;
 /// line works where this one was typed.
 Repeat repeat_of(const std::string& program, const std::string& engine, double timeout);
 
+/// The command that starts this very program as an engine: its path and --serve.
+std::string own_engine_command();
+
 /// An engine that has the operation; nullptr where the command is empty. Throws EngineError.
 std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
                                    EngineNotes& notes);
