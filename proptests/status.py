@@ -210,7 +210,7 @@ def numbers(operations, asked):
     rows = [
         ("operations", len(operations)),
         ("families of inputs, of all operations", sum(len(o["families"]) for o in operations)),
-        ("properties that every operation is asked for", count_in("proptests/agreement", r"^EACH_OPERATION\(|^    \{Aspect::") - 1),
+        ("properties that every operation is asked for", count_in("proptests/agreement", r"^EACH_OPERATION\(|\{Aspect::") - 1),
         ("other tests", hundreds(count_in("proptests", r"^ *(TEST_CASE|(ROBUST_|EXACT_)?LAW|CONTRACT)\("))),
         ("configurations of small worlds in a test run", asked),
         ("operations with a second truth", sum(o["name"] in truths for o in operations)),

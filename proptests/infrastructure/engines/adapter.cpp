@@ -141,7 +141,7 @@ TEST_CASE("adapter: above the table stand the operations found, the overloads an
                                                    "aabb_aabb(Aabb3<double> a, Aabb3<double> b)"});
   std::size_t operations = 0;
   for (const Operation* operation : all_operations()) operations += operation->card().is_method() ? 0 : 1;
-  const std::string text = operations_found(all);
+  const std::string text = program::operations_found(all);
   REQUIRE_THAT(text, StartsWith("planar 2 has 2 of " + std::to_string(operations) +
                                 " operations: sphere_sphere, aabb_aabb\nNo overload found: "
                                 "sphere_sphere(Sphere3<double> a, Sphere3<double> b),\n    aabb_aabb("));

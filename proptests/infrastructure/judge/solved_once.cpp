@@ -195,7 +195,11 @@ TEST_CASE("interrogation: says which of its aspects is broken") {
   row.reference = [](const Question&) { return Tape<double>{{}, {static_cast<Word>(Side::on)}}; };
   CHECK(said(Aspect::promise) == "promise");
   row = original;
-  row.certify = [](const Question&) { return oracle::Certificate{"no such kind", {}}; };
+  row.solve = [](const Question& q) {
+    Solution solution = counted_row().solve(q);
+    solution.certificate = [] { return oracle::Certificate{"no such kind", {}}; };
+    return solution;
+  };
   CHECK(said(Aspect::certificate) == "certificate");
   row = original;
   row.robust = [](const Question& q, std::size_t e) {

@@ -6,6 +6,7 @@
 #include "catalogue/rows/lines/line_point_at.h"
 #include "catalogue/rows/lines/parametric_circle.h"
 #include "catalogue/rows/lines/ray_segment.h"
+#include "geometry/invalid_input.h"
 #include "proptests/catch.h"
 
 namespace touchstone::proptests::refusals_tests {
