@@ -75,7 +75,7 @@ TEST_CASE("simulate: a run prints each step in three arithmetics") {
   std::istringstream lines(out.str());
   int count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
-    const auto json = catalogue::parse_line(line);
+    const auto json = catalogue::Json::parse(line);
     CHECK(json["step"] == count);
     for (const char* run : {"float", "double", "robust"}) CHECK(json[run].size() == 1);
   }
