@@ -13,6 +13,7 @@
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/tape.h"
 #include "catalogue/shape/walk.h"
+#include "geometry/invalid_input.h"
 
 /// What is asked while the clock runs. The same cases on every machine and with every compiler.
 namespace touchstone::bench {

@@ -156,8 +156,8 @@ void add_row(DataSet set) {
         [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
   }
   // Which answers hold numbers, for the goals of ratios.py.
-  const audit::Kind kind = Row::card().kind;
-  const char* label = kind == audit::Kind::measure || kind == audit::Kind::set ? "numbers" : "";
+  const catalogue::Kind kind = Row::card().kind;
+  const char* label = kind == catalogue::Kind::measure || kind == catalogue::Kind::set ? "numbers" : "";
   add("slide_answer", [=](benchmark::State& s) {
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_reference<Row>(q); });
   });

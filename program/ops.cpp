@@ -64,7 +64,7 @@ void print_json(std::ostream& out) {
     if (card.is_method()) entry["method_of"] = card.method_of;
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);
-    entry["price"] = static_cast<int>(card.price);
+    entry["cost"] = card.cost;
     entry["question"] = card.question;
     entry["answer"] = operation->answer_description();
     entry["families"] = operation->families();

@@ -31,7 +31,7 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 }  // namespace
 
 std::uint64_t affordable(const Operation& operation, std::uint64_t questions) {
-  return std::max(least_cases, questions / static_cast<std::uint64_t>(operation.card().price));
+  return std::max(least_cases, questions / static_cast<std::uint64_t>(operation.card().cost));
 }
 
 void never_at(const Operation& operation, const std::string& sentence, const ComplaintAt& complaint, int usual,

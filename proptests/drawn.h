@@ -26,11 +26,11 @@ using Complaint = std::function<std::string(const Question&)>;
 /// How many cases one pick of RapidCheck drives.
 inline constexpr std::uint64_t batch = 64;
 
-/// How many questions of a family are asked instead of so many, by the price of a question (Card::price).
+/// How many questions of a family are asked instead of so many, by the cost of a question (Card::cost).
 std::uint64_t affordable(const Operation& operation, std::uint64_t questions);
 
 /// The property that `complaint(question)` is empty for every question of every family of an operation: `usual` batches
-/// of `size` in each family, divided by the price of a question.
+/// of `size` in each family, divided by the cost of a question.
 void never(const Operation& operation, const std::string& sentence, const Complaint& complaint, int usual,
            std::uint64_t size = batch);
 

@@ -94,7 +94,7 @@ def second_opinions():
 
 
 def grids():
-    """[(size, most configurations of a price of 1)] of what the test run asks."""
+    """[(size, most configurations of a cost of 1)] of what the test run asks."""
     found = re.findall(r"\.size = (\d+), \.first = -?\d+, \.most = 1 << (\d+).*?\}, operation\.card\(\)\.list_length\)",
                        text_of("proptests/agreement/grids.cpp"))
     if len(found) < 2:
@@ -115,7 +115,7 @@ def worlds(program, operation):
     cells, total, whole = [], 0, False
     for size, most in grids():
         count = configurations(program, operation["name"], size)
-        asked = min(count, most // operation["price"])
+        asked = min(count, most // operation["cost"])
         total += asked
         whole = whole or asked == count
         cells.append(f"{size}: all {count:,}" if asked == count else f"{size}: {asked:,} of {count:,}")

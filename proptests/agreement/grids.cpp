@@ -42,7 +42,7 @@ std::uint64_t stride(std::uint64_t all, std::uint64_t asked, int size) {
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
   const std::uint64_t all = operation.configurations(grid.size, list_length).value();
-  const auto most = static_cast<std::uint64_t>(scaled(grid.most / static_cast<int>(operation.card().price)));
+  const auto most = static_cast<std::uint64_t>(scaled(grid.most / operation.card().cost));
   const std::uint64_t asked = std::min(all, most), step = stride(all, asked, grid.size);
   std::uint64_t index = 0, valid = 0;
   for (std::uint64_t number = 0; number < asked; ++number, index += index < all - step ? step : step - all) {

@@ -64,7 +64,7 @@ struct Reached {
 Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
   const auto decided_by = told_stages(operation.row()).decided_by;
-  const std::uint64_t cases = operation.card().price == catalogue::Price::thin ? drawn : drawn_dear;
+  const std::uint64_t cases = operation.card().cost == 1 ? drawn : drawn_dear;
   std::uint64_t numbers = 0;
   for (std::uint64_t i = 0; i < cases && numbers < most_numbers; ++i) {
     Choices choices = Choices::seeded(catalogue::seed_of(1, operation.families()[family].c_str(), i));

@@ -31,7 +31,6 @@ struct all_pairs {
                            .other_fields = {{"boxes"}},
                            .answer = "pairs",
                            .margin_degree = 2,
-                           .price = Price::ring,
                            .list_length = 2};
     return card;
   }

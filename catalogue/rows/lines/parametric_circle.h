@@ -24,8 +24,7 @@ struct parametric_circle {
         .kind = Kind::measure,
         .fields = {"circle", "u"},
         .answer = "point",
-        .ulps = 3,
-        .price = Price::ring};
+        .ulps = 3};
     return card;
   }
 

@@ -30,7 +30,7 @@ struct polygon_normal {
         .fields = {"polygon"},
         .ulps = 22,
         .margin_degree = 2,
-        .price = Price::ring,
+        .cost = 2,
         .list_length = 4,
         .formula_answers_less = true,
         .longest_vector = 2300};

@@ -25,7 +25,7 @@ struct convex_partition {
                            .fields = {"polygon"},
                            .answer = "pieces",
                            .margin_degree = 2,
-                           .price = Price::ring,
+                           .cost = 6,
                            .list_length = 4};
     return card;
   }

@@ -24,7 +24,7 @@ struct interior_angles {
                            .fields = {"polygon"},
                            .answer = "angles",
                            .ulps = 18,
-                           .price = Price::mesh,
+                           .cost = 9,
                            .list_length = 4};
     return card;
   }

@@ -29,7 +29,6 @@ struct point_in_convex_polygon {
                            .fields = {"polygon", "point"},
                            .answer = "location",
                            .margin_degree = 2,
-                           .price = Price::ring,
                            .list_length = 4};
     return card;
   }

@@ -24,7 +24,7 @@ struct polygon_convexity {
                            .kind = Kind::decision,
                            .fields = {"polygon"},
                            .margin_degree = 2,
-                           .price = Price::ring,
+                           .cost = 3,
                            .list_length = 4};
     return card;
   }

@@ -17,7 +17,7 @@ struct polygon_convexity_interior_angles : polygon_convexity {
       other.pages = "6";
       other.question = "Is the polygon convex, by its interior angles?";
       other.method_of = "polygon_convexity";
-      other.price = Price::mesh;  // its exact arithmetic has thousands of digits
+      other.cost = 3;  // its exact arithmetic has thousands of digits
       return other;
     }();
     return card;

@@ -27,7 +27,7 @@ struct polygon_polygon {
                            .fields = {"a", "b"},
                            .answer = "contact",
                            .margin_degree = 2,
-                           .price = Price::ring,
+                           .cost = 5,
                            .list_length = 3};
     return card;
   }

@@ -25,7 +25,7 @@ struct triangulate_polygon {
                            .fields = {"polygon"},
                            .answer = "triangles",
                            .margin_degree = 2,
-                           .price = Price::ring,
+                           .cost = 6,
                            .list_length = 4};
     return card;
   }

@@ -26,7 +26,7 @@ struct point_in_convex_polyhedron {
                            .fields = {"mesh", "point"},
                            .answer = "location",
                            .margin_degree = 2,
-                           .price = Price::mesh,
+                           .cost = 69,
                            .list_length = 4};
     return card;
   }

@@ -25,7 +25,6 @@ struct kinetic_energy {
                            .answer = "energy",
                            .ulps = 56,
                            .margin_degree = 0,
-                           .price = Price::ring,
                            .list_length = 2,
                            .longest_vector = 3000};
     return card;

@@ -26,6 +26,7 @@ struct restitution_collision {
         .answer = "velocities",
         .ulps = 21,
         .margin_degree = 0,
+        .cost = 2,
         .longest_vector = 4500};
     return card;
   }

@@ -25,7 +25,7 @@ struct rigid_body_collision {
                            .fields = {"a", "b", "point", "normal", "e"},
                            .ulps = 183,
                            .margin_degree = 0,
-                           .price = Price::ring,
+                           .cost = 7,
                            .longest_vector = 9000};
     return card;
   }

@@ -24,7 +24,7 @@ struct simultaneous_collisions {
                            .fields = {"bodies", "contacts", "e"},
                            .ulps = 84,
                            .margin_degree = 0,
-                           .price = Price::mesh,
+                           .cost = 11,
                            .longest_vector = 6000};
     return card;
   }

@@ -28,7 +28,7 @@ struct swept_convex_polyhedra {
                            .kind = Kind::measure,
                            .fields = {"a", "b", "velocity"},
                            .ulps = 32,
-                           .price = Price::mesh,
+                           .cost = 248,
                            .list_length = 4};
     return card;
   }

@@ -24,8 +24,7 @@ struct swept_sphere_plane {
                            .kind = Kind::measure,
                            .fields = {"sphere", "velocity", "plane"},
                            .ulps = 20,
-                           .margin_degree = 2,
-                           .price = Price::ring};
+                           .margin_degree = 2};
     return card;
   }
 

@@ -25,8 +25,7 @@ struct swept_sphere_sphere {
                            .kind = Kind::measure,
                            .fields = {"a", "b", "velocity_a", "velocity_b"},
                            .ulps = 30,
-                           .margin_degree = 2,
-                           .price = Price::ring};
+                           .margin_degree = 2};
     return card;
   }
 

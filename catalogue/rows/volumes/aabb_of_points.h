@@ -28,7 +28,6 @@ struct aabb_of_points {
                            .fields = {"points"},
                            .answer = "aabb",
                            .margin_degree = 0,
-                           .price = Price::ring,
                            .list_length = 3};
     return card;
   }

@@ -46,7 +46,7 @@ struct bounding_sphere {
                            .fields = {"points", "method"},
                            .answer = "sphere",
                            .margin_degree = 0,
-                           .price = Price::ring,
+                           .cost = 6,
                            .list_length = 4,
                            .longest_vector = 6000};
     return card;

@@ -25,7 +25,7 @@ struct convex_hull {
                            .kind = Kind::checked,
                            .fields = {"points"},
                            .margin_degree = 3,
-                           .price = Price::mesh,
+                           .cost = 19,
                            .list_length = 4};
     return card;
   }

@@ -29,7 +29,7 @@ struct convex_hull_2d {
                            .kind = Kind::checked,
                            .fields = {"points"},
                            .margin_degree = 2,
-                           .price = Price::ring,
+                           .cost = 3,
                            .list_length = 4};
     return card;
   }

@@ -25,7 +25,6 @@ struct kdop_kdop {
         .kind = Kind::decision,
         .fields = {"a", "b"},
         .answer = "contact",
-        .price = Price::ring,
         .list_length = 1};
     return card;
   }

@@ -26,7 +26,7 @@ struct kdop_of_points {
                            .fields = {"points", "normals"},
                            .answer = "slabs",
                            .margin_degree = 0,
-                           .price = Price::ring,
+                           .cost = 4,
                            .list_length = 1,
                            .longest_vector = 6000};
     return card;

@@ -26,7 +26,7 @@ struct obb_obb {
                            .fields = {"a", "b"},
                            .answer = "contact",
                            .margin_degree = 2,
-                           .price = Price::ring};
+                           .cost = 10};
     return card;
   }
 

@@ -57,7 +57,7 @@ struct obb_of_points {
                            .fields = {"points"},
                            .answer = "obb",
                            .margin_degree = 0,
-                           .price = Price::ring,
+                           .cost = 7,
                            .list_length = 3,
                            .longest_vector = 4000};
     return card;

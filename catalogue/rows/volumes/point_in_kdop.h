@@ -25,7 +25,6 @@ struct point_in_kdop {
                            .fields = {"kdop", "point"},
                            .answer = "location",
                            .margin_degree = 2,
-                           .price = Price::ring,
                            .list_length = 1};
     return card;
   }

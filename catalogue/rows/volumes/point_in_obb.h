@@ -24,7 +24,8 @@ struct point_in_obb {
                            .kind = Kind::decision,
                            .fields = {"obb", "point"},
                            .answer = "location",
-                           .margin_degree = 2};
+                           .margin_degree = 2,
+                           .cost = 2};
     return card;
   }
 

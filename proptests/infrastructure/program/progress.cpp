@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Two operations of price 1 and one of price 8: shares of a tenth, a tenth and eight tenths.
+/// Two operations of cost 1 and one of cost 3: shares of a fifth, a fifth and three fifths.
 std::vector<const Operation*> operations() {
   return {find_operation("orientation"), find_operation("line_line"), find_operation("polygon_convexity")};
 }
@@ -27,22 +27,22 @@ struct Told {
 }  // namespace
 
 TEST_CASE("progress: a log gets a line every ten seconds, with the whole and the time left") {
-  REQUIRE(operations()[2]->card().price == Price::ring);
+  REQUIRE(operations()[2]->card().cost == 3);
   Told told;
   told.progress("orientation", 500);
   told.now += milliseconds(9'999);
   told.progress("orientation", 800);
   CHECK(told.err.str().empty());
   told.now += milliseconds(1);
-  told.progress("orientation", 1000);  // a tenth in 10 s, so nine tenths in 90
-  CHECK(told.err.str() == "touchstone: 10 %, orientation (1 of 3), about 2 min left\n");
+  told.progress("orientation", 1000);  // a fifth in 10 s, so four fifths in 40
+  CHECK(told.err.str() == "touchstone: 20 %, orientation (1 of 3), about 40 s left\n");
   told.now += milliseconds(9'999);
   told.progress("line_line", 1000);
   told.now += milliseconds(20'001);
-  told.progress("polygon_convexity", 500);  // six tenths in 40 s
+  told.progress("polygon_convexity", 500);  // seven tenths in 40 s
   CHECK(told.err.str() ==
-        "touchstone: 10 %, orientation (1 of 3), about 2 min left\n"
-        "touchstone: 60 %, polygon_convexity (3 of 3), about 27 s left\n");
+        "touchstone: 20 %, orientation (1 of 3), about 40 s left\n"
+        "touchstone: 70 %, polygon_convexity (3 of 3), about 17 s left\n");
 }
 
 TEST_CASE("progress: a terminal gets one line, which is gone at the end") {
@@ -53,9 +53,9 @@ TEST_CASE("progress: a terminal gets one line, which is gone at the end") {
     now += milliseconds(100);
     progress("orientation", 500);
     progress("orientation", 600);  // too soon
-    CHECK(err.str() == "\r\x1b[K5 %, orientation (1 of 3)");
+    CHECK(err.str() == "\r\x1b[K10 %, orientation (1 of 3)");
   }
-  CHECK(err.str() == "\r\x1b[K5 %, orientation (1 of 3)\r\x1b[K");
+  CHECK(err.str() == "\r\x1b[K10 %, orientation (1 of 3)\r\x1b[K");
 }
 
 TEST_CASE("progress: what an engine does not have is no part of the whole") {
