@@ -2,9 +2,9 @@
 // Box2D as peer, in single precision: circles, boxes of the broad phase, and one contact of two circles.
 #include <box2d/box2d.h>
 
-#include "program/engine_main.h"
 #include "engines/exactly.h"
 #include "engines/one_hit.h"
+#include "program/engine_main.h"
 
 using namespace touchstone;
 

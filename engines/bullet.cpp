@@ -3,9 +3,9 @@
 #include <bullet/LinearMath/btConvexHullComputer.h>
 #include <bullet/btBulletDynamicsCommon.h>
 
-#include "program/engine_main.h"
 #include "engines/exactly.h"
 #include "engines/one_hit.h"
+#include "program/engine_main.h"
 
 using namespace touchstone;
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "program/engine_main.h"
 #include "engines/exactly.h"
+#include "program/engine_main.h"
 
 using namespace touchstone;
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "program/engine_main.h"
 #include "engines/geos_session.h"
+#include "program/engine_main.h"
 
 using namespace touchstone;
 

@@ -2,9 +2,9 @@
 // ODE as peer, in double precision: geometries, and one contact.
 #include <ode/ode.h>
 
-#include "program/engine_main.h"
 #include "engines/exactly.h"
 #include "engines/one_hit.h"
+#include "program/engine_main.h"
 
 using namespace touchstone;
 
