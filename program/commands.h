@@ -54,6 +54,7 @@ struct ExhaustCommand {
 };
 
 struct VectorsCheckCommand {
+  std::string operations = "all";  ///< "all" or names with commas
   std::string directory;
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = usual_timeout;
@@ -63,7 +64,6 @@ struct CheckEngineCommand {
   std::string engine;
   double timeout = usual_timeout;
 };
-
 
 struct DrawCommand {
   std::string operation;

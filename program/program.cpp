@@ -203,6 +203,7 @@ void add_vectors(CLI::App& program, Action& action) {
   auto* check = command->add_subcommand("check", "Checks certificates, oracle and robust against them");
   auto checked = std::make_shared<VectorsCheckCommand>();
   check->add_option("directory", checked->directory, "Where they are")->required();
+  check->add_option("--ops", checked->operations, "Operations with commas, or all; of some, the manifest is left out");
   add_engine(*check, checked->engine, checked->timeout,
              "Asked the vectors of its operations, and judged; no others are checked");
   check->callback([=, &action] { action = [=] { return vectors_check_command(*checked, std::cout, std::cerr); }; });
@@ -261,9 +262,8 @@ int run_program(int argc, const char* const* argv) {
   std::string shell;
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
-  for (auto* add :
-       {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_vectors, add_certify, add_map,
-        add_simulate})
+  for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_vectors, add_certify,
+                    add_map, add_simulate})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

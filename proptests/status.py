@@ -130,7 +130,7 @@ def table(program, operations):
     lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
     for operation in operations:
         name, chapter = operation["name"], operation["chapter"]
-        row = text_of(f"catalogue/{chapter}/{name}.h")
+        row = text_of(f"catalogue/rows/{chapter}/{name}.h")
         opinion = list(opinions.get(name, []))
         decision = re.search(r"^  struct decision \{\n(.*?)^  \};", row, re.MULTILINE | re.DOTALL)
         if decision and " oracle(" in decision.group(1):

@@ -248,6 +248,9 @@ TEST_CASE("vectors: the manifest counts the lines and tells a file that is missi
   const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_manifest");
   REQUIRE(called({"vectors", "write", folder.c_str(), "--ops", "reflect_wall"}).code == 0);
   CHECK(called({"vectors", "check", folder.c_str()}).code == 0);
+  const std::string all = std::to_string(stored("reflect_wall").size()) + " vectors, 0 refused\n";
+  CHECK(called({"vectors", "check", folder.c_str(), "--ops", "reflect_wall"}).out == all);
+  CHECK(called({"vectors", "check", folder.c_str(), "--ops", "orientation"}).code == 2);  // no file of it is there
   CHECK(manifest_complaints(folder.string()).empty());
   std::ifstream manifest_file(folder / "manifest.json");
   const Line manifest = Line::parse(manifest_file);
