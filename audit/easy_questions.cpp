@@ -31,9 +31,9 @@ struct Source {
 constexpr Source sources[] = {{400, true, true}, {60, false, true}, {60, false, false}};
 
 /// Questions by what is true of them, and which alternative they are (in the plane, in space).
-class Found {
+class Examples {
  public:
-  Found(const Operation& operation, bool binary32)
+  Examples(const Operation& operation, bool binary32)
       : operation_(operation), binary32_(binary32), alternatives_(operation.zeros_of_alternatives().size() > 1) {}
 
   bool enough() const { return count_ >= 2 * wanted; }
@@ -89,7 +89,7 @@ class Found {
 }  // namespace
 
 std::vector<EasyQuestion> easy_questions(const Operation& operation, bool binary32) {
-  Found found(operation, binary32);
+  Examples found(operation, binary32);
   for (const Source& source : sources) {
     if (found.count() < wanted) found.look(source);
   }

@@ -157,6 +157,9 @@ if(TARGET touchstone_audit)
     elseif(TOUCHSTONE_PCH)
       target_precompile_headers(touchstone_module_${module} REUSE_FROM touchstone_module_catalogue)
     endif()
+    if(NOT module STREQUAL catalogue)  # it is the headers that cost
+      set_target_properties(touchstone_module_${module} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    endif()
     if(PROJECT_IS_TOP_LEVEL)
       # All of the module, and nothing above it: what is not there does not link.
       file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/arrows.cpp CONTENT "")

@@ -76,8 +76,6 @@ std::string summary(const Tally& tally, std::size_t operation) {
   return text + "</div>";
 }
 
-constexpr std::size_t most_ways = 6;  ///< that are shown with an example
-
 std::string cards(const OperationTally& tally, const Operation& known, const Tally& whole, Speaker speaker) {
   std::string text, others;
   const std::vector<WayOfOperation> ways = ways_of(tally);

@@ -59,15 +59,15 @@ struct Plate {
 };
 
 /// A row of the map: its questions, null where the contract refuses one, and what reference and robust did.
-struct Row {
+struct PixelRow {
   std::vector<std::unique_ptr<Examination>> examinations;
   std::vector<Shade> reference, robust;
   std::map<std::string, std::uint64_t> outcomes;
 };
 
-Row examined(const Operation& operation, const MapGrid& grid, int row, bool binary32) {
+PixelRow examined(const Operation& operation, const MapGrid& grid, int row, bool binary32) {
   const Kind kind = operation.card().kind;
-  Row result;
+  PixelRow result;
   for (int column = 0; column < MapGrid::side; ++column) {
     try {
       result.examinations.push_back(operation.examine(grid.at(column, row)));
@@ -184,13 +184,13 @@ std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool 
   constexpr int together = 32;  // rows; the engine is asked of these, in order, before the next are looked at
   static_assert(MapGrid::side % together == 0);
   for (int first = 0; first < MapGrid::side; first += together) {
-    std::vector<Row> rows(together);
+    std::vector<PixelRow> rows(together);
     in_parallel(jobs, rows.size(), [&](std::size_t i) {
       rows[i] = examined(operation, grid, first + static_cast<int>(i), binary32);
       if (!with_engine) rows[i].examinations.clear();
     });
     for (int i = 0; i < together; ++i) {
-      const Row& row = rows[static_cast<std::size_t>(i)];
+      const PixelRow& row = rows[static_cast<std::size_t>(i)];
       plates[0].shades.insert(plates[0].shades.end(), row.reference.begin(), row.reference.end());
       plates[1].shades.insert(plates[1].shades.end(), row.robust.begin(), row.robust.end());
       for (const auto& [outcome, n] : row.outcomes) outcomes[outcome] += n;

@@ -13,7 +13,7 @@
 namespace touchstone::report {
 namespace {
 
-constexpr const char* opening = "<div class=\"space-figure\" data-space=\"";
+constexpr const char* figure_opening = "<div class=\"space-figure\" data-space=\"";
 constexpr std::size_t most_corners = 3000;
 constexpr int normal_length = 2 * steps_of_box / 5, longest_bar = 9 * steps_of_box / 10;
 
@@ -136,10 +136,10 @@ Json space_model(const Drawing& scene, const std::string& title) {
 std::string space_figure(const Drawing& scene, const std::string& title) {
   const Json model = space_model(scene, title);
   if (model.is_null()) return "";
-  return opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene.notes)) +
+  return figure_opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene.notes)) +
          "</p></noscript></div>";
 }
 
-bool has_space_figure(const std::string& html) { return html.find(opening) != std::string::npos; }
+bool has_space_figure(const std::string& html) { return html.find(figure_opening) != std::string::npos; }
 
 }  // namespace touchstone::report

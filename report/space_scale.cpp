@@ -13,8 +13,6 @@ using Kind = SpaceFigure::Kind;
 
 constexpr int extents_far_apart = 12;
 
-mpq_class larger(const mpq_class& a, const mpq_class& b) { return a < b ? b : a; }
-
 /// The least box round what was put into it.
 struct ExactBox {
   ExactPlace low, high;
@@ -91,8 +89,8 @@ SpaceScale SpaceScale::of(const std::vector<SpaceFigure>& figures) {
   scale.high = box.high;
   mpq_class longest = 0, size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    longest = larger(longest, mpq_class(box.high[i] - box.low[i]));
-    size = larger(size, larger(mpq_class(abs(box.low[i])), mpq_class(abs(box.high[i]))));
+    longest = std::max(longest, mpq_class(box.high[i] - box.low[i]));
+    size = std::max(size, std::max(mpq_class(abs(box.low[i])), mpq_class(abs(box.high[i]))));
   }
   // A single point has the size of its coordinates, or 1 at the origin.
   if (sgn(longest) == 0) longest = sgn(size) == 0 ? mpq_class(2) : mpq_class(2 * size);

@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::size_t columns = verdict_count + 1;
 constexpr std::size_t line_width = 120;
-constexpr std::size_t most_ways = 6;  ///< of an operation that are shown
 
 struct Row {
   std::string name;

@@ -13,13 +13,11 @@ namespace {
 
 constexpr double far_outside = 20000;
 constexpr int padding_percent = 15;
-constexpr int extents_far_apart = 6;
-
-mpq_class larger(const mpq_class& a, const mpq_class& b) { return a < b ? b : a; }
+constexpr int most_apart_on_one_scale = 6;
 
 /// The size to give an extent of zero: that of the coordinates themselves, or 1 at the origin.
 mpq_class natural_extent(const mpq_class& x, const mpq_class& y) {
-  const mpq_class size = larger(abs(x), abs(y));
+  const mpq_class size = std::max(mpq_class(abs(x)), mpq_class(abs(y)));
   return sgn(size) == 0 ? mpq_class(1) : size;
 }
 
@@ -45,13 +43,13 @@ Viewport Viewport::fitted(const std::vector<ExactPoint>& points, const Frame& fr
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto& [x, y] = points[i];
     low = i == 0 ? points[i] : ExactPoint{x < low.x ? x : low.x, y < low.y ? y : low.y};
-    high = i == 0 ? points[i] : ExactPoint{larger(x, high.x), larger(y, high.y)};
+    high = i == 0 ? points[i] : ExactPoint{std::max(x, high.x), std::max(y, high.y)};
   }
   mpq_class wide = high.x - low.x, tall = high.y - low.y;
   if (sgn(wide) == 0 && sgn(tall) == 0) wide = tall = natural_extent(low.x, low.y);
   if (sgn(wide) == 0) wide = tall;
   if (sgn(tall) == 0) tall = wide;
-  const bool one_scale = equal || (wide <= extents_far_apart * tall && tall <= extents_far_apart * wide);
+  const bool one_scale = equal || (wide <= most_apart_on_one_scale * tall && tall <= most_apart_on_one_scale * wide);
   Viewport view;
   view.frame_ = frame;
   const mpq_class room(100 - 2 * padding_percent, 100);

@@ -9,6 +9,9 @@
 
 namespace touchstone::report {
 
+/// Of an operation: so many are shown with an example.
+inline constexpr std::size_t most_ways = 6;
+
 /// A way of answering an operation, over all its families.
 struct WayOfOperation {
   Way way;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <touchstone/catalogue/operation.h>
+#include <touchstone/catalogue/operation/operation.h>
 
 #include <cstdio>
 
