@@ -112,7 +112,7 @@ set(documentation ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/document
 add_test(NAME documentation/self_check COMMAND ${documentation} --self-check)
 add_test(NAME engines/wrong_signatures
          COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/infrastructure/engines/wrong_signatures.py ${CMAKE_CXX_COMPILER}
-                 ${PROJECT_SOURCE_DIR})
+                 ${PROJECT_SOURCE_DIR} ${touchstone_generated})
 # A share of the theorems about filters; ./dev proofs proves all.
 set(prove ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/robust/proofs/prove.py)
 add_test(NAME proofs/self_check COMMAND ${prove} --self-check)

@@ -16,18 +16,19 @@ CHAPTER = r"(lines|planes|polygons|polyhedra|volumes|sweeps|response|broad_phase
 # Every installed file is one of these, and each of these is there.
 HELD = [
     r"bin/touchstone",
-    rf"{LIB}/libtouchstone_(robust|oracle|certify|audit)\.a",
+    rf"{LIB}/libtouchstone_(robust|oracle|certify|module_(catalogue|audit|simulate|report|program))\.a",
     rf"{LIB}/cmake/touchstone/touchstone-config(-version)?\.cmake",
     rf"{LIB}/cmake/touchstone/touchstone-({COMPONENTS})(-\w+)?\.cmake",
     rf"{LIB}/cmake/touchstone/(components|touchstone_add_audit|FindGMP|FindMPFR)\.cmake",
     rf"{LIB}/pkgconfig/touchstone-({COMPONENTS})\.pc",
     r"include/touchstone/geometry/\w+\.h",
-    rf"include/touchstone/(reference|robust|oracle|catalogue)/{CHAPTER}/\w+\.h",
-    r"include/touchstone/robust/(masked_exceptions|kernel/\w+)\.h",
+    rf"include/touchstone/(reference|robust|oracle|catalogue/rows)/{CHAPTER}/\w+\.h",
+    r"include/touchstone/robust/(masked_exceptions|(kernel|batch)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact|rings)/\w+|certificates/(certificate|check))\.h",
-    r"include/touchstone/catalogue/((codec|families|judge)/)?\w+\.h",
+    r"include/touchstone/catalogue/((shape|numbers|codec|draw|families|judge|operation)/)?\w+\.h",
+    r"include/touchstone/catalogue/rows/all\.h",
     r"include/touchstone/audit/(\w+/)?\w+\.h",
-    r"include/touchstone/program/engine_main\.h",
+    r"include/touchstone/program/(engine_main|uses)\.h",
     r"include/touchstone/testing/(rapidcheck|catch2|fuzzed_data)\.h",
     r"include/touchstone/testing/\w+\.h",
     r"share/touchstone/vectors/[a-z_0-9]+\.jsonl",
@@ -96,7 +97,7 @@ def faults(source, prefix):
 def right_listing():
     config = "touchstone-config.cmake touchstone-robust-release.cmake components.cmake".split()
     include = """geometry/points.h reference/lines/touch.h robust/kernel/staged.h oracle/truth.h catalogue/operation/row.h
-        audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
+        catalogue/rows/all.h         audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +
             [f"lib/cmake/touchstone/{file}" for file in config] + [f"include/touchstone/{file}" for file in include] +

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "robust/kernel/strict_math.h"
+
 /// Questions asked by the million, over columns: one array for each coordinate.
 namespace touchstone::robust::batch {
 

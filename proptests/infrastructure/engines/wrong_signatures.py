@@ -3,7 +3,7 @@
 """A member of an engine that has an operation's name and does not take its arguments does not compile, and the message
 names the operation and the signature expected; whatever takes them does.
 
-  wrong_signatures.py COMPILER ROOT
+  wrong_signatures.py COMPILER ROOT GENERATED
 """
 import re
 import subprocess
@@ -61,8 +61,8 @@ EXPECTED = {
 
 
 def main():
-    compiler, root = sys.argv[1:]
-    done = subprocess.run([compiler, "-std=c++20", f"-I{root}", "-fsyntax-only", "-x", "c++", "-"], input=ENGINES,
+    compiler, root, generated = sys.argv[1:]
+    done = subprocess.run([compiler, "-std=c++20", f"-I{root}", f"-I{generated}", "-fsyntax-only", "-x", "c++", "-"], input=ENGINES,
                           capture_output=True, text=True)
     said = done.stderr.replace("touchstone::", "")
     wrong = [] if done.returncode else ["it compiles"]
