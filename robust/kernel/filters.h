@@ -39,8 +39,8 @@
 ///     of the format for double.
 /// (6) Underflow in the bound costs 4 n for each addition in the extents, times C H, and 3 n H for the rest.
 ///
-/// Half of the bound of cross_sign or of circle would be too small: proptests/infrastructure/robust/toy_halves.cpp and the
-/// families past_half_the_bound have the inputs. The other three are looser, and say why.
+/// Half of the bound of cross_sign or of circle would be too small: the families
+/// past_half_the_bound have the inputs. The other three are looser, and say why.
 ///
 /// A filter NAME that says "Proved" has a theorem NAME_right in robust/proofs, about its text as it stands: where it
 /// answers a sign, that is the exact one. NAME_binary64 says so of all doubles, infinities and NaN among them: there it
