@@ -69,16 +69,16 @@ function(touchstone_component component)
   endif()
 endfunction()
 
-# touchstone_links(room PUBLIC|PRIVATE libraries...), also while a room has no sources yet.
-function(touchstone_links room scope)
-  if(NOT TARGET touchstone_${room})
+# touchstone_links(component PUBLIC|PRIVATE libraries...), also while a component has no sources yet.
+function(touchstone_links component scope)
+  if(NOT TARGET touchstone_${component})
     return()
   endif()
-  get_target_property(type touchstone_${room} TYPE)
+  get_target_property(type touchstone_${component} TYPE)
   if(type STREQUAL INTERFACE_LIBRARY)
     set(scope INTERFACE)
   endif()
-  target_link_libraries(touchstone_${room} ${scope} ${ARGN})
+  target_link_libraries(touchstone_${component} ${scope} ${ARGN})
 endfunction()
 
 file(GLOB_RECURSE robust_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/robust/*.cpp)

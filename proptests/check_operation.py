@@ -14,6 +14,8 @@ import subprocess
 import sys
 import time
 
+from status import filters_of
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RELEASE, CLANG, BENCH = (ROOT / "build" / preset for preset in ("release", "clang", "bench"))
 
@@ -32,11 +34,8 @@ def build(preset, jobs, options, targets):
 
 
 def proofs_of(operation, chapter):
-    """The proved filters whose names its sources say."""
-    sys.path.insert(0, str(ROOT / "robust/proofs"))
-    import extract
-    text = "".join((ROOT / f"robust/{chapter}/{operation}{suffix}").read_text(encoding="utf-8") for suffix in (".h", ".cpp"))
-    return [name for name, *_ in extract.FILTERS if re.search(rf"\b{name}\b", text)]
+    """The filters with theorems that it may ask."""
+    return [cell.strip("`") for cell in filters_of(chapter, operation) if re.fullmatch(r"`\w+`", cell)]
 
 
 def main():
@@ -51,7 +50,7 @@ def main():
         sys.exit(f"{op}: no operation has this name (touchstone ops)")
     chapter = listed[op]["chapter"]
     build("release", jobs, [], ["fuzz", "test_agreement", f"test_{chapter}"])
-    build("clang", jobs, ["-DTOUCHSTONE_TESTS=FULL"], ["mutants"])
+    build("clang", jobs, [], ["mutants"])
     build("bench", jobs, [], ["bench_operations"])
     fuzz_inputs = [folder for folder in (ROOT / f"fuzz/corpus/{op}", ROOT / f"fuzz/findings/{op}") if folder.is_dir()]
     steps = [

@@ -284,7 +284,9 @@ def right_tree():
     files["oracle/certificates/check.cpp"] = '#include "oracle/certificates/check.h"\n'
     files["oracle/certificates/check.h"] = "#include <gmpxx.h>\n"
     files["catalogue/hull.h"] = "turn(box(c), 1, c); Box{box(c), box(c)}; turn([](C& c) { return box(c); }, box(c));\n"
-    files["catalogue/operation/row.h"] = '#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+    files["catalogue/operation/row.h"] = ('#include "robust/lines/touch.h"\n#include "oracle/lines/touch.h"\n'
+                                          '#include "catalogue/shape/shape.h"\n')
+    files["catalogue/shape/shape.h"] = "#pragma once\n"
     files["program/main.cpp"] = '#include "catalogue/operation/row.h"\n'
     files["proptests/laws/peers.cpp"] = "// CGAL as peer: the same question to another library\n#include <CGAL/Epick.h>\n"
     files["fuzz/driver/replay_main.cpp"] = '#include "program/main.cpp"\n'
@@ -327,6 +329,7 @@ PLANTED = [
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
     ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
     ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),
+    ("catalogue/shape/shape.h", '#include "catalogue/operation/row.h"\n', "catalogue/shape: a circle"),
     ("program/main.cpp", "\n" * 401, "program/main.cpp: 401 lines"),
     ("vectors/touch.jsonl", None, "vectors/touch.jsonl: missing"),
     ("vectors/touch.jsonl", "", "vectors/touch.jsonl: missing or empty"),

@@ -29,8 +29,8 @@ struct Card {
   double ulps = 0;          ///< stated bound of the reference's numbers: roundings in the slide's formula
   /// The oracle's margin is a length to this power; 0 where nothing is decided, so that there is no margin.
   int margin_degree = 1;
-  /// What examining one question costs, measured (proptests/costs.py): 1 is 45 microseconds or less on one core of 2026.
-  /// Tests ask so many times fewer cases.
+  /// What examining one question costs, measured (proptests/costs.py): 1 is 45 microseconds or less. Tests ask so
+  /// many times fewer cases.
   int cost = 1;
   std::size_t list_length = 0;  ///< exhaustive runs: how many elements each list has, where there are lists
   /// The operation whose question this is, answered by another formula of the deck: this one is named

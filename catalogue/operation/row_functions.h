@@ -51,8 +51,8 @@ struct StageFunctions {
   robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
 };
 
-/// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three modules
-/// over tapes, and what the row says beside them. Whatever may be nullptr says so.
+/// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three
+/// modules over tapes, and what the row says beside them. Whatever may be nullptr says so.
 struct RowFunctions {
   const Card* card;
   const Shape* question;

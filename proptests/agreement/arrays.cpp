@@ -39,6 +39,11 @@ struct Columns {
 
 }  // namespace
 
+TEST_CASE("arrays: orientation is answered over columns") {
+  // Else what follows asks nothing.
+  CHECK(catalogue::find_operation("orientation")->row().batch != nullptr);
+}
+
 EACH_OPERATION("over columns of any length and alignment it answers as one by one") {
   const auto batch = operation.row().batch;
   if (batch == nullptr) return;

@@ -145,7 +145,7 @@ if __name__ == "__main__":
     for name in ("programs", "vectors", "matrix"):
         arguments.add_argument(name)
     arguments.add_argument("--only", metavar="OPERATION", help="the mutants of one operation")
-    arguments.add_argument("--share", default="all", help="all; test: the third that ./dev test runs; N/M: a part")
+    arguments.add_argument("--share", default="all", help="all; test: the third that ./dev test full runs; N/M: a part")
     arguments.add_argument("--ways", default=WAYS, type=ways_of, help=f"some of {','.join(WAYS)}; all unless given")
     arguments.add_argument("--cases", default=1, type=factor, metavar="F",
                            help="F times as many cases of each property as the suite runs: 1 unless given, 1/8, 0.5")
