@@ -16,12 +16,11 @@ struct Part {
 };
 
 /// What was counted, rounding by its two kinds.
-std::vector<Part> parts_of(const Cell& cell, bool findings_alone) {
+std::vector<Part> parts_of(const Cell& cell) {
   std::vector<Part> parts;
   const auto counts = cell.counts();
   for (std::size_t v = 0; v < verdict_count; ++v) {
     const auto verdict = static_cast<Verdict>(v);
-    if (findings_alone && !is_finding(verdict)) continue;
     if (verdict == Verdict::rounding) {
       parts.push_back({"rounding", "rounding by cancellation", both(cell.cancellation())});
       parts.push_back({"range", "over- or underflow", both(cell.out_of_range())});
@@ -83,8 +82,7 @@ std::string badge(Verdict verdict, Speaker speaker) {
 
 std::string swatch(const std::string& colour) { return "<span class=\"swatch\" style=\"--c:" + colour + "\"></span>"; }
 
-std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(parts_of(cell, false), thin); }
-std::string cause_bar(const Cell& cell) { return bar_of(parts_of(cell, true), true); }
+std::string verdict_bar(const Cell& cell, bool thin) { return bar_of(parts_of(cell), thin); }
 
 std::vector<Column> columns_of(const Cell& total) {
   static const Column all[] = {

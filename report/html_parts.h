@@ -30,8 +30,6 @@ std::string shell_line(const std::string& line);
 
 /// Shares of the verdicts as one horizontal bar, rounding in its two parts, its numbers said to screen readers.
 std::string verdict_bar(const Cell& cell, bool thin);
-/// The findings alone, as parts of all findings. Empty where there is none.
-std::string cause_bar(const Cell& cell);
 
 /// A kind of number in tables: "wrong", "cancellation" ...
 struct Column {

@@ -217,16 +217,6 @@ std::string repeat_command(const Operation& operation, const Question& question,
   return repeat_command(operation, question, repeat, speaker == Speaker::foreign);
 }
 
-Smallest smallest_of(const OperationTally& tally, Verdict verdict) {
-  Smallest best;
-  for (const auto& [family, cell] : tally.families) {
-    const Finding* candidate = cell.example(verdict);
-    if (candidate == nullptr || (best.finding && !shown_before(*candidate, *best.finding))) continue;
-    best = {candidate, family};
-  }
-  return best;
-}
-
 Cell sum_of(const std::vector<OperationTally>& tallies) {
   Cell sum;
   for (const OperationTally& tally : tallies) sum.merge(tally.total());

@@ -45,14 +45,6 @@ std::string word_in(const Json& answer);
 /// The shell line that asks a question again, a foreign engine as well; the input as decimals that read back exactly.
 std::string repeat_command(const Operation& operation, const Question& question, Speaker speaker, const Repeat& repeat);
 
-/// The best example of a verdict over all families (audit/tally.h: shown_before), with its family; nullptr where there
-/// is none.
-struct Smallest {
-  const Finding* finding = nullptr;
-  std::string family;
-};
-Smallest smallest_of(const OperationTally& tally, Verdict verdict);
-
 /// Sums over operations.
 Cell sum_of(const std::vector<OperationTally>& tallies);
 /// "1,234 of 200,000 answers wrong (ordinary size: 234 of 99,000): 1,000 by rounding (200 cancellation, 800 overflow or

@@ -48,8 +48,6 @@ Json truth_of_decimals(const Operation& operation, const Json& printed) {
   }
 }
 
-Json explained(const Operation& operation, const Question& question) { return explained(*operation.examine(question)); }
-
 Json explained(const Examination& examination) {
   const Operation& operation = examination.operation();
   Json line = Json::object();

@@ -8,8 +8,6 @@
 namespace touchstone::catalogue {
 
 /// Everything that can be said of one question without an engine: what `ask` prints.
-Json explained(const Operation& operation, const Question& question);
-/// The same of a question that has been examined: the oracle is not asked again.
 Json explained(const Examination& examination);
 
 Json certificate_json(const oracle::Certificate& certificate);

@@ -227,8 +227,8 @@ TEST_CASE("polygon_convexity: both formulas in double are right beyond the margi
 
 TEST_CASE("polygon_convexity: ask shows both methods") {
   const Operation& operation = *catalogue::find_operation("polygon_convexity");
-  const auto said = catalogue::explained(
-      operation, operation.parse(catalogue::parse_line(R"({"polygon":[[0,0],[4,4],[4,0],[0,4]]})")));
+  const auto crossed = operation.parse(catalogue::parse_line(R"({"polygon":[[0,0],[4,4],[4,0],[0,4]]})"));
+  const auto said = catalogue::explained(*operation.examine(crossed));
   CHECK(catalogue::one_line(said["reference"]["answer"]) ==
         R"({"class":"concave","strict":false,"orientation":"none"})");
   CHECK(said["reference"]["cause"] == "algorithm");
@@ -236,7 +236,7 @@ TEST_CASE("polygon_convexity: ask shows both methods") {
         R"({"class":"not_simple","strict":false,"orientation":"none"})");
   CHECK(said["reference_interior_angles"]["verdict"] == "agree");
   const Operation& method = *catalogue::find_operation("polygon_convexity_interior_angles");
-  CHECK_FALSE(catalogue::explained(method, method.zeros()).contains("reference_interior_angles"));
+  CHECK_FALSE(catalogue::explained(*method.examine(method.zeros())).contains("reference_interior_angles"));
 }
 
 }  // namespace touchstone::proptests::polygon_convexity_tests
