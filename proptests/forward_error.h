@@ -112,8 +112,8 @@ void contract(const std::string& sentence, const Claim& claim, int usual = 12) {
   never(catalogue::operation_of_row<Row>(), sentence, complaint, usual);
 }
 
-/// CONTRACT("orientation: ...", p0, p1, p) { return answer == truth.answer || ...; } is the test case of one such claim,
-/// in the types of the file's `Row`.
+/// CONTRACT("orientation: ...", p0, p1, p) { return answer == truth.answer || ...; } is the test case of one such
+/// claim, in the types of the file's `Row`.
 #define CONTRACT(...) TOUCHSTONE_CONTRACT(__COUNTER__, __VA_ARGS__)
 #define TOUCHSTONE_CONTRACT(number, ...) TOUCHSTONE_CONTRACT_NUMBERED(number, __VA_ARGS__)
 #define TOUCHSTONE_CONTRACT_NUMBERED(number, sentence, ...)                                                  \
