@@ -136,7 +136,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   tally.limits = options.limits;
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
-    if (families.empty() || (options.engine && operation->card().is_method())) continue;
+    if (families.empty() || (options.engine && operation->card().is_implementation())) continue;
     if (options.engine && !engines[0]->supports(operation->name())) {
       tally.undeclared.push_back(operation->name());
       continue;

@@ -131,7 +131,8 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   if (!command.engine.empty()) {
     options.engine = [&] {
       auto engine = pipe_engine(command.engine, command.timeout, &stopped, &notes);
-      progress.leave_out([&](const Operation& o) { return o.card().is_method() || !engine->supports(o.name()); });
+      progress.leave_out(
+          [&](const Operation& o) { return o.card().is_implementation() || !engine->supports(o.name()); });
       return engine;
     };
   }

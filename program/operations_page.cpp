@@ -84,7 +84,8 @@ int operations_page_command(std::ostream& out) {
     out << "\n## " << chapter << '\n';
     for_each_row([&]<class Row>() {
       const Operation& operation = *find_operation(Row::card().name);
-      if (operation.card().chapter == chapter && !operation.card().is_method()) print_operation<Row>(operation, out);
+      if (operation.card().chapter == chapter && !operation.card().is_implementation())
+        print_operation<Row>(operation, out);
     });
   }
   return nothing_found;

@@ -61,7 +61,7 @@ void print_json(std::ostream& out) {
     entry["fields"] = card.fields;
     if (!card.other_fields.empty()) entry["other_fields"] = card.other_fields;
     entry["input"] = operation->question_description();
-    if (card.is_method()) entry["method_of"] = card.method_of;
+    if (card.is_implementation()) entry["implementation_of"] = card.implementation_of;
     entry["words"] = operation->words();
     entry["kind"] = kind_name(card.kind);
     entry["cost"] = card.cost;

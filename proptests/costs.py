@@ -75,7 +75,7 @@ def measured_costs(ran, operations, factor):
 
 
 def measure(root, operations, cores, factor):
-    own = [o for o in operations if "method_of" not in o]
+    own = [o for o in operations if "implementation_of" not in o]
     result = {"operations": len(own), "cores": cores, "compilers": {}}
     total, testing, costs = 0.0, collections.Counter(), {}
     for preset, compiler in PRESETS.items():
@@ -93,7 +93,7 @@ def measure(root, operations, cores, factor):
             "objects": len(objects), "objects_cached": sum(seconds < CACHED for seconds in objects)}
         total += sum(made.values()) + sum(seconds for _, seconds, _ in ran)
     lines = handwritten(root, {o["name"]: o["chapter"] for o in own},
-                        {o["name"]: o.get("method_of", o["name"]) for o in operations})
+                        {o["name"]: o.get("implementation_of", o["name"]) for o in operations})
     most = max(lines, key=lambda name: sum(lines[name]))
     return result | {"minutes": total / 60 / cores, "costs": costs, "testing": dict(testing.most_common(5)),
                      "lines": {"mean": statistics.fmean(map(sum, lines.values())), "worst": sum(lines[most]),

@@ -134,11 +134,11 @@ std::string wrong(const Examination& question, Aspect aspect) {
 Aspects aspects_of(const Operation& operation) {
   Aspects aspects;
   const auto set = [&](Aspect aspect, bool asked) { aspects[static_cast<std::size_t>(aspect)] = asked; };
-  const bool method = operation.card().is_method(), laws = catalogue::declares_laws(operation);
-  set(Aspect::robust, !method);
+  const bool own_truth = !operation.card().is_implementation(), laws = catalogue::declares_laws(operation);
+  set(Aspect::robust, true);
   set(Aspect::stages, !operation.row().stages.each.empty());
   set(Aspect::promise, true);
-  set(Aspect::certificate, !method);
+  set(Aspect::certificate, own_truth);
   set(Aspect::laws_of_robust, laws);
   set(Aspect::laws_of_oracle, laws);
   return aspects;

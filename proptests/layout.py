@@ -39,10 +39,10 @@ PLACES = {
     "catalogue/rows": (".h",),
     "proptests/operations": (".cpp",),
 }
-# Another method for an operation's question has a formula and a row of its own, and nothing else.
-METHOD_PLACES = {"reference", "catalogue/rows"}
+# Another implementation of an operation's question has a row of its own, and a formula, a robust or both.
+IMPLEMENTATION_PLACES = {"catalogue/rows"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "proofs", "batch"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "structures", "proofs", "batch"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
@@ -81,14 +81,15 @@ def operation_files(tree, operations):
             f"{place}/{o['chapter']}/{o['name']}{suffix}"
             for o in operations
             for suffix in suffixes
-            if place in METHOD_PLACES or "method_of" not in o
+            if place in IMPLEMENTATION_PLACES or "implementation_of" not in o
         }
+        allowed = wanted | {f"{place}/{o['chapter']}/{o['name']}{suffix}" for o in operations for suffix in suffixes}
         for name in sorted(wanted - tree.text.keys()):
             yield f"{name}: missing"
         folders = {p.name for p in (tree.root / place).glob("*") if p.is_dir()} - NO_CHAPTER.get(place, set())
         for name in sorted(tree.text):
             for folder in folders:
-                if name.startswith(f"{place}/{folder}/") and name not in wanted:
+                if name.startswith(f"{place}/{folder}/") and name not in allowed:
                     yield f"{name}: stray, no operation of that chapter has this name"
 
 
@@ -107,7 +108,7 @@ def evidence(tree, operations):
               for suffix in (".cpp", ".py")}
     for operation in operations:
         name = operation["name"]
-        if "method_of" in operation:
+        if "implementation_of" in operation:
             continue
         header, row = (tree.text.get(f"{place}/{operation['chapter']}/{name}.h", "") for place in ("robust", "catalogue/rows"))
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
@@ -354,26 +355,28 @@ def write(root, files):
 
 def self_check():
     operations = [{"name": "touch", "chapter": "lines"}]
-    method = {"name": "touch_slowly", "chapter": "lines", "method_of": "touch"}
+    implementation = {"name": "touch_slowly", "chapter": "lines", "implementation_of": "touch"}
     wrong = []
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         write(root / "right", right_tree())
         wrong += [f"a right tree was blamed: {fault}" for fault in faults(root / "right", operations)]
-        write(root / "method", right_tree() | {f"{place}/lines/touch_slowly.h": "" for place in METHOD_PLACES})
-        wrong += [f"a right method was blamed: {fault}" for fault in faults(root / "method", operations + [method])]
+        for own in ({"reference"}, {"robust"}, {"reference", "robust"}):
+            tree = root / "implementation of its own" / " ".join(sorted(own))
+            files = [f"{place}/lines/touch_slowly{suffix}" for place in own | {"catalogue/rows"} for suffix in PLACES[place]]
+            write(tree, right_tree() | dict.fromkeys(files, ""))
+            wrong += [f"a right implementation was blamed: {fault}" for fault in faults(tree, operations + [implementation])]
         if not list(faults(root / "right", [])):
             wrong.append("a program without operations was not noticed")
         for number, (name, text, blame) in enumerate(PLANTED):
-            files = right_tree()
-            files.pop(name, None)
+            files = {other: held for other, held in right_tree().items() if other != name}
             if text is not None:
                 files[name] = text
             write(root / str(number), files)
             found = list(faults(root / str(number), operations))
             if not any(blame in fault for fault in found):
                 wrong.append(f"planted in {name}, expected '{blame}', found {found}")
-    print(f"self-check: {len(PLANTED) + 3 - len(wrong)} of {len(PLANTED) + 3} as expected")
+    print(f"self-check: {len(PLANTED) + 5 - len(wrong)} of {len(PLANTED) + 5} as expected")
     return wrong
 
 

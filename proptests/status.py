@@ -231,7 +231,7 @@ def main():
     parser.add_argument("--program", required=True)
     options = parser.parse_args()
     told = subprocess.run([options.program, "ops", "--json"], check=True, text=True, stdout=subprocess.PIPE).stdout
-    operations = [operation for operation in json.loads(told) if "method_of" not in operation]
+    operations = [operation for operation in json.loads(told) if "implementation_of" not in operation]
     page, asked = status(options.program, operations)
     written = ROOT / "build/status.md"
     written.parent.mkdir(exist_ok=True)

@@ -98,6 +98,14 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
   std::size_t furthest = 0;
   bool named = false;
   for (const Shape::Part& part : shape.parts) named = named || has_a_field_of(*part.shape, json);
+  if (!named && json.is_object() && !json.empty()) {
+    std::vector<const char*> names;
+    for (const Shape::Part& part : shape.parts) {
+      for (const Shape::Part& field : part.shape->parts) names.push_back(field.name);
+    }
+    const std::string& key = json.items().begin().key();
+    throw InvalidInput(unknown_path(path, key), no_such_field(key, names));
+  }
   for (std::size_t i = 0; i < shape.parts.size(); ++i) {
     if (named && !has_a_field_of(*shape.parts[i].shape, json)) continue;
     Tape<Real> tried;

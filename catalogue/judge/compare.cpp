@@ -133,21 +133,49 @@ Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double
   return result;
 }
 
-Covering covered(const TrueTape& truth, const Tape<double>& answer, std::size_t words_of_an_element) {
-  const auto elements = [&](const std::vector<Word>& words) {
-    std::vector<std::vector<Word>> list;
-    for (std::size_t at = 1; at + words_of_an_element <= words.size(); at += words_of_an_element) {
-      const auto first = words.begin() + static_cast<std::ptrdiff_t>(at);
-      list.emplace_back(first, first + static_cast<std::ptrdiff_t>(words_of_an_element));
-      std::sort(list.back().begin(), list.back().end());
+namespace {
+
+void collect(const Shape& shape, const Word*& at, std::vector<Listed>& lists) {
+  if (shape.kind != Shape::Kind::list) {
+    for (const Shape::Part& part : shape.parts) collect(*part.shape, at, lists);
+    return;
+  }
+  const Shape& element = *shape.parts[0].shape;
+  const Word length = *at++;
+  if (element.fixed) lists.emplace_back();
+  for (Word i = 0; i < length; ++i) {
+    if (!element.fixed) {
+      collect(element, at, lists);
+      continue;
     }
-    std::sort(list.begin(), list.end());
-    return list;
-  };
-  const auto right = elements(truth.words), said = elements(answer.words);
-  std::vector<std::vector<Word>> common;
-  std::set_intersection(right.begin(), right.end(), said.begin(), said.end(), std::back_inserter(common));
-  return {right.size() - common.size(), said.size() - common.size()};
+    lists.back().emplace_back(at, at + element.word_count);
+    at += element.word_count;
+  }
+}
+
+}  // namespace
+
+std::vector<Listed> listed(const Shape& shape, const std::vector<Word>& words) {
+  std::vector<Listed> lists;
+  const Word* at = words.data();
+  collect(shape, at, lists);
+  return lists;
+}
+
+Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::vector<Word>& answer) {
+  std::vector<Listed> right = listed(shape, truth), said = listed(shape, answer);
+  said.resize(right.size());
+  Covering found;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    for (Listed* list : {&right[i], &said[i]}) {
+      for (auto& element : *list) std::sort(element.begin(), element.end());
+      std::sort(list->begin(), list->end());
+    }
+    Listed common;
+    std::set_intersection(right[i].begin(), right[i].end(), said[i].begin(), said[i].end(), std::back_inserter(common));
+    found.missing += right[i].size() - common.size(), found.surplus += said[i].size() - common.size();
+  }
+  return found;
 }
 
 bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>& answer, Reading reading) {

@@ -29,12 +29,17 @@ enum class Reading {
 Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double>& answer, Reading reading,
                     bool binary32 = false);
 
-/// The elements of a list of words without regard to order, neither of the elements nor within one; what is listed
+/// One of the innermost lists of an answer, each element the words that it holds: the pairs of one reply.
+using Listed = std::vector<std::vector<Word>>;
+/// The innermost lists of an answer without numbers, in order.
+std::vector<Listed> listed(const Shape& shape, const std::vector<Word>& words);
+
+/// The elements of each innermost list without regard to order, neither of the elements nor within one; what is listed
 /// twice is surplus.
 struct Covering {
   std::uint64_t missing = 0, surplus = 0;
 };
-Covering covered(const TrueTape& truth, const Tape<double>& answer, std::size_t words_of_an_element);
+Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::vector<Word>& answer);
 
 /// Whether a formula run in exact arithmetic gave the truth: words equal, numbers defined and the same.
 bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>& answer, Reading reading);

@@ -33,11 +33,10 @@ struct Card {
   /// many times fewer cases.
   int cost = 1;
   std::size_t list_length = 0;  ///< exhaustive runs: how many elements each list has, where there are lists
-  /// The operation whose question this is, answered by another formula of the deck: this one is named
-  /// "<operation>_<method>", has a reference of its own and the operation's robust and oracle, and is asked of no
-  /// engine.
-  const char* method_of = "";
-  bool is_method() const { return method_of[0] != 0; }
+  /// The operation whose question this is, answered in another way: its row derives from that operation's, and has a
+  /// reference, a robust or both of its own. Families, truth and vectors are the operation's; no engine is asked it.
+  const char* implementation_of = "";
+  bool is_implementation() const { return implementation_of[0] != 0; }
   /// The slide's formula leaves out numbers that the operation answers, and is judged on the others.
   bool formula_answers_less = false;
   /// Test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none).

@@ -15,8 +15,11 @@ Examination::Examination(const Operation& operation, const Question& question)
       question_(question),
       solution_(std::make_shared<Solution>(row_.solve(question))) {}
 
-Examination::Examination(const Operation& method, const Examination& of_operation)
-    : operation_(method), row_(method.row()), question_(of_operation.question_), solution_(of_operation.solution_) {}
+Examination::Examination(const Operation& implementation, const Examination& of_operation)
+    : operation_(implementation),
+      row_(implementation.row()),
+      question_(of_operation.question_),
+      solution_(of_operation.solution_) {}
 
 const oracle::Certificate& Examination::certificate() const {
   return certificate_.value([&] { return solution_->certificate(); });

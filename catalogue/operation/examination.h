@@ -22,8 +22,8 @@ class Examination {
  public:
   /// Throws InvalidInput where the oracle refuses.
   Examination(const Operation& operation, const Question& question);
-  /// The same question of a method of the operation: the truth is the same.
-  Examination(const Operation& method, const Examination& of_operation);
+  /// The same question of another implementation of the operation: the truth is the same.
+  Examination(const Operation& implementation, const Examination& of_operation);
 
   const Operation& operation() const { return operation_; }
   const RowFunctions& row() const { return row_; }

@@ -58,11 +58,12 @@ Json explained(const Examination& examination) {
   line["certificate"] = certificate_json(examination.certificate());
   line["robust"] = verdict_json(examination.judge_robust(), examination.robust());
   line["reference"] = verdict_json(examination.judge_reference(), examination.reference());
-  for (const Operation* method : all_operations()) {
-    if (operation.name() != method->card().method_of) continue;
-    const Examination by_method(*method, examination);
-    line["reference" + method->name().substr(operation.name().size())] =
-        verdict_json(by_method.judge_reference(), by_method.reference());
+  for (const Operation* other : all_operations()) {
+    if (operation.name() != other->card().implementation_of) continue;
+    const Examination by_other(*other, examination);
+    const bool longer = other->name().starts_with(operation.name() + "_");
+    line["reference_" + (longer ? other->name().substr(operation.name().size() + 1) : other->name())] =
+        verdict_json(by_other.judge_reference(), by_other.reference());
   }
   return line;
 }

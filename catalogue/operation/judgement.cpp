@@ -20,11 +20,6 @@ bool holds_numbers(const Shape& shape) {
                                                           [](const auto& part) { return holds_numbers(*part.shape); });
 }
 
-/// How many words an element has where the answer is a list.
-std::size_t words_of_an_element(const Examination& question) {
-  return question.row().answer->parts[0].shape->word_count;
-}
-
 Comparison compared(const Examination& question, const Tape<double>& answer, Reading reading, bool binary32,
                     Judgement& judgement) {
   const RowFunctions& row = question.row();
@@ -34,7 +29,7 @@ Comparison compared(const Examination& question, const Tape<double>& answer, Rea
     judgement.remark = row.fault(question.question(), answer);
     found.decision = judgement.remark.empty();
   } else if (row.card->kind == Kind::covering && reading != Reading::complete) {
-    const Covering covering = covered(truth, answer, words_of_an_element(question));
+    const Covering covering = covered(*row.answer, truth.words, answer.words);
     found.decision = covering.missing == 0;
     judgement.surplus = covering.surplus;
   } else {
@@ -72,9 +67,9 @@ int touch_reading(const Examination& question, const std::string& said) {
 /// The same of a list: all of it, all but what only touches, or neither.
 int covered_reading(const Examination& question, const Tape<double>& answer) {
   if (!question.open()) return 0;
-  const std::size_t each = words_of_an_element(question);
-  if (covered(question.solution().answer, answer, each).missing == 0) return 1;
-  return covered(*question.open(), answer, each).missing == 0 ? -1 : 0;
+  const Shape& shape = *question.row().answer;
+  if (covered(shape, question.solution().answer.words, answer.words).missing == 0) return 1;
+  return covered(shape, question.open()->words, answer.words).missing == 0 ? -1 : 0;
 }
 
 /// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all
@@ -148,17 +143,22 @@ Tape<double> read_answer(const Examination& question, const Json& json) {
   return answer;
 }
 
-/// What is listed are tuples of different places in the question's list.
+/// What is listed are tuples of different places in the question's lists, in as many lists as the truth has.
 void require_places(const Examination& question, const Tape<double>& answer) {
   const RowFunctions& row = question.row();
-  const std::size_t each = words_of_an_element(question);
-  const Word places = longest_list(*row.question, question.question());
-  for (std::size_t first = 1; first < answer.words.size(); first += each) {
-    const auto element = std::span(answer.words).subspan(first, each);
-    const std::set<Word> different(element.begin(), element.end());
-    if (different.size() < each || *different.rbegin() >= places) {
-      throw InvalidInput("answer." + std::string(row.card->answer) + ("[" + std::to_string((first - 1) / each) + "]"),
-                         "different places in the list");
+  const std::string field = "answer." + std::string(row.card->answer);
+  const Word places = elements_of_lists(*row.question, question.question());
+  const std::vector<Listed> lists = listed(*row.answer, answer.words);
+  const std::size_t expected = listed(*row.answer, question.solution().answer.words).size();
+  if (lists.size() != expected)
+    throw InvalidInput(field, "a reply to each of the " + std::to_string(expected) + " queries");
+  for (const Listed& list : lists) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::set<Word> different(list[i].begin(), list[i].end());
+      if (different.size() == list[i].size() && *different.rbegin() < places) continue;
+      const std::string reply =
+          row.answer->parts[0].shape->fixed ? "" : "[" + std::to_string(&list - lists.data()) + "].pairs";
+      throw InvalidInput(field + reply + "[" + std::to_string(i) + "]", "different places in the list");
     }
   }
 }
@@ -214,7 +214,7 @@ bool is_right_exactly(const Examination& question) {
     if (checks_numbers(row) && same_as_truth(*row.answer, truth, answer, Reading::complete)) return true;
     return row.fault(question.question(), in_doubles()).empty();
   }
-  if (row.card->kind == Kind::covering) return covered(truth, in_doubles(), words_of_an_element(question)).missing == 0;
+  if (row.card->kind == Kind::covering) return covered(*row.answer, truth.words, in_doubles().words).missing == 0;
   return same_as_truth(*row.answer, truth, answer, row.card->formula_answers_less ? Reading::less : Reading::complete);
 }
 

@@ -17,22 +17,6 @@ Shape with_names(const Shape& shape, const std::vector<const char*>& names) {
   return named;
 }
 
-/// Every number 0, every word 0, lists of that length.
-void append_zeros(const Shape& shape, std::size_t list_length, Question& question) {
-  switch (shape.kind) {
-    case Shape::Kind::number: question.numbers.push_back(0); return;
-    case Shape::Kind::list:
-      question.words.push_back(static_cast<Word>(list_length));
-      for (std::size_t i = 0; i < list_length; ++i) append_zeros(*shape.parts[0].shape, list_length, question);
-      return;
-    case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) append_zeros(*part.shape, list_length, question);
-      return;
-    case Shape::Kind::choice: return append_zeros(*shape.parts[0].shape, list_length, question);
-    default: question.words.push_back(0);
-  }
-}
-
 /// Where the words of a question stand that a grid runs over, and how many values each has.
 struct GridWords {
   std::vector<std::pair<std::size_t, std::uint64_t>> places;

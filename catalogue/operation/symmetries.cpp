@@ -363,7 +363,8 @@ std::string broken(const Operation& operation, const Question& question, const A
 
 bool declares_laws(const Operation& operation) {
   const Laws& laws = operation.row().laws;
-  return !operation.card().is_method() && (laws.maps != Laws::Maps::none || laws.scales || !laws.exchanges.empty());
+  return !operation.card().is_implementation() &&
+         (laws.maps != Laws::Maps::none || laws.scales || !laws.exchanges.empty());
 }
 
 std::string broken_law(const Operation& operation, const Question& question, const Answering<double>& ask,

@@ -48,17 +48,34 @@ std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& q
   return places.found;
 }
 
-Word longest_list(const Shape& shape, const Question& question) {
-  struct Longest {
-    Word length = 0;
+Word elements_of_lists(const Shape& shape, const Question& question) {
+  struct Counted {
+    Word elements = 0;
     void number(const Shape&, const Cursor<double>&) {}
     void word(const Shape& part, const Cursor<double>& at) {
-      if (part.kind == Shape::Kind::list) length = std::max(length, *at.word);
+      if (part.kind == Shape::Kind::list) elements += *at.word;
     }
-  } longest;
+  } counted;
   Cursor<double> at(question);
-  walk_tape(shape, at, longest);
-  return longest.length;
+  walk_tape(shape, at, counted);
+  return counted.elements;
+}
+
+void append_zeros(const Shape& shape, std::size_t list_length, Question& question) {
+  switch (shape.kind) {
+    case Shape::Kind::number: question.numbers.push_back(0); return;
+    case Shape::Kind::list:
+      question.words.push_back(static_cast<Word>(list_length));
+      for (std::size_t i = 0; i < list_length; ++i) append_zeros(*shape.parts[0].shape, list_length, question);
+      return;
+    case Shape::Kind::choice:
+      question.words.push_back(0);
+      return append_zeros(*shape.parts[0].shape, list_length, question);
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) append_zeros(*part.shape, list_length, question);
+      return;
+    default: question.words.push_back(0);
+  }
 }
 
 }  // namespace touchstone::catalogue

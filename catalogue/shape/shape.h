@@ -136,8 +136,11 @@ void walk_tape(const Shape& shape, Cursor<Real>& at, Visit& visit) {
 /// Where each number of a question stands among all its numbers and words in canonical order.
 std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& question);
 
-/// How long the longest list of a question is.
-Word longest_list(const Shape& shape, const Question& question);
+/// How many elements the lists of a question have, all together.
+Word elements_of_lists(const Shape& shape, const Question& question);
+
+/// Every number 0, every word 0 (the first alternative), lists of that length.
+void append_zeros(const Shape& shape, std::size_t list_length, Question& question);
 
 /// The same tape over another number type.
 template <class To, class From, class Change>

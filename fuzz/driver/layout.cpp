@@ -62,12 +62,12 @@ Layout layout_of(const Shape& shape, const Question& question) {
 }
 
 void insert_zeros(const Shape& shape, Question& question, const Layout::Place& at) {
-  if (!shape.fixed) {  // lists of lists: an empty list
-    question.words.insert(question.words.begin() + static_cast<std::ptrdiff_t>(at.word), 0);
-    return;
-  }
-  question.numbers.insert(question.numbers.begin() + static_cast<std::ptrdiff_t>(at.number), shape.numbers, 0.0);
-  question.words.insert(question.words.begin() + static_cast<std::ptrdiff_t>(at.word), shape.word_count, 0);
+  Question zero;
+  append_zeros(shape, 0, zero);
+  question.numbers.insert(question.numbers.begin() + static_cast<std::ptrdiff_t>(at.number), zero.numbers.begin(),
+                          zero.numbers.end());
+  question.words.insert(question.words.begin() + static_cast<std::ptrdiff_t>(at.word), zero.words.begin(),
+                        zero.words.end());
 }
 
 }  // namespace touchstone::fuzz

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which solids of a list meet, as in check_broad_phase.cpp, where the proof is written down."""
 
-from certify_reading import WRONG_KIND, Claim, expect
+from certify_reading import WRONG_KIND, Claim, expect, only
 from certify_space import ball, box_holds, box_in_space, dot, exact_triple
 
 
@@ -122,3 +122,71 @@ def check_all_pairs(claim):
                 break
             pair = (min(i, j), max(i, j))
             expect((pair in meeting) + (pair in apart) == 1, "certificate: a pair is left open")
+
+
+def body(bodies, index, what):
+    expect(type(index) is int and index in bodies, what + ": index of a body that is there")
+    return index
+
+
+def carry_out(command, bodies, count, what):
+    """How many bodies there have been after the command."""
+    expect(isinstance(command, dict), what + ": a command")
+    if "insert" in command:
+        only(command, what, ["insert"])
+        box_in_space(command["insert"], what + ".insert")
+        bodies[count] = command["insert"]
+        return count + 1
+    if "move" in command:
+        only(command, what, ["move", "box"])
+        index = body(bodies, command["move"], what + ".move")
+        box_in_space(command["box"], what + ".box")
+        bodies[index] = command["box"]
+    elif "remove" in command:
+        only(command, what, ["remove"])
+        del bodies[body(bodies, command["remove"], what + ".remove")]
+    else:
+        only(command, what, ["ask"])
+        expect(command["ask"] == "pairs", what + ".ask: pairs")
+    return count
+
+
+def worlds(claim):
+    """The bodies that are there at each query."""
+    expect(isinstance(claim.input["boxes"], list), "boxes: a list")
+    bodies, count = {}, 0
+    for box in claim.input["boxes"]:
+        box_in_space(box, f"boxes[{count}]")
+        bodies[count] = box
+        count += 1
+    expect(isinstance(claim.input["commands"], list), "commands: a list")
+    for i, command in enumerate(claim.input["commands"]):
+        count = carry_out(command, bodies, count, f"commands[{i}]")
+        if "ask" in command:
+            yield dict(bodies)
+
+
+def check_reply(bodies, reply, certificate):
+    """That of all_pairs, where the bodies that are there have their places in the list."""
+    only(reply, "truth.replies", ["pairs"])
+    expect(isinstance(reply["pairs"], list), "truth.pairs: a list")
+    places = {index: place for place, index in enumerate(sorted(bodies))}
+    pairs = []
+    for pair in reply["pairs"]:
+        expect(isinstance(pair, list) and len(pair) == 2, "truth.pairs: a list of two in each place")
+        pairs.append([places[body(bodies, index, "truth.pairs")] for index in pair])
+    boxes = [bodies[index] for index in sorted(bodies)]
+    check_all_pairs(Claim({"input": {"boxes": boxes}, "truth": {"pairs": pairs}, "certificate": certificate}))
+
+
+def check_broad_phase(claim):
+    claim.inputs("boxes", "commands")
+    asked = list(worlds(claim))
+    claim.answers("replies")
+    claim.expect_kind("replies"), claim.facts("replies")
+    replies, proofs = claim.truth["replies"], claim.certificate["replies"]
+    expect(isinstance(replies, list), "truth.replies: a list")
+    expect(isinstance(proofs, list), "certificate.replies: a list")
+    expect(len(asked) == len(replies) == len(proofs), "certificate: a reply and its proof for each query")
+    for bodies, reply, proof in zip(asked, replies, proofs):
+        check_reply(bodies, reply, proof)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -14,6 +16,7 @@
 /// after the first in it that begins beyond a solid's upper end begins beyond it too, and has no point in common with
 /// that solid. Each pair that is left is listed, or its own proof shows it to be apart. So no pair is missing. The time
 /// is that of reading the claim, but for looking pairs up.
+/// Of a program, the commands are carried out on a plain list, and each reply is proved like this on its own.
 namespace touchstone::certify {
 namespace {
 
@@ -150,8 +153,83 @@ void check_all_pairs(const Claim& claim) {
   }
 }
 
+/// A body by its index.
+template <class Map>
+auto there(Map& bodies, const json& index, const std::string& what) {
+  const auto body = index.is_number_unsigned() ? bodies.find(index.get<std::uint64_t>()) : bodies.end();
+  expect(body != bodies.end(), what + ": index of a body that is there");
+  return body;
+}
+
+/// Bodies by their indices, as commands make them. A command has one of these names.
+class World {
+ public:
+  explicit World(const Claim& claim) {
+    for (const json& box : list(claim.input, "boxes", "boxes")) insert(box, "boxes[" + std::to_string(next_) + "]");
+  }
+
+  /// Whether the command is a query.
+  bool carry_out(const json& command, const std::string& what) {
+    expect(command.is_object(), what + ": a command");
+    if (command.contains("insert")) {
+      only(command, what, {"insert"}), insert(command["insert"], what + ".insert");
+    } else if (command.contains("move")) {
+      only(command, what, {"move", "box"});
+      json& box = there(bodies_, command["move"], what + ".move")->second;
+      box_in_space(command["box"], what + ".box"), box = command["box"];
+    } else if (command.contains("remove")) {
+      only(command, what, {"remove"}), bodies_.erase(there(bodies_, command["remove"], what + ".remove"));
+    } else {
+      only(command, what, {"ask"}), expect(command["ask"] == "pairs", what + ".ask: pairs");
+      return true;
+    }
+    return false;
+  }
+
+  /// The reply is that of all_pairs, where the bodies that are there have their places in the list.
+  void check(const json& reply, const json& certificate) const {
+    only(reply, "truth.replies", {"pairs"});
+    json input{{"boxes", json::array()}}, truth{{"pairs", list(reply, "pairs", "truth.pairs")}};
+    for (const auto& [index, box] : bodies_) input["boxes"].push_back(box);
+    for (json& pair : truth["pairs"]) {
+      expect(pair.is_array() && pair.size() == 2, "truth.pairs: a list of two in each place");
+      for (json& index : pair) {
+        index = static_cast<std::size_t>(std::distance(bodies_.begin(), there(bodies_, index, "truth.pairs")));
+      }
+    }
+    check_all_pairs({input, truth, certificate});
+  }
+
+ private:
+  void insert(const json& box, const std::string& what) { box_in_space(box, what), bodies_.emplace(next_++, box); }
+
+  std::map<std::uint64_t, json> bodies_;
+  std::uint64_t next_ = 0;
+};
+
+void check_broad_phase(const Claim& claim) {
+  claim.inputs({"boxes", "commands"});
+  // Calls see(world) at each query.
+  const auto carry_out = [&claim](const auto& see) {
+    World world(claim);
+    std::size_t count = 0;
+    for (const json& command : list(claim.input, "commands", "commands"))
+      if (world.carry_out(command, "commands[" + std::to_string(count++) + "]")) see(world);
+  };
+  std::size_t queries = 0;
+  carry_out([&queries](const World&) { ++queries; });
+  claim.answers({"replies"});
+  expect(claim.kind() == "replies", "certificate: no such kind for this truth");
+  claim.facts({"replies"});
+  const json &replies = list(claim.truth, "replies", "truth.replies"),
+             &proofs = list(claim.certificate, "replies", "certificate.replies");
+  expect(queries == replies.size() && queries == proofs.size(), "certificate: a reply and its proof for each query");
+  queries = 0;
+  carry_out([&](const World& world) { world.check(replies[queries], proofs[queries]), ++queries; });
+}
+
 }  // namespace
 
-Checks checks_of_broad_phase() { return {{"all_pairs", check_all_pairs}}; }
+Checks checks_of_broad_phase() { return {{"all_pairs", check_all_pairs}, {"broad_phase", check_broad_phase}}; }
 
 }  // namespace touchstone::certify

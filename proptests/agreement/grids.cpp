@@ -76,11 +76,11 @@ EACH_OPERATION("every configuration of the numbers -1, 0, 1") {
   exhaust(operation, {.size = 3, .first = -1, .most = 1 << 16, .every = 16}, operation.card().list_length);
 }
 EACH_OPERATION("every configuration of the numbers 0, 1, 2, 3") {
-  if (operation.card().is_method()) return;  // its formula alone is new
+  if (operation.card().is_implementation()) return;  // the questions are the operation's: one grid is enough
   exhaust(operation, {.size = 4, .first = 0, .most = 1 << 16, .every = 64}, operation.card().list_length);
 }
 EACH_OPERATION("configurations of the numbers -1, 0, 1 with one vertex more") {
-  if (operation.card().is_method()) return;
+  if (operation.card().is_implementation()) return;
   if (const std::size_t usual = operation.card().list_length) {
     exhaust(operation, {.size = 3, .first = -1, .most = 1 << 15, .every = 64}, usual + 1);
   }

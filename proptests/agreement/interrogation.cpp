@@ -33,9 +33,8 @@ EACH_OPERATION("robust, oracle, formula, certificate, stages and laws agree on e
     }
     return asked;
   };
-  const bool method = operation.card().is_method();
   never_at(
-      operation, method ? "the reference keeps its promise" : "robust agrees with the oracle",
+      operation, "robust agrees with the oracle",
       [&](const Question& question, std::uint64_t place) { return interrogated(operation, question, asked_at(place)); },
       static_cast<int>(most / batch));
 }

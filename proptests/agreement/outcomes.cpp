@@ -88,7 +88,7 @@ bool is_hard_case(const Operation& operation, const std::string& family) {
 }  // namespace
 
 EACH_OPERATION("every outcome and stage is reached, and every family asks what it is meant to ask") {
-  if (operation.card().is_method()) return;  // families and oracle are those of the operation
+  if (operation.card().is_implementation()) return;  // families and oracle are those of the operation
   const std::set<std::string> possible = possible_outcomes(operation);
   std::set<std::string> missing = possible, missing_stages;
   for (const auto& one : told_stages(operation.row()).each) missing_stages.insert(name_of(one.stage));

@@ -16,7 +16,7 @@ struct polygon_convexity_interior_angles : polygon_convexity {
       other.name = "polygon_convexity_interior_angles";
       other.pages = "6";
       other.question = "Is the polygon convex, by its interior angles?";
-      other.method_of = "polygon_convexity";
+      other.implementation_of = "polygon_convexity";
       other.cost = 3;  // its exact arithmetic has thousands of digits
       return other;
     }();

@@ -140,7 +140,7 @@ TEST_CASE("adapter: above the table stand the operations found, the overloads an
   REQUIRE(all.left_out == std::vector<std::string>{"sphere_sphere(Sphere3<double> a, Sphere3<double> b)",
                                                    "aabb_aabb(Aabb3<double> a, Aabb3<double> b)"});
   std::size_t operations = 0;
-  for (const Operation* operation : all_operations()) operations += operation->card().is_method() ? 0 : 1;
+  for (const Operation* operation : all_operations()) operations += operation->card().is_implementation() ? 0 : 1;
   const std::string text = program::operations_found(all);
   REQUIRE_THAT(text, StartsWith("planar 2 has 2 of " + std::to_string(operations) +
                                 " operations: sphere_sphere, aabb_aabb\nNo overload found: "
@@ -148,7 +148,7 @@ TEST_CASE("adapter: above the table stand the operations found, the overloads an
   const std::size_t not_found = text.find("\nNo member function of these names: explicit_line, ");
   REQUIRE(not_found != std::string::npos);
   for (const Operation* operation : all_operations()) {
-    if (operation->card().is_method() || all.operations.count(operation->name()) != 0) continue;
+    if (operation->card().is_implementation() || all.operations.count(operation->name()) != 0) continue;
     INFO(operation->name());
     REQUIRE(text.find(" " + operation->name(), not_found) != std::string::npos);
   }

@@ -120,7 +120,7 @@ SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b); 
   for (const std::string& section : sections) CHECK_THAT(page, ContainsSubstring(section));
   for (const Operation* operation : all_operations()) {
     const bool listed = page.find("\n### `" + operation->name() + "`\n") != std::string::npos;
-    CHECK(listed != operation->card().is_method());
+    CHECK(listed != operation->card().is_implementation());
   }
 }
 

@@ -22,3 +22,22 @@ def truth_all_pairs(q):
     pairs = sorted([i, j] for (i, j), lacking in lacks.items() if lacking <= 0)
     size = abs if "spheres" in q else lambda lacking: lacking * lacking
     return {"pairs": pairs}, min(map(size, lacks.values()), default=None)
+
+
+def truth_broad_phase(q):
+    bodies, replies, margins = dict(enumerate(q["boxes"])), [], []
+    count = len(bodies)
+    for command in q["commands"]:
+        if "insert" in command:
+            bodies[count] = command["insert"]
+            count += 1
+        elif "move" in command:
+            bodies[command["move"]] = command["box"]
+        elif "remove" in command:
+            del bodies[command["remove"]]
+        else:
+            names = sorted(bodies)
+            reply, margin = truth_all_pairs({"boxes": [bodies[name] for name in names]})
+            replies.append({"pairs": [[names[i], names[j]] for i, j in reply["pairs"]]})
+            margins += [] if margin is None else [margin]
+    return {"replies": replies}, min(margins, default=None)

@@ -100,7 +100,7 @@ TEST_CASE("check-engine: an engine that does not start, or has no operation, can
 
 TEST_CASE("check-engine: every operation has five easy questions, or as many as it has, and robust answers them") {
   for (const Operation* operation : all_operations()) {
-    if (operation->card().is_method()) continue;
+    if (operation->card().is_implementation()) continue;
     const auto easy = easy_questions(*operation);
     INFO(operation->name());
     CHECK(easy.size() == 5);

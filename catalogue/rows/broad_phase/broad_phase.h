@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/families/program_choices.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_commands.h"
+#include "oracle/broad_phase/broad_phase.h"
+#include "oracle/volumes/aabb_aabb.h"
+#include "reference/broad_phase/broad_phase.h"
+#include "robust/broad_phase/broad_phase.h"
+
+namespace touchstone::catalogue::rows {
+
+struct broad_phase {
+  TOUCHSTONE_MODULES(broad_phase)
+  using Boxes = std::vector<Aabb3d>;
+  using Commands = std::vector<Commandd>;
+  using Question = Program;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "broad_phase",
+                           .chapter = "broad_phase",
+                           .pages = "45-47, 55-56",
+                           .question = "Which of these boxes meet, while some come, move and go?",
+                           .kind = Kind::covering,
+                           .fields = {"boxes", "commands"},
+                           .answer = "replies",
+                           .margin_degree = 2,
+                           .list_length = 2,
+                           .longest_vector = 6000};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"small_grid", [](Choices& c) -> Question { return any_program(c, small_box, 6, 12); }},
+        {"lattice_that_touches", [](Choices& c) -> Question { return any_program(c, cell, 12, 12); }},
+        {"beside_by_ulps",
+         [](Choices& c) -> Question {
+           const auto end = [](Choices& d) { return 1 + static_cast<double>(d.below(4)) * 0x1p-52; };
+           return any_program(
+               c,
+               [&end](Choices& d) {
+                 Aabb3d box{{end(d), 0, 0}, {end(d), 1, 1}};
+                 if (d.below(2) == 1) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
+                 put_in_order(box);
+                 return box;
+               },
+               6, 8);
+         }},
+        {"flat_and_zero",
+         [](Choices& c) -> Question {
+           return any_program(
+               c,
+               [](Choices& d) {
+                 static constexpr std::array ends{0.0, -0.0, 0x1p-1074, -0x1p-1074};
+                 const auto end = [&d] { return ends[d.below(4)]; };
+                 const double x = end(), y = end(), z = end(), u = end(), v = end();
+                 Aabb3d box{{x, y, z}, {u, v, end()}};
+                 put_in_order(box);
+                 return box;
+               },
+               6, 8);
+         }},
+        {"to_the_ends",
+         [](Choices& c) -> Question {
+           // Planes and halves of space, as boxes that reach to the greatest number.
+           return any_program(
+               c,
+               [](Choices& d) {
+                 Aabb3d box{{-greatest_number, -greatest_number, -greatest_number},
+                            {greatest_number, greatest_number, greatest_number}};
+                 double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[d.below(3)];
+                 const double at = small_integer(d, 2);
+                 if (d.below(2) == 0) box.min.*axis = at;
+                 if (d.below(2) == 0) box.max.*axis = box.min.*axis == at ? at : greatest_number;
+                 return box;
+               },
+               4, 8);
+         }},
+        {"there_and_back",
+         [](Choices& c) -> Question {
+           Programming p(c);
+           const std::size_t bodies = 2 + c.below(3);
+           while (p.there().size() < bodies) p.start_with(cell(c));
+           while (c.below(4) != 0) {
+             p.ask();
+             p.move(shifted(cell(c), 100, 0, 0));
+             p.ask();
+             p.move(cell(c));
+           }
+           p.ask();
+           return p.program();
+         }},
+        {"first_ones_removed",
+         [](Choices& c) -> Question {
+           // Places in the list of those that are there are no indices any more.
+           Programming p(c);
+           const std::size_t bodies = 2 + c.below(6);
+           while (p.there().size() < bodies) p.start_with(small_box(c));
+           for (std::size_t left = 1 + c.below(3); left > 0; --left) p.remove();
+           p.ask();
+           for (std::size_t left = c.below(3); left > 0; --left) p.insert(small_box(c));
+           p.ask();
+           return p.program();
+         }},
+        {"all_removed",
+         [](Choices& c) -> Question {
+           Programming p(c);
+           const std::size_t bodies = c.below(4);
+           while (p.there().size() < bodies) p.start_with(cell(c));
+           while (!p.there().empty()) p.remove();
+           p.ask();
+           for (std::size_t left = c.below(4); left > 0; --left) p.insert(cell(c));
+           p.ask();
+           return p.program();
+         }},
+        {"many_bodies", [](Choices& c) -> Question { return any_program(c, wide_box, 80, 4); }, /*as_drawn=*/true},
+        {"long_program", [](Choices& c) -> Question { return any_program(c, small_box, 4, 80); }, /*as_drawn=*/true},
+        {"perhaps_not_there",
+         [](Choices& c) -> Question {
+           // An index beyond all others, of a removed body, or a valid one.
+           Question question = any_program(c, small_box, 4, 6);
+           auto& [boxes, commands] = question;
+           const auto body = static_cast<Index>(c.below(6));
+           const auto place = commands.begin() + static_cast<std::ptrdiff_t>(c.below(commands.size()));
+           if (c.below(2) == 1) commands.insert(place, Remove{body});
+           else commands.insert(place, Moved{body, small_box(c)});
+           return question;
+         }},
+    };
+  }
+
+  /// Two boxes that touch at a corner: moves the one's.
+  static Question map_centre() { return {{{{0, 0, 0}, {1, 1, 1}}, {{1, 1, 1}, {2, 2, 2}}}, {Ask{Query::pairs}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {3, 4}; }
+
+  /// Boxes that only touch are no pair.
+  static std::optional<Replies> as_open_sets(const Replies& truth, const Question& question) {
+    Replies open = truth;
+    std::size_t query = 0;
+    each_query(question, [&](const std::vector<std::optional<Aabb3d>>& boxes) {
+      std::erase_if(open[query++].pairs, [&](const IndexPair& pair) {
+        return ::touchstone::oracle::aabb_aabb(*boxes[pair.i], *boxes[pair.j]).answer == Contact::touching;
+      });
+    });
+    if (open == truth) return std::nullopt;
+    return open;
+  }
+
+  /// The bodies that are there at the last query, by their indices.
+  static void draw(Drawing& drawing, const Question& question, const Replies&) {
+    std::vector<std::optional<Aabb3d>> last;
+    each_query(question, [&](const auto& boxes) { last = boxes; });
+    for (std::size_t i = 0; i < last.size(); ++i)
+      if (last[i]) catalogue::draw(drawing, std::to_string(i), *last[i], false);
+    drawing.notes.push_back("boxes at the last query, after " + std::to_string(std::get<1>(question).size()) +
+                            " commands");
+  }
+
+  /// All programs of up to four commands over three intervals of a small grid; a query is the fifth. Some commands are
+  /// of bodies that are not there.
+  static std::uint64_t world_count(int size) {
+    const std::uint64_t n = intervals(size);
+    const std::uint64_t commands = n + 3 * n + 3 + 1;
+    return n * n * n * commands * commands * commands * commands;
+  }
+  static Question world_at(int size, std::uint64_t index) {
+    const std::uint64_t n = intervals(size);
+    const auto next = [&index](std::uint64_t of) {
+      const std::uint64_t digit = index % of;
+      index /= of;
+      return digit;
+    };
+    const auto interval = [size](std::uint64_t number) {
+      int low = 0;
+      for (; number >= static_cast<std::uint64_t>(size - low); ++low) number -= static_cast<std::uint64_t>(size - low);
+      return Aabb3d{{static_cast<double>(low), 0, 0}, {low + static_cast<double>(number), 0, 0}};
+    };
+    Question question;
+    auto& [boxes, commands] = question;
+    while (boxes.size() < 3) boxes.push_back(interval(next(n)));
+    while (commands.size() < 4) {
+      std::uint64_t digit = next(4 * n + 4);
+      if (digit < n) commands.emplace_back(Insertd{interval(digit)});
+      else if (digit < 4 * n) commands.emplace_back(Moved{static_cast<Index>((digit - n) / n), interval(digit % n)});
+      else if (digit < 4 * n + 3) commands.emplace_back(Remove{static_cast<Index>(digit - 4 * n)});
+      else commands.emplace_back(Ask{Query::pairs});
+    }
+    commands.emplace_back(Ask{Query::pairs});
+    return question;
+  }
+
+  static Hooks<broad_phase> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .repair = repair_program,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .draw = draw,
+            .world_count = world_count,
+            .world_at = world_at,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  static constexpr double greatest_number = std::numeric_limits<double>::max();
+
+  static std::uint64_t intervals(int size) {
+    const auto n = static_cast<std::uint64_t>(size);
+    return n * (n + 1) / 2;
+  }
+
+  static Aabb3d small_box(Choices& c) {
+    const double x = small_integer(c, 4), y = small_integer(c, 4), z = small_integer(c, 4);
+    const auto width = [&c] { return static_cast<double>(c.below(4)); };
+    const double dx = width(), dy = width(), dz = width();
+    return {{x, y, z}, {x + dx, y + dy, z + dz}};
+  }
+  static Aabb3d wide_box(Choices& c) {
+    const double x = integer(c, 6), y = integer(c, 6), z = integer(c, 3);
+    const auto width = [&c] { return static_cast<double>(c.below(12)); };
+    const double dx = width(), dy = width(), dz = width();
+    return {{x, y, z}, {x + dx, y + dy, z + dz}};
+  }
+  /// Of the lattice of unit boxes.
+  static Aabb3d cell(Choices& c) {
+    const double x = static_cast<double>(c.below(3)), y = static_cast<double>(c.below(3));
+    const double z = static_cast<double>(c.below(3));
+    return {{x, y, z}, {x + 1, y + 1, z + 1}};
+  }
+
+  /// Calls `see` at each query with the boxes by index, empty where a body was removed.
+  template <class See>
+  static void each_query(const Question& question, const See& see) {
+    struct Seen {
+      const See& see;
+      std::vector<std::optional<Aabb3d>> boxes{};
+      Index insert(const Aabb3d& box) {
+        boxes.push_back(box);
+        return static_cast<Index>(boxes.size() - 1);
+      }
+      void move(Index body, const Aabb3d& box) { boxes[body] = box; }
+      void remove(Index body) { boxes[body].reset(); }
+      std::vector<IndexPair> pairs() const {
+        see(boxes);
+        return {};
+      }
+    };
+    replies(Seen{see}, std::get<0>(question), std::get<1>(question));
+  }
+};
+
+}  // namespace touchstone::catalogue::rows
