@@ -24,7 +24,8 @@ class Shrinker {
   Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way)
       : shrinking_(shrinking), family_(family), way_(way) {}
 
-  void shrink(Finding& example) {
+  /// `smaller`: otherwise only the answer is put beside the question as it was drawn.
+  void shrink(Finding& example, bool smaller) {
     if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
     Choices choices = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
     shrinking_.operation.draw(choices, family_);
@@ -33,7 +34,7 @@ class Shrinker {
       const std::optional<Finding> found = look(candidate, example.index);
       return found && found->range <= example.range && found->generic >= example.generic;
     };
-    const std::vector<std::uint8_t> bytes = shrunk(choices.recorded(), still_shown, budget());
+    const std::vector<std::uint8_t> bytes = shrunk(choices.recorded(), still_shown, smaller ? budget() : 0);
     std::optional<Finding> least = look(bytes, example.index);
     // Only to have the answer beside the question as it was drawn.
     if (!least || shown_before(example, *least)) least = look(choices.recorded(), example.index);
@@ -110,7 +111,10 @@ void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>&
   }
   // One engine is asked one question after the other.
   in_parallel(shrinking.engine != nullptr ? 1 : shrinking.jobs, tasks.size(),
-              [&](std::size_t t) { Shrinker(shrinking, tasks[t].family, *tasks[t].way).shrink(*tasks[t].example); });
+              [&](std::size_t t) {
+                const auto& [way, example, family, smaller] = tasks[t];
+                Shrinker(shrinking, family, *way).shrink(*example, smaller);
+              });
 }
 
 }  // namespace touchstone::audit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
 #include "proptests/infrastructure/oracle/claims.h"
+#include "proptests/property.h"
 
 namespace touchstone::proptests::simplest_truth_tests {
 namespace {
@@ -21,7 +22,7 @@ std::vector<std::string> listed_operations() {
 
 TEST_CASE("truth: answers and margins are those of a slower and shorter program in fractions") {
   std::vector<std::string> lines;
-  for (const nlohmann::json& claim : drawn_claims("simplest truth", 30)) lines.push_back(claim.dump());
+  for (const nlohmann::json& claim : drawn_claims("simplest truth", static_cast<std::uint64_t>(scaled(30)))) lines.push_back(claim.dump());
   REQUIRE(lines.size() > 2000);
   const LinesInFile claims("truths.jsonl", lines), operations("operations.jsonl", listed_operations());
   CHECK(python_finds_nothing(script + claims.path() + " " + operations.path()));
