@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <optional>
 #include <sstream>
 
@@ -19,6 +20,7 @@
 #include "program/program.h"
 #include "program/progress.h"
 #include "report/html.h"
+#include "report/screen.h"
 #include "report/table.h"
 #include "report/wording.h"
 
@@ -80,6 +82,10 @@ std::optional<Tally> earlier_audit(const AuditCommand& command) {
     throw UsageError("--before " + command.before + ": expected the file of an audit's --json; " + refused.what());
   }
 }
+
+constexpr const char* how_to_see_more =
+    "--verbose prints every family and finding with the line that repeats it; --json FILE and --report DIR keep them "
+    "all\n";
 
 /// SIGINT and SIGTERM end the asking instead of the program, for as long as this lives.
 class Interruptible {
@@ -150,17 +156,23 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   notes.tell(err);
   tally.repeat = repeat_of(command.program, command.engine, command.timeout);
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
-  readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
+  const bool on_terminal = &readable == &std::cout && isatty(STDOUT_FILENO) != 0;
+  if (on_terminal && !command.summary && !command.verbose) readable << screen(tally, how_to_see_more) << std::flush;
+  else readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
   const GateResult result = finish_gate(command.gate, gate, tally, readable);
   write_file("--json", command.json_file, tally_json(tally));
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
     try {
       write_report(tally, command.report_directory, options.jobs, for_maps.get(),
-                   {"", before ? &*before : nullptr, command.gate.decides() ? gate_in_words(tally, result) : ""});
+                   {"", before ? &*before : nullptr, command.gate.decides() ? gate_in_words(tally, result) : "",
+                    [&progress](const std::string& name, std::size_t done, std::size_t all) {
+                      progress.step("report", name, done, all);
+                    }});
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--report ") + failed.what());
     }
+    progress.end();
     readable << "report: " << command.report_directory << "/index.html\n";
   }
   return exit_code(tally, command.gate.decides() ? !result.passed() : tally.has_findings(), err);

@@ -32,6 +32,7 @@ struct AuditCommand {
   std::string range = "all";  ///< "ordinary": only questions of ordinary size
   std::string ordinary = "0x1p-100,0x1p100";  ///< LEAST,MOST: what that is
   bool summary = false;                       ///< a row for each operation, no families and no examples
+  bool verbose = false;                       ///< on a terminal, too, every family and finding and not one screen
   GateCommand gate;
 };
 

@@ -136,7 +136,12 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--ordinary", options->ordinary,
                       "LEAST,MOST: numbers of ordinary size are 0 or between these in size");
   add_gate(*command, options->gate);
-  command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
+  auto* summary =
+      command->add_flag("--summary", options->summary, "A row for each operation, without families and examples");
+  command
+      ->add_flag("--verbose", options->verbose,
+                 "Every family and every finding on a terminal too, where one screen is usual")
+      ->excludes(summary);
   command->callback([=, &action] {
     options->program = command->get_parent()->get_name();
     action = [=] { return audit_command(*options, std::cout, std::cerr); };

@@ -51,21 +51,30 @@ void Progress::leave_out(const std::function<bool(const Operation&)>& not_asked)
 
 void Progress::end() {
   const std::lock_guard lock(mutex_);
-  if (terminal_ && !ended_) err_ << "\r\x1b[K" << std::flush;
-  ended_ = true;
+  if (terminal_ && shown_) err_ << "\r\x1b[K" << std::flush;
+  shown_ = false, ended_ = true;
+}
+
+void Progress::show(const std::string& text, Clock::time_point now) {
+  if (now - last_ < (terminal_ ? rewritten_after : line_after)) return;
+  last_ = now;
+  shown_ = true;
+  if (terminal_) err_ << "\r\x1b[K" << text << std::flush;
+  else err_ << "touchstone: " << text << std::endl;
 }
 
 void Progress::operator()(const std::string& operation, std::uint64_t done) {
   const std::lock_guard lock(mutex_);
-  const Clock::time_point now = now_();
-  if (ended_ || now - last_ < (terminal_ ? rewritten_after : line_after)) return;
   const auto found = std::find_if(shares_.begin(), shares_.end(),
                                   [&](const Share& share) { return share.operation->name() == operation; });
-  if (found == shares_.end()) return;
-  last_ = now;
-  const std::string text = line(static_cast<std::size_t>(found - shares_.begin()), done, now);
-  if (terminal_) err_ << "\r\x1b[K" << text << std::flush;
-  else err_ << "touchstone: " << text << std::endl;
+  if (ended_ || found == shares_.end()) return;
+  const Clock::time_point now = now_();
+  show(line(static_cast<std::size_t>(found - shares_.begin()), done, now), now);
+}
+
+void Progress::step(const std::string& what, const std::string& name, std::size_t done, std::size_t all) {
+  const std::lock_guard lock(mutex_);
+  show(fmt::format("{}: {} of {}, {}", what, done, all, name), now_());
 }
 
 std::string Progress::line(std::size_t operation, std::uint64_t done, Clock::time_point now) const {

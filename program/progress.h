@@ -29,8 +29,10 @@ class Progress {
 
   /// These operations are not asked after all.
   void leave_out(const std::function<bool(const Operation&)>& not_asked);
-  /// Clears the line of a terminal; nothing is shown after that.
+  /// Clears the line of a terminal; of the operations' cases nothing is shown after that.
   void end();
+  /// What follows them: "report: 12 of 53, orientation". Ended once more when it is done.
+  void step(const std::string& what, const std::string& name, std::size_t done, std::size_t all);
 
   /// So many cases of an operation are done. May be called from any thread.
   void operator()(const std::string& operation, std::uint64_t done);
@@ -39,6 +41,8 @@ class Progress {
   std::string line(std::size_t operation, std::uint64_t done, Clock::time_point now) const;
 
   void share_out();
+  /// If it is time for another line.
+  void show(const std::string& text, Clock::time_point now);
 
   struct Share {
     const Operation* operation;
@@ -51,7 +55,7 @@ class Progress {
   std::function<Clock::time_point()> now_;
   Clock::time_point started_, last_;
   std::mutex mutex_;
-  bool ended_ = false;
+  bool ended_ = false, shown_ = false;
 };
 
 /// "40 s", "12 min", "3 h"

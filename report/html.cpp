@@ -38,6 +38,7 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
   OperationMaps maps;
   for (std::size_t i = 0; i < tally.operations.size(); ++i) {
     const std::string& name = tally.operations[i].operation;
+    if (notes.progress) notes.progress(name, i, tally.operations.size());
     const Operation* operation = find_operation(name);
     std::vector<FailureMap> shown;
     if (operation)

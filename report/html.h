@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "audit/engines/engine.h"
@@ -14,6 +15,8 @@ struct ReportNotes {
   std::string command;            ///< the line that was called; empty: one that gives the same tally
   const Tally* before = nullptr;  ///< an earlier audit to be shown beside this one, as before and after a fix
   std::string gate{};             ///< what the gate says (audit/gate/gate.h); empty where none decides
+  /// Told before each operation's page: its name, how many pages are written, and how many there will be.
+  std::function<void(const std::string&, std::size_t, std::size_t)> progress{};
 };
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there.

@@ -13,7 +13,6 @@ namespace touchstone::report {
 namespace {
 
 constexpr std::size_t columns = verdict_count + 1;
-constexpr std::size_t line_width = 120;
 
 struct Row {
   std::string name;
@@ -90,41 +89,6 @@ std::string laid_out(const std::vector<Row>& rows) {
   return text;
 }
 
-/// Prose broken between words so that it fits beside a key of `indent` columns.
-std::string wrapped(const std::string& prose, std::size_t indent) {
-  std::string text, rest = prose;
-  while (rest.size() > line_width - indent) {
-    const std::size_t space = rest.rfind(' ', line_width - indent);
-    if (space == std::string::npos) break;
-    text += rest.substr(0, space) + "\n" + std::string(indent, ' ');
-    rest.erase(0, space + 1);
-  }
-  return text + rest;
-}
-
-std::string heading(const Tally& tally) {
-  const Declaration& engine = tally.declaration;
-  std::string text = "touchstone audit of " + subject(engine) + ", boundary " + boundary_word(engine.boundary);
-  if (engine.tolerance > 0) text += fmt::format(", tolerance {}", engine.tolerance);
-  if (tally.grid.size > 0) {
-    text += fmt::format("; every configuration on the {0} x {0} grid, {1} of {2}", tally.grid.size,
-                        tally.grid.done.size(), counted(tally.grid.shards, "shard"));
-  } else {
-    text += "; " + counted(tally.cases, "case") + " per operation, seed " + std::to_string(tally.seed);
-  }
-  if (sum_of(tally.operations).left_out > 0) text += ", ordinary size only";
-  if (!tally.undeclared.empty()) {
-    constexpr std::size_t most_named = 6;
-    std::string declared, undeclared;
-    for (const OperationTally& operation : tally.operations)
-      declared += (declared.empty() ? "" : ", ") + operation.operation;
-    for (const std::string& name : tally.undeclared) undeclared += (undeclared.empty() ? "" : ", ") + name;
-    if (tally.undeclared.size() > most_named) undeclared = counted(tally.undeclared.size(), "operation");
-    text += "\n" + wrapped("declared: " + declared, 2) + "\n" + wrapped("not declared, so not asked: " + undeclared, 2);
-  }
-  return text + (tally.interrupted ? "\ninterrupted: what follows was counted until then" : "") + "\n\n";
-}
-
 std::string counts(const Tally& tally, Detail detail) {
   std::vector<Row> rows{header_row()};
   for (const OperationTally& operation : tally.operations) {
@@ -154,23 +118,6 @@ std::string counts(const Tally& tally, Detail detail) {
     if (total.not_asked > 0) notes += operation.operation + ": " + not_asked_in_words(total) + "\n";
   }
   return laid_out(rows) + "\n" + notes;
-}
-
-std::string robust_line(const Tally& tally) {
-  if (tally.robust.empty()) return "";
-  const Cell sum = sum_of(tally.robust);
-  std::string text = "robust, the same questions: " + counted(sum.cases(), "case") + ", " +
-                     grouped(sum.count(Verdict::agree)) + " agree";
-  const auto counts = sum.counts();
-  for (std::size_t v = 1; v < verdict_count; ++v) {
-    if (counts[v] > 0) text += ", " + grouped(counts[v]) + " " + verdict_names[v];
-  }
-  return text + "\n";
-}
-
-/// "inside where the truth is boundary"; empty where the words are the same, or none.
-std::string answer_in_words(const Way& way) {
-  return way.truth == way.answer ? "" : way.answer + " where the truth is " + way.truth + ", ";
 }
 
 std::string one_finding(const OperationTally& tally, const WayOfOperation& shown, Speaker speaker, bool binary32,
@@ -227,6 +174,41 @@ std::string conventions(const std::vector<OperationTally>& tallies, const std::s
 }
 
 }  // namespace
+
+std::string heading(const Tally& tally) {
+  const Declaration& engine = tally.declaration;
+  std::string text = "touchstone audit of " + subject(engine) + ", boundary " + boundary_word(engine.boundary);
+  if (engine.tolerance > 0) text += fmt::format(", tolerance {}", engine.tolerance);
+  if (tally.grid.size > 0) {
+    text += fmt::format("; every configuration on the {0} x {0} grid, {1} of {2}", tally.grid.size,
+                        tally.grid.done.size(), counted(tally.grid.shards, "shard"));
+  } else {
+    text += "; " + counted(tally.cases, "case") + " per operation, seed " + std::to_string(tally.seed);
+  }
+  if (sum_of(tally.operations).left_out > 0) text += ", ordinary size only";
+  if (!tally.undeclared.empty()) {
+    constexpr std::size_t most_named = 6;
+    std::string declared, undeclared;
+    for (const OperationTally& operation : tally.operations)
+      declared += (declared.empty() ? "" : ", ") + operation.operation;
+    for (const std::string& name : tally.undeclared) undeclared += (undeclared.empty() ? "" : ", ") + name;
+    if (tally.undeclared.size() > most_named) undeclared = counted(tally.undeclared.size(), "operation");
+    text += "\n" + wrapped("declared: " + declared, 2) + "\n" + wrapped("not declared, so not asked: " + undeclared, 2);
+  }
+  return text + (tally.interrupted ? "\ninterrupted: what follows was counted until then" : "") + "\n\n";
+}
+
+std::string robust_line(const Tally& tally) {
+  if (tally.robust.empty()) return "";
+  const Cell sum = sum_of(tally.robust);
+  std::string text = "robust, the same questions: " + counted(sum.cases(), "case") + ", " +
+                     grouped(sum.count(Verdict::agree)) + " agree";
+  const auto counts = sum.counts();
+  for (std::size_t v = 1; v < verdict_count; ++v) {
+    if (counts[v] > 0) text += ", " + grouped(counts[v]) + " " + verdict_names[v];
+  }
+  return text + "\n";
+}
 
 std::string text_table(const Tally& tally, Detail detail) {
   const Speaker speaker = speaker_of(tally.declaration);

@@ -8,6 +8,10 @@
 
 namespace touchstone::report {
 
+/// What was audited and how, with an empty line after it; and what robust answered to the same questions.
+std::string heading(const Tally& tally);
+std::string robust_line(const Tally& tally);
+
 /// How much of it.
 enum class Detail {
   all,

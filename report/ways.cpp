@@ -31,4 +31,19 @@ std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
   return ways;
 }
 
+std::string answer_in_words(const Way& way) {
+  return way.truth == way.answer ? "" : way.answer + " where the truth is " + way.truth + ", ";
+}
+
+std::string wrapped(const std::string& prose, std::size_t indent) {
+  std::string text, rest = prose;
+  while (rest.size() > line_width - indent) {
+    const std::size_t space = rest.rfind(' ', line_width - indent);
+    if (space == std::string::npos) break;
+    text += rest.substr(0, space) + "\n" + std::string(indent, ' ');
+    rest.erase(0, space + 1);
+  }
+  return text + rest;
+}
+
 }  // namespace touchstone::report

@@ -19,6 +19,14 @@ struct WayOfOperation {
   std::string family;  ///< of the example
 };
 
+/// "inside where the truth is boundary, "; empty where the words are the same, or none.
+std::string answer_in_words(const Way& way);
+
+/// Columns of a line of text.
+inline constexpr std::size_t line_width = 120;
+/// Prose broken between words so that it fits beside a key of `indent` columns.
+std::string wrapped(const std::string& prose, std::size_t indent);
+
 /// Those that have an example: wrong answers, then inexact ones, then what is no finding; of these what is most
 /// frequent at ordinary size first.
 std::vector<WayOfOperation> ways_of(const OperationTally& tally);

@@ -83,4 +83,17 @@ TEST_CASE("progress: times are told as people tell them") {
   CHECK(in_words(Seconds(3 * 3600)) == "3 h");
 }
 
+TEST_CASE("progress: the pages of a report follow, and are gone at the end too") {
+  std::ostringstream err;
+  Progress::Clock::time_point now{};
+  Progress progress(err, true, operations(), 1000, [&] { return now; });
+  progress.end();
+  CHECK(err.str().empty());
+  now += milliseconds(100);
+  progress.step("report", "orientation", 0, 3);
+  CHECK(err.str() == "\r\x1b[Kreport: 0 of 3, orientation");
+  progress.end();
+  CHECK(err.str() == "\r\x1b[Kreport: 0 of 3, orientation\r\x1b[K");
+}
+
 }  // namespace touchstone::proptests::progress_tests
