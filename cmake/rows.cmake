@@ -5,6 +5,12 @@
 
 # In the order of the deck, and within a chapter by page.
 set(touchstone_chapters lines polygons planes volumes sweeps polyhedra broad_phase response)
+file(GLOB folders CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/catalogue/rows ${PROJECT_SOURCE_DIR}/catalogue/rows/*)
+foreach(folder ${folders})
+  if(NOT folder IN_LIST touchstone_chapters)
+    message(FATAL_ERROR "catalogue/rows/${folder}: name this chapter in touchstone_chapters of cmake/rows.cmake, where it comes in the order")
+  endif()
+endforeach()
 set(row_order "")
 set(row_sources "")
 foreach(chapter ${touchstone_chapters})

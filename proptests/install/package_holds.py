@@ -12,7 +12,8 @@ import sys
 
 COMPONENTS = "geometry|reference|robust|oracle|certify|audit|testing"
 LIB = r"lib(/[\w.-]+)?"
-CHAPTER = r"(lines|planes|polygons|polyhedra|volumes|sweeps|response|broad_phase)"
+ROWS = pathlib.Path(__file__).resolve().parents[2] / "catalogue/rows"
+CHAPTER = "({})".format("|".join(sorted(folder.name for folder in ROWS.iterdir())))
 # Every installed file is one of these, and each of these is there.
 HELD = [
     r"bin/touchstone",
