@@ -6,8 +6,9 @@ each: every fault must be found).
 Links lead to files that are there, and to headings. A block marked `console` shows commands (`$ ...`) with what they
 print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
 lines. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
-audit/version.h, CITATION.cff and the program."""
+audit/version.h, CITATION.cff and the program; the number of vectors is the same in README.md and their manifest."""
 import argparse
+import json
 import pathlib
 import re
 import subprocess
@@ -92,17 +93,26 @@ def versions(root, told):
         yield "versions differ: " + ", ".join(f"{place} {version}" for place, version in found.items())
 
 
+def number_of_vectors(root):
+    vectors = json.loads((root / "vectors/manifest.json").read_text(encoding="utf-8"))["vectors"]
+    if f" {vectors:,} questions with exact answers" not in (root / "README.md").read_text(encoding="utf-8"):
+        yield f"README.md: the vectors are {vectors:,} questions"
+
+
 def faults(root, program, usage, subcommands, told):
     for page in pages(root):
         yield from links(root, page)
         yield from commands(root, page, usage, subcommands)
         yield from shown_output(root, page, program)
     yield from versions(root, told)
+    yield from number_of_vectors(root)
 
 
 RIGHT = {
     "README.md": "# A\n[there](docs/page.md#two-words) ![](picture.png) `[no](link.md)`\n```console\n"
-                 f"$ echo 1; echo 2; echo 3\n1\n...\n3\n$ {PROGRAM} ask\nasked\n```\n./dev test\n",
+                 f"$ echo 1; echo 2; echo 3\n1\n...\n3\n$ {PROGRAM} ask\nasked\n```\n./dev test\n"
+                 "The 1,234 questions with exact answers\n",
+    "vectors/manifest.json": '{"vectors": 1234}\n',
     "docs/page.md": "# Two `words`\n[up](../README.md) [out](https://example.org)\n",
     "picture.png": "",
     "CMakeLists.txt": "project(touchstone VERSION 1.2.3 LANGUAGES CXX)\n",
@@ -121,6 +131,7 @@ WRONG = [
     ("docs/page.md", "../README.md", "README.md", "README.md: there is no such file"),
     ("CITATION.cff", "1.2.3", "1.2.4", "versions differ"),
     ("audit/version.h", "1.2.3", "1.2", "versions differ"),
+    ("vectors/manifest.json", "1234", "1235", "README.md: the vectors are 1,235 questions"),
 ]
 
 
