@@ -28,6 +28,17 @@ inline Vector3d lattice_across(Choices& choices, const Vector3d& n) {
   return cross(n, Vector3d{x, y, z});
 }
 
+/// A normal whose length is a whole number; (0, 1, 0) is the simplest.
+struct WholeNormal {
+  Vector3d n;
+  double length;
+};
+inline WholeNormal whole_normal(Choices& choices) {
+  static constexpr WholeNormal normals[]{
+      {{0, 1, 0}, 1}, {{1, 2, 2}, 3}, {{3, 4, 0}, 5}, {{2, 3, 6}, 7}, {{1, 4, 8}, 9}};
+  return normals[choices.below(5)];
+}
+
 /// Three products of about half of the least subnormal number each, and an offset of one to three times that number.
 inline std::tuple<Plane3d, Point3d> terms_below_least(Choices& choices) {
   const int k = static_cast<int>(choices.below(1000)) - 500;

@@ -155,9 +155,7 @@ struct swept_sphere_plane {
   /// Height of the center, radius and fall of a step in units of the length of a normal that is a whole number; the
   /// plane goes through a lattice point; seen from either side.
   static Question of_whole_length(Choices& c, double height, double radius, double fall) {
-    static constexpr double quadruples[][4] = {{0, 1, 0, 1}, {1, 2, 2, 3}, {3, 4, 0, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}};
-    const auto& [x, y, z, length] = quadruples[c.below(5)];
-    const Vector3d n{x, y, z};
+    const auto [n, length] = whole_normal(c);
     const Point3d foot = lattice_point_in_space(c, 10);
     const Vector3d aside = lattice_across(c, n), drift = lattice_across(c, n);
     const double side = c.below(2) == 1 ? -1 : 1;
