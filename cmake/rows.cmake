@@ -3,8 +3,8 @@
 # for each chapter one translation unit that makes their operations (one for each row would take five times as long, because it is the
 # headers that cost).
 
-# In the order of the deck, and within a chapter by page.
-set(touchstone_chapters lines polygons planes volumes sweeps polyhedra broad_phase response)
+# In the order of the deck, and within a chapter by page; last what lies between its chapters.
+set(touchstone_chapters lines polygons planes volumes sweeps polyhedra broad_phase response mixed)
 file(GLOB folders CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/catalogue/rows ${PROJECT_SOURCE_DIR}/catalogue/rows/*)
 foreach(folder ${folders})
   if(NOT folder IN_LIST touchstone_chapters)

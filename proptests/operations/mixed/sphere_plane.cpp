@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/rows/mixed/sphere_plane.h"
+
+#include "proptests/space_laws.h"
+#include "robust/planes/point_plane.h"
+#include "robust/sweeps/swept_sphere_plane.h"
+
+namespace touchstone::proptests::sphere_plane_tests {
+namespace {
+
+using Row = rows::sphere_plane;
+
+constexpr Contact disjoint = Contact::disjoint, touching = Contact::touching, overlapping = Contact::overlapping;
+constexpr Plane3d ground{{0, 1, 0}, 0};
+
+Row::Question over_ground(double height, double radius) { return {{{3, height, -1}, radius}, ground}; }
+
+constexpr Worked<Row> worked;
+
+}  // namespace
+
+TEST_CASE("sphere_plane: the plane's equation times a power of two, or times 3 on the lattice, is the same plane") {
+  law<Row>("the same plane", any_equation_of_the_plane<1>);
+}
+
+LAW("sphere_plane: a ball that grows never loses contact, and one that touched overlaps", sphere, plane) {
+  const double larger = catalogue::moved_by_ulps(sphere.radius, 1);
+  const Contact contact = ask(asked), then = ask(Row::Question{{sphere.center, larger}, plane});
+  return larger == sphere.radius || contact == disjoint ? then >= contact : then == overlapping;
+}
+
+LAW("sphere_plane: what is disjoint from the back is in front, and no point overlaps either side", sphere, plane) {
+  const Plane3d turned{-1.0 * plane.normal, -plane.offset};
+  const Contact back = ask(asked), front = ask(Row::Question{sphere, turned});
+  if (sphere.radius == 0) return back != overlapping && front != overlapping && std::max(back, front) == touching;
+  return std::max(back, front) == overlapping;
+}
+
+ROBUST_LAW("sphere_plane: a ball meets the half-space exactly if it meets the plane or its center is on the back",
+           sphere, plane) {
+  const bool meets_plane = robust::swept_sphere_plane(sphere, {0, 0, 0}, plane).relation == HitRelation::hit;
+  const PlaneSide side = robust::point_plane_side(plane, sphere.center);
+  const Contact contact = ask(asked), of_center = ask(Row::Question{{sphere.center, 0}, plane});
+  return (contact != disjoint) == (meets_plane || side == PlaneSide::back) &&
+         of_center == (side == PlaneSide::front ? disjoint : touching);
+}
+
+TEST_CASE("sphere_plane: heights and radii worked by hand") {
+  worked(over_ground(5, 2), disjoint, 21);     // 5^2 - 2^2
+  worked(over_ground(2, 2), touching, 0);      // it reaches the ground from above
+  worked(over_ground(1, 2), overlapping, 3);   // 2^2 - 1^2
+  worked(over_ground(0, 2), overlapping, 4);   // half of it is behind
+  worked(over_ground(-2, 2), overlapping, 4);  // touches the plane from behind: its radius may become 0
+  worked(over_ground(-9, 2), overlapping, 4);  // within the half-space
+  // E = 3 + 12 + 12 - 9 = 18 of length 3 |N|: 6 away.
+  worked({{{3, 6, 6}, 6}, {{1, 2, 2}, -9}}, touching, 0);
+  worked({{{3, 6, 6}, 5}, {{1, 2, 2}, -9}}, disjoint, 11);
+  worked({{{3, 6, 6}, 6}, {{-1, -2, -2}, 9}}, overlapping, 36);  // its other side
+  // E = 3, |N| = sqrt(2): 9 / 2 against r^2.
+  worked({{{3, 0, 0}, 2}, {{1, 1, 0}, 0}}, disjoint, Rational(1, 2));
+  worked({{{3, 0, 0}, 3}, {{1, 1, 0}, 0}}, overlapping, Rational(9, 2));
+}
+
+TEST_CASE("sphere_plane: a point in the half-space only touches it; the formula sees an overlap behind the plane") {
+  worked(over_ground(3, 0), disjoint, 9);
+  worked(over_ground(0, 0), touching, 0);
+  worked(over_ground(-3, 0), touching, 0, "algorithm");  // -3 < 0
+  worked(over_ground(-tiny, -0.0), touching, 0, "algorithm");
+}
+
+TEST_CASE("sphere_plane: rounding, huge, subnormal and negative zero") {
+  const Rational least = exact(tiny) * exact(tiny);
+  // 1 + 2^-60 high, radius 1.
+  worked({{{1, 0, 0}, 1}, {{1, 0, 0}, 0x1p-60}}, disjoint, Rational(power_of_two(-59) + power_of_two(-120)),
+         "rounding");
+  worked(over_ground(2 * tiny, tiny), disjoint, Rational(3 * least));
+  worked(over_ground(-3, tiny), overlapping, least);
+  worked(over_ground(huge, huge), touching, 0);
+  worked({{{0, 3, 0}, 3}, {{0, tiny, 0}, 0}}, touching, 0, "rounding");  // |N| is 0
+  worked({{{0, 1, 0}, 1}, {{0, huge, 0}, 0}}, touching, 0, "rounding");  // and infinite
+  worked({{{-0.0, -0.0, 0}, -0.0}, {{-0.0, 1, 0}, -0.0}}, touching, 0);
+}
+
+TEST_CASE("sphere_plane: of two broken rules the first is named, the ball's before the plane's") {
+  refused<Row>({{{0, 5, 0}, -tiny}, {{0, 0, 0}, infinity}}, "sphere.radius", "radius >= 0");
+  refused<Row>({{{0, 5, 0}, 1}, {{0, 0, -0.0}, infinity}}, "plane.offset", "finite number");
+}
+
+CONTRACT("sphere_plane: the formula in double keeps its contract", sphere, plane) {
+  const HeightBound e(plane, sphere.center);
+  const double q = dot(plane.normal, plane.normal), reach = sphere.radius * std::sqrt(q);
+  if (e.overflow || !(q >= 0x1p-960 && q <= 0x1p960) || !finite(reach)) return true;
+  const Rational gap = exact(e.computed) - exact(reach);
+  if (abs(gap) <= e.error + 5 * unit() * exact(reach) + power_of_two(-1074)) return true;
+  const Contact inside = sphere.radius == 0 ? touching : overlapping;
+  return answer == (gap > 0 ? disjoint : overlapping) && truth.answer == (gap > 0 ? disjoint : inside);
+}
+
+}  // namespace touchstone::proptests::sphere_plane_tests
