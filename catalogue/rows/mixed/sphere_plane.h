@@ -33,35 +33,13 @@ struct sphere_plane {
     return {
         {"tangent",
          [](Choices& c) -> Question {
-           const double radius = 1 + static_cast<double>(c.below(6));
-           return over_plane(c, radius, radius);
-         }},
-        {"beside_tangent",
-         [](Choices& c) -> Question {
            const double radius = 1 + static_cast<double>(c.below(6)), off = small_integer(c, 1);
-           return over_plane(c, radius + off, radius);
+           return over_plane(c, c.below(2) == 1 ? -radius - off : radius + off, radius);
          }},
-        {"center_behind",
+        {"point_or_nearly",
          [](Choices& c) -> Question {
-           // As far behind as the radius, or farther, or less.
-           const double radius = static_cast<double>(c.below(6)), off = small_integer(c, 1);
-           return over_plane(c, -radius - off, radius);
-         }},
-        {"point_ball",
-         [](Choices& c) -> Question {
-           const double height = small_integer(c);
-           return over_plane(c, height, c.below(2) == 1 ? -0.0 : 0.0);
-         }},
-        {"least_radius",
-         [](Choices& c) -> Question {
-           const double radius = std::ldexp(static_cast<double>(1 + c.below(4)), -1074);
-           return over_plane(c, small_integer(c), radius);
-         }},
-        {"irrational",
-         [](Choices& c) -> Question {
-           const Vector3d n = lattice_normal(c, 10);
-           const Point3d p = lattice_point_in_space(c, 10);
-           return {{p, static_cast<double>(c.below(12))}, {n, integer(c, 10)}};
+           const double radius = std::ldexp(static_cast<double>(c.below(4)), -1074), height = small_integer(c);
+           return over_plane(c, height, radius);
          }},
         {"beside_root",
          [](Choices& c) -> Question {
@@ -85,18 +63,11 @@ struct sphere_plane {
          }},
         {"normal_of_any_size",
          [](Choices& c) -> Question {
-           // Past the guards of the squared length, or with parts that count for nothing.
-           const int k = static_cast<int>(c.below(2000)) - 1050, m = static_cast<int>(c.below(600)) - 300;
-           const double x = small_integer(c), y = small_integer(c), d = small_integer(c), r = small_integer(c, 2);
-           const Vector3d n{std::ldexp(1 + small_integer(c, 1) / 4, k), std::ldexp(y, k + m), 0};
-           return {{{x, y, 0}, std::fabs(r)}, {n, std::ldexp(d, k)}};
-         }},
-        {"normal_of_few_digits",
-         [](Choices& c) -> Question {
-           // Its square is subnormal, and off by more than nothing; the ball touches the plane.
-           const int k = static_cast<int>(c.below(24)) - 540;
+           // Past the guards of the squared length, and where that is subnormal; tangent but for a part that counts for
+           // little, or for nothing.
+           const int k = static_cast<int>(c.below(2000)) - 1050, m = static_cast<int>(c.below(300));
            const double n = std::ldexp(5 + static_cast<double>(c.below(3)), k), x = 1 + static_cast<double>(c.below(6));
-           return {{{x, 0, 0}, x}, {{n, 0, 0}, 0}};
+           return {{{x, 0, 0}, x}, {{n, std::ldexp(small_integer(c, 1), k - m), 0}, 0}};
          }},
         {"terms_below_least",
          [](Choices& c) -> Question {
@@ -104,9 +75,9 @@ struct sphere_plane {
            const double radius = std::ldexp(static_cast<double>(c.below(3)), -1074);
            return {{center, radius}, plane};
          }},
-        {"far_beyond_a_lattice",
+        {"tangent_but_for_a_hair",
          [](Choices& c) -> Question {
-           // Tangent but for a hair, at sizes within the filter's guards and beyond.
+           // At sizes within the filter's guards and beyond.
            const double radius = scaled_up(c, 4, 1020), off = small_integer(c, 1);
            const double hair = std::ldexp(off, -static_cast<int>(c.below(1074)));
            return {{{0, c.below(2) == 1 ? -radius : radius, 0}, radius}, {{0, 1, 0}, hair}};
@@ -135,25 +106,16 @@ struct sphere_plane {
   /// The normal has no unit: it keeps its value.
   static void scale(Question& question, int k) {
     auto& [sphere, plane] = question;
-    for (double* length : {&sphere.center.x, &sphere.center.y, &sphere.center.z, &sphere.radius, &plane.offset})
-      *length = std::ldexp(*length, k);
+    for_each_number(sphere, [k](double& length) { length = std::ldexp(length, k); });
+    plane.offset = std::ldexp(plane.offset, k);
   }
 
-  static void repair(Question& question) {
-    double& radius = std::get<0>(question).radius;
-    radius = std::fabs(radius);
-  }
-
-  /// It just reaches the plane x + 2y + 2z = 9: moves x and y of the center.
-  static Question map_centre() { return {{{3, 6, 6}, 6}, {{1, 2, 2}, -9}}; }
-  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+  static void repair(Question& q) { std::get<0>(q).radius = std::fabs(std::get<0>(q).radius); }
 
   static Hooks<sphere_plane> hooks() {
     return {.as_open_sets = disjoint_if_touching<Question>,
             .repair = repair,
             .scale = scale,
-            .map_centre = map_centre,
-            .map_axes = map_axes,
             .laws = {.maps = Laws::Maps::axes, .scales = true}};
   }
 

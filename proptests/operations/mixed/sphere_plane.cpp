@@ -24,16 +24,14 @@ TEST_CASE("sphere_plane: the plane's equation times a power of two, or times 3 o
 }
 
 LAW("sphere_plane: a ball that grows never loses contact, and one that touched overlaps", sphere, plane) {
-  const double larger = catalogue::moved_by_ulps(sphere.radius, 1);
-  const Contact contact = ask(asked), then = ask(Row::Question{{sphere.center, larger}, plane});
-  return larger == sphere.radius || contact == disjoint ? then >= contact : then == overlapping;
+  if (sphere.radius == greatest) return true;
+  const Contact then = ask(Row::Question{{sphere.center, catalogue::moved_by_ulps(sphere.radius, 1)}, plane});
+  return ask(asked) == disjoint || then == overlapping;
 }
 
 LAW("sphere_plane: what is disjoint from the back is in front, and no point overlaps either side", sphere, plane) {
-  const Plane3d turned{-1.0 * plane.normal, -plane.offset};
-  const Contact back = ask(asked), front = ask(Row::Question{sphere, turned});
-  if (sphere.radius == 0) return back != overlapping && front != overlapping && std::max(back, front) == touching;
-  return std::max(back, front) == overlapping;
+  const Contact front = ask(Row::Question{sphere, {-1.0 * plane.normal, -plane.offset}});
+  return std::max(ask(asked), front) == (sphere.radius == 0 ? touching : overlapping);
 }
 
 ROBUST_LAW("sphere_plane: a ball meets the half-space exactly if it meets the plane or its center is on the back",
@@ -54,7 +52,6 @@ TEST_CASE("sphere_plane: heights and radii worked by hand") {
   worked(over_ground(-9, 2), overlapping, 4);  // within the half-space
   // E = 3 + 12 + 12 - 9 = 18 of length 3 |N|: 6 away.
   worked({{{3, 6, 6}, 6}, {{1, 2, 2}, -9}}, touching, 0);
-  worked({{{3, 6, 6}, 5}, {{1, 2, 2}, -9}}, disjoint, 11);
   worked({{{3, 6, 6}, 6}, {{-1, -2, -2}, 9}}, overlapping, 36);  // its other side
   // E = 3, |N| = sqrt(2): 9 / 2 against r^2.
   worked({{{3, 0, 0}, 2}, {{1, 1, 0}, 0}}, disjoint, Rational(1, 2));
