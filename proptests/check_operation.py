@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """All about one operation: check_operation.py OP [--jobs N]
 
-Builds what is missing, then asks its tests, its part of every derived test, its vectors, claims and fuzz inputs, its
-mutants in every way, the proofs of the filters that it includes, and its line of the benchmarks. A line each; exit code
-1 if one fails."""
+Builds what is missing, then asks its tests, its part of every derived test, its vectors and fuzz inputs, its mutants in
+every way, the proofs of the filters that it includes, and its line of the benchmarks. Its claims and its second truth
+are asked by test_oracle, with those of all operations. A line each; exit code 1 if one fails."""
 import argparse
 import json
 import os
