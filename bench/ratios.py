@@ -227,10 +227,14 @@ def main():
     for name in ["operations", "polygons", "triangulation", "hulls", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
+        if options.ops and not pathlib.Path(program).exists():
+            continue  # ./dev check builds only the program that has every operation
         for group in groups(program, options.ops):
             print(group, file=sys.stderr)
             repetitions = min(HULL_REPETITIONS, options.repetitions) if name == "hulls" else options.repetitions
             timed[name][group] = Times(program, group, repetitions)
+    if not any(timed.values()):
+        sys.exit(f"{', '.join(options.ops)}: no program in {options.build / 'bench'} measures this")
     add_earcut(str(options.build / "bench/triangulation"), timed["triangulation"])
     decided = timed["operations"] | timed["polygons"]
     report = "\n\n".join([circumstances(options.build),
