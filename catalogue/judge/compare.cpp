@@ -240,14 +240,14 @@ std::optional<Word> word_in(const Shape& shape, const std::vector<Word>& words, 
 
 std::optional<bool> yes_or_no(const Shape& shape, const std::vector<Word>& words) {
   WordCursor at{{}, words.data()};
-  const auto reading = [](const Shape& word, Word which) -> std::optional<bool> {
+  // A shape without enumerators may have no words at all: none is read before the shape is known to have one.
+  const auto reading = [&at](const Shape& word) -> std::optional<bool> {
     if (word.kind != Shape::Kind::word || word.no < 0) return std::nullopt;
-    return which != static_cast<Word>(word.no);
+    return *at.word != static_cast<Word>(word.no);
   };
-  if (shape.kind != Shape::Kind::record) return reading(shape, *at.word);
+  if (shape.kind != Shape::Kind::record) return reading(shape);
   for (const Shape::Part& part : shape.parts) {
-    if (const auto found = part.shape->kind == Shape::Kind::word ? reading(*part.shape, *at.word) : std::nullopt)
-      return found;
+    if (const auto found = reading(*part.shape)) return found;
     skip(*part.shape, at);
   }
   return std::nullopt;

@@ -107,11 +107,11 @@ Judgement wrong(const Examination& question, const Declaration& declaration, boo
   return judgement;
 }
 
+/// Of an operation that has a plain reading.
 Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const Declaration& declaration) {
   const Shape& shape = *question.row().answer;
   const std::optional<TrueTape>& open = question.open();
   const std::optional<bool> right = yes_or_no(shape, question.solution().answer.words);
-  if (!right) return {Verdict::invalid, 0, "a plain true or false is no answer to this operation"};
   const bool right_for_open = open && yes_or_no(shape, open->words) == answer;
   Judgement judgement = *right == answer ? Judgement{} : wrong(question, declaration, right_for_open);
   if (open) judgement.touch_reading = *right == answer ? 1 : right_for_open ? -1 : 0;
@@ -128,7 +128,7 @@ Tape<double> read_answer(const Examination& question, const Json& json) {
   if (!json.is_object()) {
     Json example = example_of(*row.answer);
     if (name[0] != 0) example = Json::object({{name, std::move(example)}});
-    const bool plain = yes_or_no(*row.answer, question.solution().answer.words).has_value();
+    const bool plain = has_plain_reading(*row.answer);
     throw InvalidInput("answer",
                        expected("an object like " + one_line(example) + (plain ? ", or true or false" : ""), json));
   }
@@ -166,7 +166,8 @@ void require_places(const Examination& question, const Tape<double>& answer) {
 Judgement judgement_of_answer(const Examination& question, const Json& json, const Declaration& declaration) {
   const RowFunctions& row = question.row();
   try {
-    if (json.is_boolean()) return judgement_of_yes_or_no(question, json.get<bool>(), declaration);
+    if (json.is_boolean() && has_plain_reading(*row.answer))
+      return judgement_of_yes_or_no(question, json.get<bool>(), declaration);
     const Tape<double> answer = read_answer(question, json);
     if (row.card->kind == Kind::covering) require_places(question, answer);
     Judgement judgement;

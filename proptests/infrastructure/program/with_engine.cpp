@@ -18,6 +18,16 @@ const char* const leftist =
     R"(read greeting; echo '{"engine":"leftist","ops":["orientation"],"boundary":"closed"}'
 id=1; while read question; do echo "{\"id\":$id,\"answer\":{\"side\":\"left\"}}"; id=$((id + 1)); done)";
 
+/// Answers in turn what is no answer to any operation.
+const char* const malformed = R"(import json, sys
+
+json.loads(sys.stdin.readline())
+print(json.dumps({"engine": "malformed", "ops": sys.argv[1].split(",")}), flush=True)
+answers = ["0.5", "null", '"hit"', "[]", "[[]]", "true", "[" * 60 + "]" * 60, '{"energy": {}}', '{"no_field": 0}']
+for at, line in enumerate(sys.stdin):
+    print('{"id": %d, "answer": %s}' % (json.loads(line)["id"], answers[at % len(answers)]), flush=True)
+)";
+
 struct MyEngine {
   static constexpr const char* name = "mine 3";
   Side orientation(Point2d, Point2d, Point2d) { return Side::on; }
@@ -67,6 +77,24 @@ TEST_CASE("with engine: shards of an engine's exhaustive run merge") {
   CHECK(merged.code == findings);
   const auto below_heading = [](const std::string& table) { return table.substr(table.find('\n')); };
   CHECK(below_heading(merged.out) == below_heading(whole.out));
+}
+
+TEST_CASE("with engine: an answer that is none costs a verdict, whatever the operation answers, and never the run") {
+  const TextFile script("malformed.py", malformed);
+  const std::string command = std::string("python3 ") + script.path() + " kinetic_energy,momentum,aabb_of_points";
+  const Called checked = called({"check-engine", "--timeout", "60", command.c_str()});
+  INFO(checked.out << checked.err);
+  CHECK(checked.code == findings);
+  CHECK_THAT(checked.out,
+             ContainsSubstring("not wired up: 3 of 3 operations\n") &&
+                 ContainsSubstring(R"(answer: expected an object like {"aabb":{"min":[0,0],"max":[0,0]}}, got 0.5)"));
+  const Called audited = called({"audit", "--ops", "kinetic_energy,momentum,aabb_of_points", "--cases", "20",
+                                 "--timeout", "60", "--json", "-", "--engine", command.c_str()});
+  INFO(audited.err);
+  CHECK(audited.code == findings);
+  for (const Json& operation : parse_own_line(audited.out)["operations"]) {
+    for (const Json& family : operation["families"]) CHECK(family["counts"]["invalid"] == family["cases"]);
+  }
 }
 
 TEST_CASE("with engine: vectors check judges the engine's answers by the oracle") {
