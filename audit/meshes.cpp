@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <utility>
 
 #include "audit/meshes/reading.h"
@@ -43,16 +43,22 @@ Reader reader_of(const std::string& name) {
   throw InvalidInput(printable(name), "a name that ends with .obj, .ply, .off or .stl");
 }
 
+/// Devices and pipes need not end; nor is the length that a file system tells of a file a promise.
 std::string content(const std::string& path) {
+  std::error_code unknown;
+  const auto type = std::filesystem::status(path, unknown).type();
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::not_found)
+    throw InvalidInput(printable(path), "cannot be read: it is no file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
-  const int error = errno;
-  try {
-    if (file) return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  } catch (const std::ios_base::failure&) {  // a folder, for one
-    throw InvalidInput(printable(path), "cannot be read: it is no file");
+  if (!file) throw InvalidInput(printable(path), "cannot be read: " + why_of(errno));
+  std::string bytes;
+  std::array<char, 1 << 16> part;
+  while (file.read(part.data(), part.size()) || file.gcount() > 0) {
+    bytes.append(part.data(), static_cast<std::size_t>(file.gcount()));
+    if (bytes.size() > most_bytes_of_a_mesh) throw InvalidInput(printable(path), "at most 256 MiB");
   }
-  throw InvalidInput(printable(path), "cannot be read: " + why_of(error));
+  return bytes;
 }
 
 }  // namespace

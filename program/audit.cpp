@@ -6,10 +6,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
-#include <sstream>
 
 #include "audit/audit_run.h"
 #include "audit/engines/notes.h"
@@ -17,6 +15,7 @@
 #include "audit/tally_json.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "program/commands.h"
+#include "program/names.h"
 #include "program/program.h"
 #include "program/progress.h"
 #include "report/html.h"
@@ -73,11 +72,9 @@ std::optional<Tally> earlier_audit(const AuditCommand& command) {
   if (command.before.empty()) return std::nullopt;
   if (command.report_directory.empty())
     throw UsageError("--before " + command.before + ": expected --report too, which shows the two beside each other");
-  std::ifstream file(command.before, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw UsageError("--before " + command.before + ": cannot be read");
+  const std::string text = text_of_file(command.before, "--before");
   try {
-    return read_tally(text.str());
+    return read_tally(text);
   } catch (const InvalidInput& refused) {
     throw UsageError("--before " + command.before + ": expected the file of an audit's --json; " + refused.what());
   }

@@ -1,26 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/audit_gate.h"
 
-#include <cerrno>
-#include <fstream>
-#include <sstream>
-
 #include "audit/gate/baseline.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
-#include "catalogue/codec/expected.h"
 #include "program/names.h"
 
 namespace touchstone::program {
 namespace {
 
 Baseline read_from(const std::string& file) {
-  const std::ifstream stream(file);
-  if (!stream) throw UsageError("--baseline " + file + ": cannot be read: " + why_of(errno));
-  std::ostringstream text;
-  text << stream.rdbuf();
+  const std::string text = text_of_file(file, "--baseline");
   try {
-    return read_baseline(text.str());
+    return read_baseline(text);
   } catch (const InvalidInput& wrong) {
     throw UsageError("--baseline " + file + ": " + wrong.what());
   }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cerrno>
 #include <fstream>
 #include <iostream>
 
-#include "catalogue/codec/expected.h"
-#include "program/exit_codes.h"
+#include "program/names.h"
 
 namespace touchstone::program {
 
@@ -16,11 +14,7 @@ template <class Visit>
 std::uint64_t each_line(const std::string& file, const Visit& visit) {
   std::ifstream opened;
   const bool standard_input = file.empty() || file == "-";
-  if (!standard_input) {
-    errno = 0;
-    opened.open(file);
-    if (!opened) throw UsageError(file + ": cannot be read: " + why_of(errno));
-  }
+  if (!standard_input) opened = opened_to_read(file);
   std::istream& in = standard_input ? std::cin : opened;
   std::uint64_t number = 0, filled = 0;
   for (std::string text; std::getline(in, text);) {

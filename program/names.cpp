@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 
 #include "audit/engines/notes.h"
 #include "audit/shell_quoted.h"
@@ -43,6 +45,22 @@ std::vector<const Operation*> operations_named(const std::string& names) {
   }
   if (operations.empty()) throw UsageError("--ops: at least one operation, or all");
   return operations;
+}
+
+std::ifstream opened_to_read(const std::string& file, const std::string& option) {
+  errno = 0;
+  std::ifstream opened(file, std::ios::binary);
+  int error = opened ? 0 : errno;
+  std::error_code unknown;
+  if (opened && std::filesystem::is_directory(file, unknown)) error = EISDIR;  // it opens, and holds no text
+  if (!opened || error != 0)
+    throw UsageError((option.empty() ? "" : option + " ") + file + ": cannot be read: " + why_of(error));
+  return opened;
+}
+
+std::string text_of_file(const std::string& file, const std::string& option) {
+  std::ifstream opened = opened_to_read(file, option);
+  return std::string(std::istreambuf_iterator<char>(opened), {});
 }
 
 bool is_standard_output(const std::string& file) { return file == "-"; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +40,11 @@ bool is_standard_output(const std::string& file);
 /// do. "-" is standard output. Throws UsageError naming the option.
 void require_writable(const std::string& option, const std::string& file);
 void write_file(const std::string& option, const std::string& file, const std::string& text);
+
+/// A file that can be read. Throws UsageError, which begins with what was said: the option, or nothing, and the name.
+std::ifstream opened_to_read(const std::string& file, const std::string& option = "");
+/// All of it.
+std::string text_of_file(const std::string& file, const std::string& option = "");
 
 /// What stands before every complaint about a line.
 std::string place(const std::string& file, std::uint64_t line);

@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+
 #include "audit/meshes/reading.h"
+#include "catalogue/codec/excerpt.h"
 
 namespace touchstone::audit::meshes {
 namespace {
+
+/// Keywords of lines that say nothing of the surface: coordinates of textures, normals, groups, names, lines and points,
+/// materials, and how all this is shown. Curved surfaces are none of these: a mesh without them would be another one.
+bool passed_over(std::string_view keyword) {
+  constexpr std::array<std::string_view, 19> all{
+      "vt",     "vn",     "vp",     "g",     "s",        "mg",       "o",   "l",          "p",        "usemtl",
+      "mtllib", "usemap", "maplib", "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj"};
+  return std::find(all.begin(), all.end(), keyword) != all.end();
+}
 
 /// The corners of all faces, which may name vertices that come later in the file.
 struct Faces {
@@ -45,6 +58,8 @@ Meshd read_obj(const std::string& name, std::string_view bytes) {
       if (words.size() < 3) text.refuse("at least 3 corners");
       faces.first.push_back(faces.corners.size()), faces.line.push_back(line);
       for (const std::string_view word : words) faces.corners.push_back(corner(text, word, mesh.vertices.size()));
+    } else if (!passed_over(keyword)) {
+      text.refuse(line, "v, f or another keyword of polygons in OBJ, got " + catalogue::excerpt(keyword, 20));
     }
   }
   faces.first.push_back(faces.corners.size());

@@ -51,6 +51,12 @@ std::optional<double> nearest_double(std::string_view text) {
   return negative ? -value : value;
 }
 
+std::string_view without_mark(std::string_view bytes) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  if (bytes.starts_with(mark)) bytes.remove_prefix(mark.size());
+  return bytes;
+}
+
 void Text::refuse(std::size_t line, const std::string& rule) const {
   throw InvalidInput(name_ + ":" + std::to_string(line), rule);
 }

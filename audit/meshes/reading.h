@@ -13,10 +13,13 @@
 /// What the readers of mesh files share.
 namespace touchstone::audit::meshes {
 
+/// The bytes behind the byte order mark with which some programs begin a text in UTF-8.
+std::string_view without_mark(std::string_view bytes);
+
 /// The text of a file, line by line; a line ends with LF, CR LF or CR.
 class Text {
  public:
-  Text(std::string name, std::string_view bytes) : name_(std::move(name)), rest_(bytes) {}
+  Text(std::string name, std::string_view bytes) : name_(std::move(name)), rest_(without_mark(bytes)) {}
 
   /// To the next line, whose words are those outside what follows `comment`; false behind the last.
   bool next(char comment = '\0');

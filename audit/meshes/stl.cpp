@@ -93,8 +93,9 @@ Meshd read_stl(const std::string& name, std::string_view bytes) {
     if (bytes.size() == header + std::uint64_t{triangle} * count.number<std::uint32_t>())
       return read_binary(name, bytes);
   }
-  const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  return lower(bytes.substr(start, 5)) == "solid" ? read_text(name, bytes) : read_binary(name, bytes);
+  const std::string_view text = without_mark(bytes);
+  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  return lower(text.substr(start, 5)) == "solid" ? read_text(name, bytes) : read_binary(name, bytes);
 }
 
 }  // namespace touchstone::audit::meshes

@@ -131,6 +131,8 @@ def read_named_files(line, folder):
         except OSError:
             text = None
         expect(text is not None, f"{field}: {name}: a file that can be read")
+        inside = path.resolve().is_relative_to(pathlib.Path(folder).resolve())
+        expect(inside, f"{field}: {name}: a file in the folder of the claims, no link out of it")
         try:
             given[field] = parsed(text) if not nested_too_deep(text) else no_constant(name)
         except ValueError:

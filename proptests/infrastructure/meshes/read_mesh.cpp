@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "audit/meshes.h"
@@ -85,6 +90,58 @@ TEST_CASE("meshes: OBJ with comments, texture indices, relative indices and eith
   CHECK(parse_mesh("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4").faces ==
         std::vector<Face>{{0, 1, 2}, {0, 2, 3}});
   CHECK(parse_mesh("a.obj", "f 1 2 3\rv 0 0 0\rv 1 0 0\rv 1 1 0").faces == std::vector<Face>{{0, 1, 2}});
+}
+
+TEST_CASE("meshes: a byte order mark in front of a text is no part of it") {
+  const std::string mark = "\xef\xbb\xbf";
+  const Meshd obj = parse_mesh("a.obj", mark + "v 7 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  REQUIRE(obj.vertices.size() == 3);
+  CHECK(obj.vertices[0] == Point3d{7, 0, 0});
+  CHECK(parse_mesh("a.off", mark + "OFF\n1 0\n7 0 0\n").vertices[0].x == 7);
+  CHECK(parse_mesh("a.stl", mark + "solid x\nfacet\nouter loop\nvertex 7 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                                   "endfacet\nendsolid\n")
+            .vertices[0]
+            .x == 7);
+  CHECK(parse_mesh("a.ply", mark + "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                                   "property float z\nend_header\n7 0 0\n")
+            .vertices[0]
+            .x == 7);
+  CHECK(refusal("a.obj", "v 0 0 0\n" + mark + "v 7 0 0\n") ==
+        "a.obj:2: v, f or another keyword of polygons in OBJ, got " + mark + "v");
+}
+
+TEST_CASE("meshes: a line of OBJ is read, known to say nothing of the surface, or refused") {
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  CHECK(parse_mesh("a.obj", three + "mtllib a b\no x\ng x y\ns off\nvn 0 0 1\nvt 0 0\nusemtl y\nl 1 2\np 1\nf 1 2 3\n")
+            .faces.size() == 1);
+  for (const char* unknown : {"V", "vertex", "fo", "call", "surf", "curv2", "xyz", "0", "\"v\"", "v,"})
+    CHECK(refusal("a.obj", three + "\n" + unknown + " 0 0 0\nf 1 2 3\n") ==
+          "a.obj:5: v, f or another keyword of polygons in OBJ, got " + std::string(unknown));
+  CHECK(refusal("a.obj", "\x1b[2J 0 0 0\n") == "a.obj:1: v, f or another keyword of polygons in OBJ, got \\x1b[2J");
+}
+
+TEST_CASE("meshes: what is no regular file is refused before it is read, and a file that is too large") {
+  const auto path = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_endless.obj");
+  const auto refused = [&] {
+    try {
+      audit::read_mesh(path.string());
+      return std::string("accepted");
+    } catch (const InvalidInput& refused) {
+      return refused.rule();
+    }
+  };
+  std::filesystem::create_symlink("/dev/zero", path);
+  CHECK(refused() == "cannot be read: it is no file");
+  std::filesystem::remove(path);
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  CHECK(refused() == "cannot be read: it is no file");
+  std::filesystem::remove(path);
+  CHECK(refused() == "cannot be read: no such file or directory");
+  std::ofstream(path) << "v 1 2 3\n";
+  CHECK(refused() == "accepted");
+  std::filesystem::resize_file(path, audit::most_bytes_of_a_mesh + 1);
+  CHECK(refused() == "at most 256 MiB");
+  std::filesystem::remove(path);
 }
 
 TEST_CASE("meshes: OFF with comments, colours and the counts in the first line") {

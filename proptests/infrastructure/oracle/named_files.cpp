@@ -16,6 +16,10 @@ class Folder {
     fs::create_directories(path_ / "meshes" / "folder.json");
     fs::create_symlink("nowhere", path_ / "meshes" / "dangling.json");
     write("outside.json", tetrahedron);
+    write("../" + path_.filename().string() + "_foreign.json", tetrahedron);
+    fs::create_symlink("../../" + path_.filename().string() + "_foreign.json", path_ / "meshes" / "leaving.json");
+    fs::create_symlink("../outside.json", path_ / "meshes" / "staying.json");
+    fs::create_symlink("/dev/zero", path_ / "meshes" / "endless.json");
     write("meshes/tetrahedron.json", tetrahedron);
     write("meshes/lines.json", "\n" + tetrahedron + "\r\n");
     write("meshes/hexadecimal.json", replaced("[4,0,0]", R"(["0x1p2",0,-0.0])"));
@@ -35,6 +39,7 @@ class Folder {
   ~Folder() {
     std::error_code ignored;
     fs::remove_all(path_, ignored);
+    fs::remove(path_.string() + "_foreign.json", ignored);
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -72,12 +77,14 @@ TEST_CASE("named files: both checkers read the mesh that a claim names, and refu
     CHECK(said == expected);
     lines.push_back(line), verdicts.push_back(said);
   };
-  for (const char* good : {"tetrahedron", "lines", "hexadecimal"})
+  for (const char* good : {"tetrahedron", "lines", "hexadecimal", "staying"})
     says(claim_of("meshes/" + std::string(good) + ".json"), "accepted");
-  for (const char* none : {"unknown", "folder", "dangling"}) {
+  for (const char* none : {"unknown", "folder", "dangling", "endless"}) {
     const std::string name = "meshes/" + std::string(none) + ".json";
     says(claim_of(name), unreadable(name));
   }
+  says(claim_of("meshes/leaving.json"),
+       "mesh: meshes/leaving.json: a file in the folder of the claims, no link out of it");
   for (const char* bad : {"empty", "cut", "two", "mark", "zero", "bytes", "twice", "deep"}) {
     const std::string name = "meshes/" + std::string(bad) + ".json";
     says(claim_of(name), no_json(name));

@@ -117,6 +117,21 @@ TEST_CASE("options: --json - is standard output, and the table goes to standard 
   }
 }
 
+TEST_CASE("options: a folder where a file is asked for is told as a folder") {
+  const std::string is_folder = ": cannot be read: is a directory\n";
+  for (const char* option : {"--baseline", "--before"}) {
+    const TextFile report("report", "");
+    std::filesystem::remove(report.path());
+    const Called call = called({"audit", "--cases", "1", "--report", report.path(), option, "proptests"});
+    INFO(option);
+    CHECK(call.err == "touchstone: " + std::string(option) + " proptests" + is_folder);
+    CHECK(call.code == bad_usage);
+  }
+  CHECK(called({"ask", "orientation", "proptests"}).err == "touchstone: proptests" + is_folder);
+  CHECK(called({"certify", "proptests"}).err == "touchstone: proptests" + is_folder);
+  CHECK(called({"merge", "proptests"}).err == "touchstone: proptests" + is_folder);
+}
+
 TEST_CASE("options: a name misspelt is told with the one that was probably meant") {
   require_refused(called({"ask", "orientaton"}), bad_usage,
                   "operation orientaton: no operation of the catalogue (did you mean \"orientation\"?)");
