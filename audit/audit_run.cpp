@@ -107,7 +107,9 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
   const auto has = [&](const Operation* operation) { return engine.supports(operation->name()); };
   if (std::any_of(options.operations.begin(), options.operations.end(), has)) return;
   std::string asked;
-  for (const Operation* operation : options.operations) asked += (asked.empty() ? "" : ", ") + operation->name();
+  for (const Operation* operation : options.operations) {
+    if (!operation->card().is_method()) asked += (asked.empty() ? "" : ", ") + operation->name();
+  }
   throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
 }
 

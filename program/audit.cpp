@@ -132,6 +132,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   const Gate gate = gate_of(command.gate);
   const std::optional<Tally> before = earlier_audit(command);
   if (!command.engine.empty()) {
+    require_asked_of_engines(options.operations);
     options.engine = [&] {
       auto engine = pipe_engine(command.engine, command.timeout, &stopped, &notes);
       progress.leave_out(

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "audit/engines/notes.h"
+#include "audit/engines/protocol.h"
 #include "audit/shell_quoted.h"
 #include "catalogue/codec/did_you_mean.h"
 #include "catalogue/codec/excerpt.h"
@@ -65,9 +66,16 @@ std::string text_of_file(const std::string& file, const std::string& option) {
 
 bool is_standard_output(const std::string& file) { return file == "-"; }
 
+void require_asked_of_engines(const std::vector<const Operation*>& operations) {
+  const auto is_method = [](const Operation* operation) { return operation->card().is_method(); };
+  if (std::all_of(operations.begin(), operations.end(), is_method))
+    throw UsageError("--engine: " + why_never_asked(*operations.front()));
+}
+
 std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
                                    EngineNotes& notes) {
   if (command.empty()) return nullptr;
+  require_asked_of_engines({&operation});
   std::unique_ptr<Engine> engine = pipe_engine(command, timeout, nullptr, &notes);
   if (engine->supports(operation.name())) return engine;
   throw EngineError(engine->declaration().engine + ": it does not declare " + operation.name() + notes.of_first_line());

@@ -25,6 +25,9 @@ Repeat repeat_of(const std::string& program, const std::string& engine, double t
 /// The command that starts this very program as an engine: its path and --serve.
 std::string own_engine_command();
 
+/// Throws UsageError where all of them are methods, of which engines are asked none.
+void require_asked_of_engines(const std::vector<const Operation*>& operations);
+
 /// An engine that has the operation; nullptr where the command is empty. Throws EngineError.
 std::unique_ptr<Engine> engine_for(const Operation& operation, const std::string& command, double timeout,
                                    EngineNotes& notes);

@@ -28,7 +28,10 @@ std::size_t word_index(const Json& value, const char* field, const std::array<co
                      expected(rule, value) + (text ? did_you_mean(value.get_ref<const std::string&>(), known) : ""));
 }
 
-/// Names that nobody knows: they may be of a newer version, or misspelt.
+/// Whether engines are asked an operation. Of a method, another formula for an operation, they need not know.
+bool is_asked(const Operation& operation) { return !operation.card().is_method(); }
+
+/// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
   static const std::vector<const char*> fields{"engine", "ops", "number", "boundary", "tolerance"};
   std::vector<std::string> remarks, known;
@@ -36,12 +39,16 @@ std::vector<std::string> remarks_on(const Json& hello) {
     if (std::find(fields.begin(), fields.end(), key) == fields.end())
       remarks.push_back(excerpt(key, most_of_a_key) + ": no such field" + did_you_mean(key, fields) + ", ignored");
   }
-  for (const Operation* operation : all_operations()) known.push_back(operation->name());
+  for (const Operation* operation : all_operations()) {
+    if (is_asked(*operation)) known.push_back(operation->name());
+  }
   for (const Json& entry : hello["ops"]) {
     const std::string& name = entry.get_ref<const std::string&>();
-    if (find_operation(name) == nullptr)
+    const Operation* const found = find_operation(name);
+    if (found == nullptr)
       remarks.push_back("ops: " + excerpt(name, most_of_a_key) + ": no operation of the catalogue" +
                         did_you_mean(name, known) + ", never asked");
+    else if (!is_asked(*found)) remarks.push_back("ops: " + why_never_asked(*found));
   }
   return remarks;
 }
@@ -59,10 +66,16 @@ std::uint64_t read_id(const Json& id) {
 
 std::string boundary_word(Declaration::Boundary boundary) { return boundary_words[static_cast<std::size_t>(boundary)]; }
 
+std::string why_never_asked(const Operation& method) {
+  return method.name() + ": a method of " + method.card().method_of + ", which engines are asked instead";
+}
+
 std::string greeting() {
   Json line = Json::object();
   line["touchstone"] = 1;
-  for (const Operation* operation : all_operations()) line["ops"].push_back(operation->name());
+  for (const Operation* operation : all_operations()) {
+    if (is_asked(*operation)) line["ops"].push_back(operation->name());
+  }
   return one_line(line) + "\n";
 }
 
@@ -78,7 +91,11 @@ Hello read_hello(const std::string& line) {
   hello.declaration.engine = excerpt(text_of(json["engine"], "engine"), 200);
   if (!json.contains("ops")) throw InvalidInput("ops", "missing");
   if (!json["ops"].is_array()) throw InvalidInput("ops", expected("an array of names", json["ops"]));
-  for (const Json& name : json["ops"]) hello.operations.insert(text_of(name, "ops"));
+  for (const Json& entry : json["ops"]) {
+    const std::string name = text_of(entry, "ops");
+    const Operation* const operation = find_operation(name);
+    if (operation == nullptr || is_asked(*operation)) hello.operations.insert(name);
+  }
   if (json.contains("boundary")) {
     hello.declaration.boundary =
         static_cast<Declaration::Boundary>(word_index(json["boundary"], "boundary", boundary_words));

@@ -26,6 +26,8 @@ struct Hello {
 
 /// What the program says: {"touchstone":1,"ops":[...]}, with the line's end.
 std::string greeting();
+/// Why engines are not asked that method of an operation.
+std::string why_never_asked(const Operation& method);
 
 /// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0.
 /// Throws InvalidInput naming the field and the rule.

@@ -80,7 +80,8 @@ TEST_CASE("documented: docs/engines.md lists what every operation is given and a
       inputs += (inputs.empty() ? "`" : "`or`") + input.dump();
     const std::string row = "|`" + operation->name() + "`|" + inputs + "`|`" + operation->answer_description().dump();
     INFO(row);
-    CHECK(page.find(without(row, " ") + "`|") != std::string::npos);
+    const bool listed = page.find(without(row, " ") + "`|") != std::string::npos;
+    CHECK(listed != operation->card().is_method());
   }
 }
 

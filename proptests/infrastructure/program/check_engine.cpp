@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "audit/easy_questions.h"
+#include "audit/engines/protocol.h"
 #include "proptests/infrastructure/program/called.h"
 #include "proptests/uses.h"
 
@@ -96,6 +98,25 @@ TEST_CASE("check-engine: an engine that does not start, or has no operation, can
   require_refused(called({"check-engine", "echo '{\"engine\":\"e\",\"ops\":[\"juggle\"]}'; cat"}), engine_failed,
                   "it declares none of the operations; ops: juggle: no operation of the catalogue, never asked");
   require_refused(called({"check-engine", ""}), bad_usage, "expected the command of an engine, got an empty one");
+}
+
+TEST_CASE("check-engine: a method of an operation is not offered, and an engine that has it alone is told so") {
+  const std::string method = "polygon_convexity_interior_angles";
+  const std::string why = method + ": a method of polygon_convexity, which engines are asked instead";
+  const Json offered = parse_own_line(greeting())["ops"];
+  for (const Operation* operation : all_operations()) {
+    INFO(operation->name());
+    CHECK(std::count(offered.begin(), offered.end(), operation->name()) == (operation->card().is_method() ? 0 : 1));
+  }
+  const std::string alone = "echo '{\"engine\":\"e\",\"ops\":[\"" + method + "\"]}'; cat";
+  const std::string none = "it declares none of the operations";
+  require_refused(called({"check-engine", alone.c_str()}), engine_failed, none + "; ops: " + why);
+  const Called audited = called({"audit", "--cases", "1", "--engine", alone.c_str()});
+  require_refused(audited, engine_failed, none + " asked: explicit_line, ");
+  CHECK_THAT(audited.err, ContainsSubstring("; ops: " + why));
+  for (const char* command : {"exhaust", "map", "ask"})
+    require_refused(called({command, method.c_str(), "--engine", alone.c_str()}), bad_usage, "--engine: " + why);
+  require_refused(called({"audit", "--ops", method.c_str(), "--engine", alone.c_str()}), bad_usage, "--engine: " + why);
 }
 
 TEST_CASE("check-engine: every operation has five easy questions, or as many as it has, and robust answers them") {
