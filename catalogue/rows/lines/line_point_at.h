@@ -62,9 +62,11 @@ struct line_point_at {
          }},
         {"overflowing",
          [](Choices& c) -> Question {
-           const Point2d origin{std::ldexp(integer(c, 53), 971), integer(c, 53)};
-           const double dx = std::ldexp(small_integer(c) + 0.5, 1000), t = small_integer(c);
-           return {{origin, {dx, 1.0}}, std::ldexp(t, static_cast<int>(c.below(30)))};
+           // The product is 2^1024 to 1.5 * 2^1024, the origin takes 2^1023 to 2^1024 of it away.
+           const double dx = last_binade(c), longer = 1 + std::ldexp(static_cast<double>(c.below(1024)), -11);
+           const double t = 0x1p1023 / dx * longer * 2, x = -last_binade(c);
+           const double sign = c.below(2) == 0 ? 1 : -1;
+           return {{{sign * x, integer(c, 53)}, {sign * dx, 1.0}}, t};
          }},
         {"far_apart",
          [](Choices& c) -> Question {
@@ -74,10 +76,24 @@ struct line_point_at {
          }},
         {"at_end_of_range",
          [](Choices& c) -> Question {
-           const double x = ordinary(c), y = ordinary(c);
-           return {{{integer(c, 53), 0.0}, {std::ldexp(x, 1023), std::ldexp(y, 1023)}}, 8 * ordinary(c)};
+           const auto [x, dx] = beside_last_double(c);
+           const auto [y, dy] = beside_last_double(c);
+           const int k = static_cast<int>(c.below(64));
+           return {{{x, y}, {std::ldexp(dx, -k), std::ldexp(dy, -k)}}, std::ldexp(2, k)};
          }},
     };
+  }
+
+  /// 2^1023 to the greatest double.
+  static double last_binade(Choices& c) {
+    return std::ldexp(0x1p52 + static_cast<double>(c.below(std::uint64_t{1} << 52)), 971);
+  }
+  /// An origin and a direction, one axis of each. Twice the direction is (2^52 + q) 2^972, beyond the range; the origin
+  /// leaves of it the greatest double and k quarters of a unit in its last place: where k >= 2, infinity is nearest.
+  static std::pair<double, double> beside_last_double(Choices& c) {
+    const double k = 4 - static_cast<double>(c.below(17)), q = static_cast<double>(c.below(std::uint64_t{1} << 49));
+    const double sign = c.below(2) == 0 ? 1 : -1;
+    return {-sign * std::ldexp(4 - k + 8 * q, 969), sign * std::ldexp(0x1p52 + q, 971)};
   }
 
   /// t counts in lengths of the direction: it keeps its value.

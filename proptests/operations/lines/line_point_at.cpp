@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/lines/line_point_at.h"
 
+#include <algorithm>
+
 #include "proptests/forward_error.h"
 
 namespace touchstone::proptests::line_point_at_tests {
@@ -59,6 +61,28 @@ TEST_CASE("line_point_at: huge, subnormal, beyond the range, negative zero") {
   example<Row>({{{5, -0.0}, {1, 1}}, -0.0}, {5, 0});
   CHECK(std::signbit(robust::line_point_at({{0, 0}, {-tiny, 1}}, 0.5).x));  // not 0, so it keeps its sign
   CHECK_FALSE(std::signbit(robust::line_point_at({{-0.0, -0.0}, {1, 1}}, -0.0).x));
+}
+
+TEST_CASE("line_point_at: families draw products that overflow in sums that do not") {
+  const Operation& operation = *catalogue::find_operation("line_point_at");
+  for (const std::string name : {"overflowing", "at_end_of_range"}) {
+    const auto& families = operation.families();
+    const auto family = static_cast<std::size_t>(std::find(families.begin(), families.end(), name) - families.begin());
+    int drawn = 0, overflowing = 0, last = 0;
+    for (std::uint64_t i = 0; i < 2000; ++i) {
+      Choices choices = Choices::seeded(i);
+      const Question question = operation.draw(choices, family);
+      const double dx = question.numbers[2], t = question.numbers[4];
+      const Rational sum = catalogue::exact_value(question.numbers[0]) + product(dx, t);
+      ++drawn;
+      const bool within = abs(sum) < power_of_two(1024);
+      overflowing += std::isinf(dx * t) && within;
+      last += std::isinf(dx * t) && within && abs(sum) > power_of_two(1024) - power_of_two(974);
+    }
+    INFO(name);
+    CHECK(overflowing > drawn / 2);  // the rest was scaled by a power of two
+    if (name == "at_end_of_range") CHECK(last > drawn / 2);
+  }
 }
 
 TEST_CASE("line_point_at: of two broken rules the first is named") {
