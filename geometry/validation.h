@@ -17,6 +17,9 @@
 /// Validation: what is valid input, written once for everybody. Each `validate` throws InvalidInput naming the field
 /// and the rule, or returns. Numbers are looked at as bits, so this holds in every floating-point environment and build
 /// type.
+///
+/// The order of rules is one for all operations (docs/judging.md): first the numbers of all fields, `validate_numbers`;
+/// then the rules of each field, `validate`; then those that tie several fields.
 namespace touchstone::validation {
 
 inline bool finite(double value) { return (std::bit_cast<std::uint64_t>(value) >> 52 & 0x7ff) != 0x7ff; }
@@ -34,48 +37,117 @@ inline bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (zero(a) && zero(b));
 }
 
-inline void validate(const std::string& field, double value) {
+inline void validate_numbers(const std::string& field, double value) {
   if (!finite(value)) throw InvalidInput(field, "finite number");
 }
-inline void validate(const std::string& field, const Point2d& p) {
-  validate(field + "[0]", p.x), validate(field + "[1]", p.y);
+inline void validate_numbers(const std::string& field, const Point2d& p) {
+  validate_numbers(field + "[0]", p.x), validate_numbers(field + "[1]", p.y);
 }
-inline void validate(const std::string& field, const Vector2d& v) {
-  validate(field + "[0]", v.x), validate(field + "[1]", v.y);
+inline void validate_numbers(const std::string& field, const Vector2d& v) {
+  validate_numbers(field + "[0]", v.x), validate_numbers(field + "[1]", v.y);
 }
-inline void validate(const std::string& field, const Segment2d& s) {
-  validate(field + "[0]", s.a), validate(field + "[1]", s.b);
+inline void validate_numbers(const std::string& field, const Segment2d& s) {
+  validate_numbers(field + "[0]", s.a), validate_numbers(field + "[1]", s.b);
 }
+inline void validate_numbers(const std::string& field, const Line2d& l) {
+  validate_numbers(field + "[0]", l.p), validate_numbers(field + "[1]", l.q);
+}
+inline void validate_numbers(const std::string& field, const ParametricLine2d& l) {
+  validate_numbers(field + ".origin", l.origin), validate_numbers(field + ".direction", l.direction);
+}
+inline void validate_numbers(const std::string& field, const Ray2d& r) {
+  validate_numbers(field + ".origin", r.origin), validate_numbers(field + ".direction", r.direction);
+}
+inline void validate_numbers(const std::string& field, const Circle2d& c) {
+  validate_numbers(field + ".center", c.center), validate_numbers(field + ".radius", c.radius);
+}
+inline void validate_numbers(const std::string& field, const Point3d& p) {
+  validate_numbers(field + "[0]", p.x), validate_numbers(field + "[1]", p.y), validate_numbers(field + "[2]", p.z);
+}
+inline void validate_numbers(const std::string& field, const Vector3d& v) {
+  validate_numbers(field + "[0]", v.x), validate_numbers(field + "[1]", v.y), validate_numbers(field + "[2]", v.z);
+}
+inline void validate_numbers(const std::string& field, const Plane3d& plane) {
+  validate_numbers(field + ".normal", plane.normal), validate_numbers(field + ".offset", plane.offset);
+}
+inline void validate_numbers(const std::string& field, const Aabb2d& box) {
+  validate_numbers(field + ".min", box.min), validate_numbers(field + ".max", box.max);
+}
+inline void validate_numbers(const std::string& field, const Aabb3d& box) {
+  validate_numbers(field + ".min", box.min), validate_numbers(field + ".max", box.max);
+}
+inline void validate_numbers(const std::string& field, const Sphere3d& ball) {
+  validate_numbers(field + ".center", ball.center), validate_numbers(field + ".radius", ball.radius);
+}
+inline void validate_numbers(const std::string& field, const Slabd& slab) {
+  validate_numbers(field + "[0]", slab.min), validate_numbers(field + "[1]", slab.max);
+}
+template <class Shape>
+void validate_numbers(const std::string& field, const std::vector<Shape>& shapes) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) validate_numbers(field + "[" + std::to_string(i) + "]", shapes[i]);
+}
+inline void validate_numbers(const std::string& field, const Obb3d& box) {
+  const auto& [u, v, w] = box.half_axes;
+  validate_numbers(field + ".center", box.center);
+  validate_numbers(field + ".half_axes", std::vector<Vector3d>{u, v, w});
+}
+inline void validate_numbers(const std::string& field, const Kdop3d& kdop) {
+  validate_numbers(field + ".normals", kdop.normals), validate_numbers(field + ".slabs", kdop.slabs);
+}
+/// Of many points a name is made for the one that is not finite alone.
+template <class Point>
+void validate_points_numbers(const std::string& field, const std::vector<Point>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point& p = points[i];
+    bool valid = finite(p.x) && finite(p.y);
+    if constexpr (requires { p.z; }) valid = valid && finite(p.z);
+    if (!valid) validate_numbers(field + "[" + std::to_string(i) + "]", p);
+  }
+}
+inline void validate_numbers(const std::string& field, const Polygon2d& polygon) {
+  validate_points_numbers(field, polygon.vertices);
+}
+inline void validate_numbers(const std::string& field, const Polygon3d& polygon) {
+  validate_points_numbers(field, polygon.vertices);
+}
+inline void validate_numbers(const std::string& field, const Meshd& mesh) {
+  validate_points_numbers(field + ".vertices", mesh.vertices);
+}
+
+/// Shapes that have no rules but that their numbers are finite.
+inline void validate(const std::string& field, double value) { validate_numbers(field, value); }
+inline void validate(const std::string& field, const Point2d& p) { validate_numbers(field, p); }
+inline void validate(const std::string& field, const Segment2d& s) { validate_numbers(field, s); }
+inline void validate(const std::string& field, const Point3d& p) { validate_numbers(field, p); }
+inline void validate(const std::string& field, const Vector2d& v) { validate_numbers(field, v); }
+inline void validate(const std::string& field, const Vector3d& v) { validate_numbers(field, v); }
+/// But for the half axes' independence, which is decided where determinants are exact, and refused by refuse_dependent.
+inline void validate(const std::string& field, const Obb3d& box) { validate_numbers(field, box); }
+
 inline void validate(const std::string& field, const Line2d& l) {
-  validate(field + "[0]", l.p), validate(field + "[1]", l.q);
+  validate_numbers(field, l);
   if (same(l.p.x, l.q.x) && same(l.p.y, l.q.y)) throw InvalidInput(field, "two distinct points");
 }
 inline void validate_direction(const std::string& field, const Vector2d& v) {
-  validate(field, v);
+  validate_numbers(field, v);
   if (zero(v.x) && zero(v.y)) throw InvalidInput(field, "nonzero direction");
 }
 inline void validate(const std::string& field, const ParametricLine2d& l) {
-  validate(field + ".origin", l.origin), validate_direction(field + ".direction", l.direction);
+  validate_numbers(field, l), validate_direction(field + ".direction", l.direction);
 }
 inline void validate(const std::string& field, const Ray2d& r) {
-  validate(field + ".origin", r.origin), validate_direction(field + ".direction", r.direction);
+  validate_numbers(field, r), validate_direction(field + ".direction", r.direction);
 }
 inline void validate(const std::string& field, const Circle2d& c) {
-  validate(field + ".center", c.center), validate(field + ".radius", c.radius);
+  validate_numbers(field, c);
   if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
 }
-
-inline void validate(const std::string& field, const Point3d& p) {
-  validate(field + "[0]", p.x), validate(field + "[1]", p.y), validate(field + "[2]", p.z);
-}
-inline void validate(const std::string& field, const Vector3d& v) {
-  validate(field + "[0]", v.x), validate(field + "[1]", v.y), validate(field + "[2]", v.z);
+inline void validate_normal(const std::string& field, const Vector3d& normal) {
+  validate_numbers(field, normal);
+  if (zero(normal.x) && zero(normal.y) && zero(normal.z)) throw InvalidInput(field, "nonzero normal");
 }
 inline void validate(const std::string& field, const Plane3d& plane) {
-  validate(field + ".normal", plane.normal), validate(field + ".offset", plane.offset);
-  if (zero(plane.normal.x) && zero(plane.normal.y) && zero(plane.normal.z)) {
-    throw InvalidInput(field + ".normal", "nonzero normal");
-  }
+  validate_numbers(field, plane), validate_normal(field + ".normal", plane.normal);
 }
 
 /// min <= max, of finite numbers as bits: in every floating-point environment.
@@ -87,35 +159,25 @@ inline bool in_order(double min, double max) {
   return key(min) <= key(max);
 }
 inline void validate(const std::string& field, const Aabb2d& box) {
-  validate(field + ".min", box.min), validate(field + ".max", box.max);
+  validate_numbers(field, box);
   if (!in_order(box.min.x, box.max.x)) throw InvalidInput(field + ".max[0]", "min <= max");
   if (!in_order(box.min.y, box.max.y)) throw InvalidInput(field + ".max[1]", "min <= max");
 }
 inline void validate(const std::string& field, const Aabb3d& box) {
-  validate(field + ".min", box.min), validate(field + ".max", box.max);
+  validate_numbers(field, box);
   if (!in_order(box.min.x, box.max.x)) throw InvalidInput(field + ".max[0]", "min <= max");
   if (!in_order(box.min.y, box.max.y)) throw InvalidInput(field + ".max[1]", "min <= max");
   if (!in_order(box.min.z, box.max.z)) throw InvalidInput(field + ".max[2]", "min <= max");
 }
 inline void validate(const std::string& field, const Sphere3d& ball) {
-  validate(field + ".center", ball.center), validate(field + ".radius", ball.radius);
+  validate_numbers(field, ball);
   if (negative(ball.radius)) throw InvalidInput(field + ".radius", "radius >= 0");
-}
-/// Whether the half axes are linearly independent is decided where determinants are exact, and refused here.
-inline void validate(const std::string& field, const Obb3d& box) {
-  validate(field + ".center", box.center);
-  const auto& [u, v, w] = box.half_axes;
-  validate(field + ".half_axes[0]", u), validate(field + ".half_axes[1]", v), validate(field + ".half_axes[2]", w);
 }
 [[noreturn]] inline void refuse_dependent(const std::string& field) {
   throw InvalidInput(field + ".half_axes", "linearly independent");
 }
-inline void validate_normal(const std::string& field, const Vector3d& normal) {
-  validate(field, normal);
-  if (zero(normal.x) && zero(normal.y) && zero(normal.z)) throw InvalidInput(field, "nonzero normal");
-}
 inline void validate(const std::string& field, const Slabd& slab) {
-  validate(field + "[0]", slab.min), validate(field + "[1]", slab.max);
+  validate_numbers(field, slab);
   if (!in_order(slab.min, slab.max)) throw InvalidInput(field + "[1]", "min <= max");
 }
 /// The lengths of its lists.
@@ -125,7 +187,7 @@ void validate_lengths(const std::string& field, const Kdop3<Real>& kdop) {
   if (kdop.slabs.size() != kdop.normals.size()) throw InvalidInput(field + ".slabs", "as many slabs as normals");
 }
 inline void validate(const std::string& field, const Kdop3d& kdop) {
-  validate_lengths(field, kdop);
+  validate_numbers(field, kdop), validate_lengths(field, kdop);
   for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
     validate_normal(field + ".normals[" + std::to_string(i) + "]", kdop.normals[i]);
     validate(field + ".slabs[" + std::to_string(i) + "]", kdop.slabs[i]);
@@ -134,24 +196,20 @@ inline void validate(const std::string& field, const Kdop3d& kdop) {
 /// Points around which something is built.
 template <class Point>
 void validate_points(const std::string& field, const std::vector<Point>& points) {
+  validate_points_numbers(field, points);
   if (points.empty()) throw InvalidInput(field, "at least 1 point");
-  for (std::size_t i = 0; i < points.size(); ++i) validate(field + "[" + std::to_string(i) + "]", points[i]);
 }
 
 template <class Shape>
 void validate(const std::string& field, const std::vector<Shape>& shapes) {
+  validate_numbers(field, shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i) validate(field + "[" + std::to_string(i) + "]", shapes[i]);
 }
 
 template <class Point>
 void validate_ring(const std::string& field, const std::vector<Point>& vertices) {
+  validate_points_numbers(field, vertices);
   if (vertices.size() < 3) throw InvalidInput(field, "at least 3 vertices");
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Point& p = vertices[i];
-    bool valid = finite(p.x) && finite(p.y);
-    if constexpr (requires { p.z; }) valid = valid && finite(p.z);
-    if (!valid) validate(field + "[" + std::to_string(i) + "]", p);
-  }
 }
 /// Why a ring is not simple: edge `first` has length zero (and `second` is the same), or meets edge `second` > first
 /// elsewhere than in a vertex that neighbours share. Edge i goes from vertex i to the next. Of several defects the one
@@ -191,12 +249,7 @@ void validate_indices(const std::string& field, const Mesh<Real>& mesh) {
   }
 }
 inline void validate(const std::string& field, const Meshd& mesh) {
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Point3d& p = mesh.vertices[i];
-    if (finite(p.x) && finite(p.y) && finite(p.z)) continue;
-    validate(field + ".vertices[" + std::to_string(i) + "]", p);
-  }
-  validate_indices(field, mesh);
+  validate_numbers(field, mesh), validate_indices(field, mesh);
 }
 
 /// What every surface of triangles around a solid needs before anything is measured.

@@ -30,42 +30,62 @@ void validate_bodies_of(const std::string& field, const BodyContact<Real>& conta
 
 inline bool positive(double value) { return !zero(value) && !negative(value); }
 
+inline void validate_numbers(const std::string& field, const Bodyd& body) {
+  validate_numbers(field + ".mass", body.mass), validate_numbers(field + ".velocity", body.velocity);
+}
+inline void validate_numbers(const std::string& field, const Massesd& masses) {
+  validate_numbers(field + "[0]", masses.first), validate_numbers(field + "[1]", masses.second);
+}
+inline void validate_numbers(const std::string& field, const Velocitiesd& velocities) {
+  validate_numbers(field + "[0]", velocities.first), validate_numbers(field + "[1]", velocities.second);
+}
+inline void validate_numbers(const std::string& field, const MovingBodyd& body) {
+  validate_numbers(field + ".position", body.position), validate_numbers(field + ".velocity", body.velocity);
+  validate_numbers(field + ".angular_velocity", body.angular_velocity);
+}
+inline void validate_numbers(const std::string& field, const Inertiad& inertia) {
+  validate_numbers(field + "[0]", inertia.x), validate_numbers(field + "[1]", inertia.y);
+  validate_numbers(field + "[2]", inertia.z);
+}
+inline void validate_numbers(const std::string& field, const RigidBodyd& body) {
+  validate_numbers(field + ".mass", body.mass), validate_numbers(field + ".inertia", body.inertia);
+  validate_numbers(field + ".position", body.position), validate_numbers(field + ".velocity", body.velocity);
+  validate_numbers(field + ".angular_velocity", body.angular_velocity);
+}
+inline void validate_numbers(const std::string& field, const PointBodyd& body) {
+  validate_numbers(field + ".inverse_mass", body.inverse_mass), validate_numbers(field + ".velocity", body.velocity);
+}
+inline void validate_numbers(const std::string& field, const BodyContactd& contact) {
+  validate_numbers(field + ".normal", contact.normal);
+}
+
 inline void validate(const std::string& field, const Bodyd& body) {
-  validate(field + ".mass", body.mass), validate(field + ".velocity", body.velocity);
-  require_positive_mass(positive(body.mass), field + ".mass");
+  validate_numbers(field, body), require_positive_mass(positive(body.mass), field + ".mass");
 }
 inline void validate(const std::string& field, const Massesd& masses) {
-  validate(field + "[0]", masses.first), validate(field + "[1]", masses.second);
+  validate_numbers(field, masses);
   require_positive_mass(positive(masses.first), field + "[0]");
   require_positive_mass(positive(masses.second), field + "[1]");
 }
-inline void validate(const std::string& field, const Velocitiesd& velocities) {
-  validate(field + "[0]", velocities.first), validate(field + "[1]", velocities.second);
-}
+inline void validate(const std::string& field, const Velocitiesd& velocities) { validate_numbers(field, velocities); }
 /// The coefficient of restitution.
 inline void validate_restitution(const std::string& field, double e) {
-  validate(field, e);
+  validate_numbers(field, e);
   require_restitution(!negative(e) && in_order(e, 1), field);
 }
-inline void validate(const std::string& field, const MovingBodyd& body) {
-  validate(field + ".position", body.position), validate(field + ".velocity", body.velocity);
-  validate(field + ".angular_velocity", body.angular_velocity);
-}
+inline void validate(const std::string& field, const MovingBodyd& body) { validate_numbers(field, body); }
 inline void validate(const std::string& field, const Inertiad& inertia) {
-  validate(field + "[0]", inertia.x), validate(field + "[1]", inertia.y), validate(field + "[2]", inertia.z);
+  validate_numbers(field, inertia);
   require_symmetry(same(inertia.x.y, inertia.y.x), same(inertia.x.z, inertia.z.x), same(inertia.y.z, inertia.z.y),
                    field);
 }
 /// Whether the inertia is positive definite is decided where minors are exact.
 inline void validate(const std::string& field, const RigidBodyd& body) {
-  validate(field + ".mass", body.mass), validate(field + ".inertia", body.inertia);
-  validate(field + ".position", body.position), validate(field + ".velocity", body.velocity);
-  validate(field + ".angular_velocity", body.angular_velocity);
+  validate_numbers(field, body), validate(field + ".inertia", body.inertia);
   require_positive_mass(positive(body.mass), field + ".mass");
 }
 inline void validate(const std::string& field, const PointBodyd& body) {
-  validate(field + ".inverse_mass", body.inverse_mass), validate(field + ".velocity", body.velocity);
-  require_inverse_mass(!negative(body.inverse_mass), field + ".inverse_mass");
+  validate_numbers(field, body), require_inverse_mass(!negative(body.inverse_mass), field + ".inverse_mass");
 }
 inline void validate(const std::string& field, const BodyContactd& contact) {
   validate_normal(field + ".normal", contact.normal);

@@ -90,7 +90,8 @@ bool has_a_field_of(const Shape& alternative, const Json& json) {
 }
 
 /// The first alternative that the document fits; where it fits none, the complaint of the one that could be read
-/// furthest, of those that have a field of that name.
+/// furthest, of those that have a field of that name. A number that is not finite stands where a number should: it is
+/// read further than what is none.
 template <class Real>
 void read_choice(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
                  bool partial) {
@@ -116,7 +117,7 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
       tape.words.insert(tape.words.end(), tried.words.begin(), tried.words.end());
       return;
     } catch (const InvalidInput& refused) {
-      const std::size_t reached = tried.numbers.size() + 1;
+      const std::size_t reached = 2 * tried.numbers.size() + (refused.rule() == "finite number" ? 2 : 1);
       if (reached > furthest) complaint.emplace(refused), furthest = reached;
     }
   }

@@ -5,8 +5,8 @@
 
 namespace touchstone::catalogue {
 
-/// A question like `zeros` with small integers, of which one number is `bad`, NaN or an infinity; where another rule
-/// would be broken before that one, the integers are repaired, or the question is the one of the failure map.
+/// A question like `zeros` with small integers, of which one number is `bad`, NaN or an infinity; where a shape before
+/// it breaks a rule, the integers are repaired, or the question is the one of the failure map.
 Question with_not_finite(const Operation& operation, const Question& zeros, std::size_t place, double bad);
 
 }  // namespace touchstone::catalogue

@@ -30,6 +30,7 @@ struct Scaled {
 
 template <class Solid>
 void validate(const std::string& field, const std::vector<Solid>& solids) {
+  validation::validate_numbers(field, solids);
   for (std::size_t i = 0; i < solids.size(); ++i) {
     validation::validate(field + "[" + std::to_string(i) + "]", solids[i]);
   }

@@ -158,6 +158,7 @@ def judged(text, folder="."):
             expect_refused(line)
         else:
             expect_fields(line, ["op", "input", "truth", "certificate"])
+            expect(not isinstance(line.get("refused"), dict), "claim: a truth or refused, not both")
             check_of(line)(Claim(line))
     except Refusal as refusal:
         return str(refusal), refuses_input(line)

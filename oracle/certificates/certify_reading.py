@@ -31,12 +31,32 @@ def binary64(value):
     return bottom & (bottom - 1) == 0 and high - low <= 53 and low - scale >= -1074 and high - scale <= 1024
 
 
+NOT_FINITE = ("inf", "-inf", "nan")
+# Where a member stands among those of its shape. They come in the order of the letters, but for these.
+FIRST = ("origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity")
+
+
+def rank(member):
+    return (FIRST.index(member) if member in FIRST else len(FIRST), member)
+
+
+def expect_finite(value, what):
+    """Of a whole field, in the order of its shape."""
+    expect(not isinstance(value, str) or value not in NOT_FINITE, what + ": finite number")
+    if isinstance(value, list):
+        for i, part in enumerate(value):
+            expect_finite(part, f"{what}[{i}]")
+    elif isinstance(value, dict):
+        for name in sorted(value, key=rank):
+            expect_finite(value[name], f"{what}.{name}")
+
+
 HEXADECIMAL = re.compile(r"([+-]?)0[xX]([0-9a-fA-F]*)(?:\.([0-9a-fA-F]*))?(?:[pP]([+-]?[0-9]{1,5}))?")
 
 
 def number(value, what):
     malformed = what + ": a number or a hexadecimal float string"
-    expect(value not in ("inf", "-inf", "nan"), what + ": finite number")
+    expect(value not in NOT_FINITE, what + ": finite number")
     if isinstance(value, str):
         found = HEXADECIMAL.fullmatch(value)
         expect(found is not None, malformed)
@@ -120,7 +140,11 @@ class Claim:
         self.input, self.truth, self.certificate = line["input"], line["truth"], line["certificate"]
 
     def inputs(self, *names):
+        """Every check says first which fields the input has, in the order of the contract: of all their numbers the
+        first that is not finite is refused before any other rule."""
         only(self.input, "input", names)
+        for name in names:
+            expect_finite(self.input[name], name)
 
     def answers(self, *names):
         only(self.truth, "truth", names)

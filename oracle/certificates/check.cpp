@@ -63,6 +63,8 @@ void check_refused(const json& line) {
 void check(const json& claim) {
   if (refuses_input(claim)) return check_refused(claim);
   expect_fields(claim, {"op", "input", "truth", "certificate"});
+  const bool both = claim.contains("refused") && claim["refused"].is_object();
+  expect(!both, "claim: a truth or refused, not both");
   check_of(claim)(Claim{claim["input"], claim["truth"], claim["certificate"]});
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "oracle/certificates/check_reading.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <utility>
 
 namespace touchstone::certify {
 namespace {
@@ -70,6 +73,28 @@ Rational from_hexadecimal(const std::string& text, const std::string& what) {
   return negative ? Rational(-value) : value;
 }
 
+bool not_finite(const json& value) { return value == "inf" || value == "-inf" || value == "nan"; }
+
+/// Where a member stands among those of its shape. They come in the order of the letters, but for these.
+std::pair<std::size_t, std::string> rank(const std::string& member) {
+  constexpr std::array first{"origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity"};
+  const auto found = std::find(first.begin(), first.end(), member);
+  return {static_cast<std::size_t>(found - first.begin()), member};
+}
+
+/// Of a whole field, in the order of its shape.
+void expect_finite(const json& value, const std::string& what) {
+  expect(!not_finite(value), what + ": finite number");
+  if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) expect_finite(value[i], what + "[" + std::to_string(i) + "]");
+  } else if (value.is_object()) {
+    std::vector<std::pair<std::size_t, std::string>> members;
+    for (const auto& [name, part] : value.items()) members.push_back(rank(name));
+    std::sort(members.begin(), members.end());
+    for (const auto& [place, name] : members) expect_finite(value[name], what + "." + name);
+  }
+}
+
 void array_of_two(const json& value, const std::string& what) {
   expect(value.is_array() && value.size() == 2, what + ": a list of two");
 }
@@ -83,7 +108,7 @@ void only(const json& object, const std::string& what, std::initializer_list<con
 }
 
 Rational number(const json& value, const std::string& what) {
-  expect(!(value == "inf" || value == "-inf" || value == "nan"), what + ": finite number");
+  expect(!not_finite(value), what + ": finite number");
   if (value.is_string()) return from_hexadecimal(value.get_ref<const std::string&>(), what);
   expect(value.is_number(), what + ": a number or a hexadecimal float string");
   return from_double(value.get<double>(), what);
@@ -152,6 +177,11 @@ Rational exact_value(const json& value, const std::string& what) {
 Pair exact_pair(const json& value, const std::string& what) {
   array_of_two(value, what);
   return {exact_value(value[0], what + "[0]"), exact_value(value[1], what + "[1]")};
+}
+
+void Claim::inputs(std::initializer_list<const char*> names) const {
+  only(input, "input", names);
+  for (const char* name : names) expect_finite(input[name], name);
 }
 
 std::string Claim::word(const char* name) const {

@@ -74,7 +74,9 @@ struct Claim {
   const json& truth;
   const json& certificate;
 
-  void inputs(std::initializer_list<const char*> names) const { only(input, "input", names); }
+  /// Every check says first which fields the input has, in the order of the contract: of all their numbers the first
+  /// that is not finite is refused before any other rule.
+  void inputs(std::initializer_list<const char*> names) const;
   void answers(std::initializer_list<const char*> names) const { only(truth, "truth", names); }
   std::string word(const char* name) const;
   std::string kind() const;

@@ -16,6 +16,8 @@ struct ManyBodies {
   template <class Number>
   explicit ManyBodies(const std::vector<Body<Number>>& bodies) {
     std::vector<Number> of_masses, of_speeds;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      validation::validate_numbers("bodies[" + std::to_string(i) + "]", bodies[i]);
     for (const auto& [mass, velocity] : bodies) {
       validation::validate("bodies[" + std::to_string(of_masses.size()) + "]", Body<Number>{mass, velocity});
       of_masses.push_back(mass);

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "geometry/validation.h"
 #include "oracle/truth.h"
@@ -12,6 +13,13 @@ namespace touchstone::validation {
 
 inline bool zero(const oracle::Rational& value) { return sgn(value) == 0; }
 inline bool negative(const oracle::Rational& value) { return sgn(value) < 0; }
+
+/// Every rational is finite.
+inline void validate_numbers(const std::string&, const oracle::Rational&) {}
+template <template <class> class Shape>
+void validate_numbers(const std::string&, const Shape<oracle::Rational>&) {}
+template <template <class> class Shape>
+void validate_numbers(const std::string&, const std::vector<Shape<oracle::Rational>>&) {}
 
 /// What is valid wherever its numbers are. A shape that is in no rule here does not compile: its rules must not be
 /// forgotten.

@@ -14,7 +14,8 @@ template <class Number>
 Scale<Number> validated(const Circle2<Number>& circle, const Point2<Number>& point) {
   const Scale<Number> n({circle.center.x, circle.center.y, circle.radius, point.x, point.y});
   if (!n.finite() || validation::negative(circle.radius))
-    validation::validate("circle", circle), validation::validate("point", point);
+    validation::validate_numbers("circle", circle), validation::validate_numbers("point", point),
+        validation::validate("circle", circle), validation::validate("point", point);
   return n;
 }
 

@@ -62,7 +62,8 @@ Found find(const CommonScale<Number, 3>& circle, const Number& u) {
 
 template <class Number>
 CommonScale<Number, 3> validated(const Circle2<Number>& circle, const Number& u) {
-  validation::validate("circle", circle), validation::validate("u", u);
+  validation::validate_numbers("circle", circle), validation::validate_numbers("u", u),
+      validation::validate("circle", circle), validation::validate("u", u);
   return CommonScale<Number, 3>({circle.center.x, circle.center.y, circle.radius});
 }
 

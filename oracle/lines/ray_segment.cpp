@@ -16,7 +16,8 @@ CommonScale<Number, 8> validated(const Ray2<Number>& ray, const Segment2<Number>
                                   segment.a.y, segment.b.x, segment.b.y});
   const bool still = validation::zero(ray.direction.x) && validation::zero(ray.direction.y);
   if (!n.finite() || still)
-    validation::validate("ray", ray), validation::validate("segment", segment);  // names the field: slower
+    validation::validate_numbers("ray", ray), validation::validate_numbers("segment", segment),
+        validation::validate("ray", ray), validation::validate("segment", segment);  // names the field: slower
   return n;
 }
 

@@ -12,7 +12,8 @@ namespace {
 
 template <class Number>
 Truth<PointPlane<Rational>> truth(const Plane<Number>& plane, const Point3<Number>& point) {
-  validation::validate("plane", plane), validation::validate("point", point);
+  validation::validate_numbers("plane", plane), validation::validate_numbers("point", point),
+      validation::validate("plane", plane), validation::validate("point", point);
   const Plane<Rational> exactly = exact(plane);
   const Rational height = height_over(exactly, exact(point));
   Rational square(height * height / dot(exactly.normal, exactly.normal));

@@ -37,7 +37,8 @@ void validate_convex(const WholeRing& ring) {
 
 template <class Number>
 Whole validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  validation::validate("polygon", polygon), validation::validate("point", point);
+  validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
+      validation::validate("polygon", polygon), validation::validate("point", point);
   validate_convex(WholeRing(polygon));
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);

@@ -23,7 +23,8 @@ struct Around {
 
 template <class Number>
 Around validated(const Polygon2<Number>& polygon, const Point2<Number>& point) {
-  validation::validate("polygon", polygon), validation::validate("point", point);
+  validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
+      validation::validate("polygon", polygon), validation::validate("point", point);
   Polygon2<Number> all = polygon;
   all.vertices.push_back(point);
   WholeRing whole(all);

@@ -33,6 +33,7 @@ void validate(const char* field, const Polygon2<Number>& ring) {
 
 template <class Number>
 Rings validated(const Polygon2<Number>& a, const Polygon2<Number>& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validate("a", a), validate("b", b);
   Polygon2<Number> both = a;
   both.vertices.insert(both.vertices.end(), b.vertices.begin(), b.vertices.end());

@@ -19,8 +19,8 @@ struct Question {
 
 template <class Number>
 Question validated(const Mesh<Number>& mesh, const Point3<Number>& point) {
+  validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
   ConvexMesh whole("mesh", mesh);
-  validation::validate("point", point);
   HomogeneousPoint at = whole.whole(point);
   return {std::move(whole), std::move(at)};
 }

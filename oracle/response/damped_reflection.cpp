@@ -8,8 +8,9 @@ namespace {
 
 template <class Number>
 Truth<Vector3<Rational>> truth(const Vector3<Number>& velocity, const Vector3<Number>& normal, const Number& k) {
-  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
-  validation::validate("k", k);
+  validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
+      validation::validate_numbers("k", k), validation::validate("velocity", velocity),
+      validation::validate_normal("normal", normal), validation::validate("k", k);
   return bounced(velocity, normal, exact(k));
 }
 

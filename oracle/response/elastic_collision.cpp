@@ -9,8 +9,9 @@ namespace {
 template <class Number>
 Truth<Velocities<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities,
                                   const Vector3<Number>& normal) {
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
-  validation::validate_normal("normal", normal);
+  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
+      validation::validate_numbers("normal", normal), validation::validate("masses", masses),
+      validation::validate("velocities", velocities), validation::validate_normal("normal", normal);
   return after_impact(masses, velocities, normal, Rational(1));
 }
 

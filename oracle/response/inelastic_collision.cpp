@@ -10,7 +10,8 @@ namespace {
 
 template <class Number>
 Truth<Vector3<Rational>> truth(const Masses<Number>& masses, const Velocities<Number>& velocities) {
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
+  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
+      validation::validate("masses", masses), validation::validate("velocities", velocities);
   Rational mass(exact(masses.first) + exact(masses.second));
   const Rational part(exact(masses.second) / mass);
   const Vector3<Rational> v = exact_vector(velocities.first), w = exact_vector(velocities.second);

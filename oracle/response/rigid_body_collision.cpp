@@ -80,8 +80,11 @@ ExactBody validated(const std::string& field, const RigidBody<Number>& body) {
 template <class Number>
 Collision collide(const RigidBody<Number>& a, const RigidBody<Number>& b, const Point3<Number>& point,
                   const Vector3<Number>& normal, const Number& e) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+      validation::validate_numbers("point", point);
+  validation::validate_numbers("normal", normal), validation::validate_numbers("e", e);
   ExactBody of_a = validated("a", a), of_b = validated("b", b);
-  validation::validate("point", point), validation::validate_normal("normal", normal);
+  validation::validate_normal("normal", normal);
   validation::validate_restitution("e", e);
   const Vector3<Rational> n = exact_vector(normal), p = from_origin(point);
   Collision result{{std::move(of_a), p, n}, {std::move(of_b), p, Rational(-1) * n}, Rational(0)};

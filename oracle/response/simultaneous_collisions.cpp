@@ -20,9 +20,13 @@ struct WholeContact {
 template <class Number>
 void validate_all(const std::vector<PointBody<Number>>& bodies, const std::vector<BodyContact<Number>>& contacts,
                   const Number& e) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate("bodies[" + std::to_string(i) + "]", bodies[i]);
+  const auto numbered = [](const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); };
+  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate_numbers(numbered("bodies", i), bodies[i]);
+  for (std::size_t i = 0; i < contacts.size(); ++i) validation::validate_numbers(numbered("contacts", i), contacts[i]);
+  validation::validate_numbers("e", e);
+  for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate(numbered("bodies", i), bodies[i]);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const std::string field = "contacts[" + std::to_string(i) + "]";
+    const std::string field = numbered("contacts", i);
     validation::validate_bodies_of(field, contacts[i], bodies.size());
     validation::validate(field, contacts[i]);
   }

@@ -29,16 +29,15 @@ struct AxisMotion {
   Value a_min, a_max, b_min, b_max, velocity;
 };
 
-void validate_velocity(const Vector2d& v) { validation::validate("velocity", v); }
-void validate_velocity(const Vector3d& v) { validation::validate("velocity", v); }
-template <class Vector>
-void validate_velocity(const Vector&) {}
-
 /// The axes of valid boxes; refuses others.
 template <class Value, class Number, std::size_t N, class Box, class Vector>
 std::array<AxisMotion<Value>, N / 5> validated(const CommonScale<Number, N>& n, const Box& a, const Box& b,
                                                const Vector& v) {
-  const auto validate = [&] { validation::validate("a", a), validation::validate("b", b), validate_velocity(v); };
+  const auto validate = [&] {
+    validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+        validation::validate_numbers("velocity", v);
+    validation::validate("a", a), validation::validate("b", b);
+  };
   if (!n.finite()) validate();
   std::array<AxisMotion<Value>, N / 5> axes;
   for (std::size_t k = 0; k < axes.size(); ++k) {

@@ -27,8 +27,9 @@ struct Motion {
 
 template <class Number>
 Motion validated(const Mesh<Number>& a, const Mesh<Number>& b, const Vector3<Number>& velocity) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+      validation::validate_numbers("velocity", velocity);
   const ConvexMesh first("a", a), second("b", b);
-  validation::validate("velocity", velocity);
   const std::array<Rational, 3> v{exact(velocity.x), exact(velocity.y), exact(velocity.z)};
   Integer common(1);
   for (const Rational* number : {&first.unit, &second.unit, &v[0], &v[1], &v[2]})

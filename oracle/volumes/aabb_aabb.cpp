@@ -70,7 +70,10 @@ std::size_t deciding(const Axes& axes) {
 /// else here.)
 template <class Value, class Box, class Scale>
 auto validated(const Scale& n, const Box& a, const Box& b) {
-  const auto validate = [&a, &b] { validation::validate("a", a), validation::validate("b", b); };
+  const auto validate = [&a, &b] {
+    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
+        validation::validate("b", b);
+  };
   if (!n.finite()) validate();
   const auto axes = axes_of<Value>(n);
   if (!std::all_of(axes.begin(), axes.end(), [](const auto& axis) { return axis.in_order(); })) validate();

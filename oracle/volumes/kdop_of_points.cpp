@@ -32,6 +32,7 @@ struct Heights {
 /// For every normal; refuses what is not valid.
 template <class Number>
 std::vector<Heights> heights(const std::vector<Point3<Number>>& points, const std::vector<Vector3<Number>>& normals) {
+  validation::validate_numbers("points", points), validation::validate_numbers("normals", normals);
   validation::validate_points("points", points);
   if (normals.empty()) throw InvalidInput("normals", "at least 1 normal");
   std::vector<Heights> all;

@@ -18,6 +18,7 @@ struct Pair {
 
 template <class Number>
 Pair<Number> validated(const Obb3<Number>& a, const Obb3<Number>& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validate_parallelepiped("a", a), validate_parallelepiped("b", b);
   const Point3<Number>&c = a.center, &d = b.center;
   const auto& [u, v, w] = a.half_axes;

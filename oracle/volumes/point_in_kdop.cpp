@@ -20,7 +20,8 @@ struct Depth {
 /// Of all slabs; refuses what is not valid.
 template <class Number>
 std::vector<Depth> depths(const Kdop3<Number>& kdop, const Point3<Number>& point) {
-  validation::validate("kdop", kdop), validation::validate("point", point);
+  validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),
+      validation::validate("kdop", kdop), validation::validate("point", point);
   const WholeList p = whole_list(std::vector<Number>{point.x, point.y, point.z, Number(1)});
   const Integer &x = p.whole[0], &y = p.whole[1], &z = p.whole[2], &w = p.whole[3];
   std::vector<Depth> found;

@@ -19,7 +19,8 @@ struct Question {
 
 template <class Number>
 Question<Number> validated(const Obb3<Number>& obb, const Point3<Number>& point) {
-  validate_parallelepiped("obb", obb), validation::validate("point", point);
+  validation::validate_numbers("obb", obb), validation::validate_numbers("point", point);
+  validate_parallelepiped("obb", obb);
   const auto& [u, v, w] = obb.half_axes;
   const Point3<Number>& c = obb.center;
   CommonScale<Number, 15> scale(

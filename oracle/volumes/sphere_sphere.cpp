@@ -53,7 +53,8 @@ Pair<Value, N / 2 - 1> pair_of(const CommonScale<Number, N>& n) {
 template <class Scale, class Solid>
 void validate(const Scale& n, const Solid& a, const Solid& b) {
   if (!n.finite() || validation::negative(a.radius) || validation::negative(b.radius))
-    validation::validate("a", a), validation::validate("b", b);
+    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
+        validation::validate("b", b);
 }
 
 template <class Scale, class Pair>

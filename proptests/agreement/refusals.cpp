@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "catalogue/operation/not_finite.h"
+#include "oracle/certificates/check.h"
 #include "proptests/any_robust_bits.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
@@ -31,25 +34,48 @@ std::string path_of_mark(const catalogue::Json& value, const std::string& path, 
   return found;
 }
 
-std::string refusal_by_oracle(const Operation& operation, const Question& question) {
+template <class Ask>
+std::string refusal(const Ask& ask) {
   try {
-    operation.examine(question);
+    ask();
     return "";
   } catch (const InvalidInput& refused) {
     return refused.what();
   }
 }
 
-/// How oracle and robust answer otherwise than with `expected` where number i of a question is not finite.
+/// The path of number i of a question.
+std::string path_of_number(const Operation& operation, Question question, std::size_t i) {
+  std::fill(question.numbers.begin(), question.numbers.end(), 0);
+  question.numbers[i] = 12345;
+  return path_of_mark(operation.print(question), "", 12345);
+}
+
+/// Who refuses a question with another field or rule than `expected`, in one environment: the oracle, the reader of
+/// `ask`, or the checker of certificates; robust in all.
+std::string refused_otherwise(const std::string& expected, const Operation& operation, const Question& question) {
+  const catalogue::Json printed = operation.print(question);
+  const std::string by_oracle = refusal([&] { operation.examine(question); });
+  if (by_oracle != expected) return "the oracle says " + by_oracle;
+  const std::string by_reader = refusal([&] { operation.parse(catalogue::parse_line(catalogue::one_line(printed))); });
+  if (by_reader != expected) return "the reader says " + by_reader;
+  const std::size_t colon = expected.find(": ");
+  const catalogue::Json refused{{"field", expected.substr(0, colon)}, {"rule", expected.substr(colon + 2)}};
+  const catalogue::Json line{{"op", operation.name()}, {"input", printed}, {"refused", refused}};
+  if (const auto checked = certify::refuse_text(catalogue::one_line(line))) return "certify says " + *checked;
+  for (std::size_t environment = 0; environment < environment_count; ++environment) {
+    const std::string by_robust = robust_bits(operation, question, environment).refused;
+    if (by_robust != expected) return "robust says " + by_robust + " (" + environment_name(environment) + ")";
+  }
+  return "";
+}
+
+/// The same where number i of a question is not finite.
 std::string unlike(const std::string& expected, const Operation& operation, const Question& question, std::size_t i) {
   for (const double bad : {infinity, -infinity, not_a_number, -not_a_number}) {
     const Question asked = catalogue::with_not_finite(operation, question, i, bad);
-    const std::string said = refusal_by_oracle(operation, asked);
-    if (said != expected) return "the oracle says " + said;
-    for (std::size_t environment = 0; environment < environment_count; ++environment) {
-      const std::string answered = robust_bits(operation, asked, environment).refused;
-      if (answered != expected) return "robust says " + answered + " (" + environment_name(environment) + ")";
-    }
+    const std::string complaint = refused_otherwise(expected, operation, asked);
+    if (!complaint.empty()) return complaint;
   }
   return "";
 }
@@ -59,9 +85,7 @@ std::string unlike(const std::string& expected, const Operation& operation, cons
 EACH_OPERATION("a number that is not finite is refused by its field, wherever it stands, in every environment") {
   for (const Question& zeros : operation.zeros_of_alternatives()) {
     for (std::size_t i = 0; i < zeros.numbers.size(); ++i) {
-      Question marked = zeros;
-      marked.numbers[i] = 12345;
-      const std::string path = path_of_mark(operation.print(marked), "", 12345);
+      const std::string path = path_of_number(operation, zeros, i);
       REQUIRE(!path.empty());
       demand(operation.name() + ", " + path + ": refused",
              [&] { return unlike(path + ": finite number", operation, zeros, i); });
@@ -69,7 +93,7 @@ EACH_OPERATION("a number that is not finite is refused by its field, wherever it
   }
 }
 
-EACH_OPERATION("of several numbers that are not finite the first is named, and before it any rule broken earlier") {
+EACH_OPERATION("the first number that is not finite is named before any other rule; then robust and oracle agree") {
   property(
       operation.name() + ": refusals are equal",
       [&] {
@@ -84,11 +108,18 @@ EACH_OPERATION("of several numbers that are not finite the first is named, and b
             default: break;
           }
         }
+        const auto bad = std::find_if_not(question.numbers.begin(), question.numbers.end(),
+                                          [](double number) { return std::isfinite(number); });
         const std::string mismatch = operation.refusal_mismatch(question);
         if (!mismatch.empty()) RC_FAIL(mismatch + " " + catalogue::one_line(operation.print(question)));
         for (std::size_t environment = 1; environment < environment_count; ++environment) {
           RC_ASSERT(robust_bits(operation, question, environment) == robust_bits(operation, question, 0));
         }
+        if (bad == question.numbers.end() || choices.below(16) != 0) return;
+        const auto first = static_cast<std::size_t>(bad - question.numbers.begin());
+        const std::string complaint =
+            refused_otherwise(path_of_number(operation, question, first) + ": finite number", operation, question);
+        if (!complaint.empty()) RC_FAIL(complaint + " " + catalogue::one_line(operation.print(question)));
       },
       2000);
 }

@@ -18,14 +18,15 @@ namespace touchstone::reference {
 /// several vertices in one position are valid.
 ///
 /// Degenerate: none is valid. Refused by robust and oracle with field and rule, the first that applies: NaN or infinity
-/// in the mesh (mesh.vertices[i][c], "finite number"); a face that names no vertex (mesh.faces[i][k], "index of a
-/// vertex"), or one twice (mesh.faces[i], "three different vertices"); fewer than 4 faces (mesh, "at least 4 faces");
+/// in the mesh (mesh.vertices[i][c], "finite number"), or in the point (point[c], "finite number"); a face that names
+/// no vertex (mesh.faces[i][k], "index of a vertex"), or one twice (mesh.faces[i], "three different vertices"); fewer
+/// than 4 faces (mesh, "at least 4 faces");
 /// an edge a -> b of a face that another face has too, or whose reverse b -> a is not in exactly one face
 /// (mesh.faces[i], "closed: edge ..."); a face of area zero (mesh.faces[i], "nonzero area"); all vertices on one plane
 /// (mesh, "convex: vertices on one plane have no inside"); a vertex on the outer side of a face's plane (mesh.faces[i],
 /// "convex: vertex ... must not lie beyond its plane"), where the inner side of all faces is that on which the first
-/// vertex lies that is not on the plane of face 0; NaN or infinity in the point (point[c], "finite number"). Robust and
-/// oracle look at every face and every vertex together to find that out, which is most of their time.
+/// vertex lies that is not on the plane of face 0. Robust and oracle look at every face and every vertex together to
+/// find that out, which is most of their time.
 ///
 /// By these rules the solid is at once the intersection K of the faces' closed inner half-spaces and the convex hull H
 /// of the vertices. All vertices are in K, so H is. H has an inside, and every face lies, with an area, in a plane that

@@ -28,7 +28,8 @@ namespace touchstone::reference {
 /// NaN or infinity: refused by robust and oracle (field "bodies[0].inverse_mass" ..., "finite number"); so are an
 /// inverse mass below 0 ("inverse mass >= 0"), a place that is not there ("contacts[0].a", "index of a body"), a body
 /// that touches itself ("contacts[0].b", "another body than a"), a normal of length 0 ("contacts[0].normal", "nonzero
-/// normal") and an e below 0 or above 1 ("e", "between 0 and 1"); the first of these in the order of the input, e last.
+/// normal") and an e below 0 or above 1 ("e", "between 0 and 1"). The first is named: all numbers before all else, then
+/// body after body, contact after contact (its places, then its normal), and e.
 ///
 /// Method (projected Gauss-Seidel, as engines have it): 4 sweeps over the contacts, in the order of the list; each
 /// contact's impulse is made such that its own demand is met without a surplus, but not below 0. Contacts of two

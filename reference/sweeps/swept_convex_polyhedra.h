@@ -48,9 +48,9 @@ class ProjectedTimes {
 /// `never`. a, b: meshes, any unit of length, the same for both; velocity in that unit a step, of a, while b rests; t
 /// counts in steps. Closed sets: touching is a hit, also where a only grazes b, at t = 0 or at t = 1. The truth is
 /// `hit` with t = 0 where they have a common point at the start. A velocity of 0 is valid. Refused by robust and
-/// oracle: what is not the surface of a convex solid, by the rules and in the order of
-/// reference/polyhedra/point_in_convex_polyhedron.h, with "a" or "b" for the mesh; then NaN or infinity in the velocity
-/// (velocity[c], "finite number"). That page also says which meshes are valid: faces in one plane, flat vertices,
+/// oracle: NaN or infinity in a vertex or in the velocity (velocity[c], "finite number"); then what is not the surface
+/// of a convex solid, by the rules and in the order of reference/polyhedra/point_in_convex_polyhedron.h, with "a" or
+/// "b" for the mesh. That page also says which meshes are valid: faces in one plane, flat vertices,
 /// vertices of no face, and a surface that is turned inside out.
 ///
 /// In exact arithmetic the formula is always right. At one time t, the points p such that a, moved by p, meets b are a

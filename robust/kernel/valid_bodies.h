@@ -23,6 +23,8 @@ inline bool valid(const MovingBodyd& body) {
 }
 inline void validate_bodies(const std::vector<Bodyd>& bodies) {
   if (std::all_of(bodies.begin(), bodies.end(), [](const Bodyd& body) { return valid(body); })) return;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    validation::validate_numbers("bodies[" + std::to_string(i) + "]", bodies[i]);
   for (std::size_t i = 0; i < bodies.size(); ++i) validation::validate("bodies[" + std::to_string(i) + "]", bodies[i]);
 }
 

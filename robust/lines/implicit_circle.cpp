@@ -12,7 +12,8 @@ Location location(int sign) { return sign > 0 ? Location::inside : sign < 0 ? Lo
 
 void validate(const Circle2d& circle, const Point2d& point) {
   if (kernel::valid(circle) && kernel::valid(point)) return;
-  validation::validate("circle", circle), validation::validate("point", point);
+  validation::validate_numbers("circle", circle), validation::validate_numbers("point", point),
+      validation::validate("circle", circle), validation::validate("point", point);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ auto as_integers(const Line2d& a, const Line2d& b) {
 
 void validate(const Line2d& a, const Line2d& b) {
   if (kernel::valid(a) && kernel::valid(b)) return;
-  validation::validate("a", a), validation::validate("b", b);
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
+      validation::validate("b", b);
 }
 
 }  // namespace

@@ -61,7 +61,8 @@ namespace {
 
 void validate(const ParametricLine2d& line, double t) {
   if (kernel::valid(line) && kernel::all_finite(t)) return;
-  validation::validate("line", line), validation::validate("t", t);
+  validation::validate_numbers("line", line), validation::validate_numbers("t", t), validation::validate("line", line),
+      validation::validate("t", t);
 }
 
 /// Apart from the usual way, which then has no registers to save.

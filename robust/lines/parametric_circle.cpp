@@ -53,7 +53,8 @@ double sum_rounded(double a, double b) {
 
 void validate(const Circle2d& circle, double u) {
   if (kernel::valid(circle) && kernel::all_finite(u)) return;
-  validation::validate("circle", circle), validation::validate("u", u);
+  validation::validate_numbers("circle", circle), validation::validate_numbers("u", u),
+      validation::validate("circle", circle), validation::validate("u", u);
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ Question<mpz_class> as_integers(const Ray2d& ray, const Segment2d& s) {
 
 void validate(const Ray2d& ray, const Segment2d& segment) {
   if (kernel::valid(ray) && kernel::valid(segment)) return;
-  validation::validate("ray", ray), validation::validate("segment", segment);
+  validation::validate_numbers("ray", ray), validation::validate_numbers("segment", segment),
+      validation::validate("ray", ray), validation::validate("segment", segment);
 }
 
 }  // namespace

@@ -86,7 +86,9 @@ std::optional<Int128> in_units(const kernel::Scaled<Int128>& x, int exponent) {
 
 void validate(const Plane3d& plane, const Point3d& start, const Point3d& end) {
   if (kernel::valid(plane) && kernel::valid(start) && kernel::valid(end)) return;
-  validation::validate("plane", plane), validation::validate("start", start), validation::validate("end", end);
+  validation::validate_numbers("plane", plane), validation::validate_numbers("start", start),
+      validation::validate_numbers("end", end), validation::validate("plane", plane),
+      validation::validate("start", start), validation::validate("end", end);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ Side validate_convex(const Polygon2d& polygon, Stage& latest) {
 }  // namespace
 
 Decided<Location> stages::point_in_convex_polygon::ask(const Polygon2d& polygon, const Point2d& point) {
-  validation::validate("polygon", polygon), validation::validate("point", point);
+  validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
+      validation::validate("polygon", polygon);
   Stage latest = Stage::filter;
   const Side inner = validate_convex(polygon, latest);
   bool on = false;

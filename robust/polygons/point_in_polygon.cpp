@@ -209,7 +209,9 @@ Part whole(const Polygon2d& polygon) {
 void validate(const Polygon2d& polygon, const Point2d& point) {
   bool valid = polygon.size() >= 3 && kernel::valid(point);
   for (const Point2d& vertex : polygon.vertices) valid &= kernel::valid(vertex);
-  if (!valid) validation::validate("polygon", polygon), validation::validate("point", point);
+  if (!valid)
+    validation::validate_numbers("polygon", polygon), validation::validate_numbers("point", point),
+        validation::validate("polygon", polygon), validation::validate("point", point);
 }
 
 /// Validation, then the stages for one part after another: one hard edge does not make all of them hard.

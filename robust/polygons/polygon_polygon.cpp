@@ -139,6 +139,7 @@ void validate(const char* field, const Polygon2d& polygon) {
 }  // namespace
 
 Decided<Contact> stages::polygon_polygon::ask(const Polygon2d& a, const Polygon2d& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validate("a", a), validate("b", b);
   const kernel::ControlWord ieee;  // coordinates are compared: flushed denormals would all be 0
   return Meeting(a, b).decided();

@@ -8,9 +8,9 @@
 namespace touchstone::robust {
 
 Decided<Location> stages::point_in_convex_polyhedron::ask(const Meshd& mesh, const Point3d& point) {
+  validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
   Stage latest = Stage::filter;
   const int outside = kernel::validate_convex("mesh", mesh, latest);
-  validation::validate("point", point);
   bool on = false;
   for (const Face& face : mesh.faces) {
     const int side = kernel::FaceSide(mesh, face).of(point).noting(latest);

@@ -69,8 +69,10 @@ std::optional<Vector3<Int128>> shifted(const Vector3<Int128>& v, int shift) {
 
 void validate(const MovingBodyd& a, const MovingBodyd& b, const Point3d& point, const Vector3d& normal) {
   if (kernel::valid(a) && kernel::valid(b) && kernel::valid(point) && kernel::valid_normal(normal)) return;
-  validation::validate("a", a), validation::validate("b", b), validation::validate("point", point);
-  validation::validate_normal("normal", normal);
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+      validation::validate_numbers("point", point), validation::validate_numbers("normal", normal),
+      validation::validate("a", a), validation::validate("b", b), validation::validate("point", point),
+      validation::validate_normal("normal", normal);
 }
 
 }  // namespace

@@ -28,8 +28,9 @@ namespace {
 
 void validate(const Vector3d& velocity, const Vector3d& normal, double k) {
   if (kernel::valid(velocity) && kernel::valid_normal(normal) && kernel::all_finite(k)) return;
-  validation::validate("velocity", velocity), validation::validate_normal("normal", normal);
-  validation::validate("k", k);
+  validation::validate_numbers("velocity", velocity), validation::validate_numbers("normal", normal),
+      validation::validate_numbers("k", k), validation::validate("velocity", velocity),
+      validation::validate_normal("normal", normal), validation::validate("k", k);
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ namespace {
 
 void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector3d& normal) {
   if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal)) return;
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
-  validation::validate_normal("normal", normal);
+  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
+      validation::validate_numbers("normal", normal), validation::validate("masses", masses),
+      validation::validate("velocities", velocities), validation::validate_normal("normal", normal);
 }
 
 }  // namespace

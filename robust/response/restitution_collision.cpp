@@ -27,8 +27,10 @@ void validate(const Massesd& masses, const Velocitiesd& velocities, const Vector
   if (kernel::valid(masses) && kernel::valid(velocities) && kernel::valid_normal(normal) &&
       kernel::valid_restitution(e))
     return;
-  validation::validate("masses", masses), validation::validate("velocities", velocities);
-  validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
+  validation::validate_numbers("masses", masses), validation::validate_numbers("velocities", velocities),
+      validation::validate_numbers("normal", normal), validation::validate_numbers("e", e),
+      validation::validate("masses", masses), validation::validate("velocities", velocities),
+      validation::validate_normal("normal", normal), validation::validate_restitution("e", e);
 }
 
 }  // namespace

@@ -104,6 +104,9 @@ void validate_body(const std::string& field, const RigidBodyd& body) {
 }
 
 void validate(const RigidBodyd& a, const RigidBodyd& b, const Point3d& point, const Vector3d& normal, double e) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+      validation::validate_numbers("point", point);
+  validation::validate_numbers("normal", normal), validation::validate_numbers("e", e);
   validate_body("a", a), validate_body("b", b);
   if (kernel::valid(point) && kernel::valid_normal(normal) && kernel::valid_restitution(e)) return;
   validation::validate("point", point), validation::validate_normal("normal", normal);

@@ -129,7 +129,9 @@ bool valid(const Vector3d& v) { return kernel::valid(v); }
 template <class Box, class Vector>
 void validate(const Box& a, const Box& b, const Vector& velocity) {
   if (kernel::valid(a) && kernel::valid(b) && valid(velocity)) return;
-  validation::validate("a", a), validation::validate("b", b), validation::validate("velocity", velocity);
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+      validation::validate_numbers("velocity", velocity);
+  validation::validate("a", a), validation::validate("b", b);
 }
 
 }  // namespace

@@ -205,9 +205,10 @@ Decided<FirstContact<double>> first_contact(const Meshd& a, const Meshd& b, cons
 
 Decided<FirstContact<double>> stages::swept_convex_polyhedra::ask(const Meshd& a, const Meshd& b,
                                                                   const Vector3d& velocity) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b),
+      validation::validate_numbers("velocity", velocity);
   Stage latest = Stage::filter;
   kernel::validate_convex("a", a, latest), kernel::validate_convex("b", b, latest);
-  validation::validate("velocity", velocity);
   Decided<FirstContact<double>> found = first_contact(a, b, velocity);
   return {found.noting(latest), latest};
 }

@@ -78,8 +78,9 @@ struct Integers {
 
 void validate(const Sphere3d& sphere, const Vector3d& velocity, const Plane3d& plane) {
   if (kernel::valid(sphere) && kernel::valid(velocity) && kernel::valid(plane)) return;
-  validation::validate("sphere", sphere), validation::validate("velocity", velocity);
-  validation::validate("plane", plane);
+  validation::validate_numbers("sphere", sphere), validation::validate_numbers("velocity", velocity),
+      validation::validate_numbers("plane", plane), validation::validate("sphere", sphere),
+      validation::validate("velocity", velocity), validation::validate("plane", plane);
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ Contact contact_of(const AxisContact& all) {
 
 template <class Box>
 void validate(const Box& a, const Box& b) {
-  if (!kernel::valid(a) || !kernel::valid(b)) validation::validate("a", a), validation::validate("b", b);
+  if (!kernel::valid(a) || !kernel::valid(b))
+    validation::validate_numbers("a", a), validation::validate_numbers("b", b), validation::validate("a", a),
+        validation::validate("b", b);
 }
 
 }  // namespace

@@ -62,8 +62,8 @@ class Outward {
 };
 
 void validate(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals) {
-  const bool finite = std::all_of(points.begin(), points.end(), [](const Point3d& p) { return kernel::valid(p); });
-  if (!finite || points.empty()) validation::validate_points("points", points);
+  validation::validate_points_numbers("points", points), validation::validate_numbers("normals", normals);
+  if (points.empty()) validation::validate_points("points", points);
   if (normals.empty()) throw InvalidInput("normals", "at least 1 normal");
   for (std::size_t i = 0; i < normals.size(); ++i) {
     if (!kernel::valid_normal(normals[i]))

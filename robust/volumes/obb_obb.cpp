@@ -6,6 +6,7 @@
 #include "geometry/validation.h"
 #include "robust/kernel/obb_filter.h"
 #include "robust/kernel/parallelepiped.h"
+#include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
 namespace {
@@ -95,7 +96,11 @@ auto numbers_of(const Obb3d& a, const Obb3d& b, const Numbers& numbers) {
                  d.x, d.y, d.z, x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z);
 }
 
-void validate(const Obb3d& a, const Obb3d& b) { kernel::validate_obb("a", a), kernel::validate_obb("b", b); }
+void validate(const Obb3d& a, const Obb3d& b) {
+  if (!kernel::valid(a) || !kernel::valid(b))
+    validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  kernel::validate_obb("a", a), kernel::validate_obb("b", b);
+}
 
 }  // namespace
 

@@ -48,7 +48,8 @@ Perhaps<Location> location(const Kdop3d& kdop, const Depth& depth) {
 
 void validate(const Kdop3d& kdop, const Point3d& point) {
   if (kernel::valid(kdop) && kernel::valid(point)) return;
-  validation::validate("kdop", kdop), validation::validate("point", point);
+  validation::validate_numbers("kdop", kdop), validation::validate_numbers("point", point),
+      validation::validate("kdop", kdop), validation::validate("point", point);
 }
 
 }  // namespace

@@ -33,8 +33,9 @@ auto numbers_of(const Obb3d& obb, const Point3d& p, const Numbers& numbers) {
 }
 
 void validate(const Obb3d& obb, const Point3d& point) {
+  if (!kernel::valid(obb) || !kernel::valid(point))
+    validation::validate_numbers("obb", obb), validation::validate_numbers("point", point);
   kernel::validate_obb("obb", obb);
-  if (!kernel::valid(point)) validation::validate("point", point);
 }
 
 }  // namespace

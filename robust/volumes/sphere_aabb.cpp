@@ -43,7 +43,8 @@ auto integers_of(const Sphere3d& s, const Aabb3d& b) {
 template <class Ball, class Box>
 void validate(const Ball& sphere, const Box& aabb) {
   if (!kernel::valid(sphere) || !kernel::valid(aabb))
-    validation::validate("sphere", sphere), validation::validate("aabb", aabb);
+    validation::validate_numbers("sphere", sphere), validation::validate_numbers("aabb", aabb),
+        validation::validate("sphere", sphere), validation::validate("aabb", aabb);
 }
 
 }  // namespace

@@ -10,11 +10,14 @@
 #include "catalogue/operation/operation.h"
 #include "oracle/certificates/check.h"
 #include "proptests/catch.h"
+#include "proptests/infrastructure/oracle/claims.h"
 
 namespace {
 
 using nlohmann::json;
 using namespace touchstone::certify;
+using touchstone::proptests::LinesInFile;
+using touchstone::proptests::python_finds_nothing;
 
 /// The claims of every file; those that hold, or the false ones. The test program runs in the source folder.
 std::vector<json> claims(bool refused) {
@@ -107,6 +110,10 @@ TEST_CASE("certificates: a refused input has to break the rule that is named, be
   CHECK(refused("line_line", same_points, R"({"field":"a","rule":"finite number"})") == another);
   CHECK(refused("segment_segment", same_points, of_a) == another);
   CHECK(refused("line_line", R"({"a":[[0,0],["inf",0]],"b":[[0,0],[1,1]]})", of_a) == another);
+  // Numbers come before all rules.
+  CHECK(refused("line_line", R"({"a":[[0,0],[0,0]],"b":[[0,0],[1,"nan"]]})", of_a) == another);
+  CHECK(refused("line_line", R"({"a":[[0,0],[0,0]],"b":[[0,0],[1,"nan"]]})",
+                R"({"field":"b[1][1]","rule":"finite number"})") == "accepted");
   CHECK(refused("line_line", "{}", of_a) == another);
   CHECK(refused("line_line", "[]", of_a) == another);
   // What is said of a truth that is not there is no rule for the input.
@@ -118,6 +125,17 @@ TEST_CASE("certificates: a refused input has to break the rule that is named, be
   CHECK(refused("juggle", same_points, of_a) == "op: not an operation with certificates");
   CHECK(refuse_text(R"({"refused":{"field":"a","rule":"b"}})") == "claim: field op is missing");
   CHECK(refuse_text(R"({"refused":1})") == "claim: field op is missing");
+}
+
+TEST_CASE("certificates: a line does not both answer and refuse") {
+  const std::string true_claim = R"({"op":"line_line","input":{"a":[[0,0],[2,2]],"b":[[0,2],[2,0]]},"truth":)"
+                                 R"({"relation":"crossing","ta":"1/2","tb":"1/2","point":["1","1"]},)"
+                                 R"("certificate":{"kind":"transversal","determinant":["-8"]})";
+  CHECK(refuse_text(true_claim + "}") == std::nullopt);
+  const std::string both = true_claim + R"(,"refused":{"field":"a","rule":"two distinct points"}})";
+  CHECK(refuse_text(both) == "claim: a truth or refused, not both");
+  const LinesInFile lines("both.jsonl", {both});
+  CHECK(!python_finds_nothing("oracle/certificates/certify.py " + lines.path()));
 }
 
 TEST_CASE("certificates: text that is not JSON and numbers that are not finite are refused") {

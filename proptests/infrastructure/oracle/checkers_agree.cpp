@@ -2,6 +2,8 @@
 #include <gmpxx.h>
 #include <sys/wait.h>
 
+#include <cmath>
+
 #include "oracle/certificates/check.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/oracle/claims.h"
@@ -75,6 +77,34 @@ TEST_CASE("certificates: the Python checker judges the files of claims as the C+
   }
   REQUIRE(claims.size() > 300);
   CHECK(python_finds_nothing(script + LinesInFile("claims.jsonl", claims).path()));
+}
+
+TEST_CASE(
+    "certificates: both checkers name the first number that is not finite, in the order of the operation's shapes") {
+  std::vector<std::string> lines, verdicts;
+  for (const catalogue::Operation* operation : catalogue::all_operations()) {
+    if (operation->card().is_method()) continue;
+    for (catalogue::Question question : operation->zeros_of_alternatives()) {
+      const std::size_t count = question.numbers.size();
+      for (std::size_t first = 0; first < count; ++first) {
+        // All from here on, and every rule of the shapes broken: zeros are no directions, no masses.
+        for (std::size_t i = 0; i < count; ++i) question.numbers[i] = i < first ? 0 : i % 2 == 0 ? HUGE_VAL : -HUGE_VAL;
+        try {
+          operation->row().solve(question);
+          FAIL("answered");
+        } catch (const InvalidInput& refused) {
+          REQUIRE(refused.rule() == "finite number");
+          lines.push_back("{\"op\":\"" + operation->name() +
+                          "\",\"input\":" + catalogue::one_line(operation->print(question)) +
+                          ",\"refused\":{\"field\":\"" + refused.field() + "\",\"rule\":\"finite number\"}}");
+          verdicts.push_back(certify::refuse_text(lines.back()).value_or("accepted"));
+          CHECK(verdicts.back() == "accepted");
+        }
+      }
+    }
+  }
+  const LinesInFile all_claims("not_finite.jsonl", lines), all_verdicts("not_finite.txt", verdicts);
+  CHECK(python_finds_nothing(script + all_claims.path() + " " + all_verdicts.path()));
 }
 
 TEST_CASE("certificates: both programs count refused inputs beside the certificates and find nothing in them") {

@@ -87,7 +87,7 @@ TEST_CASE("ray_segment: huge, subnormal and negative zero") {
 }
 
 TEST_CASE("ray_segment: of two broken rules the first is named") {
-  refused<Row>({{{5, 6}, {-0.0, 0.0}}, {{3, -1}, {not_a_number, 2}}}, "ray.direction", "nonzero direction");
+  refused<Row>({{{5, 6}, {-0.0, 0.0}}, {{3, -1}, {not_a_number, 2}}}, "segment[1][0]", "finite number");
 }
 
 CONTRACT(

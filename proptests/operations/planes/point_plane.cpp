@@ -137,7 +137,7 @@ TEST_CASE("point_plane: ties go to the even neighbour") {
 
 TEST_CASE("point_plane: of two broken rules the first is named, also where only the side is asked") {
   refused<Row>({{{0, 0, 0}, infinity}, {0, 0, 0}}, "plane.offset", "finite number");
-  refused<Row>({{{0, 0, 0}, 1}, {not_a_number, 0, 0}}, "plane.normal", "nonzero normal");
+  refused<Row>({{{0, 0, 0}, 1}, {not_a_number, 0, 0}}, "point[0]", "finite number");
   const auto refusal_of_side = [](const Plane3d& plane) -> std::string {
     try {
       robust::point_plane_side(plane, {1, 2, 3});

@@ -158,7 +158,8 @@ TEST_CASE("polygon_normal: rounding hides an area") {
 }
 
 TEST_CASE("polygon_normal: of two broken rules the first is named") {
-  refused<Row>({{{{0, not_a_number, 0}}}}, "polygon", "at least 3 vertices");
+  refused<Row>({{{{0, not_a_number, 0}}}}, "polygon[0][1]", "finite number");
+  refused<Row>({{{{0, 0, 0}}}}, "polygon", "at least 3 vertices");
 }
 
 CONTRACT("polygon_normal: the formula in double keeps its contract for the first three vertices", ring) {

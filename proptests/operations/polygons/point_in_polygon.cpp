@@ -199,7 +199,9 @@ TEST_CASE("point_in_polygon: huge, subnormal and negative zero") {
 }
 
 TEST_CASE("point_in_polygon: of two broken rules the first is named") {
-  refused<Row>({{{{infinity, 0}, {1, 0}}}, {0, 0}}, "polygon", "at least 3 vertices");
+  refused<Row>({{{{infinity, 0}, {1, 0}}}, {0, 0}}, "polygon[0][0]", "finite number");
+  refused<Row>({{{{0, 0}, {1, 0}}}, {0, not_a_number}}, "point[1]", "finite number");
+  refused<Row>({{{{0, 0}, {1, 0}}}, {0, 0}}, "polygon", "at least 3 vertices");
   refused<Row>({{{{0, -infinity}, {1, 0}, {0, 1}}}, {not_a_number, 9}}, "polygon[0][1]", "finite number");
 }
 

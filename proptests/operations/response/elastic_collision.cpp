@@ -73,7 +73,8 @@ TEST_CASE("elastic_collision: huge, subnormal and negative zero") {
 }
 
 TEST_CASE("elastic_collision: of two broken rules the first is named") {
-  refused<Row>({{1, 0}, {{infinity, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "masses[1]", "mass > 0");
+  refused<Row>({{1, 0}, {{infinity, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "velocities[0][0]", "finite number");
+  refused<Row>({{1, 0}, {{0, 0, 0}, {0, 0, 0}}, {0, 0, 0}}, "masses[1]", "mass > 0");
   refused<Row>({{1, 1}, {{0, not_a_number, 0}, {0, 0, 0}}, {0, 0, 0}}, "velocities[0][1]", "finite number");
 }
 

@@ -55,7 +55,8 @@ TEST_CASE("inelastic_collision: ties go to the even neighbour") {
 
 TEST_CASE("inelastic_collision: of two broken rules the first is named") {
   refused<Row>({{0, not_a_number}, {{0, 0, 0}, {0, 0, 0}}}, "masses[1]", "finite number");
-  refused<Row>({{1, -tiny}, {{infinity, 0, 0}, {0, 0, 0}}}, "masses[1]", "mass > 0");
+  refused<Row>({{1, -tiny}, {{infinity, 0, 0}, {0, 0, 0}}}, "velocities[0][0]", "finite number");
+  refused<Row>({{1, -tiny}, {{0, 0, 0}, {0, 0, 0}}}, "masses[1]", "mass > 0");
 }
 
 CONTRACT("inelastic_collision: the formula in double keeps its contract", masses, velocities) {

@@ -72,6 +72,7 @@ TEST_CASE("restitution_collision: of two broken rules the first is named; e may 
   const Massesd one{1, 1};
   const Velocitiesd still{{0, 0, 0}, {0, 0, 0}};
   refused<Row>({{0, infinity}, still, {0, 0, 0}, 2}, "masses[1]", "finite number");
+  refused<Row>({{1, 0}, still, {0, 0, 0}, infinity}, "e", "finite number");
   refused<Row>({{1, 0}, still, {0, 0, 0}, 2}, "masses[1]", "mass > 0");
   refused<Row>({one, still, {0, -0.0, 0}, 2}, "normal", "nonzero normal");
   refused<Row>({one, still, {1, 0, 0}, -tiny}, "e", "between 0 and 1");

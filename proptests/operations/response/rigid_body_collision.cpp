@@ -187,7 +187,8 @@ TEST_CASE("rigid_body_collision: bad input is refused by its field, body after b
     return body;
   };
   const std::string definite = "positive definite";
-  refused<Row>({with_mass(-1), with_mass(infinity), o, n, 1}, "a.mass", "mass > 0");
+  refused<Row>({with_mass(-1), with_mass(infinity), o, n, 1}, "b.mass", "finite number");
+  refused<Row>({with_mass(-1), with_mass(0), o, n, 1}, "a.mass", "mass > 0");
   refused<Row>({with_inertia({{1, tiny, 0}, {0, 1, 0}, {0, 0, 1}}), still, o, n, 1}, "a.inertia[1][0]", "symmetric");
   refused<Row>({still, with_inertia({{1, 0, 2}, {0, 1, 0}, {1, 0, 1}}), o, n, 1}, "b.inertia[2][0]", "symmetric");
   refused<Row>({still, with_inertia({{1, 0, 0}, {0, 1, 2}, {0, -2, 1}}), o, n, 1}, "b.inertia[2][1]", "symmetric");

@@ -249,6 +249,8 @@ TEST_CASE("simultaneous_collisions: of several broken rules the first is named")
   const PointBodyd one{1, {0, 0, 0}};
   const BodyContactd contact{0, 1, {1, 0, 0}};
   refused<Row>({{one, {-1, {0, 0, infinity}}}, {contact}, 2}, "bodies[1].velocity[2]", "finite number");
+  refused<Row>({{one, {-1, {0, 0, 0}}}, {{5, 1, {0, infinity, 0}}}, 2}, "contacts[0].normal[1]", "finite number");
+  refused<Row>({{one, {-1, {0, 0, 0}}}, {{5, 1, {0, 0, 0}}}, infinity}, "e", "finite number");
   refused<Row>({{one, {-tiny, {0, 0, 0}}}, {{5, 1, {0, 0, 0}}}, 2}, "bodies[1].inverse_mass", "inverse mass >= 0");
   refused<Row>({{one, one}, {contact, {2, 3, {0, 0, 0}}}, 2}, "contacts[1].a", "index of a body");
   refused<Row>({{one, one}, {contact, {1, 2, {0, 0, 0}}}, 2}, "contacts[1].b", "index of a body");

@@ -169,11 +169,12 @@ TEST_CASE("swept_convex_polyhedra: huge, subnormal and negative zero") {
   worked({cube, beside, {huge, 0, 0}}, at(Rational(2 / exact(huge))), 3, "inexact");  // y: 4 - 1
 }
 
-TEST_CASE("swept_convex_polyhedra: of two broken rules the first is named, a's before b's, the velocity's last") {
+TEST_CASE("swept_convex_polyhedra: of two broken rules the first is named, numbers first, a's before b's") {
   Meshd open = cube, spoiled = cube;
   open.faces.pop_back(), spoiled.vertices[2].y = infinity;
   refused<Row>({spoiled, open, {0, 0, 0}}, "a.vertices[2][1]", "finite number");
-  refused<Row>({cube, spoiled, {infinity, 0, 0}}, "b.vertices[2][1]", "finite number");
+  refused<Row>({open, spoiled, {infinity, 0, 0}}, "b.vertices[2][1]", "finite number");
+  refused<Row>({open, open, {infinity, 0, 0}}, "velocity[0]", "finite number");
 }
 
 CONTRACT("swept_convex_polyhedra: the formula in double keeps its contract", a, b, v) {

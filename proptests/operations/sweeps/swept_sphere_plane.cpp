@@ -139,8 +139,9 @@ TEST_CASE("swept_sphere_plane: huge, subnormal and negative zero") {
   worked({{{0, 1, 0}, 0}, {0, -huge, 0}, ground}, at(Surd(Rational(1 / exact(huge)))), 1);  // t is subnormal
 }
 
-TEST_CASE("swept_sphere_plane: of two broken rules the first is named, the ball's before the velocity's") {
-  refused<Row>({{{0, 5, 0}, -tiny}, {infinity, 0, 0}, ground}, "sphere.radius", "radius >= 0");
+TEST_CASE("swept_sphere_plane: of two broken rules the first is named, numbers first") {
+  refused<Row>({{{0, 5, 0}, -tiny}, {infinity, 0, 0}, ground}, "velocity[0]", "finite number");
+  refused<Row>({{{0, 5, 0}, -tiny}, {0, 0, 0}, {{0, 0, 0}, 1}}, "sphere.radius", "radius >= 0");
 }
 
 CONTRACT("swept_sphere_plane: the formula in double keeps its contract", sphere, v, plane) {

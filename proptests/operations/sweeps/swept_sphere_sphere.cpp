@@ -190,12 +190,13 @@ TEST_CASE("swept_sphere_sphere: huge, subnormal and negative zero") {
   worked(seen({-2, 0, 0}, {0x1p1023, 0, 0}, 1), at(Surd(power_of_two(-1023))), 1, "rounding");
 }
 
-TEST_CASE("swept_sphere_sphere: of two broken rules the first is named: numbers before rules, shape after shape") {
+TEST_CASE("swept_sphere_sphere: of two broken rules the first is named: numbers before all rules, shape after shape") {
   const Sphere3d ball{{0, 0, 0}, 1};
   const Vector3d still{0, 0, 0};
   refused<Row>({{{9, 0, 0}, -infinity}, ball, still, still}, "a.radius", "finite number");
-  refused<Row>({{{9, 0, 0}, -1}, {{infinity, 0, 0}, 1}, still, still}, "a.radius", "radius >= 0");
-  refused<Row>({ball, {{9, 0, 0}, -1}, {infinity, 0, 0}, still}, "b.radius", "radius >= 0");
+  refused<Row>({{{9, 0, 0}, -1}, {{infinity, 0, 0}, 1}, still, still}, "b.center[0]", "finite number");
+  refused<Row>({ball, {{9, 0, 0}, -1}, {infinity, 0, 0}, still}, "velocity_a[0]", "finite number");
+  refused<Row>({{{0, 0, 0}, -2}, {{9, 0, 0}, -1}, still, still}, "a.radius", "radius >= 0");
 }
 
 ROBUST_LAW("swept_sphere_sphere: the relation alone is that of the answer") {

@@ -155,10 +155,11 @@ TEST_CASE("aabb_aabb: as typed they touch, as doubles they need not") {
 }
 
 TEST_CASE(
-    "aabb_aabb: of two broken rules the first is named: a shape's numbers come before its rules, the first shape "
-    "before the second") {
+    "aabb_aabb: of two broken rules the first is named: numbers come before all rules, the first shape before the "
+    "second") {
   refused<Row>(InPlane{{{5, 0}, {4, infinity}}, square}, "a.max[1]", "finite number");
-  refused<Row>(InPlane{{{5, 0}, {4, 4}}, {{not_a_number, 0}, {4, 4}}}, "a.max[0]", "min <= max");
+  refused<Row>(InPlane{{{5, 0}, {4, 4}}, {{not_a_number, 0}, {4, 4}}}, "b.min[0]", "finite number");
+  refused<Row>(InPlane{{{5, 0}, {4, 4}}, {{9, 0}, {4, 4}}}, "a.max[0]", "min <= max");
 }
 
 CONTRACT("aabb_aabb: the formula in double keeps its contract", a, b) {

@@ -119,6 +119,7 @@ TEST_CASE("kdop_kdop: of two broken rules the first is named: a's, then b's, the
   refused<Row>({a, {{{1, 0, tiny}, {1, 1, 1}}, {{9, 9}, {0, 8}}}}, "b.normals[0]", "the same normal as in a");
   refused<Row>({{{{1, 0, 0}}, {{4, 0}}}, {{{0, 0, 0}}, {{0, 1}}}}, "a.slabs[0][1]", "min <= max");
   refused<Row>({a, {{{0, 0, 0}}, {{0, 1}}}}, "b.normals[0]", "nonzero normal");
+  refused<Row>({{{}, {}}, {x_and_sum, {{0, 4}, {0, infinity}}}}, "b.slabs[1][1]", "finite number");
 }
 
 CONTRACT("kdop_kdop: the formula in double keeps its contract", a, b) {

@@ -150,8 +150,9 @@ TEST_CASE("sphere_aabb: rounding, huge, subnormal and negative zero") {
          Rational(4 * exact(huge) * exact(huge) - 1));
 }
 
-TEST_CASE("sphere_aabb: of two broken rules the first is named: the ball's before the box's, numbers before rules") {
-  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, {4, 4, 4}}}, "sphere.radius", "radius >= 0");
+TEST_CASE("sphere_aabb: of two broken rules the first is named: numbers before rules, the ball's before the box's") {
+  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{infinity, 0, 0}, {4, 4, 4}}}, "aabb.min[0]", "finite number");
+  refused<Row>(InSpace{{{0, 0, 0}, -1}, {{5, 0, 0}, {4, 4, 4}}}, "sphere.radius", "radius >= 0");
   refused<Row>(InSpace{{{0, 0, 0}, 1}, {{5, 0, 0}, {4, 4, infinity}}}, "aabb.max[2]", "finite number");
 }
 
