@@ -108,7 +108,7 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
   if (std::any_of(options.operations.begin(), options.operations.end(), has)) return;
   std::string asked;
   for (const Operation* operation : options.operations) {
-    if (!operation->card().is_method()) asked += (asked.empty() ? "" : ", ") + operation->name();
+    if (!operation->card().is_implementation()) asked += (asked.empty() ? "" : ", ") + operation->name();
   }
   throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
 }

@@ -10,11 +10,11 @@
 /// Validation of programs, for doubles and for rationals alike: see validation.h.
 namespace touchstone::validation {
 
-/// The boxes in their order, then the commands; of a command its body before its box. `validate_box(field, box)` holds
-/// the rules of a box.
-template <class Real, class ValidateBox>
+/// First all numbers, then the rules of the boxes in their order, then those of the commands; of a command its body
+/// before its box. `validate_numbers(field, box)` and `validate_box(field, box)` hold those of a box.
+template <class Real, class ValidateNumbers, class ValidateBox>
 void validate_program(const std::vector<Aabb3<Real>>& boxes, const std::vector<Command<Real>>& commands,
-                      const ValidateBox& validate_box) {
+                      const ValidateNumbers& validate_numbers, const ValidateBox& validate_box) {
   struct Validate {
     const ValidateBox& validate_box;
     std::vector<bool> there{};
@@ -37,10 +37,19 @@ void validate_program(const std::vector<Aabb3<Real>>& boxes, const std::vector<C
     }
     void operator()(const Ask&) {}
   } validate{validate_box};
-  for (std::size_t i = 0; i < boxes.size(); ++i) validate_box("boxes[" + std::to_string(i) + "]", boxes[i]);
+  const auto box_field = [](std::size_t i) { return "boxes[" + std::to_string(i) + "]"; };
+  const auto command_field = [](std::size_t i) { return "commands[" + std::to_string(i) + "]"; };
+  for (std::size_t i = 0; i < boxes.size(); ++i) validate_numbers(box_field(i), boxes[i]);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (const auto* insert = std::get_if<Insert<Real>>(&commands[i]))
+      validate_numbers(command_field(i) + ".insert", insert->box);
+    if (const auto* move = std::get_if<Move<Real>>(&commands[i]))
+      validate_numbers(command_field(i) + ".box", move->box);
+  }
+  for (std::size_t i = 0; i < boxes.size(); ++i) validate_box(box_field(i), boxes[i]);
   validate.there.assign(boxes.size(), true);
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    validate.field = "commands[" + std::to_string(i) + "]";
+    validate.field = command_field(i);
     std::visit([&validate](const auto& command) { validate(command); }, commands[i]);
   }
 }

@@ -67,8 +67,8 @@ std::string text_of_file(const std::string& file, const std::string& option) {
 bool is_standard_output(const std::string& file) { return file == "-"; }
 
 void require_asked_of_engines(const std::vector<const Operation*>& operations) {
-  const auto is_method = [](const Operation* operation) { return operation->card().is_method(); };
-  if (std::all_of(operations.begin(), operations.end(), is_method))
+  const auto is_implementation = [](const Operation* operation) { return operation->card().is_implementation(); };
+  if (std::all_of(operations.begin(), operations.end(), is_implementation))
     throw UsageError("--engine: " + why_never_asked(*operations.front()));
 }
 

@@ -29,7 +29,7 @@ std::size_t word_index(const Json& value, const char* field, const std::array<co
 }
 
 /// Whether engines are asked an operation. Of a method, another formula for an operation, they need not know.
-bool is_asked(const Operation& operation) { return !operation.card().is_method(); }
+bool is_asked(const Operation& operation) { return !operation.card().is_implementation(); }
 
 /// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
@@ -67,7 +67,7 @@ std::uint64_t read_id(const Json& id) {
 std::string boundary_word(Declaration::Boundary boundary) { return boundary_words[static_cast<std::size_t>(boundary)]; }
 
 std::string why_never_asked(const Operation& method) {
-  return method.name() + ": a method of " + method.card().method_of + ", which engines are asked instead";
+  return method.name() + ": a method of " + method.card().implementation_of + ", which engines are asked instead";
 }
 
 std::string greeting() {

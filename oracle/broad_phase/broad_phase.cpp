@@ -32,8 +32,10 @@ struct World {
 
 template <class Number>
 Truth<Replies> truth(const std::vector<Aabb3<Number>>& boxes, const std::vector<Command<Number>>& commands) {
+  using Box = Aabb3<Number>;
   validation::validate_program(
-      boxes, commands, [](const std::string& field, const Aabb3<Number>& box) { validation::validate(field, box); });
+      boxes, commands, [](const std::string& field, const Box& box) { validation::validate_numbers(field, box); },
+      [](const std::string& field, const Box& box) { validation::validate(field, box); });
   World<Number> world;
   for (const Aabb3<Number>& box : boxes) world(Insert<Number>{box});
   for (const Command<Number>& command : commands) std::visit([&](const auto& one) { world(one); }, command);

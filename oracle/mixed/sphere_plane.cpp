@@ -9,6 +9,7 @@ namespace {
 
 template <class Number>
 Truth<Contact> truth(const Sphere3<Number>& sphere, const Plane<Number>& plane) {
+  validation::validate_numbers("sphere", sphere), validation::validate_numbers("plane", plane);
   validation::validate("sphere", sphere), validation::validate("plane", plane);
   const Plane<Rational> exactly = exact(plane);
   const Point3<Rational> center = exact(sphere.center);

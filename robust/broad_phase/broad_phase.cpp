@@ -8,8 +8,9 @@
 namespace touchstone::robust {
 
 Replies broad_phase(const std::vector<Aabb3d>& boxes, const std::vector<Commandd>& commands) {
-  validation::validate_program(boxes, commands,
-                               [](const std::string& field, const Aabb3d& box) { validation::validate(field, box); });
+  validation::validate_program(
+      boxes, commands, [](const std::string& field, const Aabb3d& box) { validation::validate_numbers(field, box); },
+      [](const std::string& field, const Aabb3d& box) { validation::validate(field, box); });
   return replies(SweptBoxes{}, boxes, commands);
 }
 

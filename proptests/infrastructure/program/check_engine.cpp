@@ -106,7 +106,7 @@ TEST_CASE("check-engine: a method of an operation is not offered, and an engine 
   const Json offered = parse_own_line(greeting())["ops"];
   for (const Operation* operation : all_operations()) {
     INFO(operation->name());
-    CHECK(std::count(offered.begin(), offered.end(), operation->name()) == (operation->card().is_method() ? 0 : 1));
+    CHECK(std::count(offered.begin(), offered.end(), operation->name()) == (operation->card().is_implementation() ? 0 : 1));
   }
   const std::string alone = "echo '{\"engine\":\"e\",\"ops\":[\"" + method + "\"]}'; cat";
   const std::string none = "it declares none of the operations";

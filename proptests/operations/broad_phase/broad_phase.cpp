@@ -106,7 +106,7 @@ TEST_CASE("broad_phase: boxes in order, then commands; a command's body before i
   refused<Row>({{along_x(0, 1), wrong}, {Remove{7}}}, "boxes[1].max[0]", order);
   refused<Row>({{}, {pairs, Insertd{wrong}}}, "commands[1].insert.max[0]", order);
   refused<Row>({{far_away}, {Moved{1, wrong}}}, "commands[0].move", there);
-  refused<Row>({{far_away}, {Moved{0, not_finite}}}, "commands[0].box.max[0]", finite);
+  refused<Row>({{wrong}, {Remove{7}, Moved{0, not_finite}}}, "commands[1].box.max[0]", finite);
   refused<Row>({{far_away}, {Remove{0}, pairs, Remove{0}}}, "commands[2].remove", there);
   refused<Row>({{far_away}, {Remove{0}, Insertd{far_away}, Moved{0, far_away}}}, "commands[2].move", there);
 }
