@@ -14,8 +14,8 @@ constexpr const char* limits_in_words =
     "An engine has twice --timeout for its first line and --timeout for each answer; 256\n"
     "questions are in flight. 12 answers that do not come, 100 restarts in an operation\n"
     "or 20 in a row end that operation. An answer's line has at most 1 MiB; JSON is\n"
-    "nested at most 64 deep; of an answer 4,096 characters are kept, of a name 200.\n"
-    "A mesh file is a regular file of at most 256 MiB.";
+    "nested at most 64 deep, an object has at most 1,000 fields; of an answer 4,096\n"
+    "characters are kept, of a name 200. A mesh file is a regular file of at most 256 MiB.";
 constexpr const char* exit_codes_in_words =
     "0 nothing found, 1 findings, 2 wrong usage, bad input or nothing to judge, 3 the\n"
     "engine could not be run, 130 interrupted.";

@@ -18,6 +18,8 @@ constexpr char typed_number_mark = '\x01';
 constexpr long most_decimal_exponent = 5000;
 /// The deepest document of ours, a tally's smallest finding, is nested a dozen deep.
 constexpr int most_nested = 64;
+/// Objects keep their fields in a list, so that finding one takes time in proportion to it.
+constexpr std::size_t most_fields = 1000;
 
 bool starts_number(char c) { return c == '-' || c == '+' || c == '.' || (c >= '0' && c <= '9'); }
 
@@ -124,6 +126,8 @@ Json parsed(const std::string& text) {
       throw InvalidInput("line", "nested at most " + std::to_string(most_nested) + " deep");
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
+    if (event == Json::parse_event_t::key && keys.back().size() == most_fields)
+      throw InvalidInput("line", "at most " + std::to_string(most_fields) + " fields in an object");
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
       throw InvalidInput(excerpt(parsed.get_ref<const std::string&>(), most_of_a_key), "given once");
     }

@@ -15,6 +15,22 @@ bool nested_deeper(const Json& value, int depth) {
                                    }));
 }
 
+/// What one_line makes of plain(answer), without a copy of an answer that may be long.
+void append_plain(const Json& answer, std::string& text) {
+  if (!answer.is_structured()) {
+    text += one_line(plain(answer));
+    return;
+  }
+  text += answer.is_array() ? '[' : '{';
+  bool first = true;
+  for (auto part = answer.begin(); part != answer.end(); ++part, first = false) {
+    if (!first) text += ',';
+    if (answer.is_object()) text += one_line(part.key()) + ':';
+    append_plain(*part, text);
+  }
+  text += answer.is_array() ? ']' : '}';
+}
+
 }  // namespace
 
 Json plain(const Json& answer) {
@@ -26,17 +42,20 @@ Json plain(const Json& answer) {
     }
   }
   if (!answer.is_structured()) return answer;
-  Json result = answer;
-  for (Json& part : result) part = plain(part);
+  Json result = answer.is_array() ? Json::array() : Json::object();
+  for (auto part = answer.begin(); part != answer.end(); ++part) {
+    if (answer.is_array()) result.push_back(plain(*part));
+    else result[part.key()] = plain(*part);
+  }
   return result;
 }
 
 Json kept(const Json& answer) {
   constexpr std::size_t most = 4096;
   constexpr int most_nested = 32;  // a file that holds it is read back, nested at most 64 deep
-  Json result = plain(answer);
-  const std::string text = one_line(result);
-  return text.size() > most || nested_deeper(result, most_nested) ? Json(excerpt(text, most)) : result;
+  std::string text;
+  append_plain(answer, text);
+  return text.size() > most || nested_deeper(answer, most_nested) ? Json(excerpt(text, most)) : plain(answer);
 }
 
 }  // namespace touchstone::catalogue

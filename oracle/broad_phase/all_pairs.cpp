@@ -119,42 +119,54 @@ Integer high(const Ball& ball, Integer Point::*axis) { return Integer(ball.cente
 const Integer& low(const Box& box, Integer Point::*axis) { return box.min.*axis; }
 const Integer& high(const Box& box, Integer Point::*axis) { return box.max.*axis; }
 
-/// All solids by their lower ends on an axis, and the pairs whose intervals meet there.
-struct Sweep {
-  std::vector<Index> order;
-  std::vector<IndexPair> meeting;
-};
+bool before(const IndexPair& p, const IndexPair& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; }
+IndexPair pair_of(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 
-template <class Solid>
-Sweep sweep(const std::vector<Solid>& solids, Integer Point::*axis) {
-  std::vector<Integer> lows, highs;
-  for (const Solid& solid : solids) lows.push_back(low(solid, axis)), highs.push_back(high(solid, axis));
-  Sweep result{std::vector<Index>(solids.size()), {}};
-  auto& order = result.order;
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return lows[i] < lows[j]; });
-  for (std::size_t p = 0; p < order.size(); ++p) {
-    for (std::size_t q = p + 1; q < order.size() && lows[order[q]] <= highs[order[p]]; ++q) {
-      result.meeting.push_back({std::min(order[p], order[q]), std::max(order[p], order[q])});
+/// All solids as intervals on an axis, by their lower ends, and how many pairs of these meet.
+struct Sweep {
+  template <class Solid>
+  Sweep(const std::vector<Solid>& solids, std::size_t on) : axis(on), order(solids.size()) {
+    for (const Solid& solid : solids) lows.push_back(low(solid, axes[axis])), highs.push_back(high(solid, axes[axis]));
+    std::iota(order.begin(), order.end(), Index{0});
+    std::stable_sort(order.begin(), order.end(), [&](Index i, Index j) { return lows[i] < lows[j]; });
+    for (std::size_t p = 0; p < order.size(); ++p) {
+      const auto begins_beyond = [&](const Integer& end, Index i) { return end < lows[i]; };
+      const auto end = std::upper_bound(order.begin(), order.end(), highs[order[p]], begins_beyond);
+      meeting += static_cast<std::size_t>(end - order.begin()) - p - 1;
     }
   }
-  return result;
+
+  std::size_t axis;
+  std::vector<Integer> lows, highs;
+  std::vector<Index> order;
+  std::size_t meeting = 0;
+};
+
+/// On the axis on which fewest pairs are left.
+template <class Solid>
+Sweep best_sweep(const std::vector<Solid>& solids) {
+  Sweep best(solids, 0);
+  for (std::size_t axis = 1; axis < 3; ++axis) {
+    Sweep other(solids, axis);
+    if (other.meeting < best.meeting) best = std::move(other);
+  }
+  return best;
 }
 
-/// The sweep on which fewest pairs are left, and each of those.
+/// The sweep, and each pair that is left.
 template <class Solid>
 Certificate certificate(const Scaled<Solid>& scaled) {
   const auto& [solids, numbers] = scaled;
-  std::size_t best = 0;
-  Sweep least = sweep(solids, axes[0]);
-  for (std::size_t axis = 1; axis < 3; ++axis) {
-    Sweep other = sweep(solids, axes[axis]);
-    if (other.meeting.size() < least.meeting.size()) best = axis, least = std::move(other);
+  const Sweep sweep = best_sweep(solids);
+  const auto& order = sweep.order;
+  std::vector<IndexPair> left;
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    for (std::size_t q = p + 1; q < order.size() && sweep.lows[order[q]] <= sweep.highs[order[p]]; ++q)
+      left.push_back(pair_of(order[p], order[q]));
   }
   std::vector<Certificate> meet, asunder;
-  std::sort(least.meeting.begin(), least.meeting.end(),
-            [](const IndexPair& p, const IndexPair& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
-  for (const IndexPair& pair : least.meeting) {
+  std::sort(left.begin(), left.end(), before);
+  for (const IndexPair& pair : left) {
     const Solid &a = solids[pair.i], &b = solids[pair.j];
     if (sgn(spare(a, b)) >= 0) {
       meet.push_back({"common_point", {{"point", actual_point(numbers, common_point(a, b))}}});
@@ -162,25 +174,34 @@ Certificate certificate(const Scaled<Solid>& scaled) {
       asunder.push_back(apart(numbers, pair, a, b));
     }
   }
-  const std::vector<Rational> order(least.order.begin(), least.order.end());
   return {"sweep",
-          {{"axis", {Rational(static_cast<long>(best))}}, {"order", order}},
+          {{"axis", {Rational(static_cast<long>(sweep.axis))}}, {"order", {order.begin(), order.end()}}},
           {{"meet", std::move(meet)}, {"apart", std::move(asunder)}}};
 }
+
+/// What two solids lack at least to meet, if one begins on an axis so far beyond the other's end.
+Integer least_lack(const Integer& gap, const Ball*) { return Integer(gap * gap); }
+const Integer& least_lack(const Integer& gap, const Box*) { return gap; }
 
 template <class Solid>
 Truth<std::vector<IndexPair>> truth(Scaled<Solid> scaled) {
   const auto& solids = scaled.solids;
   Truth<std::vector<IndexPair>> found;
   std::optional<Integer> least;
-  for (Index i = 0; i < solids.size(); ++i) {
-    for (Index j = i + 1; j < solids.size(); ++j) {
+  const Sweep sweep = best_sweep(solids);
+  for (std::size_t p = 0; p < solids.size(); ++p) {
+    const Index i = sweep.order[p];
+    for (std::size_t q = p + 1; q < solids.size(); ++q) {
+      const Index j = sweep.order[q];
+      const Integer gap = sweep.lows[j] - sweep.highs[i];
+      if (least && sgn(gap) > 0 && least_lack(gap, &solids[i]) > *least) break;  // so is what begins later
       Integer room = spare(solids[i], solids[j]);
-      if (sgn(room) >= 0) found.answer.push_back({i, j});
+      if (sgn(room) >= 0) found.answer.push_back(pair_of(i, j));
       room = abs(room);
       if (!least || room < *least) least = std::move(room);
     }
   }
+  std::sort(found.answer.begin(), found.answer.end(), before);
   const Solid* kind = nullptr;
   if (least && degree(kind) == 1) *least *= *least;
   if (least) found.margin = scaled.numbers.actual(Rational(*least), 2);

@@ -66,7 +66,10 @@ class Tableau {
       const Integer factor = rows_[i][column];
       for (std::size_t j = 0; j < 2 * n_ + 2; ++j) {
         Integer& number = rows_[i][j];
-        number = number * entry - factor * rows_[row][j];
+        const Integer& in_row = rows_[row][j];
+        if (sgn(number) == 0 && (sgn(factor) == 0 || sgn(in_row) == 0)) continue;
+        number *= entry;
+        mpz_submul(number.get_mpz_t(), factor.get_mpz_t(), in_row.get_mpz_t());
         mpz_divexact(number.get_mpz_t(), number.get_mpz_t(), denominator_.get_mpz_t());
       }
     }

@@ -38,6 +38,19 @@ SupportingPlane folded(const WholeCloud& cloud, const SupportingPlane& known, In
   return plane;
 }
 
+/// 1 where three points in a plane turn left about its normal, -1 to the right: as they do seen along an axis that the
+/// plane does not hold.
+int turn_about(const Vector3<Integer>& normal, const Point3<Integer>& a, const Point3<Integer>& b,
+               const Point3<Integer>& c) {
+  using Point = Point3<Integer>;
+  const auto seen = [&](Integer Point::*u, Integer Point::*v) {
+    return sgn(Integer((b.*u - a.*u) * (c.*v - a.*v) - (b.*v - a.*v) * (c.*u - a.*u)));
+  };
+  if (sgn(normal.z) != 0) return sgn(normal.z) * seen(&Point::x, &Point::y);
+  if (sgn(normal.x) != 0) return sgn(normal.x) * seen(&Point::y, &Point::z);
+  return sgn(normal.y) * seen(&Point::z, &Point::x);
+}
+
 /// The least point is extreme, and as seen along the last axis all points lie on one side of a line through it and
 /// another: the plane through that line holds a face, or an edge.
 SupportingPlane first_face(const WholeCloud& cloud) {
@@ -108,7 +121,7 @@ std::vector<Index> ring_in(const WholeCloud& cloud, const SupportingPlane& plane
     Index next = at;
     for (const Index p : members) {
       if (cloud[p] == cloud[at]) continue;
-      const int turn = next == at ? -1 : sgn(dot(plane.normal, cloud.normal(at, next, p)));
+      const int turn = next == at ? -1 : turn_about(plane.normal, cloud[at], cloud[next], cloud[p]);
       if (turn < 0 || (turn == 0 && longer(cloud.between(at, p), cloud.between(at, next)))) next = p;
     }
     if (next == ring[0]) break;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "oracle/exact/complementary.h"
+#include "oracle/exact/principal_pivots.h"
 #include "oracle/exact/rational_validation_of_bodies.h"
 #include "oracle/exact/whole_list.h"
 
@@ -52,7 +52,9 @@ class System {
   }
 
   Truth<SimultaneousVelocities<Rational>> resolved() const {
-    const Complement found = lemke(problem());
+    const Complementary contacts = problem();
+    const std::optional<Complement> single = single_complement(contacts);
+    const Complement found = single ? *single : lemke(contacts);
     const auto listed = [](const char* kind, const char* fact, std::vector<Rational> numbers) {
       return [=] { return Certificate{kind, {{fact, numbers}}}; };
     };

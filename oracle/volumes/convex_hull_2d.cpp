@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/validation.h"
+#include "oracle/exact/wide.h"
 #include "oracle/rings/whole.h"
 
 namespace touchstone::oracle {
@@ -37,6 +38,24 @@ std::vector<Index> wrapped(const WholeRing& points) {
   }
 }
 
+/// Of an edge of the ring and a point that is no end of it, over all of them. No point lies on the right of an edge.
+template <class Value, class Point>
+Value least_area(const std::vector<Point>& points, const std::vector<Index>& ring) {
+  std::optional<Value> least;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Index from = ring[k], to = ring[(k + 1) % ring.size()];
+    const Point &p = points[from], &q = points[to];
+    const Value x(q.x - p.x), y(q.y - p.y);
+    for (Index i = 0; i < points.size(); ++i) {
+      if (i == from || i == to) continue;
+      const Point& r = points[i];
+      Value area = x * Value(r.y - p.y) - y * Value(r.x - p.x);
+      if (!least || area < *least) least = std::move(area);
+    }
+  }
+  return *least;
+}
+
 std::optional<Rational> margin_of(const WholeRing& points, const std::vector<Index>& ring) {
   if (points.size() == 1) return std::nullopt;
   if (ring.size() == 2 && points.size() == 2) {
@@ -44,16 +63,8 @@ std::optional<Rational> margin_of(const WholeRing& points, const std::vector<Ind
     return points.actual_area(Rational(dot(v, v)));
   }
   if (ring.size() < 3) return Rational(0);
-  std::optional<Integer> least;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Index p = ring[k], q = ring[(k + 1) % ring.size()];
-    for (Index i = 0; i < points.size(); ++i) {
-      if (i == p || i == q) continue;
-      Integer area = abs(points.area(p, q, i));
-      if (!least || area < *least) least = std::move(area);
-    }
-  }
-  return points.actual_area(Rational(*least));
+  return points.actual_area(points.words.empty() ? Rational(least_area<Integer>(points.ring.vertices, ring))
+                                                 : rational(least_area<Int128>(points.words, ring)));
 }
 
 ConvexHull2 hull_of(const std::vector<Index>& ring) {

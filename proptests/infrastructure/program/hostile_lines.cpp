@@ -30,6 +30,14 @@ TEST_CASE("program: a result nested 100,000 deep is refused by merge, and a clai
   CHECK(certified.out == "1 certificates, 1 refused\n");
 }
 
+TEST_CASE("program: an object of 100,000 fields is refused at the 1,001st") {
+  std::string fields;
+  for (int i = 0; i < 100'000; ++i) fields += (i == 0 ? "{\"k" : ",\"k") + std::to_string(i) + "\":0";
+  const TextFile lines("fields.jsonl", fields + "}\n" + good + "\n");
+  const Called call = called({"ask", "segment_segment", lines.path()});
+  require_refused(call, bad_usage, "line 1: line: at most 1000 fields in an object");
+}
+
 TEST_CASE("program: a vector nested 100,000 deep is complained about, and the others are checked") {
   const auto folder = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "_deep_vectors");
   std::filesystem::create_directories(folder);
