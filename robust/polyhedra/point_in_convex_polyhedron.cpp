@@ -8,7 +8,7 @@
 namespace touchstone::robust {
 
 Decided<Location> stages::point_in_convex_polyhedron::ask(const Meshd& mesh, const Point3d& point) {
-  validation::validate_numbers("mesh", mesh), validation::validate_numbers("point", point);
+  validation::validate_numbers("mesh", mesh), validation::validate("point", point);
   Stage latest = Stage::filter;
   const int outside = kernel::validate_convex("mesh", mesh, latest);
   bool on = false;

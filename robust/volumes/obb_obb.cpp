@@ -97,8 +97,7 @@ auto numbers_of(const Obb3d& a, const Obb3d& b, const Numbers& numbers) {
 }
 
 void validate(const Obb3d& a, const Obb3d& b) {
-  if (!kernel::valid(a) || !kernel::valid(b))
-    validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  if (!kernel::valid(b) && kernel::valid(a)) validation::validate_numbers("b", b);  // before the rules of a
   kernel::validate_obb("a", a), kernel::validate_obb("b", b);
 }
 

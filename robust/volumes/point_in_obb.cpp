@@ -33,8 +33,7 @@ auto numbers_of(const Obb3d& obb, const Point3d& p, const Numbers& numbers) {
 }
 
 void validate(const Obb3d& obb, const Point3d& point) {
-  if (!kernel::valid(obb) || !kernel::valid(point))
-    validation::validate_numbers("obb", obb), validation::validate_numbers("point", point);
+  if (!kernel::valid(point) && kernel::valid(obb)) validation::validate("point", point);  // before the rules of the box
   kernel::validate_obb("obb", obb);
 }
 
