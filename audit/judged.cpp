@@ -38,11 +38,11 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   ++counted.cases[r];
   if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
   // A decision that rounding may have taken, or none at all, says nothing about the convention.
-  const bool meant = verdict != Verdict::rounding && verdict != Verdict::invalid;
+  const bool meant = (verdict != Verdict::rounding || judgement.number) && verdict != Verdict::invalid;
   if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
   if (meant && judgement.touch_reading < 0) ++cell.touches_open;
   cell.surplus += judgement.surplus;
-  if (verdict == Verdict::agree || verdict == Verdict::inexact) {
+  if (verdict == Verdict::agree || verdict == Verdict::inexact || judgement.number) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }
   if (verdict == Verdict::agree || verdict == Verdict::unsupported) return;

@@ -28,18 +28,21 @@ struct Whose {
 };
 
 Json finding_json(const Operation& operation, const Finding& finding, const Whose& whose) {
-  return {{"input", operation.print(finding.question)},
-          {"hex", operation.print_hexadecimal(finding.question)},
-          {"truth", truth_json(operation, finding)},
-          {"cause", cause_of(finding.judgement)},
-          {"index", finding.index},
-          {"answer", plain(finding.answer)},
-          {"ulps", written(finding.judgement.ulps)},
-          {"remark", finding.judgement.remark},
-          {"touch", finding.judgement.touch_reading},
-          {"range", name_of(finding.range)},
-          {"generic", finding.generic},
-          {"repeat", repeat_command(operation, finding.question, whose.tally, whose.robust)}};
+  Json json = {{"input", operation.print(finding.question)},
+               {"hex", operation.print_hexadecimal(finding.question)},
+               {"truth", truth_json(operation, finding)},
+               {"cause", cause_of(finding.judgement)},
+               {"index", finding.index},
+               {"answer", plain(finding.answer)},
+               {"ulps", written(finding.judgement.ulps)},
+               {"remark", finding.judgement.remark},
+               {"touch", finding.judgement.touch_reading},
+               {"range", name_of(finding.range)},
+               {"generic", finding.generic},
+               {"repeat", repeat_command(operation, finding.question, whose.tally, whose.robust)}};
+  if (const auto& number = finding.judgement.number)
+    json["number"] = {{"exact", written(number->exact)}, {"answered", written(number->answered)}};
+  return json;
 }
 
 Json by_range_json(const ByRange& counts) {
@@ -127,6 +130,10 @@ Finding read_finding(const Operation& operation, const Way& way, const Place& pl
   finding.judgement.said = way.verdict == Verdict::invalid ? "" : way.answer;
   finding.judgement.ulps = place.at("ulps").number();
   finding.judgement.remark = place.at("remark").text();
+  if (place.value.contains("number")) {
+    const Place number = place.at("number");
+    finding.judgement.number = OffNumber{number.at("exact").number(), number.at("answered").number()};
+  }
   finding.judgement.touch_reading = static_cast<int>(place.at("touch").number());
   finding.answer = plain(place.at("answer").value);
   finding.index = place.at("index").count();

@@ -76,7 +76,7 @@ std::string why(const Wiring& wiring) {
   if (!first.judgement.remark.empty()) return first.judgement.remark;
   const std::string exchanged = exchanged_names(wiring);
   if (!exchanged.empty()) return exchanged + ": is the order of the arguments, or a sign, another one?";
-  if (first.judgement.verdict == Verdict::inexact) return "a number is " + ulps_in_words(first.judgement.ulps) + " off";
+  if (first.judgement.number) return "a number is off: " + off_in_words(first.judgement);
   if (first.judgement.verdict == Verdict::tolerance)
     return "wrong, and excused by a tolerance that is greater than whole shapes";
   return "another answer than the definition gives, at small numbers and far from any touch";

@@ -91,7 +91,8 @@ std::string wrong_promise(const Examination& question) {
   if (!broken.empty()) return "promise: " + broken;
   // Of numbers that a checker refuses, as slabs that lose a point, no comparison tells.
   const bool numbers_refused = question.row().fault != nullptr && !question.formula().numbers.empty();
-  if (question.judge_reference().verdict == Verdict::rounding && !question.doubtful() && !numbers_refused)
+  const catalogue::Judgement& judgement = question.judge_reference();
+  if (judgement.verdict == Verdict::rounding && !judgement.number && !question.doubtful() && !numbers_refused)
     return "promise: the reference is wrong by rounding where rounding cannot have changed its decision";
   return "";
 }

@@ -93,8 +93,8 @@ std::string said_row(const std::string& who, const std::string& answer, const Ju
                      code(answer) + "</td><td>";
   if (judgement) {
     text += badge(judgement->verdict, speaker);
-    if (judgement->ulps > 0 && std::isfinite(judgement->ulps))
-      text += " <span class=\"small quiet\">" + ulps_in_words(judgement->ulps) + " off</span>";
+    if (judgement->number || (judgement->ulps > 0 && std::isfinite(judgement->ulps)))
+      text += " <span class=\"small quiet\">" + off_in_words(*judgement) + "</span>";
   }
   return text + "</td></tr>";
 }

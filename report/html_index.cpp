@@ -61,8 +61,7 @@ std::string lead(const Tally& tally, const Cell& sum) {
   if (sum.wrong() > 0) text += " Of all " + counted(sum.wrong(), "wrong answer") + ": " + causes(sum) + ".";
   if (sum.count(Verdict::inexact) > 0) {
     text += " " + grouped(sum.count(Verdict::inexact)) +
-            " more decide rightly, but a number is further off than the "
-            "stated bound.";
+            " more are right but for a number that is further off than the stated bound.";
   }
   if (!tally.robust.empty()) {
     const Cell robust = sum_of(tally.robust);

@@ -34,7 +34,7 @@ std::string verdict_in_words(Verdict verdict) {
     case Verdict::agree: return "right";
     case Verdict::rounding: return "wrong by rounding";
     case Verdict::algorithm: return "wrong by algorithm";
-    case Verdict::inexact: return "right decision, inexact number";
+    case Verdict::inexact: return "inexact number";
     case Verdict::convention: return "right for open sets";
     case Verdict::tolerance: return "within the tolerance";
     case Verdict::invalid: return "invalid answer";

@@ -50,30 +50,11 @@ std::optional<bool> formula_is_right(const Finding& finding, const Operation* op
   }
 }
 
-/// Whether a number of the answer is not 0 where the exact one is: a distance in ulps says nothing there.
-bool misses_a_zero(const Json& answer, const Json& truth) {
-  if (!truth.is_structured()) return truth == "0" && answer != 0;
-  if (answer.type() != truth.type()) return false;
-  if (truth.is_array()) {
-    for (std::size_t i = 0; i < truth.size() && i < answer.size(); ++i) {
-      if (misses_a_zero(answer[i], truth[i])) return true;
-    }
-    return false;
-  }
-  for (const auto& [key, value] : truth.items()) {
-    if (answer.contains(key) && misses_a_zero(answer[key], value)) return true;
-  }
-  return false;
-}
-
-bool misses_a_zero(const Finding& finding, const Operation* operation) {
-  if (!operation) return false;
-  try {
-    const Examination& examined = finding.examination(*operation);
-    return misses_a_zero(finding.answer.is_null() ? examined.reference() : plain(finding.answer), examined.truth());
-  } catch (const InvalidInput&) {
-    return false;
-  }
+/// "The decision is right, but a number is inexact: 12 ulps off. "; where nothing is decided, without its first part.
+std::string about_number(const Judgement& judgement, const Operation* operation) {
+  const bool decides = operation && !operation->words().empty();
+  return std::string(decides ? "The decision is right, but a number is " : "A number is ") +
+         (judgement.verdict == Verdict::inexact ? "inexact: " : "wrong: ") + off_in_words(judgement) + ". ";
 }
 
 std::string why_algorithm(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
@@ -86,13 +67,26 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
     case Speaker::robust: return "robust promises the right answer for every finite input, so this is a bug of robust.";
     case Speaker::foreign: break;
   }
+  if (finding.judgement.number) {
+    return "Running error analysis of the textbook formula, evaluated in the engine's own number type, does not "
+           "explain "
+           "that: the method is the presumed cause. The engine's own formula was not seen.";
+  }
   const auto right = formula_is_right(finding, operation, binary32);
   return std::string("The textbook formula, evaluated in the engine's own number type, is ") +
          (right && *right ? "right here" : "certain of its decision here, although that is wrong too") +
          ": the method is the presumed cause. The engine's own formula was not seen.";
 }
 
-std::string why_rounding(Speaker speaker) {
+std::string why_rounding(const Judgement& judgement, Speaker speaker) {
+  if (judgement.number) {
+    return speaker == Speaker::reference
+               ? "The textbook formula is right in exact arithmetic: rounding its intermediate results spoils the "
+                 "number."
+               : "The textbook formula, evaluated in the engine's own number type, is as far off on this input, or "
+                 "running error analysis allows it to be: rounding is the presumed cause. The engine's own formula was "
+                 "not seen.";
+  }
   if (speaker == Speaker::reference) {
     return "The textbook formula is right here: so is its answer in exact arithmetic. Rounding its intermediate "
            "results "
@@ -103,8 +97,9 @@ std::string why_rounding(Speaker speaker) {
          "formula was not seen.";
 }
 
-/// What a checker says of the answer, as a sentence before others.
-std::string fault_of(const Finding& finding) {
+/// What is wrong with the answer, as a sentence before others: a number, or what a checker says.
+std::string fault_of(const Finding& finding, const Operation* operation) {
+  if (finding.judgement.number) return about_number(finding.judgement, operation);
   std::string text = finding.judgement.remark;
   if (text.empty()) return text;
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -127,6 +122,13 @@ std::string ulps_in_words(double ulps) {
   return fmt::format("{:.3g}", ulps) + (ulps == 1 ? " ulp" : " ulps");
 }
 
+std::string off_in_words(const Judgement& judgement) {
+  constexpr double most = 1e6;  // from there on nobody reads a distance as one
+  const auto& number = judgement.number;
+  if (!number || (number->exact != 0 && judgement.ulps <= most)) return ulps_in_words(judgement.ulps) + " off";
+  return fmt::format("expected {}, got {}", number->exact, number->answered);
+}
+
 std::string subject(const Declaration& declaration) {
   return (speaker_of(declaration) == Speaker::reference ? "textbook formulas" : declaration.engine) +
          (declaration.binary32 ? " (binary32)" : " (binary64)");
@@ -135,16 +137,20 @@ std::string subject(const Declaration& declaration) {
 std::string meaning(Verdict verdict, Speaker speaker) {
   const bool foreign = speaker == Speaker::foreign;
   switch (verdict) {
-    case Verdict::agree: return "right decision, every number within the stated bound";
+    case Verdict::agree: return "right, every number within the stated bound";
     case Verdict::rounding:
       return foreign
-                 ? "wrong decision where the textbook formula in the engine's number type rounds and is wrong too, or "
-                   "beside a touch by less than the input's last places"
-                 : "wrong decision; the same formula in exact arithmetic is right";
+                 ? "wrong where the textbook formula in the engine's number type rounds and is wrong too, or beside "
+                   "a touch by less than the input's last places; a number without a correct digit, as rounding "
+                   "explains"
+                 : "wrong; the same formula in exact arithmetic is right";
     case Verdict::algorithm:
-      return foreign ? "wrong decision where the textbook formula in the engine's number type is right, or certain"
-                     : "wrong decision, or undefined, even in exact arithmetic";
-    case Verdict::inexact: return "right decision, a number further off than the stated bound";
+      return foreign
+                 ? "wrong where the textbook formula in the engine's number type is right, or certain; a number off "
+                   "by more than rounding explains"
+                 : "wrong, or undefined, even in exact arithmetic";
+    case Verdict::inexact:
+      return "a number further off than the stated bound, as rounding explains; whatever is decided is right";
     case Verdict::convention: return "right for open sets, where the truth is a touch";
     case Verdict::tolerance: return "wrong decision, within the tolerance that the engine declares";
     case Verdict::invalid: return "NaN, infinity, exception, crash, no valid answer or none in time";
@@ -163,20 +169,13 @@ std::string not_asked_in_words(const Cell& cell) {
 
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
-    case Verdict::rounding: return fault_of(finding) + why_rounding(speaker);
-    case Verdict::algorithm: return fault_of(finding) + why_algorithm(finding, operation, speaker, binary32);
+    case Verdict::rounding: return fault_of(finding, operation) + why_rounding(finding.judgement, speaker);
+    case Verdict::algorithm: return fault_of(finding, operation) + why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {
-      const std::string off = ulps_in_words(finding.judgement.ulps);
-      if (speaker == Speaker::robust)
-        return "The decision is right, but a number is " + off + " from the correctly rounded one.";
-      if (finding.judgement.ulps >= 0x1p52 && misses_a_zero(finding, operation)) {
-        return "The decision is right, but a number is not 0 where the exact value is 0.";
-      }
-      if (finding.judgement.ulps >= 0x1p52) {
-        return "The decision is right, but a number has no correct digit: it is " + off + " from the exact value.";
-      }
-      const std::string bound = operation ? " Stated bound: " + ulps_in_words(operation->card().ulps) + "." : "";
-      return "The decision is right, but a number is " + off + " from the exact value." + bound;
+      const double bound = operation && speaker != Speaker::robust ? operation->card().ulps : 0;
+      return about_number(finding.judgement, operation) + (speaker == Speaker::robust
+                                                               ? "robust promises the nearest number."
+                                                               : "Stated bound: " + ulps_in_words(bound) + ".");
     }
     case Verdict::convention:
       return "The truth is a touch, and the answer is right for open sets; the engine does not promise closed ones.";

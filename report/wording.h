@@ -20,6 +20,9 @@ std::string share(std::uint64_t part, std::uint64_t whole);
 /// A distance in units in the last place: "0.5 ulps", "4.5e+15 ulps", "more than 1e298 ulps".
 std::string ulps_in_words(double ulps);
 
+/// How far off a number is: "12 ulps off"; both numbers where the distance says nothing: "expected 0, got -1.92".
+std::string off_in_words(const Judgement& judgement);
+
 /// "textbook formulas (binary64)"
 std::string subject(const Declaration& declaration);
 

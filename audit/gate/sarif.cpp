@@ -13,10 +13,10 @@ namespace {
 
 const char* cause_in_words(Cause cause) {
   switch (cause) {
-    case Cause::cancellation: return "wrong decision by rounding: sums cancel";
-    case Cause::out_of_range: return "wrong decision by rounding: overflow or underflow";
-    case Cause::algorithm: return "wrong decision, and rounding is not to blame";
-    case Cause::inexact: return "right decision, a number further off than the stated bound";
+    case Cause::cancellation: return "wrong by rounding: sums cancel";
+    case Cause::out_of_range: return "wrong by rounding: overflow or underflow";
+    case Cause::algorithm: return "wrong, and rounding is not to blame";
+    case Cause::inexact: return "a number further off than the stated bound, as rounding explains";
     case Cause::invalid: return "no valid answer: NaN, infinity, exception, crash, or none in time";
     case Cause::convention: return "a touch answered as open sets do";
     case Cause::tolerance: return "wrong decision within the declared tolerance";

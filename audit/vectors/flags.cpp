@@ -5,11 +5,15 @@
 
 namespace touchstone::audit {
 
+Verdict verdict_on_decision(const Judgement& judgement) {
+  return judgement.verdict == Verdict::rounding && judgement.number ? Verdict::inexact : judgement.verdict;
+}
+
 std::vector<std::string> flags_of(const Question& question, const Examination& examination) {
   std::vector<std::string> flags;
   if (examination.touch()) flags.emplace_back("touch");
   if (examination.margin() && sgn(*examination.margin()) == 0) flags.emplace_back("degenerate");
-  switch (examination.judge_reference().verdict) {
+  switch (verdict_on_decision(examination.judge_reference())) {
     case Verdict::rounding: flags.emplace_back("formula_rounds"); break;
     case Verdict::algorithm: flags.emplace_back("formula_wrong"); break;
     case Verdict::inexact:

@@ -34,6 +34,9 @@ inline constexpr std::array<Flag, 7> vector_flags{{
      "An implementation may do what it documents."},
 }};
 
+/// As flags tell it: a number that rounding spoils, however much, is `inexact`.
+Verdict verdict_on_decision(const Judgement& judgement);
+
 std::vector<std::string> flags_of(const Question& question, const Examination& examination);
 
 }  // namespace touchstone::audit

@@ -83,7 +83,7 @@ std::string likeness(const Examined& examined) {
   try {
     const Examination& examination = *examined;
     return examination.outcome() + (examination.touch() ? " touch " : " ") +
-           name_of(examination.judge_reference().verdict);
+           name_of(verdict_on_decision(examination.judge_reference()));
   } catch (const InvalidInput& refused) {
     return refused.what();
   }

@@ -36,7 +36,8 @@ void skip(const Shape& shape, At& at, bool partial = false) {
   }
 }
 
-/// Walks over truth and answer side by side. OnWord(truth, answer) compares words, OnNumber(truth, answer) numbers.
+/// Walks over truth and answer side by side. OnWord(truth, answer) compares words, OnNumber(truth, answer, meaning)
+/// numbers.
 template <class Real>
 class SideBySide {
  public:
@@ -48,7 +49,7 @@ class SideBySide {
     switch (shape.kind) {
       case Shape::Kind::number: {
         const bool there = reading_ != Reading::partial || *answer_.word++ != 0;
-        if (there) on_number(*truth_.number, *answer_.number++);
+        if (there) on_number(*truth_.number, *answer_.number++, shape.meaning);
         ++truth_.number;
         return true;
       }
@@ -125,13 +126,28 @@ Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double
                     bool binary32) {
   Comparison result;
   SideBySide<double> both(truth, answer, reading);
-  result.decision = both.walk(shape, [&](const TrueNumber& right, double answered) {
+  result.decision = both.walk(shape, [&](const TrueNumber& right, double answered, Meaning) {
     const double ulps = distance_in_ulps(answered, right, binary32);
     if (std::isinf(ulps)) result.finite = false;
     result.ulps = std::max(result.ulps, ulps);
   });
   return result;
 }
+
+template <class Real>
+std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& truth, const Tape<Real>& answer,
+                                         Reading reading) {
+  std::vector<PairedNumber> pairs;
+  SideBySide<Real> both(truth, answer, reading);
+  both.walk(shape, [&](const TrueNumber& right, const Real& answered, Meaning meaning) {
+    pairs.push_back({static_cast<std::size_t>(&right - truth.numbers.data()),
+                     static_cast<std::size_t>(&answered - answer.numbers.data()), meaning});
+  });
+  return pairs;
+}
+template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const Tape<double>&, Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const Tape<Tracked<double>>&, Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const Tape<Tracked<float>>&, Reading);
 
 namespace {
 
@@ -181,7 +197,7 @@ Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::
 bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>& answer, Reading reading) {
   bool numbers = true;
   SideBySide<Exact> both(truth, answer, reading);
-  const bool words = both.walk(shape, [&](const TrueNumber& right, const Exact& answered) {
+  const bool words = both.walk(shape, [&](const TrueNumber& right, const Exact& answered, Meaning) {
     numbers =
         numbers && answered.defined() && (answered.value() == right || nearest(answered.value()) == nearest(right));
   });

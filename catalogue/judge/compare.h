@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "catalogue/numbers/exact.h"
 #include "catalogue/numbers/tracked.h"
@@ -28,6 +29,16 @@ enum class Reading {
 
 Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double>& answer, Reading reading,
                     bool binary32 = false);
+
+/// Where a number of an answer stands: among the truth's numbers, and among the answer's own.
+struct PairedNumber {
+  std::size_t in_truth, in_answer;
+  Meaning meaning;
+};
+/// Every number of the truth that an answer has as well. Real: double or Tracked.
+template <class Real>
+std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& truth, const Tape<Real>& answer,
+                                         Reading reading);
 
 /// One of the innermost lists of an answer, each element the words that it holds: the pairs of one reply.
 using Listed = std::vector<std::vector<Word>>;

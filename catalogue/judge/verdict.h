@@ -4,16 +4,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace touchstone::catalogue {
 
 /// What the judge says of one answer; the columns of every table.
 enum class Verdict {
-  agree,        ///< the decision is right and every number within the stated bound
-  rounding,     ///< wrong decision: the same formula in exact arithmetic is right (docs/judging.md)
-  algorithm,    ///< wrong decision: the formula is wrong, or undefined, even in exact arithmetic
-  inexact,      ///< right decision, a number further off than the stated bound
+  agree,        ///< right: what is decided, and every number to within the stated bound
+  rounding,     ///< wrong: the same formula in exact arithmetic is right (docs/judging.md)
+  algorithm,    ///< wrong: the formula is wrong, or undefined, even in exact arithmetic
+  inexact,      ///< right but for a number that is further off than the stated bound, as rounding explains
   convention,   ///< right for open sets, where the truth is a touch and the engine does not promise closed sets
   tolerance,    ///< wrong decision within the tolerance that the engine declared
   invalid,      ///< NaN, infinity where the truth is finite, exception, crash, no answer in time, no valid answer
@@ -30,6 +31,12 @@ inline bool is_finding(Verdict v) {
   return v == Verdict::rounding || v == Verdict::algorithm || v == Verdict::inexact || v == Verdict::invalid;
 }
 
+/// A number of an answer that is off.
+struct OffNumber {
+  double exact = 0;  ///< the number of the engine's type that is nearest to the exact one
+  double answered = 0;
+};
+
 struct Judgement {
   Verdict verdict = Verdict::agree;
   double ulps = 0;     ///< greatest distance of a number from the exact one, in units in the last place
@@ -43,6 +50,8 @@ struct Judgement {
   /// Of `rounding`: a number left the range of the number type on the way; else sums cancelled.
   bool out_of_range = false;
   bool degenerate = false;  ///< the margin is 0
+  /// Where the verdict is about a number, whatever is decided being right: the worst one.
+  std::optional<OffNumber> number = {};
 };
 
 /// How a foreign engine wants to be judged.

@@ -21,10 +21,15 @@ class Tracked {
  public:
   Tracked() = default;
   Tracked(int value) : value_(static_cast<Float>(value)) {}
-  explicit Tracked(Float value) : value_(value) {}  // exact
+  explicit Tracked(Float value)  // exact
+      : value_(value), spread_(finite_or_infinite(value, unit * magnitude(value))) {}
 
   Float value() const { return value_; }
   double error() const { return error_; }
+  /// How far rounding may carry formulas of about these steps: as error(), but to first order, and every number that
+  /// was given or computed counts as rounded, exact or not. error() is 0 where this formula happens to be exact, and
+  /// another that is as good may round there. Integers that the formula itself contains are exact.
+  double spread() const { return spread_; }
   static bool& doubtful() {
     thread_local bool doubt = false;
     return doubt;
@@ -43,7 +48,7 @@ class Tracked {
     return kept_undefined(a, b, sum(a, b, a.value_ - b.value_, -b.value_));
   }
   friend Tracked operator-(const Tracked& a) {
-    return a.undefined_ ? undefined(-a.value_) : Tracked(-a.value_, a.error_);
+    return a.undefined_ ? undefined(-a.value_) : Tracked(-a.value_, a.error_, a.spread_);
   }
 
   friend Tracked operator*(const Tracked& a, const Tracked& b) {
@@ -51,7 +56,8 @@ class Tracked {
     if (a.undefined_ || b.undefined_) return undefined(product);
     if (overflowed(a, b, product) || product_underflowed(a.value_, b.value_, product)) out_of_range() = true;
     const double propagated = plus(times(size(a), b.error_), times(plus(size(b), b.error_), a.error_));
-    return Tracked(product, plus(propagated, product_rounding(a.value_, b.value_, product)));
+    return Tracked(product, plus(propagated, product_rounding(a.value_, b.value_, product)),
+                   size(a) * b.spread_ + (size(b) + b.spread_) * a.spread_ + step(product));
   }
 
   friend Tracked operator/(const Tracked& a, const Tracked& b) {
@@ -61,12 +67,14 @@ class Tracked {
     if (b.value_ != 0 && (overflowed(a, b, quotient) || quotient_underflowed(a.value_, b.value_, quotient)))
       out_of_range() = true;
     const double least_divisor = down(size(b) - b.error_);
-    if (!(least_divisor > 0) || !std::isfinite(quotient)) return Tracked(quotient, infinite);
+    const double least = size(b) - b.spread_;
+    const double spread = least > 0 ? (a.spread_ + magnitude(quotient) * b.spread_) / least + step(quotient) : infinite;
+    if (!(least_divisor > 0) || !std::isfinite(quotient)) return Tracked(quotient, infinite, spread);
     const double propagated = over(plus(a.error_, times(magnitude(quotient), b.error_)), least_divisor);
     const bool exact = std::fma(quotient, b.value_, -a.value_) == 0 && magnitude(a.value_) > safe_product;
     const double rounding = exact || a.value_ == 0 ? 0 : half_ulp(quotient);
     // The propagated term is relative to the computed quotient; its own rounding enters once more through the divisor.
-    return Tracked(quotient, plus(propagated, times(rounding, over(size(b), least_divisor))));
+    return Tracked(quotient, plus(propagated, times(rounding, over(size(b), least_divisor))), spread);
   }
 
   friend bool operator<(const Tracked& a, const Tracked& b) { return settled(a, b), a.value_ < b.value_; }
@@ -85,13 +93,16 @@ class Tracked {
     const Float root = std::sqrt(a.value_);
     if (a.undefined_) return undefined(root);
     const bool exact = std::fma(root, root, -a.value_) == 0 && (magnitude(a.value_) > safe_product || a.value_ == 0);
-    if (exact && a.error_ == 0) return Tracked(root);
+    if (!(a.value_ >= 0)) return Tracked(root, infinite, infinite);
+    const double nearer = size(a) - a.spread_;
+    const double spread =
+        (nearer > 0 ? a.spread_ / (magnitude(root) + std::sqrt(nearer)) : std::sqrt(size(a) + a.spread_)) + step(root);
+    if (exact && a.error_ == 0) return Tracked(root, 0, spread);
     const double least = down(size(a) - a.error_);
-    if (!(a.value_ >= 0)) return Tracked(root, infinite);
     // Below the error the root is anything from 0 to sqrt(a + e).
     const double propagated = least > 0 ? over(a.error_, down(std::sqrt(least)))
                                         : std::nextafter(std::sqrt(plus(size(a), a.error_)), infinite);
-    return Tracked(root, plus(propagated, half_ulp(root)));
+    return Tracked(root, plus(propagated, half_ulp(root)), spread);
   }
 
   /// An error e of the argument a moves the arc cosine by at most e / sqrt(1 - (|a| + e)^2); near the ends by at most
@@ -102,11 +113,9 @@ class Tracked {
     const double most = plus(size(a), a.error_);
     if (most > 1 && a.error_ > 0) doubtful() = true;
     const Float angle = std::acos(a.value_);
-    if (a.error_ == 0) return Tracked(angle, a.value_ == 1 ? 0 : 4 * half_ulp(angle));
-    const double room = down(1 - most);
-    const double steep = room > 0 ? over(a.error_, down(std::sqrt(down(room * down(1 + most))))) : infinite;
-    const double ends = times(0x1.921fb54442d19p+1, std::nextafter(std::sqrt(a.error_ / 2), infinite));
-    return Tracked(angle, plus(std::fmin(steep, ends), 4 * half_ulp(angle)));
+    const double spread = moved_angle(size(a), a.spread_) + 4 * step(angle);
+    if (a.error_ == 0) return Tracked(angle, a.value_ == 1 ? 0 : 4 * half_ulp(angle), spread);
+    return Tracked(angle, plus(moved_angle(size(a), a.error_), 4 * half_ulp(angle)), spread);
   }
 
  private:
@@ -114,13 +123,18 @@ class Tracked {
   /// Products above this are far enough from the subnormals that their error term is a Float.
   static constexpr double safe_product = sizeof(Float) == 8 ? 0x1p-900 : 0x1p-100;
 
-  Tracked(Float value, double error)
-      : value_(value), error_(std::isfinite(value) && error == error ? error : infinite) {}
+  Tracked(Float value, double error, double spread)
+      : value_(value), error_(finite_or_infinite(value, error)), spread_(finite_or_infinite(value, spread)) {}
+
+  /// What is no finite number may be anything.
+  static double finite_or_infinite(Float value, double bound) {
+    return std::isfinite(value) && bound == bound ? bound : infinite;
+  }
 
   /// x / 0 without any rounding before it, and what is computed from it: undefined in exact arithmetic too, so no
   /// comparison with it is in doubt. The value is what Float makes of it, a NaN or an infinity at first.
   static Tracked undefined(Float value) {
-    Tracked result(value, infinite);
+    Tracked result(value, infinite, infinite);
     result.undefined_ = true;
     return result;
   }
@@ -161,6 +175,11 @@ class Tracked {
   static double times(double x, double y) { return x == 0 || y == 0 ? 0 : std::nextafter(x * y, infinite); }
   static double over(double x, double y) { return x == 0 ? 0 : std::nextafter(x / y, infinite); }
   static double down(double x) { return std::nextafter(x, -infinite); }
+  static constexpr double unit = std::numeric_limits<Float>::epsilon() / 2;
+  /// What one rounding adds to the spread of its result; below the normal numbers the least one.
+  static double step(Float result) {
+    return std::fmax(unit * magnitude(result), static_cast<double>(std::numeric_limits<Float>::denorm_min()));
+  }
   static double half_ulp(Float x) {
     const Float next = std::nextafter(std::fabs(x), std::numeric_limits<Float>::infinity());
     const double gap = static_cast<double>(next) - magnitude(x);
@@ -172,7 +191,7 @@ class Tracked {
     const Float virtual_b = result - a.value_;
     const Float rest = (a.value_ - (result - virtual_b)) + (addend - virtual_b);
     const double rounding = rest == 0 ? 0 : half_ulp(result);
-    return Tracked(result, plus(plus(a.error_, b.error_), rounding));
+    return Tracked(result, plus(plus(a.error_, b.error_), rounding), a.spread_ + b.spread_ + step(result));
   }
 
   static double product_rounding(Float a, Float b, Float product) {
@@ -181,10 +200,19 @@ class Tracked {
     return half_ulp(product);
   }
 
+  /// How far an error of an argument of that size moves its arc cosine at most; `moved` is 0 or more.
+  static double moved_angle(double size, double moved) {
+    const double most = plus(size, moved), room = down(1 - most);
+    const double steep = room > 0 ? over(moved, down(std::sqrt(down(room * down(1 + most))))) : infinite;
+    const double ends = times(0x1.921fb54442d19p+1, std::nextafter(std::sqrt(moved / 2), infinite));
+    return std::fmin(steep, ends);
+  }
+
   static Tracked library(Float result, const Tracked& argument) {
     if (argument.undefined_) return undefined(result);
     const bool exact = argument.value_ == 0 && argument.error_ == 0;
-    return Tracked(result, exact ? 0 : plus(argument.error_, 4 * half_ulp(result)));
+    return Tracked(result, exact ? 0 : plus(argument.error_, 4 * half_ulp(result)),
+                   argument.spread_ + 4 * step(result));
   }
 
   static void settled(const Tracked& a, const Tracked& b) {
@@ -196,7 +224,7 @@ class Tracked {
   }
 
   Float value_ = 0;
-  double error_ = 0;
+  double error_ = 0, spread_ = 0;
   bool undefined_ = false;
 };
 

@@ -68,7 +68,7 @@ Examination::Tracking Examination::tracked(bool binary32) const {
   const bool checked = checks_numbers(row_);
   if (binary32) {
     Tracked<float>::doubtful() = Tracked<float>::out_of_range() = false;
-    row_.track_in_float(question_);
+    known.answer_in_float = row_.reference_tracked_in_float(question_);
     known.compared_in_doubt = Tracked<float>::doubtful();
     known.doubtful = known.compared_in_doubt || checked;
     known.out_of_range = Tracked<float>::out_of_range();

@@ -56,6 +56,7 @@ class Examination {
     bool doubtful = false;           ///< the same, or a number that the checker sees
     bool out_of_range = false;       ///< a number left the range of double or float
     Tape<Tracked<double>> answer;    ///< in double
+    Tape<Tracked<float>> answer_in_float;
   };
   const Tracking& tracking(bool binary32 = false) const;
   /// Whether rounding may have changed the course of the formula.

@@ -33,7 +33,8 @@ Json verdict_json(const Judgement& judgement, Json answer) {
       break;
     default: result["verdict"] = name_of(judgement.verdict);
   }
-  if (judgement.ulps > 0 && judgement.verdict != Verdict::rounding && judgement.verdict != Verdict::algorithm) {
+  const bool wrong = judgement.verdict == Verdict::rounding || judgement.verdict == Verdict::algorithm;
+  if (judgement.ulps > 0 && (!wrong || judgement.number)) {
     result["ulps"] = written(judgement.ulps);
   }
   if (!judgement.remark.empty()) result["remark"] = judgement.remark;

@@ -10,6 +10,7 @@
 #include "catalogue/judge/compare.h"
 #include "catalogue/judge/tolerated.h"
 #include "catalogue/numbers/ulps.h"
+#include "catalogue/operation/judged_numbers.h"
 #include "catalogue/operation/operation.h"
 
 namespace touchstone::catalogue {
@@ -70,16 +71,6 @@ int covered_reading(const Examination& question, const Tape<double>& answer) {
   const Shape& shape = *question.row().answer;
   if (covered(shape, question.solution().answer.words, answer.words).missing == 0) return 1;
   return covered(shape, question.open()->words, answer.words).missing == 0 ? -1 : 0;
-}
-
-/// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all
-/// may take it for a touch.
-bool beside_a_touch(const Examination& question, bool binary32) {
-  const auto& margin = question.margin();
-  if (!margin || sgn(*margin) == 0) return false;
-  const mpq_class size = exact_value(greatest(question.question())),
-                  few_units = 4 * exact_value(binary32 ? 0x1p-23 : 0x1p-52);
-  return within(*margin, few_units * size, size, question.row().card->margin_degree);
 }
 
 /// For a foreign implementation rounding is to blame where the question is beside a touch, or where the slide's formula
@@ -171,7 +162,7 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
     const Tape<double> answer = read_answer(question, json);
     if (row.card->kind == Kind::covering) require_places(question, answer);
     Judgement judgement;
-    const Comparison found = compared(question, answer, Reading::partial, declaration.binary32, judgement);
+    Comparison found = compared(question, answer, Reading::partial, declaration.binary32, judgement);
     const std::string said = outcome_of(*row.answer, answer.words, row.fault == nullptr);
     const int reading =
         row.card->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
@@ -182,7 +173,10 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
     } else if (found.ulps > row.card->ulps) {
-      judgement.verdict = Verdict::inexact;
+      const JudgedNumber worst = worst_number(question, answer, Reading::partial, declaration);
+      judgement.verdict = worst.verdict;
+      judgement.number = worst.number;
+      found.ulps = worst.ulps;
     }
     judgement.ulps = found.ulps;
     judgement.touch_reading = reading;
@@ -233,7 +227,11 @@ Judgement judgement_of_formula(const Examination& question, bool binary32) {
     judgement.verdict = Verdict::invalid;
     judgement.remark = "NaN or infinity where the truth is finite";
   } else if (found.ulps > row.card->ulps) {
-    judgement.verdict = question.formula_right_exactly() ? Verdict::inexact : Verdict::algorithm;
+    const Reading reading = row.card->formula_answers_less ? Reading::less : Reading::complete;
+    const JudgedNumber worst = worst_number(question, question.formula(binary32), reading, {"", {}, binary32});
+    judgement.verdict = question.formula_right_exactly() ? worst.verdict : Verdict::algorithm;
+    judgement.number = worst.number;
+    judgement.ulps = worst.ulps;
   }
   judgement.said = outcome_of(*row.answer, question.formula(binary32).words);
   judgement.touch_reading = touch_reading(question, judgement.said);

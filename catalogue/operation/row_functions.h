@@ -63,7 +63,7 @@ struct RowFunctions {
   Tape<double> (*reference_in_float)(const Question&);
   Tape<Exact> (*reference_exactly)(const Question&);
   Tape<Tracked<double>> (*reference_tracked)(const Question&);  ///< Tracked<double>::doubtful() is not reset
-  void (*track_in_float)(const Question&);                      ///< sets Tracked<float>::doubtful()
+  Tape<Tracked<float>> (*reference_tracked_in_float)(const Question&);
 
   /// In that floating-point environment (catalogue/judge/environment.h).
   Tape<double> (*robust)(const Question&, std::size_t environment);

@@ -104,9 +104,10 @@ struct RowOf {
     using Bounded = Tracked<double>;
     return packed_as<Bounded>(formula<Bounded>(question, [](double number) { return Bounded(number); }));
   }
-  static void track_in_float(const Question& question) {
+  static Tape<Tracked<float>> reference_tracked_in_float(const Question& question) {
     using Bounded = Tracked<float>;
-    formula<Bounded>(question, [](double number) { return Bounded(static_cast<float>(number)); });
+    return packed_as<Bounded>(
+        formula<Bounded>(question, [](double number) { return Bounded(static_cast<float>(number)); }));
   }
 
   static Tape<double> robust(const Question& question, std::size_t environment) {
@@ -234,7 +235,7 @@ RowFunctions RowOf<Row>::functions() {
   f.reference_in_float = reference_in_float;
   f.reference_exactly = reference_exactly;
   f.reference_tracked = reference_tracked;
-  f.track_in_float = track_in_float;
+  f.reference_tracked_in_float = reference_tracked_in_float;
   f.robust = robust;
   f.solve = solve;
   if constexpr (oracle_takes<Row, rebound_t<Asked, mpq_class>>) f.solve_as_typed = solve_as_typed;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -44,6 +45,13 @@ struct Run {
     return plain[i] == tracked[i].value() ? std::signbit(plain[i]) == std::signbit(tracked[i].value())
                                           : plain[i] != plain[i] && tracked[i].value() != tracked[i].value();
   }
+  /// Among the subnormals rounding a bound upwards is more than nothing.
+  bool is_normal() const {
+    const auto normal = [](const Tracked<Float>& x) {
+      return (x.value() == 0 || std::isnormal(x.value())) && (x.error() == 0 || x.error() > 0x1p-1000);
+    };
+    return !Tracked<Float>::out_of_range() && std::all_of(tracked.begin(), tracked.end(), normal);
+  }
   bool promised(std::size_t i) const {
     return std::isfinite(plain[i]) && std::isfinite(tracked[i].error()) && exact[i].defined();
   }
@@ -72,6 +80,7 @@ void hold_random_formulas(std::uint64_t formulas) {
   for (std::uint64_t i = 0; i < formulas; ++i) {
     Choices choices = Choices::seeded(seed_of(sizeof(Float), "formulas", i));
     Run<Float> run;
+    Tracked<Float>::out_of_range() = false;
     for (int k = 0; k < 3; ++k) run.start(number<Float>(choices));
     for (int k = 0; k < 6; ++k) {
       const std::size_t n = run.plain.size(), a = choices.below(n), b = choices.below(n);
@@ -82,6 +91,8 @@ void hold_random_formulas(std::uint64_t formulas) {
       if (!run.promised(n)) continue;
       ++promised;
       if (!run.within_bound(n)) FAIL("the exact value is beyond the bound");
+      if (run.is_normal() && run.tracked[n].error() > run.tracked[n].spread() * (1 + 0x1p-10))
+        FAIL("the spread is less than the bound");
       exact_steps += run.tracked[n].error() == 0;
     }
   }
@@ -166,6 +177,30 @@ TEST_CASE("Tracked: an operation that happens to be exact adds nothing, one that
   CHECK((T(5e-324) * T(0.5)).error() >= 5e-324);               // half of it is no double
   CHECK(std::isinf((T(1e308) * T(10.0)).error()));
   CHECK(std::isinf((T(1.0) / T(0.0)).error()));
+}
+
+TEST_CASE("Tracked: the spread counts every given number and every step as rounded, integers of the formula not") {
+  using T = Tracked<double>;
+  constexpr double u = 0x1p-53;
+  CHECK(T(3.0).spread() == 3 * u);
+  CHECK(T(3).spread() == 0);
+  CHECK((T(3.0) + T(4.0)).error() == 0);
+  CHECK((T(3.0) + T(4.0)).spread() == (3 + 4 + 7) * u);
+  CHECK((T(3.0) - T(4.0)).spread() == (3 + 4 + 1) * u);
+  CHECK((-T(3.0)).spread() == 3 * u);
+  CHECK((T(2) * T(4.0)).spread() == (2 * 4 + 8) * u);
+  CHECK((T(4.0) / T(2)).spread() == (4.0 / 2 + 2) * u);
+  CHECK(sqrt(T(16.0)).spread() >= (16.0 / (2 * 4) + 4) * u);
+  CHECK(sqrt(T(16.0)).spread() < (16.0 / (2 * 4) + 4) * u * (1 + 0x1p-40));
+  CHECK(Tracked<float>(3.0f).spread() == 3 * 0x1p-24);
+  CHECK((T(0x1p-1000) * T(0x1p-1000)).spread() == 5e-324);
+  // What is divided by may be 0, and what left the range anything.
+  CHECK(std::isinf((T(1.0) / (T(1.0) - T(1.0))).spread()));
+  CHECK(std::isinf((T(1e308) + T(1e308)).spread()));
+  CHECK(std::isinf(T(HUGE_VAL).spread()));
+  const T root = sqrt(T(1.0) - T(1.0));  // of at most 2u
+  CHECK(root.spread() >= std::sqrt(2 * u));
+  CHECK(root.spread() < std::sqrt(2.5 * u));
 }
 
 TEST_CASE("Tracked: a quotient by a number that is far off is within its bound, its own rounding included") {

@@ -163,6 +163,35 @@ TEST_CASE("reports: a distance beyond what is counted is cut off at one number, 
   CHECK(ulps_in_words(1234567) == "1.23e+06 ulps");
 }
 
+TEST_CASE("reports: a number is said to be ulps off, or beside the exact one where that says nothing") {
+  const auto judged = [](double ulps, double exact, double answered) {
+    Judgement judgement{Verdict::inexact, ulps};
+    judgement.number = OffNumber{exact, answered};
+    return judgement;
+  };
+  CHECK(off_in_words(judged(12, 0.3, 0.30000000000000066)) == "12 ulps off");
+  CHECK(off_in_words(judged(1e6, 1, 1.0000000002)) == "1e+06 ulps off");
+  CHECK(off_in_words(judged(1.1e6, 1, 1.5)) == "expected 1, got 1.5");
+  CHECK(off_in_words(judged(3.46e19, 0, -1.92)) == "expected 0, got -1.92");
+  CHECK(off_in_words({Verdict::inexact, 12}) == "12 ulps off");
+}
+
+TEST_CASE("reports: that a decision is right is said only where something is decided") {
+  const auto said = [](const char* operation, const char* question, Verdict verdict) {
+    const Operation& asked = *find_operation(operation);
+    Finding finding{asked.parse(parse_line(question)), {verdict, 1e20}, nullptr};
+    finding.judgement.number = OffNumber{0, -1.92};
+    return why(finding, &asked, Speaker::foreign, false);
+  };
+  const char* const bodies = R"({"bodies":[]})";
+  CHECK_THAT(said("momentum", bodies, Verdict::inexact),
+             StartsWith("A number is inexact: expected 0, got -1.92. Stated bound: 16 ulps."));
+  CHECK_THAT(said("momentum", bodies, Verdict::algorithm),
+             StartsWith("A number is wrong: expected 0, got -1.92. Running error analysis"));
+  CHECK_THAT(said("point_plane", R"({"plane":{"normal":[0,1,0],"offset":0},"point":[0,0,0]})", Verdict::algorithm),
+             StartsWith("The decision is right, but a number is wrong: expected 0, got -1.92. "));
+}
+
 TEST_CASE("reports: the worst distance is the same number in every shard and every file") {
   Cell near, far;
   near.worst_ulps = 3;

@@ -53,7 +53,9 @@ RowFunctions counting() {
   };
   row.reference_exactly = [](const Question& q) { return add(counts.exactly, q), counted_row().reference_exactly(q); };
   row.reference_tracked = [](const Question& q) { return add(counts.tracked, q), counted_row().reference_tracked(q); };
-  row.track_in_float = [](const Question& q) { add(counts.tracked_in_float, q), counted_row().track_in_float(q); };
+  row.reference_tracked_in_float = [](const Question& q) {
+    return add(counts.tracked_in_float, q), counted_row().reference_tracked_in_float(q);
+  };
   row.robust = [](const Question& q, std::size_t e) { return add(counts.robust[e], q), counted_row().robust(q, e); };
   row.decide = [](const Question& q, std::size_t e) { return add(counts.decided[e], q), counted_row().decide(q, e); };
   row.draw = [](Drawing& drawing, const Question& q, const Tape<double>& truth) {

@@ -33,6 +33,22 @@ std::string refusal(Tally into, const Tally& other) {
 
 }  // namespace
 
+TEST_CASE("tallies: a finding about a number keeps it in the file, and says how a touch was treated") {
+  Cell cell;
+  Judgement judgement{Verdict::rounding, 1e7, "", 1};
+  judgement.number = OffNumber{0.25, -1.5};
+  judgement.said = "on";
+  count(cell, {line, {{7, 0, 0, 0}}, "on", 0}, judgement, "said");
+  CHECK(cell.touches_closed == 1);
+  CHECK(cell.worst_ulps == 1e7);
+  Tally tally;
+  tally.operations.push_back({"explicit_line", {{"grid", cell}}});
+  const Cell again = read_tally(tally_json(tally)).operations.at(0).families.at(0).second;
+  REQUIRE(again.example(Verdict::rounding)->judgement.number);
+  CHECK(again.example(Verdict::rounding)->judgement.number->exact == 0.25);
+  CHECK(again.example(Verdict::rounding)->judgement.number->answered == -1.5);
+}
+
 TEST_CASE("tallies: a cell counts verdicts, truths, touches, and keeps the smallest finding and the worst number") {
   Cell cell;
   count(cell, {line, {{7, 0, 0, 0}}, "point", 0}, {Verdict::agree, 0.5, "", 1});

@@ -48,7 +48,7 @@ TEST_CASE("line_point_at: p. 9's P0 + t V worked by hand") {
 TEST_CASE("line_point_at: two roundings are not one") {
   // (1 + 2^-27)^2 = 1 + 2^-26 + 2^-54, whose last term the product loses before the rest cancels.
   example<Row>({{{-(1 + 0x1p-26), 0}, {1 + 0x1p-27, 1}}, 1 + 0x1p-27},
-               {catalogue::exact_value(0x1p-54), catalogue::exact_value(1 + 0x1p-27)}, "inexact");
+               {catalogue::exact_value(0x1p-54), catalogue::exact_value(1 + 0x1p-27)}, "rounding");
 }
 
 TEST_CASE("line_point_at: huge, subnormal, beyond the range, negative zero") {

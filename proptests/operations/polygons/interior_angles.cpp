@@ -98,7 +98,7 @@ TEST_CASE("interior_angles: p. 6's angles worked by hand") {
 
 TEST_CASE("interior_angles: what acos loses near 0 and pi") {
   // atan x = x - x^3 / 3 + ...: 2^-60, and pi / 2 less that. Its cosine rounds to 1.
-  gives({Polygon2d{{{0, 0}, {1, 0}, {1, 0x1p-60}}}}, {0x1p-60, pi / 2, pi / 2}, "inexact");
+  gives({Polygon2d{{{0, 0}, {1, 0}, {1, 0x1p-60}}}}, {0x1p-60, pi / 2, pi / 2}, "rounding");
   // The least angle that is no double: half of the least double and below rounds to 0, three quarters to the least
   // double.
   gives({Polygon2d{{{0, 0}, {0x1p900, 0}, {0x1p900, 0x1p-175}}}}, {0, pi / 2, pi / 2}, "invalid");

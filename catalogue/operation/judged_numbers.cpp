@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/operation/judged_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "catalogue/judge/tolerated.h"
+#include "catalogue/numbers/ulps.h"
+
+namespace touchstone::catalogue {
+namespace {
+
+/// A number of the textbook formula, in the engine's number type.
+struct FormulaNumber {
+  double value, spread;
+};
+/// By their places in the truth; empty where the formula, which decides otherwise or leaves it out, has none.
+using FormulaNumbers = std::vector<std::optional<FormulaNumber>>;
+
+template <class Float>
+FormulaNumbers numbers_of(const Examination& question, const Tape<Tracked<Float>>& formula) {
+  const TrueTape& truth = question.solution().answer;
+  FormulaNumbers numbers(truth.numbers.size());
+  for (const PairedNumber& pair : paired_numbers(*question.row().answer, truth, formula, Reading::less)) {
+    const Tracked<Float>& number = formula.numbers[pair.in_answer];
+    numbers[pair.in_truth] = {static_cast<double>(number.value()), number.spread()};
+  }
+  return numbers;
+}
+
+/// The greatest size of a number of that meaning.
+double greatest_of(Meaning meaning, const Shape& shape, const Tape<double>& tape) {
+  struct Sizes {
+    Meaning meaning;
+    double greatest = 0;
+    void number(const Shape& number, const Cursor<double>& at) {
+      if (number.meaning == meaning) greatest = std::max(greatest, std::fabs(*at.number));
+    }
+    void word(const Shape&, const Cursor<double>&) {}
+  } sizes{meaning};
+  Cursor<double> at(tape);
+  walk_tape(shape, at, sizes);
+  return sizes.greatest;
+}
+
+/// The exact number; an irrational one to 60 digits below the least double.
+mpq_class value_of(const TrueNumber& number) {
+  return number.rational() ? number.rational_part() : number.enclosure(1074 + 200).low;
+}
+
+/// What is no finite limit is none.
+bool at_most(const mpq_class& size, double limit) { return !std::isfinite(limit) || size <= exact_value(limit); }
+
+class NumberJudge {
+ public:
+  NumberJudge(const Examination& question, const Declaration& declaration)
+      : question_(question),
+        declaration_(declaration),
+        unit_(declaration.binary32 ? 0x1p-24 : 0x1p-53),
+        formula_(declaration.binary32 ? numbers_of(question, question.tracking(true).answer_in_float)
+                                      : numbers_of(question, question.tracking(false).answer)) {}
+
+  Verdict verdict_on(const PairedNumber& place, double answered) const {
+    const mpq_class exact = value_of(question_.solution().answer.numbers[place.in_truth]),
+                    gap = abs(exact_value(answered) - exact);
+    if (place.meaning != Meaning::number && at_most(gap, declaration_.tolerance)) return Verdict::inexact;
+    const std::optional<double> spread = spread_at(place);
+    const bool has_a_digit = 2 * gap < abs(exact);
+    const bool explained = spread ? at_most(gap, explained_spreads * *spread) : has_a_digit;
+    if (explained && (has_a_digit || sgn(exact) == 0)) return Verdict::inexact;
+    return explained || formula_is_as_bad(place, exact, gap) || jumps() ? Verdict::rounding : Verdict::algorithm;
+  }
+
+ private:
+  /// What rounding may do to a number of the truth, to first order; empty where the formula does not tell.
+  std::optional<double> spread_at(const PairedNumber& place) const {
+    std::optional<double> spread;
+    if (formula_[place.in_truth]) spread = formula_[place.in_truth]->spread;
+    else if (question_.row().card->formula_answers_less) spread = spread_of_what_is_left_out();
+    // Whoever moves the origin rounds all coordinates there; whoever takes velocities relatively to another, these.
+    const RowFunctions& row = question_.row();
+    double scale = 0;
+    if (place.meaning == Meaning::place) scale = greatest_of(place.meaning, *row.question, question_.question());
+    if (place.meaning == Meaning::direction) scale = greatest_of(place.meaning, *row.answer, question_.nearest_truth());
+    return scale > 0 ? std::max(spread.value_or(0), unit_ * scale) : spread;
+  }
+
+  /// What the formula leaves out follows from what it has, and is as far off relatively to its greatest number.
+  double spread_of_what_is_left_out() const {
+    double spread = 0, size = 0, greatest_left_out = 0;
+    for (std::size_t i = 0; i < formula_.size(); ++i) {
+      if (formula_[i])
+        spread = std::max(spread, formula_[i]->spread), size = std::max(size, std::fabs(formula_[i]->value));
+      else greatest_left_out = std::max(greatest_left_out, std::fabs(question_.nearest_truth().numbers[i]));
+    }
+    return spread / size * greatest_left_out;
+  }
+
+  bool formula_is_as_bad(const PairedNumber& place, const mpq_class& exact, const mpq_class& gap) const {
+    const auto& number = formula_[place.in_truth];
+    if (!number) return question_.judge_reference(declaration_.binary32).verdict == Verdict::rounding;
+    return !std::isfinite(number->value) || explained_spreads * abs(exact_value(number->value) - exact) >= gap;
+  }
+
+  /// A number that is another one on the other side of a touch, and the question is beside one.
+  bool jumps() const {
+    return question_.row().card->kind == Kind::measure && beside_a_touch(question_, declaration_.binary32);
+  }
+
+  const Examination& question_;
+  const Declaration& declaration_;
+  double unit_;
+  FormulaNumbers formula_;
+};
+
+int gravity(Verdict verdict) {
+  return verdict == Verdict::algorithm ? 3 : verdict == Verdict::rounding ? 2 : verdict == Verdict::inexact ? 1 : 0;
+}
+
+}  // namespace
+
+JudgedNumber worst_number(const Examination& question, const Tape<double>& answer, Reading reading,
+                          const Declaration& declaration) {
+  const RowFunctions& row = question.row();
+  const TrueTape& truth = question.solution().answer;
+  const NumberJudge judge(question, declaration);
+  JudgedNumber worst;
+  for (const PairedNumber& pair : paired_numbers(*row.answer, truth, answer, reading)) {
+    const double answered = answer.numbers[pair.in_answer];
+    const TrueNumber& exact = truth.numbers[pair.in_truth];
+    const double ulps = distance_in_ulps(answered, exact, declaration.binary32);
+    if (!(ulps > row.card->ulps)) continue;
+    const Verdict verdict = judge.verdict_on(pair, answered);
+    if (gravity(verdict) < gravity(worst.verdict)) continue;
+    if (gravity(verdict) > gravity(worst.verdict) || ulps > worst.ulps)
+      worst = {verdict, ulps, {nearest(exact, declaration.binary32), answered}};
+  }
+  return worst;
+}
+
+bool beside_a_touch(const Examination& question, bool binary32) {
+  const auto& margin = question.margin();
+  if (!margin || sgn(*margin) == 0) return false;
+  const mpq_class size = exact_value(greatest(question.question())),
+                  few_units = 4 * exact_value(binary32 ? 0x1p-23 : 0x1p-52);
+  return within(*margin, few_units * size, size, question.row().card->margin_degree);
+}
+
+}  // namespace touchstone::catalogue

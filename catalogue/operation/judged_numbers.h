@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/judge/compare.h"
+#include "catalogue/operation/examination.h"
+
+/// What is said of numbers that are further off than the stated bound (docs/judging.md, Numbers).
+namespace touchstone::catalogue {
+
+/// So many times what running error analysis allows the textbook formula is laid to rounding.
+inline constexpr int explained_spreads = 8;
+
+struct JudgedNumber {
+  Verdict verdict = Verdict::agree;
+  double ulps = 0;  ///< how far off it is
+  OffNumber number;
+};
+
+/// Of the numbers of an answer beyond the stated bound, all of them finite, the one with the gravest verdict
+/// (`inexact`, `rounding`, `algorithm`), and of these the one that is furthest off in ulps.
+JudgedNumber worst_number(const Examination& question, const Tape<double>& answer, Reading reading,
+                          const Declaration& declaration);
+
+/// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all
+/// may take it for a touch.
+bool beside_a_touch(const Examination& question, bool binary32);
+
+}  // namespace touchstone::catalogue

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+
+#include "audit/judged.h"
+#include "catalogue/operation/row_of.h"
+#include "proptests/uses.h"
+
+/// Engines of one formula, asked in this process.
+namespace touchstone::proptests {
+
+struct Asking {
+  std::uint64_t each = 60;  ///< questions of each family
+  bool binary32 = false;    ///< the engine's number type; its formula takes doubles all the same
+  bool ordinary_only = true;
+};
+
+/// What an audit counts of a formula, which takes the arguments of the row's operation. `look` hears of every
+/// judgement.
+template <class Row, class Formula, class Look>
+Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
+  const Operation& operation = operation_of_row<Row>();
+  Tally tally;
+  tally.declaration = {"by formula", Declaration::Boundary::closed, asking.binary32, 0};
+  tally.operations.push_back({operation.name(), {}});
+  for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    Cell cell;
+    for (std::uint64_t i = 0; i < asking.each; ++i) {
+      Choices choices = case_choices(operation, family, 1, i);
+      Question question = operation.draw(choices, family);
+      if (asking.binary32) question = operation.in_binary32(question);
+      if (asking.ordinary_only && range_of(question) == Range::extreme) continue;
+      try {
+        const auto examination = operation.examine(question);
+        const auto answer = applied(formula, unpacked<typename Row::Question>(question));
+        const Json json = parse_line(one_line(operation.answer_json(packed(answer))));
+        const Judgement judgement = examination->judge_engine(json, tally.declaration);
+        count(cell, {operation, question, examination->outcome(), i}, judgement, json);
+        look(*examination, judgement);
+      } catch (const InvalidInput&) {
+      }
+    }
+    tally.operations[0].families.emplace_back(operation.families()[family], std::move(cell));
+  }
+  return tally;
+}
+template <class Row, class Formula>
+Tally audited(const Formula& formula, const Asking& asking = {}) {
+  return audited<Row>(formula, asking, [](const Examination&, const Judgement&) {});
+}
+
+}  // namespace touchstone::proptests
