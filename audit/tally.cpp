@@ -235,6 +235,11 @@ const Finding* Cell::example(Verdict verdict) const {
   return best;
 }
 
+bool Cell::nothing_right() const {
+  constexpr std::uint64_t many = 20;
+  return answered() >= many && wrong() == answered();
+}
+
 Cell Cell::of(const std::array<std::uint64_t, verdict_count>& counts) {
   Cell cell;
   for (std::size_t v = 0; v < verdict_count; ++v) {

@@ -101,6 +101,7 @@ struct Cell {
   std::uint64_t answered(Range range) const;
   std::uint64_t wrong() const;  ///< `rounding`, `algorithm` and `invalid`: the answer is of no use
   std::uint64_t wrong(Range range) const;
+  bool nothing_right() const;      ///< of so many answers that it is the connection which must be looked at first
   std::uint64_t findings() const;  ///< cases whose verdict is a finding: wrong or `inexact`
   std::uint64_t findings(Range range) const;
   ByRange out_of_range() const;  ///< of `rounding`: by overflow or underflow

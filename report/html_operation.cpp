@@ -65,6 +65,7 @@ std::string summary(const Tally& tally, std::size_t operation) {
     text += "<p class=\"apart\"><strong>robust</strong>, the same questions: " + escaped(summary_of(same)) + ".</p>" +
             verdict_bar(same, true);
   }
+  if (total.nothing_right()) text += "<p class=\"apart\">" + escaped(nothing_right_in_words(total)) + ".</p>";
   if (total.not_asked > 0) text += "<p class=\"apart\">" + escaped(not_asked_in_words(total)) + ".</p>";
   if (tally.operations[operation].inconsistent_convention()) {
     text +=

@@ -113,6 +113,7 @@ std::string counts(const Tally& tally, Detail detail) {
   if (sum.left_out > 0) notes += "drawn but of extreme size, so not asked: " + grouped(sum.left_out) + "\n";
   for (const OperationTally& operation : tally.operations) {
     const Cell total = operation.total();
+    if (total.nothing_right()) notes += operation.operation + ": " + nothing_right_in_words(total) + "\n";
     if (total.surplus > 0)
       notes += operation.operation + ": " + counted(total.surplus, "element") + " listed beyond the truth\n";
     if (total.not_asked > 0) notes += operation.operation + ": " + not_asked_in_words(total) + "\n";

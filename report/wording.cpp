@@ -163,6 +163,11 @@ Speaker speaker_of(const Declaration& declaration) {
   return declaration.engine.empty() || declaration.engine == "reference" ? Speaker::reference : Speaker::foreign;
 }
 
+std::string nothing_right_in_words(const Cell& cell) {
+  return "none of " + grouped(cell.answered()) +
+         " answers is right: look at the connection first, with touchstone check-engine";
+}
+
 std::string not_asked_in_words(const Cell& cell) {
   return counted(cell.not_asked, "question") + " not asked: the engine was " + cell.given_up;
 }

@@ -33,6 +33,8 @@ Speaker speaker_of(const Declaration& declaration);
 std::string meaning(Verdict verdict, Speaker speaker);
 /// Why an answer was given this verdict, in one or two plain sentences. binary32: the engine's number type.
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32);
+/// "none of 1,498 answers is right: ...", what to do then.
+std::string nothing_right_in_words(const Cell& cell);
 /// "12,345 questions not asked: the engine was given up after ..."
 std::string not_asked_in_words(const Cell& cell);
 

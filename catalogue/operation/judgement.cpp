@@ -73,18 +73,37 @@ int covered_reading(const Examination& question, const Tape<double>& answer) {
   return covered(shape, question.open()->words, answer.words).missing == 0 ? -1 : 0;
 }
 
+/// Of an answer that a checker refuses: whether it is well formed, and on the wrong side by no more than sums of
+/// rounded products of the question's greatest numbers may be off, or about as much as the textbook formula's answer in
+/// that number type. Numbers that are none may have left the range.
+bool may_be_rounding(const Examination& question, const Tape<double>& answer, bool binary32) {
+  constexpr double most_units = 256;
+  const auto excess_of = [&](const Tape<double>& tape) {
+    return question.row().excess(question.question(), tape, question.nearest_truth());
+  };
+  const Excess excess = excess_of(answer);
+  if (!excess) return checks_numbers(question.row()) && question.out_of_range(binary32);
+  if (*excess <= most_units * (binary32 ? 0x1p-23 : 0x1p-52)) return true;
+  const Excess of_formula = excess_of(question.formula(binary32));
+  return of_formula && *excess <= explained_spreads * *of_formula;
+}
+
 /// For a foreign implementation rounding is to blame where the question is beside a touch, or where the slide's formula
 /// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
 /// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
 /// right, the number type was good enough, and what is to blame is the choice of another.
-bool rounding_is_to_blame(const Examination& question, bool binary32) {
+bool rounding_is_to_blame(const Examination& question, const Tape<double>* answer, bool binary32) {
+  if (question.row().excess != nullptr && answer != nullptr && !may_be_rounding(question, *answer, binary32))
+    return false;
   if (checks_numbers(question.row())) return question.judge_reference(binary32).verdict == Verdict::rounding;
   Judgement ignored;
   return products_underflow(question, binary32) || beside_a_touch(question, binary32) ||
          (question.doubtful(binary32) && !compared_formula(question, binary32, ignored).decision);
 }
 
-Judgement wrong(const Examination& question, const Declaration& declaration, bool right_for_open_sets) {
+/// answer: nullptr where it was a plain true or false.
+Judgement wrong(const Examination& question, const Tape<double>* answer, const Declaration& declaration,
+                bool right_for_open_sets) {
   const auto& margin = question.margin();
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
@@ -93,7 +112,8 @@ Judgement wrong(const Examination& question, const Declaration& declaration, boo
              tolerated(*margin, declaration.tolerance, question.row().card->margin_degree, question.question())) {
     judgement.verdict = Verdict::tolerance;
   } else {
-    judgement.verdict = rounding_is_to_blame(question, declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
+    judgement.verdict =
+        rounding_is_to_blame(question, answer, declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
   }
   return judgement;
 }
@@ -104,7 +124,7 @@ Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const
   const std::optional<TrueTape>& open = question.open();
   const std::optional<bool> right = yes_or_no(shape, question.solution().answer.words);
   const bool right_for_open = open && yes_or_no(shape, open->words) == answer;
-  Judgement judgement = *right == answer ? Judgement{} : wrong(question, declaration, right_for_open);
+  Judgement judgement = *right == answer ? Judgement{} : wrong(question, nullptr, declaration, right_for_open);
   if (open) judgement.touch_reading = *right == answer ? 1 : right_for_open ? -1 : 0;
   judgement.said = answer ? "true" : "false";
   return judgement;
@@ -168,7 +188,7 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
         row.card->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
     if (!found.decision) {
       std::string remark = std::move(judgement.remark);
-      judgement = wrong(question, declaration, reading == -1);
+      judgement = wrong(question, &answer, declaration, reading == -1);
       judgement.remark = std::move(remark);
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};

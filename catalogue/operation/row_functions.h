@@ -10,6 +10,7 @@
 
 #include "catalogue/draw/drawing.h"
 #include "catalogue/families/choices.h"
+#include "catalogue/judge/excess.h"
 #include "catalogue/numbers/exact.h"
 #include "catalogue/numbers/tracked.h"
 #include "catalogue/numbers/true_number.h"
@@ -95,6 +96,7 @@ struct RowFunctions {
   std::optional<TrueTape> (*as_open_sets)(const TrueTape& truth, const Question&);
   std::string (*fault)(const Question&, const Tape<double>& answer);
   std::string (*exact_fault)(const Question&, const Tape<mpq_class>& answer);
+  Excess (*excess)(const Question&, const Tape<double>& answer, const Tape<double>& truth);
   void (*repair)(Question&);
   void (*scale)(Question&, int exponent);
   std::vector<mpq_class> (*residuals)(const Question&, const Tape<double>& answer);

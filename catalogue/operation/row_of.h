@@ -165,6 +165,9 @@ struct RowOf {
     const auto as_it_is = [](const mpq_class& number) { return number; };
     return hooks().exact_fault(unpacked<Asked>(question), unpacked<ExactAnswer>(answer, as_it_is));
   }
+  static Excess excess(const Question& question, const Tape<double>& answer, const Tape<double>& truth) {
+    return hooks().excess(unpacked<Asked>(question), unpacked<Answer>(answer), unpacked<Answer>(truth));
+  }
   static void repair(Question& question) {
     auto asked = unpacked<Asked>(question);
     hooks().repair(asked);
@@ -260,6 +263,7 @@ RowFunctions RowOf<Row>::functions() {
   if (given.as_open_sets) f.as_open_sets = as_open_sets;
   if (given.fault) f.fault = fault;
   if (given.exact_fault) f.exact_fault = exact_fault;
+  if (given.excess) f.excess = excess;
   if (given.repair) f.repair = repair;
   if (given.scale) f.scale = scale;
   if (given.residuals) f.residuals = residuals;

@@ -36,12 +36,16 @@ struct convex_partition {
   static std::string fault(const Question& question, const std::vector<std::vector<Index>>& pieces) {
     return ::touchstone::oracle::convex_partition_fault(std::get<0>(question), pieces);
   }
+  static Excess excess(const Question& question, const std::vector<std::vector<Index>>& pieces,
+                       const std::vector<std::vector<Index>>&) {
+    return excess_of_pieces(std::get<0>(question), pieces);
+  }
 
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<convex_partition> hooks() {
-    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
+    return {.fault = fault, .excess = excess, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
   }
 };
 

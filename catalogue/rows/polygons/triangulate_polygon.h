@@ -36,12 +36,16 @@ struct triangulate_polygon {
   static std::string fault(const Question& question, const std::vector<std::vector<Index>>& triangles) {
     return ::touchstone::oracle::triangulate_polygon_fault(std::get<0>(question), triangles);
   }
+  static Excess excess(const Question& question, const std::vector<std::vector<Index>>& pieces,
+                       const std::vector<std::vector<Index>>&) {
+    return excess_of_pieces(std::get<0>(question), pieces);
+  }
 
   /// Whether the first vertex is flat: the classroom example of orientation as a ring.
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<triangulate_polygon> hooks() {
-    return {.fault = fault, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
+    return {.fault = fault, .excess = excess, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
   }
 };
 

@@ -157,12 +157,15 @@ struct bounding_sphere {
     const auto& [points, method] = question;
     return ::touchstone::oracle::bounding_sphere_fault(points, method_of(method), sphere);
   }
+  static Excess excess(const Question& question, const Sphere3d& sphere, const Sphere3d& right) {
+    return excess_of_ball(std::get<0>(question), sphere, right);
+  }
 
   /// Four points on one sphere; moves the last.
   static Question map_centre() { return {{{1, 2, 2}, {-2, -1, 2}, {2, -2, 1}, {-1, 2, -2}}, std::nullopt}; }
 
   static Hooks<bounding_sphere> hooks() {
-    return {.fault = fault, .repair = repair, .map_centre = map_centre, .laws = {.scales = true}};
+    return {.fault = fault, .excess = excess, .repair = repair, .map_centre = map_centre, .laws = {.scales = true}};
   }
 
  private:

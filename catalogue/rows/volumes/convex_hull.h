@@ -40,6 +40,9 @@ struct convex_hull {
   static std::string fault(const Question& question, const ConvexHull& hull) {
     return ::touchstone::oracle::convex_hull_fault(std::get<0>(question), hull);
   }
+  static Excess excess(const Question& question, const ConvexHull& hull, const ConvexHull&) {
+    return excess_of_hull(std::get<0>(question), hull);
+  }
 
   /// The faces, or the points alone where they are in one plane.
   static void draw(Drawing& drawing, const Question& question, const ConvexHull& hull) {
@@ -82,7 +85,12 @@ struct convex_hull {
   static Question map_centre() { return {{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}, {4, 4, 4}}}; }
 
   static Hooks<convex_hull> hooks() {
-    return {.fault = fault, .map_centre = map_centre, .draw = draw, .world_count = world_count, .world_at = world_at};
+    return {.fault = fault,
+            .excess = excess,
+            .map_centre = map_centre,
+            .draw = draw,
+            .world_count = world_count,
+            .world_at = world_at};
   }
 
  private:

@@ -150,6 +150,9 @@ struct convex_hull_2d {
   static std::string fault(const Question& question, const ConvexHull2& hull) {
     return ::touchstone::oracle::convex_hull_2d_fault(std::get<0>(question), hull);
   }
+  static Excess excess(const Question& question, const ConvexHull2& hull, const ConvexHull2&) {
+    return excess_of_hull(std::get<0>(question), hull);
+  }
 
   static void draw(Drawing& drawing, const Question& question, const ConvexHull2& hull) {
     const Points& points = std::get<0>(question);
@@ -163,7 +166,9 @@ struct convex_hull_2d {
   /// A point inside an edge.
   static Question map_centre() { return {{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}; }
 
-  static Hooks<convex_hull_2d> hooks() { return {.fault = fault, .map_centre = map_centre, .draw = draw}; }
+  static Hooks<convex_hull_2d> hooks() {
+    return {.fault = fault, .excess = excess, .map_centre = map_centre, .draw = draw};
+  }
 
  private:
   /// Of two points: exact where both are even.

@@ -150,6 +150,9 @@ struct kdop_of_points {
   static std::string fault(const Question& question, const std::vector<Slabd>& slabs) {
     return ::touchstone::oracle::kdop_of_points_fault(std::get<0>(question), std::get<1>(question), slabs);
   }
+  static Excess excess(const Question& question, const std::vector<Slabd>& slabs, const std::vector<Slabd>&) {
+    return excess_of_slabs(std::get<0>(question), std::get<1>(question), slabs);
+  }
 
   /// Normals have no unit: they keep their values.
   static void scale(Question& question, int k) {
@@ -161,7 +164,7 @@ struct kdop_of_points {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static Hooks<kdop_of_points> hooks() {
-    return {.fault = fault, .scale = scale, .map_centre = map_centre, .map_axes = map_axes};
+    return {.fault = fault, .excess = excess, .scale = scale, .map_centre = map_centre, .map_axes = map_axes};
   }
 
  private:

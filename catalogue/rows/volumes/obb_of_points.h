@@ -152,6 +152,9 @@ struct obb_of_points {
   static std::string fault(const Question& question, const Obb3d& box) {
     return ::touchstone::oracle::obb_of_points_fault(std::get<0>(question), box);
   }
+  static Excess excess(const Question& question, const Obb3d& box, const Obb3d&) {
+    return excess_of_box(std::get<0>(question), box);
+  }
   static std::string exact_fault(const Question& question, const Obb3<mpq_class>& box) {
     return ::touchstone::oracle::obb_of_points_fault(std::get<0>(question), box);
   }
@@ -164,7 +167,8 @@ struct obb_of_points {
   static std::pair<std::size_t, std::size_t> map_axes() { return {24, 25}; }
 
   static Hooks<obb_of_points> hooks() {
-    return {.fault = fault, .exact_fault = exact_fault, .map_centre = map_centre, .map_axes = map_axes};
+    return {
+        .fault = fault, .exact_fault = exact_fault, .excess = excess, .map_centre = map_centre, .map_axes = map_axes};
   }
 
  private:

@@ -175,6 +175,22 @@ TEST_CASE("table: the closing sentence is the sum of its parts, ordinary and ext
   CHECK(rows[6].name == "extreme size");
 }
 
+TEST_CASE("table: where nothing is right of twenty answers or more, the connection is to be looked at first") {
+  const auto says = [](std::uint64_t wrong, std::uint64_t inexact) {
+    Cell cell;
+    cell.ways[{Verdict::rounding, "on", "left"}].cases = {wrong, 0};
+    cell.ways[{Verdict::unsupported, "on", "no answer"}].cases = {100, 0};
+    if (inexact > 0) cell.ways[{Verdict::inexact, "on", "on"}].cases = {inexact, 0};
+    Tally tally;
+    tally.declaration.engine = "an engine";
+    tally.operations.push_back({"orientation", {{"grid", cell}}});
+    return text_table(tally).find("orientation: none of ") != std::string::npos;
+  };
+  CHECK(says(20, 0));
+  CHECK_FALSE(says(19, 0));
+  CHECK_FALSE(says(2000, 1));
+}
+
 TEST_CASE("table: an example for each way of answering, wrong ones before inexact ones, at most six") {
   Tally tally;
   Cell cell;
