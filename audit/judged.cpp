@@ -42,6 +42,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   if (meant && judgement.touch_reading > 0) ++cell.touches_closed;
   if (meant && judgement.touch_reading < 0) ++cell.touches_open;
   cell.surplus += judgement.surplus;
+  cell.apart += judgement.apart;
   if (verdict == Verdict::agree || verdict == Verdict::inexact || judgement.number) {
     cell.worst_ulps = std::max(cell.worst_ulps, judgement.ulps);
   }

@@ -259,6 +259,7 @@ void Cell::merge(const Cell& other) {
   touches_closed += other.touches_closed;
   touches_open += other.touches_open;
   surplus += other.surplus;
+  apart += other.apart;
   refused += other.refused;
   left_out += other.left_out;
   not_asked += other.not_asked;
@@ -291,9 +292,10 @@ bool OperationTally::inconsistent_convention() const {
 }
 
 bool Tally::has_findings() const {
-  const auto found = [](const OperationTally& t) {
+  const auto found = [this](const OperationTally& t) {
     const Cell total = t.total();
-    return total.findings() > 0 || total.not_asked > 0 || t.inconsistent_convention();
+    return total.findings() > 0 || total.not_asked > 0 || t.inconsistent_convention() ||
+           t.too_much_surplus(max_surplus);
   };
   return std::any_of(operations.begin(), operations.end(), found) || std::any_of(robust.begin(), robust.end(), found);
 }

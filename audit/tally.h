@@ -86,12 +86,14 @@ struct Cell {
   double worst_ulps = 0;                               ///< over the answers of which whatever is decided is right
   std::uint64_t touches_closed = 0, touches_open = 0;  ///< touches answered as closed sets do, as open sets do
   std::uint64_t surplus = 0;                           ///< elements that answers which must cover hold beyond the truth
+  std::uint64_t apart = 0;                             ///< elements that they might have held beyond it
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
   std::uint64_t left_out = 0;                          ///< drawn, but extreme where only ordinary questions are asked
   std::uint64_t not_asked = 0;                         ///< the engine had been given up before their turn: no cases
   std::string given_up;                        ///< why, in the engine's or our words; empty where all were asked
   std::map<std::string, std::uint64_t> rules;  ///< how often which rule refused it, without particulars ("simple")
 
+  double surplus_rate() const { return apart == 0 ? 0 : static_cast<double>(surplus) / static_cast<double>(apart); }
   std::uint64_t cases() const;
   std::uint64_t cases(Range range) const;
   std::uint64_t count(Verdict verdict) const;
@@ -134,6 +136,8 @@ struct OperationTally {
   Cell total() const;
   /// Touch treated as contact here and not there: a finding of its own.
   bool inconsistent_convention() const;
+  /// More listed beyond the truth than a broad phase is good for: a finding of its own.
+  bool too_much_surplus(double most) const { return total().surplus_rate() > most; }
 };
 
 /// Of an exhaustive run: the grid, into how many shards it is cut, and which of them are counted here. size 0: cases
@@ -142,6 +146,10 @@ struct Grid {
   std::uint64_t size = 0, shards = 1;
   std::vector<std::uint64_t> done;  ///< ascending
 };
+
+/// Whoever lists everything has a rate of 1; sorting along one axis, the simplest broad phase, one of about 0.4 on
+/// these questions.
+inline constexpr double usual_surplus = 0.75;
 
 /// How a finding of a foreign engine is asked again, as a shell reads it.
 struct Repeat {
@@ -155,6 +163,7 @@ struct Tally {
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for
   Grid grid;
   Limits limits;                        ///< that tell ordinary questions from extreme ones
+  double max_surplus = usual_surplus;   ///< of what is apart, the share that lists may hold
   std::vector<std::string> undeclared;  ///< operations that were to be asked and that the engine does not declare
   std::vector<OperationTally> operations;
   std::vector<OperationTally> robust;  ///< the same questions asked to robust

@@ -97,6 +97,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
                  {"worst_ulps", written(cell.worst_ulps)},
                  {"smallest", smallest}};
   if (cell.surplus > 0) result["surplus"] = cell.surplus;
+  if (cell.apart > 0) result["apart"] = cell.apart;
   if (cell.left_out > 0) result["left_out"] = cell.left_out;
   if (cell.not_asked > 0) result["not_asked"] = cell.not_asked, result["given_up"] = cell.given_up;
   return result;
@@ -190,6 +191,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   cell.touches_closed = place.at("touches").at("closed").count();
   cell.touches_open = place.at("touches").at("open").count();
   if (place.value.contains("surplus")) cell.surplus = place.at("surplus").count();
+  if (place.value.contains("apart")) cell.apart = place.at("apart").count();
   cell.refused = place.at("refused").count();
   place.at("rules").each_member(
       [&](const std::string& key, const Place& n) { cell.rules[excerpt(key, most_of_a_text)] = n.count(); });
@@ -222,6 +224,8 @@ Declaration read_declaration(const Place& place) {
   declared.boundary =
       static_cast<Declaration::Boundary>(place.at("boundary").one_of({"closed", "open", "unspecified"}));
   declared.tolerance = place.at("tolerance").number();
+  if (place.value.contains("pairs"))
+    declared.pairs = static_cast<Declaration::Pairs>(place.at("pairs").one_of({"conservative", "exact"}));
   return declared;
 }
 
@@ -233,6 +237,7 @@ std::string tally_json(const Tally& tally) {
                  {"number", declared.binary32 ? "binary32" : "binary64"},
                  {"boundary", boundary_word(declared.boundary)},
                  {"tolerance", written(declared.tolerance)}};
+  if (declared.pairs != Declaration::Pairs::conservative) engine["pairs"] = pairs_word(declared.pairs);
   if (!tally.repeat.options.empty() || tally.repeat.program != Repeat{}.program) {
     engine["program"] = tally.repeat.program;
     engine["options"] = tally.repeat.options;
@@ -244,6 +249,7 @@ std::string tally_json(const Tally& tally) {
                      {"cases", tally.cases},
                      {"grid", {{"size", tally.grid.size}, {"shards", tally.grid.shards}, {"done", tally.grid.done}}},
                      {"limits", {{"least", written(tally.limits.least)}, {"most", written(tally.limits.most)}}},
+                     {"max_surplus", written(tally.max_surplus)},
                      {"interrupted", tally.interrupted},
                      {"undeclared", tally.undeclared},
                      {"operations", operations_json(tally.operations, {tally, false})},
@@ -273,6 +279,7 @@ Tally read_tally(const std::string& text) {
     tally.grid.done.push_back(index);
   });
   tally.limits = {file.at("limits").at("least").number(), file.at("limits").at("most").number()};
+  if (json.contains("max_surplus")) tally.max_surplus = file.at("max_surplus").number();
   tally.interrupted = file.at("interrupted").flag();
   file.at("undeclared").each([&](const Place& name) { tally.undeclared.push_back(name.text()); });
   tally.operations = read_operations(file.at("operations"));

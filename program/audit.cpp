@@ -152,6 +152,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   }
   progress.end();
   notes.tell(err);
+  tally.max_surplus = command.gate.max_surplus;
   tally.repeat = repeat_of(command.program, command.engine, command.timeout);
   std::ostream& readable = is_standard_output(command.json_file) ? err : out;
   const bool on_terminal = &readable == &std::cout && isatty(STDOUT_FILENO) != 0;

@@ -15,6 +15,7 @@ struct GateCommand {
   std::optional<std::string> fail_on;  ///< causes with commas
   std::string baseline, write_baseline;
   std::optional<double> max_rate;
+  double max_surplus = audit::usual_surplus;
   std::string junit_file, sarif_file;
   std::string source = "engine";  ///< what the results in a SARIF file are shown at
 

@@ -62,13 +62,17 @@ void add_gate(CLI::App& command, GateCommand& gate) {
   command.add_option(
       "--fail-on", gate.fail_on,
       "Causes with commas that fail the audit: rounding (cancellation, out_of_range), algorithm, inexact, "
-      "invalid, not_asked, inconsistent_convention (these by default), convention, tolerance, unsupported; "
+      "invalid, not_asked, inconsistent_convention, surplus (these by default), convention, tolerance, unsupported; "
       "none");
   command.add_option("--baseline", gate.baseline, "Findings in this file are known and do not fail the audit");
   command.add_option("--write-baseline", gate.write_baseline, "Write the findings into this file as known");
   command
       .add_option("--max-rate", gate.max_rate,
                   "Share of an operation's cases that findings which are not known may have (default 0)")
+      ->check(rate);
+  command
+      .add_option("--max-surplus", gate.max_surplus,
+                  "Share of the pairs that are apart which lists of pairs may hold (default 0.75)")
       ->check(rate);
   command.add_option("--junit", gate.junit_file, "Write the result as JUnit's XML into this file");
   command.add_option("--sarif", gate.sarif_file, "Write the result as SARIF 2.1.0 into this file");

@@ -67,6 +67,7 @@ std::string summary(const Tally& tally, std::size_t operation) {
   }
   if (total.nothing_right()) text += "<p class=\"apart\">" + escaped(nothing_right_in_words(total)) + ".</p>";
   if (total.not_asked > 0) text += "<p class=\"apart\">" + escaped(not_asked_in_words(total)) + ".</p>";
+  if (total.surplus > 0) text += "<p class=\"apart\">" + escaped(surplus_in_words(total, tally.max_surplus)) + ".</p>";
   if (tally.operations[operation].inconsistent_convention()) {
     text +=
         "<p class=\"apart\"><strong>Inconsistent convention</strong>: where shapes only touch, it answers as "

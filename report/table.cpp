@@ -114,8 +114,7 @@ std::string counts(const Tally& tally, Detail detail) {
   for (const OperationTally& operation : tally.operations) {
     const Cell total = operation.total();
     if (total.nothing_right()) notes += operation.operation + ": " + nothing_right_in_words(total) + "\n";
-    if (total.surplus > 0)
-      notes += operation.operation + ": " + counted(total.surplus, "element") + " listed beyond the truth\n";
+    if (total.surplus > 0) notes += operation.operation + ": " + surplus_in_words(total, tally.max_surplus) + "\n";
     if (total.not_asked > 0) notes += operation.operation + ": " + not_asked_in_words(total) + "\n";
   }
   return laid_out(rows) + "\n" + notes;

@@ -172,6 +172,12 @@ std::string not_asked_in_words(const Cell& cell) {
   return counted(cell.not_asked, "question") + " not asked: the engine was " + cell.given_up;
 }
 
+std::string surplus_in_words(const Cell& cell, double most) {
+  return counted(cell.surplus, "element") + " listed beyond the truth, " + share(cell.surplus, cell.apart) +
+         " of what is apart" +
+         (cell.surplus_rate() > most ? fmt::format("; more than --max-surplus {} allows", most) : "");
+}
+
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
     case Verdict::rounding: return fault_of(finding, operation) + why_rounding(finding.judgement, speaker);

@@ -38,6 +38,9 @@ std::string nothing_right_in_words(const Cell& cell);
 /// "12,345 questions not asked: the engine was given up after ..."
 std::string not_asked_in_words(const Cell& cell);
 
+/// "1,234 elements listed beyond the truth, 12.3% of what is apart", and whether that is too much.
+std::string surplus_in_words(const Cell& cell, double most);
+
 /// An exact value for the eye: "3/7", or "about 1.234e-310" to so many digits where it is longer than `most`
 /// characters.
 std::string readable(const mpq_class& exact, std::size_t most = 48, std::size_t digits = 6);

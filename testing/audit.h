@@ -113,6 +113,8 @@ inline std::string findings(const audit::Tally& tally) {
           text += operation.operation + ", " + family + ": " + in_words(asked, cell, way, count);
       }
     }
+    if (operation.too_much_surplus(tally.max_surplus))
+      text += operation.operation + ": more is listed beyond the truth than a broad phase is good for\n";
     if (operation.inconsistent_convention())
       text += operation.operation + ": touch is contact in some answers and not in others\n";
   }

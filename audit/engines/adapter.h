@@ -14,6 +14,7 @@
 ///     static constexpr auto boundary = touchstone::Boundary::closed;   // or open; left out: unspecified
 ///     using number = double;                                           // or float; left out: double
 ///     static constexpr double tolerance = 0;                           // left out: 0
+///     static constexpr auto pairs = touchstone::Pairs::exact;          // left out: conservative
 ///     bool segment_segment(const touchstone::Segment2d& a, const touchstone::Segment2d& b) { ... }
 ///   };
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
@@ -24,6 +25,7 @@
 namespace touchstone {
 
 using Boundary = catalogue::Declaration::Boundary;
+using Pairs = catalogue::Declaration::Pairs;
 
 namespace audit {
 
@@ -109,6 +111,7 @@ Declaration declaration_of() {
   declaration.binary32 = std::is_same_v<number_of<Engine>, float>;
   if constexpr (requires { Engine::boundary; }) declaration.boundary = Engine::boundary;
   if constexpr (requires { Engine::tolerance; }) declaration.tolerance = Engine::tolerance;
+  if constexpr (requires { Engine::pairs; }) declaration.pairs = Engine::pairs;
   return declaration;
 }
 

@@ -13,7 +13,7 @@ namespace touchstone::audit {
 namespace {
 
 constexpr std::array<const char*, 3> boundary_words{"closed", "open", "unspecified"};
-constexpr std::array<const char*, 2> number_words{"binary64", "binary32"};
+constexpr std::array<const char*, 2> number_words{"binary64", "binary32"}, pairs_words{"conservative", "exact"};
 
 template <std::size_t n>
 std::size_t word_index(const Json& value, const char* field, const std::array<const char*, n>& words) {
@@ -33,7 +33,7 @@ bool is_asked(const Operation& operation) { return !operation.card().is_implemen
 
 /// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
-  static const std::vector<const char*> fields{"engine", "ops", "number", "boundary", "tolerance"};
+  static const std::vector<const char*> fields{"engine", "ops", "number", "boundary", "tolerance", "pairs"};
   std::vector<std::string> remarks, known;
   for (const auto& [key, value] : hello.items()) {
     if (std::find(fields.begin(), fields.end(), key) == fields.end())
@@ -66,8 +66,10 @@ std::uint64_t read_id(const Json& id) {
 
 std::string boundary_word(Declaration::Boundary boundary) { return boundary_words[static_cast<std::size_t>(boundary)]; }
 
-std::string why_never_asked(const Operation& method) {
-  return method.name() + ": a method of " + method.card().implementation_of + ", which engines are asked instead";
+std::string pairs_word(Declaration::Pairs pairs) { return pairs_words[static_cast<std::size_t>(pairs)]; }
+
+std::string why_never_asked(const Operation& implementation) {
+  return implementation.name() + ": a method of " + implementation.card().implementation_of + ", which engines are asked instead";
 }
 
 std::string greeting() {
@@ -105,6 +107,8 @@ Hello read_hello(const std::string& line) {
     hello.declaration.tolerance = read_double(json["tolerance"], "tolerance");
     if (hello.declaration.tolerance < 0) throw InvalidInput("tolerance", expected("a number >= 0", json["tolerance"]));
   }
+  if (json.contains("pairs"))
+    hello.declaration.pairs = static_cast<Declaration::Pairs>(word_index(json["pairs"], "pairs", pairs_words));
   hello.remarks = remarks_on(json);
   return hello;
 }
@@ -116,6 +120,7 @@ std::string written_hello(const Hello& hello) {
   line["number"] = number_words[hello.declaration.binary32 ? 1 : 0];
   line["boundary"] = boundary_word(hello.declaration.boundary);
   line["tolerance"] = written(hello.declaration.tolerance);
+  if (hello.declaration.pairs != Declaration::Pairs::conservative) line["pairs"] = pairs_word(hello.declaration.pairs);
   return one_line(line) + "\n";
 }
 

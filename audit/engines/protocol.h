@@ -17,6 +17,9 @@ namespace touchstone::audit {
 /// "closed", "open", "unspecified"
 std::string boundary_word(Declaration::Boundary boundary);
 
+/// "conservative", "exact"
+std::string pairs_word(Declaration::Pairs pairs);
+
 struct Hello {
   Declaration declaration;
   std::set<std::string>
@@ -29,7 +32,8 @@ std::string greeting();
 /// Why engines are not asked that method of an operation.
 std::string why_never_asked(const Operation& method);
 
-/// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0.
+/// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0,
+/// conservative.
 /// Throws InvalidInput naming the field and the rule.
 Hello read_hello(const std::string& line);
 std::string written_hello(const Hello& hello);

@@ -27,7 +27,8 @@ std::uint64_t findings_of(const Cell& cell, Cause cause) {
     case Cause::tolerance: return cell.count(Verdict::tolerance);
     case Cause::unsupported: return cell.count(Verdict::unsupported);
     case Cause::not_asked: return cell.not_asked;
-    case Cause::inconsistent_convention: break;  // of an operation
+    case Cause::inconsistent_convention:
+    case Cause::surplus: break;  // of an operation
   }
   return 0;
 }
@@ -52,8 +53,14 @@ std::string repeated(const Tally& tally, const Found& found) {
 }  // namespace
 
 std::set<Cause> usual_causes() {
-  return {Cause::cancellation, Cause::out_of_range,           Cause::algorithm, Cause::inexact, Cause::invalid,
-          Cause::not_asked,    Cause::inconsistent_convention};
+  return {Cause::cancellation,
+          Cause::out_of_range,
+          Cause::algorithm,
+          Cause::inexact,
+          Cause::invalid,
+          Cause::not_asked,
+          Cause::inconsistent_convention,
+          Cause::surplus};
 }
 
 std::set<Cause> causes_named(const std::string& names) {
@@ -91,6 +98,8 @@ std::vector<Found> found_in(const Tally& tally, const std::set<Cause>& causes) {
     }
     if (causes.count(Cause::inconsistent_convention) > 0 && operation.inconsistent_convention())
       all.push_back({operation.operation, "", Cause::inconsistent_convention, 1, cases_of(operation)});
+    if (causes.count(Cause::surplus) > 0 && operation.too_much_surplus(tally.max_surplus))
+      all.push_back({operation.operation, "", Cause::surplus, 1, cases_of(operation)});
   }
   return all;
 }
@@ -103,7 +112,7 @@ std::uint64_t accepted(const Found& found, std::uint64_t seed, const Baseline& b
   const auto known = std::find_if(baseline.known.begin(), baseline.known.end(),
                                   [&](const Found& entry) { return same_place(entry, found); });
   if (known == baseline.known.end() || known->cases == 0) return 0;
-  const bool of_operation = found.cause == Cause::inconsistent_convention;
+  const bool of_operation = found.cause == Cause::inconsistent_convention || found.cause == Cause::surplus;
   if (of_operation || (seed == baseline.seed && found.cases == known->cases))
     return std::min(found.findings, known->findings);
   const double scale = static_cast<double>(found.cases) / static_cast<double>(known->cases);

@@ -25,11 +25,13 @@ enum class Cause {
   unsupported,
   not_asked,                ///< the engine was given up before these questions
   inconsistent_convention,  ///< touches treated in two ways: one finding of an operation, of no family
+  surplus,                  ///< more listed than --max-surplus allows: likewise
 };
-inline constexpr std::size_t cause_count = 10;
+inline constexpr std::size_t cause_count = 11;
 inline constexpr std::array<const char*, cause_count> cause_names{
     "cancellation", "out_of_range", "algorithm",   "inexact",   "invalid",
-    "convention",   "tolerance",    "unsupported", "not_asked", "inconsistent_convention"};
+    "convention",   "tolerance",    "unsupported", "not_asked", "inconsistent_convention",
+    "surplus"};
 inline const char* name_of(Cause cause) { return cause_names[static_cast<std::size_t>(cause)]; }
 
 /// What makes an audit without a gate exit with 1.

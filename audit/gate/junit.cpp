@@ -88,8 +88,9 @@ Suite suite_of(const Tally& tally, const GateResult& result, const OperationTall
       add_family(tally, result, operation.operation, family, family, suite);
     }
   }
-  if (operation.inconsistent_convention())
-    add_family(tally, result, operation.operation, "", "inconsistent convention", suite);
+  const bool too_much = operation.too_much_surplus(tally.max_surplus);
+  if (operation.inconsistent_convention() || too_much)
+    add_family(tally, result, operation.operation, "", too_much ? "surplus" : "inconsistent convention", suite);
   add_robust(tally, operation.operation, suite);
   return suite;
 }

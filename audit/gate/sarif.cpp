@@ -22,6 +22,7 @@ const char* cause_in_words(Cause cause) {
     case Cause::tolerance: return "wrong decision within the declared tolerance";
     case Cause::unsupported: return "not answered";
     case Cause::not_asked: return "not asked: the engine was given up";
+    case Cause::surplus: return "more listed beyond the truth than --max-surplus allows";
     case Cause::inconsistent_convention: return "touches answered now as closed sets do, now as open sets do";
   }
   return "";

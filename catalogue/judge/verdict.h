@@ -44,6 +44,7 @@ struct Judgement {
   int touch_reading =
       0;  ///< where the truth is a touch: +1 answered as closed sets, -1 as open sets, 0 neither or no touch
   std::uint64_t surplus = 0;  ///< of an answer that must cover: what it holds beyond the truth
+  std::uint64_t apart = 0;    ///< of the same: how much there is beyond the truth that it may hold
   /// The answer's enumerators ("boundary"), "value" where it has none, "true" or "false" where it was a plain one;
   /// empty where there is no valid answer.
   std::string said = {};
@@ -61,6 +62,10 @@ struct Declaration {
   Boundary boundary = Boundary::unspecified;
   bool binary32 = false;  ///< number type; inputs are drawn so that they are exact in it
   double tolerance = 0;   ///< in the unit of the input coordinates
+  /// What lists of pairs hold: those alone that meet, or these and others, as a broad phase does.
+  enum class Pairs { conservative, exact };
+  Pairs pairs = Pairs::conservative;
+  bool skew_boxes = false;  ///< takes oriented boxes that are not at right angles
 };
 
 }  // namespace touchstone::catalogue

@@ -21,6 +21,21 @@ bool holds_numbers(const Shape& shape) {
                                                           [](const auto& part) { return holds_numbers(*part.shape); });
 }
 
+/// How many elements the lists of an answer could hold beyond the truth: so many different places each.
+std::uint64_t most_surplus(const Examination& question) {
+  const RowFunctions& row = question.row();
+  const std::vector<Listed> truth = listed(*row.answer, question.solution().answer.words);
+  const std::vector<std::uint64_t> places =
+      row.places != nullptr
+          ? row.places(question.question())
+          : std::vector<std::uint64_t>(truth.size(), elements_of_lists(*row.question, question.question()));
+  constexpr std::uint64_t each = 2;  // pairs
+  std::uint64_t most = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    most += places[i] < each ? 0 : places[i] * (places[i] - 1) / each - truth[i].size();
+  return most;
+}
+
 Comparison compared(const Examination& question, const Tape<double>& answer, Reading reading, bool binary32,
                     Judgement& judgement) {
   const RowFunctions& row = question.row();
@@ -33,6 +48,7 @@ Comparison compared(const Examination& question, const Tape<double>& answer, Rea
     const Covering covering = covered(*row.answer, truth.words, answer.words);
     found.decision = covering.missing == 0;
     judgement.surplus = covering.surplus;
+    judgement.apart = most_surplus(question);
   } else {
     found = compared(*row.answer, truth, answer, reading, binary32);
   }
@@ -88,17 +104,24 @@ bool may_be_rounding(const Examination& question, const Tape<double>& answer, bo
   return of_formula && *excess <= explained_spreads * *of_formula;
 }
 
+/// More than the truth, of an engine that promises to list that alone.
+bool lists_too_much(const Judgement& judgement, const Declaration& declaration) {
+  return declaration.pairs == Declaration::Pairs::exact && judgement.surplus > 0;
+}
+
 /// For a foreign implementation rounding is to blame where the question is beside a touch, or where the slide's formula
 /// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
 /// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
 /// right, the number type was good enough, and what is to blame is the choice of another.
-bool rounding_is_to_blame(const Examination& question, const Tape<double>* answer, bool binary32) {
+bool rounding_is_to_blame(const Examination& question, const Tape<double>* answer, const Declaration& declaration) {
+  const bool binary32 = declaration.binary32;
   if (question.row().excess != nullptr && answer != nullptr && !may_be_rounding(question, *answer, binary32))
     return false;
   if (checks_numbers(question.row())) return question.judge_reference(binary32).verdict == Verdict::rounding;
-  Judgement ignored;
-  return products_underflow(question, binary32) || beside_a_touch(question, binary32) ||
-         (question.doubtful(binary32) && !compared_formula(question, binary32, ignored).decision);
+  if (products_underflow(question, binary32) || beside_a_touch(question, binary32)) return true;
+  Judgement formula;
+  return question.doubtful(binary32) &&
+         (!compared_formula(question, binary32, formula).decision || lists_too_much(formula, declaration));
 }
 
 /// answer: nullptr where it was a plain true or false.
@@ -112,8 +135,7 @@ Judgement wrong(const Examination& question, const Tape<double>* answer, const D
              tolerated(*margin, declaration.tolerance, question.row().card->margin_degree, question.question())) {
     judgement.verdict = Verdict::tolerance;
   } else {
-    judgement.verdict =
-        rounding_is_to_blame(question, answer, declaration.binary32) ? Verdict::rounding : Verdict::algorithm;
+    judgement.verdict = rounding_is_to_blame(question, answer, declaration) ? Verdict::rounding : Verdict::algorithm;
   }
   return judgement;
 }
@@ -186,10 +208,12 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
     const std::string said = outcome_of(*row.answer, answer.words, row.fault == nullptr);
     const int reading =
         row.card->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
-    if (!found.decision) {
-      std::string remark = std::move(judgement.remark);
-      judgement = wrong(question, &answer, declaration, reading == -1);
-      judgement.remark = std::move(remark);
+    const bool too_much = lists_too_much(judgement, declaration);
+    if (!found.decision || too_much) {
+      const Judgement before = std::move(judgement);
+      judgement = wrong(question, &answer, declaration, reading == -1 && !too_much);
+      judgement.remark = found.decision ? "it lists what does not meet" : before.remark;
+      judgement.surplus = before.surplus, judgement.apart = before.apart;
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
     } else if (found.ulps > row.card->ulps) {

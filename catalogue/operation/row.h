@@ -144,6 +144,8 @@ struct Hooks {
   void (*repair)(Question&) = nullptr;
   /// Times 2^k what is a length (default: every number).
   void (*scale)(Question&, int k) = nullptr;
+  /// Of an answer that must cover: among how many elements each of its lists chooses (default: those of the question).
+  std::vector<std::uint64_t> (*places)(const Question&) = nullptr;
   /// What is 0 of every right answer, exactly (momentum gained, energy gained).
   std::vector<mpq_class> (*residuals)(const Question&, const answer_t<Row>&) = nullptr;
   /// A degenerate question for the failure map (default: the first hard case at its simplest), and which of its numbers

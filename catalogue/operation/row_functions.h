@@ -99,6 +99,7 @@ struct RowFunctions {
   Excess (*excess)(const Question&, const Tape<double>& answer, const Tape<double>& truth);
   void (*repair)(Question&);
   void (*scale)(Question&, int exponent);
+  std::vector<std::uint64_t> (*places)(const Question&);
   std::vector<mpq_class> (*residuals)(const Question&, const Tape<double>& answer);
   Question (*map_centre)();
   std::pair<std::size_t, std::size_t> (*map_axes)();

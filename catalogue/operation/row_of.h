@@ -178,6 +178,9 @@ struct RowOf {
     hooks().scale(asked, exponent);
     question = packed(asked);
   }
+  static std::vector<std::uint64_t> places(const Question& question) {
+    return hooks().places(unpacked<Asked>(question));
+  }
   static std::vector<mpq_class> residuals(const Question& question, const Tape<double>& answer) {
     return hooks().residuals(unpacked<Asked>(question), unpacked<Answer>(answer));
   }
@@ -266,6 +269,7 @@ RowFunctions RowOf<Row>::functions() {
   if (given.excess) f.excess = excess;
   if (given.repair) f.repair = repair;
   if (given.scale) f.scale = scale;
+  if (given.places) f.places = places;
   if (given.residuals) f.residuals = residuals;
   if (given.map_centre) f.map_centre = map_centre;
   f.map_axes = given.map_axes;

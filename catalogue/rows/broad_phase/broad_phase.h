@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -154,6 +155,16 @@ struct broad_phase {
     return open;
   }
 
+  /// The bodies that are there at each query.
+  static std::vector<std::uint64_t> places(const Question& question) {
+    std::vector<std::uint64_t> there;
+    each_query(question, [&](const std::vector<std::optional<Aabb3d>>& boxes) {
+      there.push_back(static_cast<std::uint64_t>(
+          std::count_if(boxes.begin(), boxes.end(), [](const auto& box) { return box.has_value(); })));
+    });
+    return there;
+  }
+
   /// The bodies that are there at the last query, by their indices.
   static void draw(Drawing& drawing, const Question& question, const Replies&) {
     std::vector<std::optional<Aabb3d>> last;
@@ -200,6 +211,7 @@ struct broad_phase {
   static Hooks<broad_phase> hooks() {
     return {.as_open_sets = as_open_sets,
             .repair = repair_program,
+            .places = places,
             .map_centre = map_centre,
             .map_axes = map_axes,
             .draw = draw,

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "audit/gate/gate.h"
+#include "audit/tally_json.h"
+#include "catalogue/rows/broad_phase/all_pairs.h"
 #include "catalogue/rows/planes/point_plane.h"
 #include "catalogue/rows/planes/polygon_normal.h"
 #include "catalogue/rows/response/elastic_collision.h"
@@ -13,6 +15,7 @@
 #include "catalogue/rows/volumes/sphere_sphere.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
+#include "report/table.h"
 
 /// Bugs that nobody may take for rounding: an audit counts them as wrong by the method, and its gate fails.
 namespace touchstone::proptests::planted_bugs_tests {
@@ -111,6 +114,40 @@ TEST_CASE("planted bugs: a time that is clamped, and one that is none") {
   // What never touches has no time that could be wrong.
   is_seen<rows::swept_sphere_sphere>(0.1, contact_with([](double t) { return std::clamp(t, 0.0, 0.25); }));
   is_seen<rows::swept_sphere_sphere>(0.2, contact_with([](double) { return -1e308; }));
+}
+
+TEST_CASE("planted bugs: a broad phase that lists every pair, and one that sorts along an axis") {
+  const auto paired = [](const auto& solids, const auto& meet) {
+    std::vector<IndexPair> pairs;
+    for (Index i = 0; i < solids.size(); ++i)
+      for (Index j = i + 1; j < solids.size(); ++j)
+        if (meet(solids[i], solids[j])) pairs.push_back({i, j});
+    return pairs;
+  };
+  const auto every = [&](const auto& solids) { return paired(solids, [](const auto&, const auto&) { return true; }); };
+  const auto along_x = [&](const auto& solids) {
+    return paired(solids, [](const auto& a, const auto& b) {
+      if constexpr (requires { a.radius; })
+        return a.center.x - a.radius <= b.center.x + b.radius && b.center.x - b.radius <= a.center.x + a.radius;
+      else return a.min.x <= b.max.x && b.min.x <= a.max.x;
+    });
+  };
+  const Gate usual;
+  const Tally everything = audited<rows::all_pairs>(every), sorted = audited<rows::all_pairs>(along_x);
+  CHECK(everything.operations[0].total().surplus_rate() == 1);
+  CHECK(everything.has_findings());
+  CHECK_FALSE(held_against(everything, usual).passed());
+  CHECK(held_against(everything, Gate{.causes = causes_named("rounding,algorithm,invalid")}).passed());
+  CHECK_THAT(text_table(everything),
+             ContainsSubstring(", 100% of what is apart; more than --max-surplus 0.75 allows\n"));
+  const double rate = sorted.operations[0].total().surplus_rate();
+  INFO(rate);
+  CHECK((rate > 0.1 && rate < usual_surplus));
+  CHECK_FALSE(sorted.operations[0].too_much_surplus(sorted.max_surplus));
+  Tally strict = sorted;
+  strict.max_surplus = 0.05;
+  CHECK_FALSE(held_against(strict, usual).passed());
+  CHECK(tally_json(read_tally(tally_json(strict))) == tally_json(strict));
 }
 
 }  // namespace touchstone::proptests::planted_bugs_tests

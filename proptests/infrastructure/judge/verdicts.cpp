@@ -1,30 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "proptests/catch.h"
+#include "proptests/infrastructure/judge/by_hand.h"
 #include "proptests/mandatory_number.h"
 #include "proptests/uses.h"
 
 /// What the judge says of answers made by hand.
 namespace touchstone::proptests::verdicts_tests {
 namespace {
-
-using Boundary = Declaration::Boundary;
-
-/// One engine and one question, asked about many answers.
-struct Case {
-  const char* operation;
-  const char* question;
-  Boundary boundary = Boundary::unspecified;
-  double tolerance = 0;
-  bool binary32 = false;
-
-  Judgement judge(const std::string& answer) const {
-    const Operation& asked = *find_operation(operation);
-    const auto examination = asked.examine(asked.parse(parse_line(question)));
-    return examination->judge_engine(parse_line(answer), Declaration{"by hand", boundary, binary32, tolerance});
-  }
-  std::string says(const std::string& answer) const { return name_of(judge(answer).verdict); }
-  int touch(const std::string& answer) const { return judge(answer).touch_reading; }
-};
 
 constexpr const char* left = R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})";
 constexpr const char* nearly_on = R"({"p0":[0,0],"p1":[1,10],"p":[0.1,1]})";  // right, by 2^-54
@@ -126,6 +108,34 @@ TEST_CASE("verdicts: of a list that must cover, what only touches is a conventio
   CHECK(closed.judge(R"({"pairs":[[0,1],[0,2],[1,2],[1,3]]})").remark ==
         "answer.pairs[3]: different places in the list");
   CHECK(closed.says(R"({"pairs":[[0,1],[0,2],[1,2],[1,1]]})") == "invalid");
+}
+
+TEST_CASE("verdicts: what an engine lists beyond the truth is wrong where it declares exact pairs, else counted") {
+  const Operation& pairs = *find_operation("all_pairs");
+  const auto judged = [&](const char* question, const char* answer, Declaration::Pairs promised) {
+    Declaration declaration{"by hand", Boundary::closed};
+    declaration.pairs = promised;
+    return pairs.examine(pairs.parse(parse_line(question)))->judge_engine(parse_line(answer), declaration);
+  };
+  constexpr auto exact = Declaration::Pairs::exact, conservative = Declaration::Pairs::conservative;
+  const char* const far = R"({"spheres":[{"center":[0,0,0],"radius":1},{"center":[1,0,0],"radius":1},)"
+                          R"({"center":[9,0,0],"radius":1},{"center":[0,9,0],"radius":1}]})";
+  const char *const everything = R"({"pairs":[[0,1],[0,2],[0,3],[1,2],[1,3],[2,3]]})", *const right =
+                                                                                           R"({"pairs":[[0,1]]})";
+  const Judgement counted = judged(far, everything, conservative), wrong = judged(far, everything, exact);
+  CHECK(counted.verdict == Verdict::agree);
+  CHECK(counted.surplus == 5);
+  CHECK(counted.apart == 5);
+  CHECK(wrong.verdict == Verdict::algorithm);
+  CHECK(wrong.remark == "it lists what does not meet");
+  CHECK(wrong.surplus == 5);
+  CHECK(judged(far, right, exact).verdict == Verdict::agree);
+  CHECK(judged(far, right, exact).apart == 5);
+  CHECK(judged(far, R"({"pairs":[]})", exact).verdict == Verdict::algorithm);
+  // As doubles, 0.5 + 0.6 = 1.1 - 2^-53, which rounds to 1.1.
+  const char* const near = R"({"spheres":[{"center":[0,0,0],"radius":0.5},{"center":[1.1,0,0],"radius":0.6}]})";
+  CHECK(judged(near, right, exact).verdict == Verdict::rounding);
+  CHECK(judged(near, right, conservative).verdict == Verdict::agree);
 }
 
 TEST_CASE("verdicts: where the formula divides by an exact 0, nothing was rounded") {
@@ -268,77 +278,6 @@ TEST_CASE("verdicts: NaN, an infinity where the truth is finite, and what is no 
     INFO(answer);
     CHECK(side.says(answer) == "invalid");
   }
-}
-
-TEST_CASE("verdicts: a number is inexact as far as rounding explains it, and wrong without a digit or beyond") {
-  // x is 1, between terms of 10^16, of which the last places are 2: the formula answers 0.
-  const char* const cancelling = R"({"bodies":[{"mass":1,"velocity":[1e16,0,0]},{"mass":1,"velocity":[1,3,0]},)"
-                                 R"({"mass":1,"velocity":[-1e16,0,0]}]})";
-  const Case sum{"momentum", cancelling};
-  const auto says = [&](const char* x, const char* y = "3") {
-    return sum.says(std::string(R"({"momentum":[)") + x + "," + y + ",0]}");
-  };
-  CHECK(says("1") == "agree");
-  CHECK(says("1.25") == "inexact");
-  CHECK(says("0.5") == "rounding");
-  CHECK(says("0") == "rounding");
-  CHECK(says("2") == "rounding");
-  CHECK(says("-20") == "rounding");
-  CHECK(says("420") == "algorithm");
-  CHECK(says("0", "3.001") == "algorithm");  // y is exact in every order
-  const Judgement wrong = sum.judge(R"({"momentum":[0,3,0]})");
-  REQUIRE(wrong.number);
-  CHECK(wrong.number->exact == 1);
-  CHECK(wrong.number->answered == 0);
-  CHECK_FALSE(wrong.out_of_range);
-  CHECK_FALSE(sum.judge(R"({"momentum":[1,3,0]})").number);
-  const Operation& momentum = *find_operation("momentum");
-  const auto examined = momentum.examine(momentum.parse(parse_line(cancelling)));
-  CHECK(examined->judge_reference().verdict == Verdict::rounding);
-  CHECK(examined->judge_reference().number->answered == 0);
-}
-
-TEST_CASE("verdicts: where the exact number is 0, rounding explains what it may leave behind and no more") {
-  // (0.3, -0.6) . (2, 1) is 0, of doubles too; (1, 1, -2) has nothing to round.
-  const Case typed{"point_plane", R"({"plane":{"normal":[2,1,0],"offset":0},"point":[0.3,-0.6,0]})"};
-  CHECK(typed.says(R"({"side":"on","signed_distance":0})") == "agree");
-  CHECK(typed.says(R"({"side":"on","signed_distance":1e-17})") == "inexact");
-  CHECK(typed.says(R"({"side":"on","signed_distance":1e-14})") == "algorithm");
-  CHECK(typed.says(R"({"side":"front","signed_distance":1e-17})") == "algorithm");  // on a touch, as ever
-}
-
-TEST_CASE("verdicts: of a number that leaves the range on the way, overflow is to blame where the formula's does too") {
-  // N . N is infinite in double.
-  const Case far{"point_plane", R"({"plane":{"normal":[0,"0x1p600",0],"offset":0},"point":[0,3,0]})"};
-  CHECK(far.says(R"({"side":"front","signed_distance":3})") == "agree");
-  const Judgement lost = far.judge(R"({"side":"front","signed_distance":0})");
-  CHECK(lost.verdict == Verdict::rounding);
-  CHECK(lost.out_of_range);
-}
-
-TEST_CASE("verdicts: a number that the formula does not have is held to its digits") {
-  // Both lie on one line: the formula finds nothing, and the oracle that they share (2, 2) to (4, 4).
-  const Case shared{"segment_segment", overlapping, Boundary::closed};
-  const auto says = [&](const char* end) {
-    return shared.says(std::string(R"({"relation":"overlap","overlap":[[2,2],[)") + end + "]]}");
-  };
-  CHECK(says("4,4") == "agree");
-  CHECK(says("4.000000000000003,4") == "agree");
-  CHECK(says("6,6") == "algorithm");
-  // The unit normal is left out by the formula, and is as certain as its normal.
-  const Case face{"polygon_normal", R"({"polygon":[[0,0,0],[3,0,0],[0,2,0]]})"};
-  CHECK(face.says(R"({"class":"proper","normal":[0,0,6],"unit":[0,0,1]})") == "agree");
-  CHECK(face.says(R"({"class":"proper","normal":[0,0,6],"unit":[1e-16,0,1]})") == "inexact");
-  CHECK(face.says(R"({"class":"proper","normal":[0,0,6],"unit":[0,0,-1]})") == "algorithm");
-}
-
-TEST_CASE("verdicts: a declared tolerance is a length, and excuses a coordinate within it from being wrong") {
-  const auto says = [](double tolerance) {
-    return Case{"line_point_at", R"({"line":{"origin":[1,2],"direction":[3,4]},"t":2})", Boundary::closed, tolerance}
-        .says(R"({"point":[7.0001,10]})");
-  };
-  CHECK(says(0) == "algorithm");
-  CHECK(says(1e-3) == "inexact");
 }
 
 TEST_CASE("verdicts: numbers of a binary32 engine are held against binary32") {
