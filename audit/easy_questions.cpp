@@ -7,6 +7,7 @@
 #include <set>
 
 #include "audit/judged.h"
+#include "catalogue/operation/looks_outwards.h"
 
 namespace touchstone::audit {
 namespace {
@@ -49,7 +50,7 @@ class Examples {
           if (source.generic) number = std::rint(number * 64) / 4;  // drawn between -1 and 1
         }
         if (source.only_short && !std::all_of(question.numbers.begin(), question.numbers.end(), is_short)) continue;
-        add(binary32_ ? operation_.in_binary32(question) : question);
+        if (looks_outwards(operation_, question)) add(binary32_ ? operation_.in_binary32(question) : question);
       }
     }
   }

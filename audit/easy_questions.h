@@ -10,8 +10,8 @@
 namespace touchstone::audit {
 
 /// At most five questions of an operation that every implementation answers rightly whose fields and words are the
-/// right ones: short numbers, nothing that only touches, and the textbook formula in double (or float) is right. Of as
-/// many different truths as were found. The same every time.
+/// right ones: short numbers, nothing that only touches, and the textbook formula in double (or float) is right;
+/// meshes look outwards, as most engines expect. Of as many different truths as were found. The same every time.
 struct EasyQuestion {
   Question question;
   std::unique_ptr<Examination> examination;

@@ -72,7 +72,12 @@ std::string operations_found(const Served& engine) {
   std::string text = listed(
       engine.hello.declaration.engine + " has " + std::to_string(found.size()) + " of " + all + " operations:", found);
   if (!engine.left_out.empty()) text += listed("No overload found:", engine.left_out);
-  if (!not_found.empty()) text += listed("No member function of these names:", not_found);
+  constexpr std::size_t most_named = 4;
+  if (not_found.size() > most_named) {
+    text += "No member function of " + std::to_string(not_found.size()) + " other names: touchstone ops lists them\n";
+  } else if (!not_found.empty()) {
+    text += listed("No member function of these names:", not_found);
+  }
   return text;
 }
 

@@ -40,6 +40,21 @@ for line in sys.stdin:
     print(json.dumps({"id": q["id"], "answer": said}), flush=True)
 )";
 
+/// Six times the volume of the first mesh of a question. The words are the numbers of its vertices and faces, and the
+/// faces.
+double signed_volume(const std::vector<double>& numbers, const std::vector<Word>& words) {
+  const auto at = [&](Word vertex, int axis) { return numbers[3 * vertex + axis] - numbers[axis]; };
+  double sum = 0;
+  for (Word f = 0; f < words[1]; ++f) {
+    const Word a = words[2 + 3 * f], b = words[3 + 3 * f], c = words[4 + 3 * f];
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3, m = (k + 2) % 3;
+      sum += at(a, k) * (at(b, l) * at(c, m) - at(b, m) * at(c, l));
+    }
+  }
+  return sum;
+}
+
 Called checked(const std::string& wiring, const std::string& operations = "orientation") {
   const TextFile engine("wired.py", wired);
   const std::string command = std::string("python3 ") + engine.path() + " " + wiring + " " + operations;
@@ -133,6 +148,9 @@ TEST_CASE("check-engine: every operation has five easy questions, or as many as 
     }
     CHECK(asked.size() == easy.size());
   }
+  for (const char* of_meshes : {"point_in_convex_polyhedron", "swept_convex_polyhedra"})
+    for (const EasyQuestion& one : easy_questions(*find_operation(of_meshes)))
+      CHECK(signed_volume(one.question.numbers, one.question.words) > 0);
   const auto sides = easy_questions(*find_operation("orientation"));
   std::set<std::string> truths;
   for (const EasyQuestion& one : sides) truths.insert(one.examination->outcome());
