@@ -7,6 +7,7 @@
 #include "audit/parallel.h"
 #include "audit/shrink_examples.h"
 #include "catalogue/codec/plain.h"
+#include "catalogue/operation/fitted.h"
 
 namespace touchstone::audit {
 namespace {
@@ -75,7 +76,7 @@ class Worker {
     const std::uint64_t index = i / families_.size();
     Choices choices = case_choices(operation_, families_[family], options_.seed, index);
     Question question = operation_.draw(choices, families_[family]);
-    if (engine_ != nullptr && engine_->declaration().binary32) question = operation_.in_binary32(question);
+    if (engine_ != nullptr) question = fitted(operation_, question, engine_->declaration());
     if (options_.ordinary_only && range_of(question, options_.limits) == Range::extreme) {
       ++asked_[family].left_out, ++robust_[family].left_out;
       return;

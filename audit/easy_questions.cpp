@@ -7,6 +7,7 @@
 #include <set>
 
 #include "audit/judged.h"
+#include "catalogue/operation/fitted.h"
 #include "catalogue/operation/looks_outwards.h"
 
 namespace touchstone::audit {
@@ -34,8 +35,8 @@ constexpr Source sources[] = {{400, true, true}, {60, false, true}, {60, false, 
 /// Questions by what is true of them, and which alternative they are (in the plane, in space).
 class Examples {
  public:
-  Examples(const Operation& operation, bool binary32)
-      : operation_(operation), binary32_(binary32), alternatives_(operation.zeros_of_alternatives().size() > 1) {}
+  Examples(const Operation& operation, const Declaration& declaration)
+      : operation_(operation), declaration_(declaration), alternatives_(operation.zeros_of_alternatives().size() > 1) {}
 
   bool enough() const { return count_ >= 2 * wanted; }
   std::size_t count() const { return count_; }
@@ -50,7 +51,7 @@ class Examples {
           if (source.generic) number = std::rint(number * 64) / 4;  // drawn between -1 and 1
         }
         if (source.only_short && !std::all_of(question.numbers.begin(), question.numbers.end(), is_short)) continue;
-        if (looks_outwards(operation_, question)) add(binary32_ ? operation_.in_binary32(question) : question);
+        if (looks_outwards(operation_, question)) add(fitted(operation_, question, declaration_));
       }
     }
   }
@@ -72,7 +73,7 @@ class Examples {
     try {
       auto examination = operation_.examine(question);
       std::vector<EasyQuestion>& alike = by_truth_[{examination->outcome(), alternatives_ ? question.words[0] : 0}];
-      if (alike.size() >= wanted || !is_easy(*examination, binary32_)) return;
+      if (alike.size() >= wanted || !is_easy(*examination, declaration_.binary32)) return;
       alike.push_back({std::move(question), std::move(examination)});
       ++count_;
     } catch (const InvalidInput&) {
@@ -80,7 +81,7 @@ class Examples {
   }
 
   const Operation& operation_;
-  bool binary32_;
+  const Declaration& declaration_;
   bool alternatives_;
   std::map<std::pair<std::string, Word>, std::vector<EasyQuestion>> by_truth_;  ///< and alternative
   std::set<std::string> asked_;
@@ -89,8 +90,8 @@ class Examples {
 
 }  // namespace
 
-std::vector<EasyQuestion> easy_questions(const Operation& operation, bool binary32) {
-  Examples found(operation, binary32);
+std::vector<EasyQuestion> easy_questions(const Operation& operation, const Declaration& declaration) {
+  Examples found(operation, declaration);
   for (const Source& source : sources) {
     if (found.count() < wanted) found.look(source);
   }

@@ -16,6 +16,6 @@ struct EasyQuestion {
   Question question;
   std::unique_ptr<Examination> examination;
 };
-std::vector<EasyQuestion> easy_questions(const Operation& operation, bool binary32 = false);
+std::vector<EasyQuestion> easy_questions(const Operation& operation, const Declaration& declaration = {});
 
 }  // namespace touchstone::audit

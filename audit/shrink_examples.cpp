@@ -8,6 +8,7 @@
 #include "audit/judged.h"
 #include "audit/parallel.h"
 #include "catalogue/codec/plain.h"
+#include "catalogue/operation/fitted.h"
 #include "catalogue/operation/shrink.h"
 
 namespace touchstone::audit {
@@ -53,7 +54,7 @@ class Shrinker {
     Engine* const engine = shrinking_.engine;
     Choices replay = Choices::replayed(bytes);
     Question question = operation.draw(replay, family_);
-    if (engine != nullptr && engine->declaration().binary32) question = operation.in_binary32(question);
+    if (engine != nullptr) question = fitted(operation, question, engine->declaration());
     Finding found{std::move(question), {}, nullptr, index};
     try {
       std::unique_ptr<const Examination> examination = operation.examine(found.question);

@@ -34,7 +34,7 @@ struct Wiring {
 
 Wiring wiring_of(Engine& engine, const Operation& operation) {
   Wiring wiring;
-  const std::vector<EasyQuestion> easy = easy_questions(operation, engine.declaration().binary32);
+  const std::vector<EasyQuestion> easy = easy_questions(operation, engine.declaration());
   std::vector<Question> questions;
   for (const EasyQuestion& one : easy) questions.push_back(one.question);
   const std::vector<Reply> replies = engine.ask(operation, questions);

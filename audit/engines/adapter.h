@@ -15,6 +15,7 @@
 ///     using number = double;                                           // or float; left out: double
 ///     static constexpr double tolerance = 0;                           // left out: 0
 ///     static constexpr auto pairs = touchstone::Pairs::exact;          // left out: conservative
+///     static constexpr bool skew_boxes = true;                         // left out: boxes at right angles alone
 ///     bool segment_segment(const touchstone::Segment2d& a, const touchstone::Segment2d& b) { ... }
 ///   };
 ///   TOUCHSTONE_ENGINE_MAIN(MyEngine)
@@ -112,6 +113,7 @@ Declaration declaration_of() {
   if constexpr (requires { Engine::boundary; }) declaration.boundary = Engine::boundary;
   if constexpr (requires { Engine::tolerance; }) declaration.tolerance = Engine::tolerance;
   if constexpr (requires { Engine::pairs; }) declaration.pairs = Engine::pairs;
+  if constexpr (requires { Engine::skew_boxes; }) declaration.skew_boxes = Engine::skew_boxes;
   return declaration;
 }
 

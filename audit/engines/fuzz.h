@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "audit/engines/adapter.h"
+#include "catalogue/operation/fitted.h"
 
 namespace touchstone::audit {
 
@@ -53,7 +54,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   Choices choices = Choices::replayed({bytes, size});
   const std::size_t family = choices.below(operation.families().size());
   Question question = operation.draw(choices, family);
-  if (declaration.binary32) question = operation.in_binary32(question);
+  question = fitted(operation, question, declaration);
   std::unique_ptr<Examination> examination;
   try {
     examination = operation.examine(question);

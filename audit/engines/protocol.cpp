@@ -33,7 +33,8 @@ bool is_asked(const Operation& operation) { return !operation.card().is_implemen
 
 /// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
-  static const std::vector<const char*> fields{"engine", "ops", "number", "boundary", "tolerance", "pairs"};
+  static const std::vector<const char*> fields{"engine",    "ops",   "number",    "boundary",
+                                               "tolerance", "pairs", "skew_boxes"};
   std::vector<std::string> remarks, known;
   for (const auto& [key, value] : hello.items()) {
     if (std::find(fields.begin(), fields.end(), key) == fields.end())
@@ -109,6 +110,11 @@ Hello read_hello(const std::string& line) {
   }
   if (json.contains("pairs"))
     hello.declaration.pairs = static_cast<Declaration::Pairs>(word_index(json["pairs"], "pairs", pairs_words));
+  if (json.contains("skew_boxes")) {
+    if (!json["skew_boxes"].is_boolean())
+      throw InvalidInput("skew_boxes", expected("true or false", json["skew_boxes"]));
+    hello.declaration.skew_boxes = json["skew_boxes"].get<bool>();
+  }
   hello.remarks = remarks_on(json);
   return hello;
 }
@@ -121,6 +127,7 @@ std::string written_hello(const Hello& hello) {
   line["boundary"] = boundary_word(hello.declaration.boundary);
   line["tolerance"] = written(hello.declaration.tolerance);
   if (hello.declaration.pairs != Declaration::Pairs::conservative) line["pairs"] = pairs_word(hello.declaration.pairs);
+  if (hello.declaration.skew_boxes) line["skew_boxes"] = true;
   return one_line(line) + "\n";
 }
 

@@ -33,7 +33,7 @@ std::string greeting();
 std::string why_never_asked(const Operation& method);
 
 /// What an engine says. Fields other than "engine" and "ops" may be left out: binary64, unspecified, tolerance 0,
-/// conservative.
+/// conservative, no skew boxes.
 /// Throws InvalidInput naming the field and the rule.
 Hello read_hello(const std::string& line);
 std::string written_hello(const Hello& hello);

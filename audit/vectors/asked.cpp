@@ -4,6 +4,7 @@
 #include "audit/audit_run.h"
 #include "audit/vectors/named_files.h"
 #include "catalogue/codec/plain.h"
+#include "catalogue/operation/fitted.h"
 
 namespace touchstone::audit {
 
@@ -14,8 +15,8 @@ void VectorQuestions::add(std::uint64_t number, const std::string& text) {
     const Operation* const operation = find_operation(line["op"].get<std::string>());
     if (operation == nullptr || !engine_.supports(operation->name())) return;
     Question question = operation->parse(without_names(line["input"], folder_));
-    if (engine_.declaration().binary32) question = operation->in_binary32(question);
-    operation->examine(question);  // rounded to float it may be outside the contract
+    question = fitted(*operation, question, engine_.declaration());
+    operation->examine(question);  // then it may be outside the contract
     pending_.push_back({number, operation, std::move(question)});
   } catch (const std::exception&) {
   }

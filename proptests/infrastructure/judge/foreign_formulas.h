@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "audit/judged.h"
+#include "catalogue/operation/fitted.h"
 #include "catalogue/operation/row_of.h"
 #include "proptests/uses.h"
 
@@ -14,6 +15,7 @@ struct Asking {
   std::uint64_t each = 60;  ///< questions of each family
   bool binary32 = false;    ///< the engine's number type; its formula takes doubles all the same
   bool ordinary_only = true;
+  bool skew_boxes = false;
 };
 
 /// What an audit counts of a formula, which takes the arguments of the row's operation. `look` hears of every
@@ -23,13 +25,14 @@ Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
   const Operation& operation = operation_of_row<Row>();
   Tally tally;
   tally.declaration = {"by formula", Declaration::Boundary::closed, asking.binary32, 0};
+  tally.declaration.skew_boxes = asking.skew_boxes;
   tally.operations.push_back({operation.name(), {}});
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     Cell cell;
     for (std::uint64_t i = 0; i < asking.each; ++i) {
       Choices choices = case_choices(operation, family, 1, i);
       Question question = operation.draw(choices, family);
-      if (asking.binary32) question = operation.in_binary32(question);
+      question = fitted(operation, question, tally.declaration);
       if (asking.ordinary_only && range_of(question) == Range::extreme) continue;
       try {
         const auto examination = operation.examine(question);
