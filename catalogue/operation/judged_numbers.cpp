@@ -64,6 +64,10 @@ class NumberJudge {
     const mpq_class exact = value_of(question_.solution().answer.numbers[place.in_truth]),
                     gap = abs(exact_value(answered) - exact);
     if (place.meaning != Meaning::number && at_most(gap, declaration_.tolerance)) return Verdict::inexact;
+    // Beyond the range the infinity is right, and where the formula says it, nothing excuses a number.
+    const double right = nearest(question_.solution().answer.numbers[place.in_truth], declaration_.binary32);
+    const auto& formula = formula_[place.in_truth];
+    if (std::isinf(right) && formula && formula->value == right) return Verdict::algorithm;
     const std::optional<double> spread = spread_at(place);
     const bool has_a_digit = 2 * gap < abs(exact);
     const bool explained = spread ? at_most(gap, explained_spreads * *spread) : has_a_digit;

@@ -54,6 +54,10 @@ TEST_CASE("verdicts: of a number that leaves the range on the way, overflow is t
   const Judgement lost = far.judge(R"({"side":"front","signed_distance":0})");
   CHECK(lost.verdict == Verdict::rounding);
   CHECK(lost.out_of_range);
+  // The sum itself is beyond the range, and the formula says so.
+  const Case beyond{"momentum", R"({"bodies":[{"mass":1e300,"velocity":[1e300,0,0]}]})"};
+  CHECK(beyond.says(R"({"momentum":["inf",0,0]})") == "agree");
+  CHECK(beyond.says(R"({"momentum":[42,0,0]})") == "algorithm");
 }
 
 TEST_CASE("verdicts: a number that the formula does not have is held to its digits") {
