@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -72,7 +73,8 @@ Program any_program(Choices& c, const Draw& box, std::size_t bodies, std::size_t
   return p.program();
 }
 
-/// Bodies that are not there become some that are; without any, the command becomes a query.
+/// Bodies that are not there become some that are; without any, the command becomes a query. A program that asks nothing
+/// asks at its end.
 inline void repair_program(Program& program) {
   auto& [boxes, commands] = program;
   for (Aabb3d& box : boxes) put_in_order(box);
@@ -98,6 +100,8 @@ inline void repair_program(Program& program) {
       there.erase(place);
     }
   }
+  const auto asks = [](const Commandd& command) { return std::holds_alternative<Ask>(command); };
+  if (std::none_of(commands.begin(), commands.end(), asks)) commands.emplace_back(Ask{Query::pairs});
 }
 
 }  // namespace touchstone::catalogue

@@ -20,26 +20,13 @@ void walk(T& value, const Visit& visit, const VisitList& visit_list) {
   } else if constexpr (is_vector<Bare>) {
     visit_list(value);
     for (auto& element : value) walk(element, visit, visit_list);
+  } else if constexpr (is_tuple<Bare>) {
+    std::apply([&](auto&... part) { (walk(part, visit, visit_list), ...); }, value);
+  } else if constexpr (is_variant<Bare>) {
+    std::visit([&](auto& alternative) { walk(alternative, visit, visit_list); }, value);
   } else {
     visit(value);
   }
-}
-template <class... Ts, class Visit, class VisitList>
-void walk(std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
-  std::apply([&](auto&... value) { (walk(value, visit, visit_list), ...); }, values);
-}
-template <class... Ts, class Visit, class VisitList>
-void walk(const std::tuple<Ts...>& values, const Visit& visit, const VisitList& visit_list) {
-  std::apply([&](const auto&... value) { (walk(value, visit, visit_list), ...); }, values);
-}
-
-template <class... Ts, class Visit, class VisitList>
-void walk(std::variant<Ts...>& value, const Visit& visit, const VisitList& visit_list) {
-  std::visit([&](auto& alternative) { walk(alternative, visit, visit_list); }, value);
-}
-template <class... Ts, class Visit, class VisitList>
-void walk(const std::variant<Ts...>& value, const Visit& visit, const VisitList& visit_list) {
-  std::visit([&](const auto& alternative) { walk(alternative, visit, visit_list); }, value);
 }
 
 template <class T, class Visit>
@@ -70,22 +57,14 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
     result.reserve(value.size());
     for (const auto& element : value) result.push_back(converted<To>(element, change));
     return result;
+  } else if constexpr (is_tuple<T>) {
+    return std::apply([&](const auto&... part) { return rebound_t<T, To>{converted<To>(part, change)...}; }, value);
+  } else if constexpr (is_variant<T>) {
+    return std::visit([&](const auto& alternative) { return rebound_t<T, To>(converted<To>(alternative, change)); },
+                      value);
   } else {
     return change(value);
   }
-}
-
-template <class To, class... Ts, class Change>
-rebound_t<std::tuple<Ts...>, To> converted(const std::tuple<Ts...>& values, const Change& change) {
-  return std::apply(
-      [&](const auto&... value) { return rebound_t<std::tuple<Ts...>, To>{converted<To>(value, change)...}; }, values);
-}
-
-template <class To, class... Ts, class Change>
-rebound_t<std::variant<Ts...>, To> converted(const std::variant<Ts...>& value, const Change& change) {
-  return std::visit(
-      [&](const auto& alternative) { return rebound_t<std::variant<Ts...>, To>(converted<To>(alternative, change)); },
-      value);
 }
 
 }  // namespace touchstone::catalogue
