@@ -249,16 +249,18 @@ TEST_CASE("all_pairs: what the formula lists beyond the truth is surplus; robust
   too_many({{{0, 0, 0}, 0x1p1023}, {{0, 0, 0x1.8p1023}, 0x1p1021}}, Rational(11, 16) * power_of_two(2046));
 }
 
-TEST_CASE("all_pairs: what is not finite, a negative radius and min > max are refused, in order of the list") {
+TEST_CASE("all_pairs: what is not finite is refused first, then a negative radius and min > max in order of the list") {
   const auto refuses = [](const auto& solids, const std::string& field, const std::string& rule) {
     refused<Row>(std::tuple(solids), field, rule);
   };
   const std::string finite = "finite number", radius = "radius >= 0", order = "min <= max";
   refuses(Spheres{{{0, 0, 0}, 1}, {{0, not_a_number, 0}, -1}}, "spheres[1].center[1]", finite);
-  refuses(Spheres{{{0, 0, 0}, -tiny}, {{infinity, 0, 0}, 1}}, "spheres[0].radius", radius);
+  refuses(Spheres{{{0, 0, 0}, -tiny}, {{infinity, 0, 0}, 1}}, "spheres[1].center[0]", finite);
+  refuses(Spheres{{{0, 0, 0}, -tiny}, {{0, 0, 0}, 1}}, "spheres[0].radius", radius);
   refuses(Spheres{{{0, 0, 0}, 1}, {{0, 0, 0}, -1}, {{0, 0, 0}, -1}}, "spheres[1].radius", radius);
   refuses(Boxes{{{9, 0, 0}, {1, 1, not_a_number}}}, "boxes[0].max[2]", finite);
-  refuses(Boxes{{{0, 0, 0}, {1, -tiny, 1}}, {{infinity, 0, 0}, {1, 1, 1}}}, "boxes[0].max[1]", order);
+  refuses(Boxes{{{0, 0, 0}, {1, -tiny, 1}}, {{infinity, 0, 0}, {1, 1, 1}}}, "boxes[1].min[0]", finite);
+  refuses(Boxes{{{0, 0, 0}, {1, -tiny, 1}}, {{9, 0, 0}, {1, 1, 1}}}, "boxes[0].max[1]", order);
   gives(Boxes{{{0, 0, 0}, {-0.0, -0.0, -0.0}}}, {}, std::nullopt);  // a point
   gives(Spheres{{{0, 0, 0}, -0.0}}, {}, std::nullopt);
 }

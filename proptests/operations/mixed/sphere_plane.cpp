@@ -78,8 +78,9 @@ TEST_CASE("sphere_plane: rounding, huge, subnormal and negative zero") {
   worked({{{-0.0, -0.0, 0}, -0.0}, {{-0.0, 1, 0}, -0.0}}, touching, 0);
 }
 
-TEST_CASE("sphere_plane: of two broken rules the first is named, the ball's before the plane's") {
-  refused<Row>({{{0, 5, 0}, -tiny}, {{0, 0, 0}, infinity}}, "sphere.radius", "radius >= 0");
+TEST_CASE("sphere_plane: of two broken rules the first is named, numbers first, then the ball's before the plane's") {
+  refused<Row>({{{0, 5, 0}, -tiny}, {{0, 0, 0}, infinity}}, "plane.offset", "finite number");
+  refused<Row>({{{0, 5, 0}, -tiny}, {{0, 0, 0}, 1}}, "sphere.radius", "radius >= 0");
   refused<Row>({{{0, 5, 0}, 1}, {{0, 0, -0.0}, infinity}}, "plane.offset", "finite number");
 }
 
