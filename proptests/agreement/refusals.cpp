@@ -26,7 +26,7 @@ std::string path_of_mark(const catalogue::Json& value, const std::string& path, 
     for (std::size_t i = 0; i < value.size() && found.empty(); ++i) {
       found = path_of_mark(value[i], path + "[" + std::to_string(i) + "]", mark);
     }
-  } else {
+  } else if (value.is_object()) {
     for (const auto& [key, part] : value.items()) {
       if (found.empty()) found = path_of_mark(part, path.empty() ? key : path + "." + key, mark);
     }
