@@ -24,7 +24,7 @@ HELD = [
     rf"{LIB}/pkgconfig/touchstone-({COMPONENTS})\.pc",
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/rows)/{CHAPTER}/\w+\.h",
-    r"include/touchstone/robust/(masked_exceptions|(kernel|batch)/\w+)\.h",
+    r"include/touchstone/robust/(masked_exceptions|(kernel|batch|structures)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact|rings)/\w+|certificates/(certificate|check))\.h",
     r"include/touchstone/catalogue/((shape|numbers|codec|draw|families|judge|operation)/)?\w+\.h",
     r"include/touchstone/catalogue/rows/all\.h",
