@@ -4,9 +4,13 @@
 set(installed ${PROJECT_BINARY_DIR}/installed)
 set(consumers ${PROJECT_BINARY_DIR}/consumers)
 set(install_tests ${PROJECT_SOURCE_DIR}/proptests/install)
+set(build ${PROJECT_BINARY_DIR})
+if(TOUCHSTONE_LINK_FROM)
+  set(build ${TOUCHSTONE_LINK_FROM})
+endif()
 
 add_test(NAME install/prefix
-         COMMAND sh -c "rm -rf '${installed}' && '${CMAKE_COMMAND}' --install '${PROJECT_BINARY_DIR}' --prefix '${installed}'")
+         COMMAND sh -c "rm -rf '${installed}' && '${CMAKE_COMMAND}' --install '${build}' --prefix '${installed}'")
 set_tests_properties(install/prefix PROPERTIES FIXTURES_SETUP installed)
 # install_consumer(NAME SOURCE OPTIONS option... THEN command...): configures and builds a project, then runs the command there.
 function(install_consumer name source)

@@ -5,11 +5,14 @@ each: every fault must be found).
 
 Links lead to files that are there, and to headings. A block marked `console` shows commands (`$ ...`) with what they
 print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
-lines. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
+lines. What a block marked `console terminal` shows is printed on a terminal, and its `./dev audit` is the program's, of as many
+cases. Commands of ./dev and of touchstone that a page names exist. The version is the same in CMakeLists.txt,
 audit/version.h, CITATION.cff and the program; the number of vectors is the same in README.md and their manifest."""
 import argparse
 import json
+import os
 import pathlib
+import pty
 import re
 import subprocess
 import sys
@@ -69,14 +72,32 @@ def matches(shown, printed):
     return bool(printed) and shown[0] == printed[0] and matches(shown[1:], printed[1:])
 
 
+def printed_on_terminal(command, root):
+    terminal, side = pty.openpty()
+    with subprocess.Popen(command, shell=True, cwd=root, stdout=side, stderr=subprocess.DEVNULL) as running:
+        os.close(side)
+        printed = b""
+        try:
+            while part := os.read(terminal, 65536):
+                printed += part
+        except OSError:  # Linux's way to tell that the other side is closed
+            pass
+        running.wait()
+    os.close(terminal)
+    return printed.decode().splitlines()
+
+
 def shown_output(root, page, program):
     text = page.read_text(encoding="utf-8")
-    for block in re.findall(r"^```console\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+    for terminal, block in re.findall(r"^```console( terminal)?\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
         for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
             command, *shown = part.rstrip("\n").split("\n")
-            done = subprocess.run(command.replace(PROGRAM, str(program)), shell=True, cwd=root, text=True,
-                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            printed = done.stdout.splitlines()
+            run = command.replace(PROGRAM, str(program))
+            if terminal:
+                printed = printed_on_terminal(run.replace("./dev audit", f"{program} audit --cases 2000"), root)
+            else:
+                printed = subprocess.run(run, shell=True, cwd=root, text=True, stdout=subprocess.PIPE,
+                                         stderr=subprocess.STDOUT).stdout.splitlines()
             if not matches(shown, printed):
                 yield f"{page.relative_to(root)}: $ {command}: it prints\n" + "\n".join(printed[:40])
 
@@ -111,6 +132,7 @@ def faults(root, program, usage, subcommands, told):
 RIGHT = {
     "README.md": "# A\n[there](docs/page.md#two-words) ![](picture.png) `[no](link.md)`\n```console\n"
                  f"$ echo 1; echo 2; echo 3\n1\n...\n3\n$ {PROGRAM} ask\nasked\n```\n./dev test\n"
+                 "```console terminal\n$ ./dev audit; test -t 1 && echo yes\nasked\nyes\n```\n"
                  "The 1,234 questions with exact answers\n",
     "vectors/manifest.json": '{"vectors": 1234}\n',
     "docs/page.md": "# Two `words`\n[up](../README.md) [out](https://example.org)\n",
@@ -126,6 +148,7 @@ WRONG = [
     ("README.md", "picture.png", "pictures.png", "pictures.png: there is no such file"),
     ("README.md", "\n3\n", "\n4\n", "$ echo 1; echo 2; echo 3: it prints"),
     ("README.md", "asked", "refused", f"$ {PROGRAM} ask: it prints"),
+    ("README.md", "\nyes", "\nno", "test -t 1 && echo yes: it prints"),
     ("README.md", "./dev test", "./dev tset", "./dev tset: ./dev knows no such command"),
     ("README.md", f"{PROGRAM} ask\nasked", f"{PROGRAM} aks\nasked", "touchstone aks: the program knows no"),
     ("docs/page.md", "../README.md", "README.md", "README.md: there is no such file"),
@@ -144,7 +167,7 @@ def self_check():
                 changed = text.replace(before, after, 1) if name == file and before else text
                 (root / name).write_text(changed, encoding="utf-8")
             (root / "program").chmod(0o755)
-            found = list(faults(root, root / "program", "./dev test   build", {"ask"}, "touchstone 1.2.3\nelse"))
+            found = list(faults(root, root / "program", "./dev test   build\n./dev audit   ask", {"ask"}, "touchstone 1.2.3\nelse"))
         if wanted is None and found:
             yield f"the right tree: {found}"
         if wanted is not None and not (len(found) == 1 and wanted in found[0]):

@@ -70,8 +70,8 @@ std::string named(const std::string& head, const std::vector<Row>& rows) {
   return rows.empty() ? "" : wrapped(head + names, 2) + "\n";
 }
 
-/// Of each operation its first way, in the order of how telling they are: what is no matter of rounding first, at
-/// ordinary size and in general position first, then what fits on a line, then what is most frequent among the operation's answers.
+/// How telling a finding is: first at ordinary size, then what is no matter of rounding, then in general position, then what fits on a
+/// line, then what is most frequent among the operation's answers.
 struct Telling {
   const OperationTally* operation;
   WayOfOperation shown;
@@ -85,23 +85,29 @@ struct Telling {
     const Finding& example = *shown.counted.example;
     const Verdict verdict = shown.way.verdict;
     const int cause = verdict == Verdict::algorithm ? 0 : verdict == Verdict::rounding ? 1 : 2;
-    return std::tuple(example.range, !example.generic, cause, !fits(), -frequency);
+    return std::tuple(example.range, cause, !example.generic, !fits(), -frequency);
   }
 };
+/// The most telling findings: of each operation its first, and where there is room for more the others.
 std::vector<Telling> telling(const Tally& tally) {
-  std::vector<Telling> found;
+  std::vector<Telling> found, others;
+  const auto by_rank = [](const Telling& a, const Telling& b) { return a.rank() < b.rank(); };
   for (const OperationTally& operation : tally.operations) {
-    std::optional<Telling> best;
+    const std::size_t before = others.size();
     const auto cases = static_cast<double>(std::max<std::uint64_t>(1, operation.total().answered()));
     for (WayOfOperation& shown : ways_of(operation)) {
-      if (!is_finding(shown.way.verdict)) continue;
       const double frequency = static_cast<double>(both(shown.counted.cases)) / cases;
-      Telling one{&operation, std::move(shown), frequency};
-      if (!best || one.rank() < best->rank()) best = std::move(one);
+      if (is_finding(shown.way.verdict)) others.push_back({&operation, std::move(shown), frequency});
     }
-    if (best) found.push_back(std::move(*best));
+    if (others.size() == before) continue;
+    const auto first = std::min_element(others.begin() + static_cast<std::ptrdiff_t>(before), others.end(), by_rank);
+    found.push_back(std::move(*first));
+    others.erase(first);
   }
-  std::stable_sort(found.begin(), found.end(), [](const Telling& a, const Telling& b) { return a.rank() < b.rank(); });
+  std::stable_sort(found.begin(), found.end(), by_rank);
+  std::stable_sort(others.begin(), others.end(), by_rank);
+  for (Telling& other : others)
+    if (found.size() < most_findings) found.push_back(std::move(other));
   if (found.size() > most_findings) found.resize(most_findings);
   return found;
 }
