@@ -60,6 +60,14 @@ function(touchstone_own target)
   target_link_options(${target} PRIVATE ${coverage_flags})
 endfunction()
 
+# touchstone_compiled_lightly(target...): what computes with GMP, or hardly at all, runs as fast with -O1, which compiles it in two thirds of
+# the time.
+function(touchstone_compiled_lightly)
+  foreach(target ${ARGN})
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release,RelWithDebInfo>:-O1>)
+  endforeach()
+endfunction()
+
 # touchstone_precompiled(target): the heavy third-party headers, precompiled once for all such targets of a directory. They are
 # programs compiled with the same flags.
 function(touchstone_precompiled target)

@@ -32,6 +32,7 @@ endif()
 function(touchstone_test_sources target)
   touchstone_own(${target})
   target_compile_options(${target} PRIVATE -Wno-conversion)
+  touchstone_compiled_lightly(${target})
   target_link_libraries(${target} PRIVATE touchstone_audit ${catch} MPFR::mpfr)
 endfunction()
 
