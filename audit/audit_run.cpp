@@ -133,7 +133,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   }
   if (options.engine) require_an_operation(*engines[0], options);
   Tally tally;
-  tally.declaration = options.engine ? engines[0]->declaration() : reference_declaration;
+  tally.declaration = options.engine ? engines[0]->declaration() : reference_declaration();
   tally.seed = options.seed;
   tally.cases = options.cases;
   tally.limits = options.limits;

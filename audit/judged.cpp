@@ -22,6 +22,11 @@ Judgement judged(const Reply& reply, const Examination& examination, const Decla
   }
 }
 
+const Declaration& reference_declaration() {
+  static const Declaration declaration{"reference", Declaration::Boundary::closed, false, 0};
+  return declaration;
+}
+
 Way way_of(const Judgement& judgement, const std::string& truth) {
   const Verdict verdict = judgement.verdict;
   return {verdict, truth,

@@ -26,7 +26,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
 Way way_of(const Judgement& judgement, const std::string& truth);
 
 /// Our reference in double, as if it were somebody's engine.
-inline const Declaration reference_declaration{"reference", Declaration::Boundary::closed, false, 0};
+const Declaration& reference_declaration();
 
 /// The choices that give case `index` of a family.
 Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,

@@ -15,7 +15,7 @@ constexpr std::array<const char*, 5> kind_names{"decision", "measure", "set", "c
 
 const char* kind_name(Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
 
-std::string joined(const std::vector<const char*>& words) {
+std::string joined(const FieldNames& words) {
   std::string text;
   for (const char* word : words) text += (text.empty() ? "" : " ") + std::string(word);
   return text;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <vector>
+#include <initializer_list>
+#include <stdexcept>
 
 namespace touchstone::catalogue {
 
@@ -15,6 +17,31 @@ enum class Kind {
   covering,  ///< nothing missing; what is too much is counted apart
 };
 
+/// A list of constants. With it a Card is a constant too, which needs no initialization at run time: there g++ and clang disagree on
+/// who stores the members that are constants, and a program may have rows of both.
+template <class T, std::size_t most>
+class ShortList {
+ public:
+  using value_type = T;
+  constexpr ShortList(std::initializer_list<T> values) : size_(values.size()) {
+    if (values.size() > most) throw std::length_error("ShortList: too many values");
+    std::size_t i = 0;
+    for (const T& value : values) values_[i++] = value;
+  }
+  constexpr ShortList() = default;
+  constexpr const T* begin() const { return values_.data(); }
+  constexpr const T* end() const { return begin() + size_; }
+  constexpr std::size_t size() const { return size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr const T& operator[](std::size_t i) const { return values_.at(i); }
+
+ private:
+  std::array<T, most> values_{};
+  std::size_t size_ = 0;
+};
+/// Names of the inputs in JSON, in order.
+using FieldNames = ShortList<const char*, 6>;
+
 /// What the catalogue says of an operation.
 struct Card {
   const char* name;
@@ -22,9 +49,9 @@ struct Card {
   const char* pages;     ///< of the deck
   const char* question;  ///< one plain sentence: what is asked
   Kind kind = Kind::decision;
-  std::vector<const char*> fields{};  ///< names of the inputs in JSON, in order
+  FieldNames fields{};
   /// Where the alternatives of a question have names of their own: those of the second, the third ... alternative.
-  std::vector<std::vector<const char*>> other_fields{};
+  ShortList<FieldNames, 3> other_fields{};
   const char* answer = "";  ///< the answer's field name where the answer is one bare value
   double ulps = 0;          ///< stated bound of the reference's numbers: roundings in the slide's formula
   /// The oracle's margin is a length to this power; 0 where nothing is decided, so that there is no margin.

@@ -11,9 +11,9 @@ namespace touchstone::catalogue {
 namespace {
 
 /// A question's shape with the names of its fields.
-Shape with_names(const Shape& shape, const std::vector<const char*>& names) {
+Shape with_names(const Shape& shape, const FieldNames& names) {
   Shape named = shape;
-  for (std::size_t i = 0; i < named.parts.size(); ++i) named.parts[i].name = names.at(i);
+  for (std::size_t i = 0; i < named.parts.size(); ++i) named.parts[i].name = names[i];
   return named;
 }
 
@@ -73,9 +73,9 @@ Operation::Operation(RowFunctions functions) : row_(std::move(functions)), famil
   }
 }
 
-const std::vector<const char*>& Operation::fields(std::size_t alternative) const {
+const FieldNames& Operation::fields(std::size_t alternative) const {
   const auto& others = card().other_fields;
-  return alternative == 0 || others.empty() ? card().fields : others.at(alternative - 1);
+  return alternative == 0 || others.empty() ? card().fields : others[alternative - 1];
 }
 
 Question Operation::zeros(std::size_t list_length, std::size_t alternative) const {

@@ -32,7 +32,7 @@ class Operation {
   /// Every enumerator that an answer can hold ("inside", "boundary" ...); none where answers are numbers alone.
   std::vector<std::string> words() const { return words_of(*row_.answer); }
   /// The names of the fields of an alternative of its questions.
-  const std::vector<const char*>& fields(std::size_t alternative = 0) const;
+  const FieldNames& fields(std::size_t alternative = 0) const;
 
   /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard
   /// case of the operation; "x+ulp" is x with one coordinate moved by a few units in the last place.

@@ -38,7 +38,7 @@ Cell cell_of_orientation() {
 
 Tally tally_of(std::vector<std::pair<std::string, Cell>> cells) {
   Tally tally;
-  tally.declaration = reference_declaration;
+  tally.declaration = reference_declaration();
   tally.seed = 1;
   tally.cases = 100;
   for (auto& [name, cell] : cells) tally.operations.push_back({name, {{"collinear", cell}}});
