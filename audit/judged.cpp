@@ -57,6 +57,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   Finding found{asked.question, judgement, nullptr, asked.index, range, generic};
   if (counted.example && !shown_before(found, *counted.example)) return;
   found.answer = kept(answer);
+  found.vector = asked.vector;
   counted.example = std::move(found);
 }
 

@@ -17,6 +17,7 @@ struct Asked {
   std::string truth;        ///< Examination::outcome(), or "refused"
   std::uint64_t index = 0;  ///< within its operation and family
   Limits limits = {};
+  std::string vector{};  ///< as in Finding
 };
 
 /// Counts a judged case into a cell, and keeps it if it is the best example of its way of answering.

@@ -111,11 +111,10 @@ void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>&
     tasks.insert(tasks.end(), examples.begin(), examples.end());
   }
   // One engine is asked one question after the other.
-  in_parallel(shrinking.engine != nullptr ? 1 : shrinking.jobs, tasks.size(),
-              [&](std::size_t t) {
-                const auto& [way, example, family, smaller] = tasks[t];
-                Shrinker(shrinking, family, *way).shrink(*example, smaller);
-              });
+  in_parallel(shrinking.engine != nullptr ? 1 : shrinking.jobs, tasks.size(), [&](std::size_t t) {
+    const auto& [way, example, family, smaller] = tasks[t];
+    Shrinker(shrinking, family, *way).shrink(*example, smaller);
+  });
 }
 
 }  // namespace touchstone::audit

@@ -43,6 +43,7 @@ struct Finding {
   /// Its question as it was examined, by the shrinker or when first asked for; copies share it.
   std::shared_ptr<Once<std::unique_ptr<const Examination>>> examined =
       std::make_shared<Once<std::unique_ptr<const Examination>>>();
+  std::string vector{};  ///< the id of the test vector that it is; empty: drawn
 
   /// Throws InvalidInput where the oracle refuses the question.
   const Examination& examination(const Operation& operation) const;

@@ -40,6 +40,7 @@ Json finding_json(const Operation& operation, const Finding& finding, const Whos
                {"range", name_of(finding.range)},
                {"generic", finding.generic},
                {"repeat", repeat_command(operation, finding.question, whose.tally, whose.robust)}};
+  if (!finding.vector.empty()) json["vector"] = finding.vector;
   if (const auto& number = finding.judgement.number)
     json["number"] = {{"exact", written(number->exact)}, {"answered", written(number->answered)}};
   return json;
@@ -138,6 +139,7 @@ Finding read_finding(const Operation& operation, const Way& way, const Place& pl
   finding.judgement.touch_reading = static_cast<int>(place.at("touch").number());
   finding.answer = plain(place.at("answer").value);
   finding.index = place.at("index").count();
+  if (place.value.contains("vector")) finding.vector = place.at("vector").text();
   finding.range = static_cast<Range>(place.at("range").one_of(range_words()));
   finding.generic = place.at("generic").flag();
   static const std::vector<std::string> kinds{"cancellation", "out_of_range"};

@@ -55,10 +55,13 @@ struct ExhaustCommand {
 };
 
 struct VectorsCheckCommand {
-  std::string operations = "all";  ///< "all" or names with commas
+  std::string program = "touchstone";  ///< as it was called
+  std::string operations = "all";      ///< "all" or names with commas
   std::string directory;
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = usual_timeout;
+  std::string json_file, junit_file;  ///< what the engine answered, as of an audit
+  bool verbose = false;               ///< every finding, not ten of a file
 };
 
 struct CheckEngineCommand {

@@ -215,7 +215,15 @@ void add_vectors(CLI::App& program, Action& action) {
   check->add_option("--ops", checked->operations, "Operations with commas, or all; of some, the manifest is left out");
   add_engine(*check, checked->engine, checked->timeout,
              "Asked the vectors of its operations, and judged; no others are checked");
-  check->callback([=, &action] { action = [=] { return vectors_check_command(*checked, std::cout, std::cerr); }; });
+  auto* engine = check->get_option("--engine");
+  check->add_option("--json", checked->json_file, "Write what the engine answered to this file; - is standard output")
+      ->needs(engine);
+  check->add_option("--junit", checked->junit_file, "Write the same as JUnit's XML into this file")->needs(engine);
+  check->add_flag("--verbose", checked->verbose, "Every finding of the engine, and not the first ten of a file");
+  check->callback([=, &action] {
+    checked->program = command->get_parent()->get_name();
+    action = [=] { return vectors_check_command(*checked, std::cout, std::cerr); };
+  });
 }
 
 void add_certify(CLI::App& program, Action& action) {

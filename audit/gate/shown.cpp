@@ -50,7 +50,8 @@ std::string described(const Tally& tally, const std::string& operation_name, con
   const auto line = [](const std::string& key, const std::string& value) {
     return key + excerpt(value, most_shown) + "\n";
   };
-  std::string text = line("input:  ", one_line(operation->print(finding.question))) +
+  std::string text = (finding.vector.empty() ? "" : line("vector: ", finding.vector)) +
+                     line("input:  ", one_line(operation->print(finding.question))) +
                      line("hex:    ", one_line(operation->print_hexadecimal(finding.question)));
   try {
     text += line("truth:  ", one_line(finding.examination(*operation).truth()));

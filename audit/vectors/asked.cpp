@@ -17,7 +17,7 @@ void VectorQuestions::add(std::uint64_t number, const std::string& text) {
     Question question = operation->parse(without_names(line["input"], folder_));
     question = fitted(*operation, question, engine_.declaration());
     operation->examine(question);  // then it may be outside the contract
-    pending_.push_back({number, operation, std::move(question)});
+    pending_.push_back({number, line.value("id", ""), line.value("family", ""), operation, std::move(question)});
   } catch (const std::exception&) {
   }
 }
@@ -33,8 +33,8 @@ std::vector<VectorQuestions::Answered> VectorQuestions::ask(Engine& engine) cons
     for (const Reply& reply : replies) {
       const Pending& vector = pending_[first++];
       const auto examination = operation.examine(vector.question);
-      all.push_back({vector.number, judged(reply, *examination, engine.declaration()), kept(reply.answer),
-                     examination->rounded_truth(), reply.asked});
+      all.push_back({vector.number, vector.id, vector.family, &operation, vector.question, examination->outcome(),
+                     judged(reply, *examination, engine.declaration()), kept(reply.answer), reply.asked});
     }
   }
   return all;

@@ -22,8 +22,12 @@ class VectorQuestions {
   /// What an engine said to one vector, as the oracle judges it.
   struct Answered {
     std::uint64_t number;
+    std::string id, family;
+    const Operation* operation;
+    Question question;
+    std::string truth;  ///< Examination::outcome()
     Judgement judgement;
-    Json answer, truth;
+    Json answer;
     bool asked;  ///< false: the engine had been given up; the judgement's remark says why
   };
   /// In the order of the lines.
@@ -32,6 +36,7 @@ class VectorQuestions {
  private:
   struct Pending {
     std::uint64_t number;
+    std::string id, family;
     const Operation* operation;
     Question question;
   };
