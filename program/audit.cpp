@@ -58,7 +58,9 @@ Limits limits_named(const std::string& text) {
 }
 
 /// The directory of the report is made, and can be written into, before the first question.
-void require_directory(const std::string& directory) {
+void require_directory(const std::string& directory, double seconds) {
+  if (directory.empty() && seconds > 0)
+    throw UsageError("--report-seconds: expected --report too, whose maps it limits");
   if (directory.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(directory, error);
@@ -126,7 +128,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   options.ordinary_only = command.range == "ordinary";
   require_known_families(options);
   require_writable("--json", command.json_file);
-  require_directory(command.report_directory);
+  require_directory(command.report_directory, command.report_seconds);
   EngineNotes notes;
   Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
   const Gate gate = gate_of(command.gate);
@@ -167,7 +169,8 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
                    {"", before ? &*before : nullptr, command.gate.decides() ? gate_in_words(tally, result) : "",
                     [&progress](const std::string& name, std::size_t done, std::size_t all) {
                       progress.step("report", name, done, all);
-                    }});
+                    },
+                    command.report_seconds});
     } catch (const std::runtime_error& failed) {
       throw UsageError(std::string("--report ") + failed.what());
     }

@@ -28,6 +28,7 @@ struct AuditCommand {
   double seconds = 0, timeout = usual_timeout;
   int jobs = 0;  ///< 0: as many as the machine has
   std::string json_file, report_directory;
+  double report_seconds = 0;
   std::string before;         ///< file of an earlier audit (--json), shown beside this one in the report
   std::string range = "all";  ///< "ordinary": only questions of ordinary size
   std::string ordinary = "0x1p-100,0x1p100";  ///< LEAST,MOST: what that is

@@ -133,6 +133,12 @@ void add_audit(CLI::App& program, Action& action) {
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_option("--json", options->json_file, "Write the result to this file; - is standard output");
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
+  command
+      ->add_option("--report-seconds", options->report_seconds,
+                   "Make the failure maps of the report finer for so long; without it they ask about four times "
+                   "--cases, and the same arguments give the same bytes")
+      ->check(positive)
+      ->default_str("none");
   command->add_option("--before", options->before,
                       "File of an earlier audit's --json: the report shows both, as before and after a fix");
   command->add_option("--range", options->range, "ordinary: ask only questions of ordinary size; all: any")

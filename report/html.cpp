@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/html.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -28,6 +29,24 @@ std::vector<Question> found_in(const OperationTally& tally) {
   return questions;
 }
 
+/// The pages, as far as their maps are made.
+struct Report {
+  const Tally& tally;
+  const std::string& directory;
+  const ReportNotes& notes;
+  std::vector<std::vector<FailureMap>> maps = std::vector<std::vector<FailureMap>>(tally.operations.size());
+
+  void write_page(std::size_t operation) const {
+    write_whole_file(directory + "/" + tally.operations[operation].operation + ".html",
+                     operation_page(tally, operation, maps[operation], notes));
+  }
+  void write_index() const {
+    OperationMaps named;
+    for (std::size_t i = 0; i < maps.size(); ++i) named.emplace_back(tally.operations[i].operation, maps[i]);
+    write_whole_file(directory + "/index.html", index_page(tally, named, notes));
+  }
+};
+
 }  // namespace
 
 void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine,
@@ -35,18 +54,33 @@ void write_report(const Tally& tally, const std::string& directory, int jobs, En
   std::error_code error;
   std::filesystem::create_directories(directory, error);
   if (error) throw std::runtime_error(directory + ": " + error.message());
-  OperationMaps maps;
-  for (std::size_t i = 0; i < tally.operations.size(); ++i) {
-    const std::string& name = tally.operations[i].operation;
-    if (notes.progress) notes.progress(name, i, tally.operations.size());
-    const Operation* operation = find_operation(name);
-    std::vector<FailureMap> shown;
-    if (operation)
-      shown = failure_maps(*operation, jobs, tally.declaration.binary32, engine, found_in(tally.operations[i]));
-    write_whole_file(directory + "/" + name + ".html", operation_page(tally, i, shown, notes));
-    if (operation) maps.emplace_back(name, std::move(shown));
+  Report report{tally, directory, notes};
+  report.write_index();
+  for (std::size_t i = 0; i < tally.operations.size(); ++i) report.write_page(i);
+  const auto started = std::chrono::steady_clock::now();
+  const auto over = [&] {
+    return notes.seconds > 0 &&
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count() >= notes.seconds;
+  };
+  MapEffort effort = notes.seconds > 0 ? MapEffort{16} : MapEffort::of(tally.cases);
+  for (; effort.side <= MapGrid::side && !over(); effort.side *= 2) {
+    std::size_t done = 0;
+    for (const OperationTally* counted : worst_first(tally)) {
+      const auto i = static_cast<std::size_t>(counted - tally.operations.data());
+      const Operation* operation = find_operation(counted->operation);
+      effort.go_on = [&] {
+        if (notes.progress) notes.progress(counted->operation, done, tally.operations.size());
+        return !over();
+      };
+      if (operation != nullptr && effort.go_on()) {
+        auto maps = failure_maps(*operation, jobs, tally.declaration.binary32, engine, found_in(*counted), effort);
+        if (!maps.empty()) report.maps[i] = std::move(maps), report.write_page(i);
+      }
+      ++done;
+    }
+    if (notes.seconds == 0) break;
   }
-  write_whole_file(directory + "/index.html", index_page(tally, maps, notes));
+  report.write_index();
 }
 
 }  // namespace touchstone::report

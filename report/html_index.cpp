@@ -121,24 +121,6 @@ std::string tiles(const Cell& sum) {
   return text + "</div>";
 }
 
-/// The worst first: by the share that is wrong at ordinary size, then at any, then by inexact numbers.
-std::vector<const OperationTally*> worst_first(const Tally& tally) {
-  std::vector<std::pair<std::array<double, 3>, const OperationTally*>> sorted;
-  for (const OperationTally& operation : tally.operations) {
-    const Cell total = operation.total();
-    const auto part = [](std::uint64_t n, std::uint64_t of) {
-      return of == 0 ? 0 : -static_cast<double>(n) / static_cast<double>(of);
-    };
-    sorted.push_back({{part(total.wrong(Range::ordinary), total.answered(Range::ordinary)),
-                       part(total.wrong(), total.answered()), part(total.findings(), total.answered())},
-                      &operation});
-  }
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<const OperationTally*> operations;
-  for (const auto& [key, operation] : sorted) operations.push_back(operation);
-  return operations;
-}
-
 std::string wrong_in_words(std::uint64_t wrong, std::uint64_t answered) {
   return answered == 0 ? "\u2013" : grouped(wrong) + " <small>" + share(wrong, answered) + "</small>";
 }
@@ -216,7 +198,8 @@ std::string gallery(const Tally& tally, const OperationMaps& maps) {
                    std::any_of(maps.begin(), maps.end(), [](const auto& entry) { return entry.second.size() > 2; });
   std::string text =
       std::string("<h2>") + (own ? "Where it goes wrong" : "For comparison: where the textbook formula goes wrong") +
-      "</h2><p class=\"quiet\">Every pixel is one question, at most 128 of the smallest steps away from the one in the "
+      "</h2><p class=\"quiet\">Every square is one question, at most 128 of the smallest steps away from the one in "
+      "the "
       "middle. Strong colours are findings, as below; what is right is pale, and a pattern tells one right answer from "
       "another.</p><div class=\"gallery\">";
   for (const auto& [name, map] : failing) {
@@ -243,6 +226,23 @@ std::string conventions(const Tally& tally) {
 }
 
 }  // namespace
+
+std::vector<const OperationTally*> worst_first(const Tally& tally) {
+  std::vector<std::pair<std::array<double, 3>, const OperationTally*>> sorted;
+  for (const OperationTally& operation : tally.operations) {
+    const Cell total = operation.total();
+    const auto part = [](std::uint64_t n, std::uint64_t of) {
+      return of == 0 ? 0 : -static_cast<double>(n) / static_cast<double>(of);
+    };
+    sorted.push_back({{part(total.wrong(Range::ordinary), total.answered(Range::ordinary)),
+                       part(total.wrong(), total.answered()), part(total.findings(), total.answered())},
+                      &operation});
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const OperationTally*> operations;
+  for (const auto& [key, operation] : sorted) operations.push_back(operation);
+  return operations;
+}
 
 std::string index_page(const Tally& tally, const OperationMaps& maps, const ReportNotes& notes) {
   const Cell sum = sum_of(tally.operations);

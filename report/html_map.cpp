@@ -72,15 +72,15 @@ std::string with_places(const Operation& operation, const MapGrid& grid, const s
   return at == std::string::npos ? text : std::string(text).replace(at, whole.size(), marked);
 }
 
-/// The pixel to begin with: of those where the subject fails the one nearest to the middle.
+/// The square to begin with: of those where the subject fails the one nearest to the middle.
 std::pair<int, int> start_of(const FailureMap& map) {
-  int best = MapGrid::side * MapGrid::side;
-  std::pair<int, int> start{MapGrid::side / 2, MapGrid::side / 2 - 1};
-  for (int i = 0; i < MapGrid::side * MapGrid::side; ++i) {
-    const std::size_t of = map.pixels[static_cast<std::size_t>(i)];
+  int best = map.side * map.side;
+  std::pair<int, int> start{map.side / 2, map.side / 2 - 1};
+  for (int i = 0; i < map.side * map.side; ++i) {
+    const std::size_t of = map.squares[static_cast<std::size_t>(i)];
     if (of >= map.classes.size() || !is_finding(map.classes[of].verdict)) continue;
-    const int column = i % MapGrid::side, row = i / MapGrid::side;
-    const int far = std::abs(column - MapGrid::side / 2) + std::abs(row - MapGrid::side / 2 + 1);
+    const int column = i % map.side, row = i / map.side;
+    const int far = std::abs(column - map.side / 2) + std::abs(row - map.side / 2 + 1);
     if (far < best) best = far, start = {column, row};
   }
   return start;
@@ -89,8 +89,9 @@ std::pair<int, int> start_of(const FailureMap& map) {
 std::string data_of(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
   const MapGrid& grid = maps[0].grid;
   std::string xs, ys;
-  for (int i = 0; i < MapGrid::side; ++i) {
-    const Question question = grid.at(i, i);
+  const int side = maps[0].side;
+  for (int i = 0; i < side; ++i) {
+    const Question question = grid.at(column_of(i, side), row_of(i, side));
     xs += (i == 0 ? "" : " ") + decimal(question.numbers[grid.axes.first]);
     ys += (i == 0 ? "" : " ") + decimal(question.numbers[grid.axes.second]);
   }
@@ -110,6 +111,7 @@ std::string data_of(const Operation& operation, const std::vector<FailureMap>& m
            {"y", grid.fields.second},
            {"xs", xs},
            {"ys", ys},
+           {"side", side},
            {"start", {start.first, start.second}},
            {"input", with_places(operation, grid, input)},
            {"repeat", with_places(operation, grid, repeat_command(operation, grid.centre, speaker, repeat))},
@@ -126,6 +128,11 @@ std::string class_in_words(const Operation& operation, const MapClass& entry) {
 std::string map_picture(const FailureMap& map, const std::string& alt) {
   return picture(image_of(map, Scheme::light), image_of(map, Scheme::dark),
                  fmt::format("alt=\"{0}\" width=\"{1}\" height=\"{1}\"", escaped(alt), 2 * MapGrid::side));
+}
+
+std::string squares_in_words(int side) {
+  const int wide = MapGrid::side / side;
+  return wide == 1 ? "Each pixel" : fmt::format("Each square of {0} \u00d7 {0} pixels", wide);
 }
 
 std::string map_section(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
@@ -145,11 +152,11 @@ std::string map_section(const Operation& operation, const std::vector<FailureMap
   }
   return text +
          fmt::format(
-             "</div><p class=\"small quiet below\">Each pixel is one question. To the right {}, upwards {}, k = "
+             "</div><p class=\"small quiet below\">{} is one question. To the right {}, upwards {}, k = "
              "\u2212128 \u2026 127: the smallest steps that the number format allows at this size. The other numbers "
              "stay as in {}. Strong colours are findings; what is right is pale, and the pattern says which "
              "answer it is.</p></div>",
-             axis_in_words(grid, grid.axes.first, grid.fields.first, grid.step.first),
+             squares_in_words(maps[0].side), axis_in_words(grid, grid.axes.first, grid.fields.first, grid.step.first),
              axis_in_words(grid, grid.axes.second, grid.fields.second, grid.step.second),
              code(one_line(operation.print(grid.centre))));
 }

@@ -16,6 +16,9 @@ std::string map_section(const Operation& operation, const std::vector<FailureMap
 /// A map alone, for light and dark screens, `alt` for those who cannot see it.
 std::string map_picture(const FailureMap& map, const std::string& alt);
 
+/// "Each pixel", or "Each square of 4 × 4 pixels" of a coarser map.
+std::string squares_in_words(int side);
+
 /// What a class of answers is, in words: "right: left of the line", "wrong by rounding: on it".
 std::string class_in_words(const Operation& operation, const MapClass& entry);
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over a failure map: a click, a drag or the arrow keys choose a pixel, and the page says which question
+// Walks over a failure map: a click, a drag or the arrow keys choose a square, and the page says which question
 // it is and what was answered. The data of a map is what report/html_map.cpp writes into its section.
 (() => {
 'use strict';
-const side = 256, around = 7, cells = 2 * around + 1;
+const around = 7, cells = 2 * around + 1, imageSide = 256;
 
 // The palette indices of a PNG as this program writes it: 8 bits a pixel, no filter, not interlaced.
 async function indices(uri) {
@@ -17,18 +17,19 @@ async function indices(uri) {
 }
 
 const escaped = text => text.replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
-const within = n => Math.max(0, Math.min(side - 1, n));
 
 async function walk(section) {
   const map = JSON.parse(section.dataset.map), xs = map.xs.split(' '), ys = map.ys.split(' ');
+  const side = map.side, wide = imageSide / side;  // squares, and the pixels of one
+  const within = n => Math.max(0, Math.min(side - 1, n));
   const images = [...section.querySelectorAll('.map img')];
   const pixels = await Promise.all(images.map(image => indices(image.getAttribute('src'))));
-  const answer = (m, column, row) => map.maps[m].classes[pixels[m][row * (side + 1) + 1 + column] >> 1];
+  const answer = (m, column, row) => map.maps[m].classes[pixels[m][wide * row * (imageSide + 1) + 1 + wide * column] >> 1];
   const filled = (text, column, row) => text.replace('{x}', xs[column]).replace('{y}', ys[row]);
   let column = side / 2, row = side / 2 - 1;
 
   section.insertAdjacentHTML('beforeend', `<div class="walk"><p class="small quiet screen">` +
-      `Click or drag on a map, or use the arrow keys: each pixel is a question, and here is what was answered. ` +
+      `Click or drag on a map, or use the arrow keys: each square is a question, and here is what was answered. ` +
       `The squares show the numbers next to it, one by one; drag the point there.</p>` +
       `<div class="lenses">${map.maps.map(one => `<figure><svg class="lens-view" viewBox="0 0 ${cells} ${cells}">` +
       `</svg><figcaption>${escaped(one.who)}</figcaption></figure>`).join('')}</div>` +
@@ -85,7 +86,7 @@ async function walk(section) {
     }
   };
   const keys = event => {
-    const far = event.shiftKey ? 16 : 1;
+    const far = event.shiftKey ? side / 16 : 1;
     const way = {ArrowLeft: [-far, 0], ArrowRight: [far, 0], ArrowUp: [0, -far], ArrowDown: [0, far]}[event.key];
     if (!way || event.altKey || event.ctrlKey || event.metaKey) return;
     go(column + way[0], row + way[1]);

@@ -50,7 +50,15 @@ std::string field_of(const Operation& operation, const Question& centre, std::si
   return path_of_difference(operation.print(centre), operation.print(moved));
 }
 
-constexpr int probe_stride = 11, probe_start = 7;  // odd, so that stripes of powers of two are not missed
+/// Where a grid is looked at before its map is made. The stride is odd, so that stripes of powers of two are not missed.
+struct Stride {
+  int start, step;
+  static Stride of(const MapEffort& effort) { return effort.side > 64 ? Stride{7, 11} : Stride{19, 31}; }
+  std::uint64_t questions() const {
+    const auto across = static_cast<std::uint64_t>((MapGrid::side - start + step - 1) / step);
+    return across * across;
+  }
+};
 
 /// What an implementation gets right and wrong on some pixels of a grid.
 struct Probe {
@@ -65,12 +73,12 @@ struct Probe {
   bool is_plenty() const { return 8 * std::min(right + inexact, wrong) > right + inexact + wrong; }
 };
 
-Probe probed(const Operation& operation, const MapGrid& grid, bool binary32, Engine* engine) {
+Probe probed(const Operation& operation, const MapGrid& grid, bool binary32, Engine* engine, const Stride& stride) {
   Probe probe;
   std::vector<Question> questions;
   std::vector<std::unique_ptr<Examination>> examinations;
-  for (int row = probe_start; row < MapGrid::side; row += probe_stride) {
-    for (int column = probe_start; column < MapGrid::side; column += probe_stride) {
+  for (int row = stride.start; row < MapGrid::side; row += stride.step) {
+    for (int column = stride.start; column < MapGrid::side; column += stride.step) {
       Question question = grid.at(column, row);
       try {
         auto examination = operation.examine(question);
@@ -101,10 +109,10 @@ bool of_ordinary_size(const Question& question) {
 }
 
 /// Questions of ordinary size that the formula answers wrongly.
-std::vector<Question> failing_questions(const Operation& operation, bool binary32) {
+std::vector<Question> failing_questions(const Operation& operation, bool binary32, std::uint64_t most) {
   std::vector<Question> failing;
   const std::size_t families = operation.families().size();
-  for (std::uint64_t i = 0; i < most_drawn && failing.size() < most_candidates; ++i) {
+  for (std::uint64_t i = 0; i < most && failing.size() < most_candidates; ++i) {
     const std::size_t family = i % families;
     Choices choices = case_choices(operation, family, 1, i / families);
     Question question = operation.draw(choices, family);
@@ -131,6 +139,23 @@ std::vector<Axes> axes_to_try(const Operation& operation, std::size_t numbers) {
 
 }  // namespace
 
+MapEffort MapEffort::of(std::uint64_t cases) {
+  MapEffort effort;
+  const auto questions = [&](int side) { return static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side); };
+  for (effort.side = 16; effort.side < MapGrid::side && questions(2 * effort.side) / 4 <= cases;) effort.side *= 2;
+  return effort;
+}
+
+int column_of(int square, int side) {
+  const int wide = MapGrid::side / side;
+  return square * wide + (square == side / 2 ? 0 : (7 * square + 3) % wide);
+}
+
+int row_of(int square, int side) {
+  const int wide = MapGrid::side / side;
+  return square * wide + (square == side / 2 - 1 ? wide - 1 : (5 * square + 2) % wide);
+}
+
 Question MapGrid::at(int column, int row) const {
   Question question = centre;
   question.numbers[axes.first] += (column - side / 2) * step.first;
@@ -152,28 +177,34 @@ MapGrid map_grid(const Operation& operation, bool binary32) {
   return map_grid(operation, operation.map_centre(), operation.map_axes(), binary32);
 }
 
-MapGrid failing_grid(const Operation& operation, bool binary32, Engine* engine,
-                     const std::vector<Question>& candidates) {
+MapGrid failing_grid(const Operation& operation, bool binary32, Engine* engine, const std::vector<Question>& candidates,
+                     const MapEffort& effort) {
+  const Stride stride = Stride::of(effort);
+  constexpr std::uint64_t most_per_square = 4;
+  const std::uint64_t most_asked =
+      most_per_square * static_cast<std::uint64_t>(effort.side) * static_cast<std::uint64_t>(effort.side);
   const MapGrid own = map_grid(operation, binary32);
-  const Probe of_own = probed(operation, own, binary32, engine);
+  const Probe of_own = probed(operation, own, binary32, engine, stride);
   const bool numbers_alone = operation.words().empty();
   const std::uint64_t fails = numbers_alone ? of_own.wrong + of_own.inexact : of_own.wrong;
   if (fails > 0 && of_own.right + of_own.inexact > 0) return own;
   MapGrid best = own;
-  std::uint64_t most = of_own.worth();
+  std::uint64_t most = of_own.worth(), asked = stride.questions();
   const auto is_found = [&](const std::vector<Question>& around) {
     for (const Question& centre : around) {
       if (centre.numbers.size() < 2 || !of_ordinary_size(centre)) continue;
       for (const Axes& axes : axes_to_try(operation, centre.numbers.size())) {
+        if ((asked += stride.questions()) > most_asked || effort.abandoned()) return true;
         MapGrid grid = map_grid(operation, centre, axes, binary32);
-        const Probe probe = probed(operation, grid, binary32, engine);
+        const Probe probe = probed(operation, grid, binary32, engine, stride);
         if (probe.worth() > most) most = probe.worth(), best = std::move(grid);
         if (probe.is_plenty()) return true;
       }
     }
     return false;
   };
-  if (!is_found(candidates)) is_found(failing_questions(operation, binary32));
+  if (!is_found(candidates))
+    is_found(failing_questions(operation, binary32, std::min<std::uint64_t>(most_drawn, most_asked / 4)));
   return best;
 }
 

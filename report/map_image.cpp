@@ -53,6 +53,13 @@ Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome
   return {judgement.verdict, decided ? outcome : word_in(answer())};
 }
 
+std::vector<Question> questions_of(const MapGrid& grid, int row, int side) {
+  std::vector<Question> questions;
+  for (int column = 0; column < side; ++column)
+    questions.push_back(grid.at(column_of(column, side), row_of(row, side)));
+  return questions;
+}
+
 struct Plate {
   std::string subject;
   std::vector<Shade> shades;
@@ -65,12 +72,12 @@ struct PixelRow {
   std::map<std::string, std::uint64_t> outcomes;
 };
 
-PixelRow examined(const Operation& operation, const MapGrid& grid, int row, bool binary32) {
+PixelRow examined(const Operation& operation, const std::vector<Question>& asked, bool binary32) {
   const Kind kind = operation.card().kind;
   PixelRow result;
-  for (int column = 0; column < MapGrid::side; ++column) {
+  for (const Question& pixel : asked) {
     try {
-      result.examinations.push_back(operation.examine(grid.at(column, row)));
+      result.examinations.push_back(operation.examine(pixel));
       const Examination& question = *result.examinations.back();
       const std::string outcome = question.outcome();
       if (outcome != "value") ++result.outcomes[outcome];
@@ -86,16 +93,15 @@ PixelRow examined(const Operation& operation, const MapGrid& grid, int row, bool
   return result;
 }
 
-void ask_engine(const Operation& operation, const MapGrid& grid,
-                const std::vector<std::unique_ptr<Examination>>& row_of, int row, Engine& engine,
+void ask_engine(const Operation& operation, const std::vector<std::unique_ptr<Examination>>& row, Engine& engine,
                 std::vector<Shade>& shades) {
   std::vector<Question> questions;
-  for (int column = 0; column < MapGrid::side; ++column) {
-    if (row_of[static_cast<std::size_t>(column)]) questions.push_back(grid.at(column, row));
+  for (const auto& examination : row) {
+    if (examination) questions.push_back(examination->question());
   }
   const std::vector<Reply> replies = engine.ask(operation, questions);
   std::size_t next = 0;
-  for (const auto& examination : row_of) {
+  for (const auto& examination : row) {
     if (!examination) {
       shades.push_back({Verdict::unsupported, "", true});
       continue;
@@ -112,10 +118,10 @@ void ask_engine(const Operation& operation, const MapGrid& grid,
 }
 
 /// Words by how common they are among the truths, so that all maps of an operation give a word the same look.
-std::map<std::string, Rank> ranks_of(const std::map<std::string, std::uint64_t>& outcomes) {
+std::map<std::string, Rank> ranks_of(const std::map<std::string, std::uint64_t>& outcomes, int side) {
   std::vector<std::pair<std::string, std::uint64_t>> sorted(outcomes.begin(), outcomes.end());
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  constexpr std::uint64_t rare = MapGrid::side * MapGrid::side / 25;
+  const auto rare = static_cast<std::uint64_t>(side * side / 25);
   std::map<std::string, Rank> ranks;
   std::size_t common = 0, uncommon = 0;
   for (const auto& [word, n] : sorted) ranks[word] = n < rare ? Rank{uncommon++, true} : Rank{common++, false};
@@ -130,9 +136,10 @@ Look look_in_map(const Shade& shade, std::map<std::string, Rank>& ranks, Scheme 
   return look_of(shade.verdict, ranks.emplace(shade.said, Rank{ranks.size(), false}).first->second, scheme);
 }
 
-FailureMap developed(const MapGrid& grid, const Plate& plate, std::map<std::string, Rank> ranks) {
+FailureMap developed(const MapGrid& grid, int side, const Plate& plate, std::map<std::string, Rank> ranks) {
   FailureMap map;
   map.grid = grid;
+  map.side = side;
   map.subject = plate.subject;
   std::map<Shade, std::uint64_t> counts;
   for (const Shade& shade : plate.shades) ++counts[shade];
@@ -157,7 +164,7 @@ FailureMap developed(const MapGrid& grid, const Plate& plate, std::map<std::stri
                            {look_in_map(shade, ranks, Scheme::light), look_in_map(shade, ranks, Scheme::dark)}});
   }
   const auto refused = static_cast<std::uint8_t>(map.classes.size());
-  for (const Shade& shade : plate.shades) map.pixels.push_back(shade.refused ? refused : index[shade]);
+  for (const Shade& shade : plate.shades) map.squares.push_back(shade.refused ? refused : index[shade]);
   return map;
 }
 
@@ -172,37 +179,39 @@ std::uint64_t FailureMap::findings() const {
 const FailureMap& subject_of(const std::vector<FailureMap>& maps) { return maps.size() > 2 ? maps[2] : maps[0]; }
 
 std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32, Engine* engine,
-                                     const std::vector<Question>& candidates) {
+                                     const std::vector<Question>& candidates, const MapEffort& effort) {
   const bool with_engine = engine && engine->supports(operation.name());
-  const MapGrid grid = failing_grid(operation, binary32, with_engine ? engine : nullptr, candidates);
+  const MapGrid grid = failing_grid(operation, binary32, with_engine ? engine : nullptr, candidates, effort);
   Declaration ours;
   ours.engine = "reference";
   ours.binary32 = binary32;
   std::vector<Plate> plates{{subject(ours), {}}, {"robust", {}}};
   if (with_engine) plates.push_back({subject(engine->declaration()), {}});
   std::map<std::string, std::uint64_t> outcomes;
-  constexpr int together = 32;  // rows; the engine is asked of these, in order, before the next are looked at
-  static_assert(MapGrid::side % together == 0);
-  for (int first = 0; first < MapGrid::side; first += together) {
+  constexpr int together = 16;  // rows; the engine is asked of these, in order, before the next are looked at
+  for (int first = 0; first < effort.side; first += together) {
+    if (effort.abandoned()) return {};
     std::vector<PixelRow> rows(together);
     in_parallel(jobs, rows.size(), [&](std::size_t i) {
-      rows[i] = examined(operation, grid, first + static_cast<int>(i), binary32);
+      rows[i] = examined(operation, questions_of(grid, first + static_cast<int>(i), effort.side), binary32);
       if (!with_engine) rows[i].examinations.clear();
     });
-    for (int i = 0; i < together; ++i) {
-      const PixelRow& row = rows[static_cast<std::size_t>(i)];
+    for (const PixelRow& row : rows) {
       plates[0].shades.insert(plates[0].shades.end(), row.reference.begin(), row.reference.end());
       plates[1].shades.insert(plates[1].shades.end(), row.robust.begin(), row.robust.end());
       for (const auto& [outcome, n] : row.outcomes) outcomes[outcome] += n;
-      if (with_engine) ask_engine(operation, grid, row.examinations, first + i, *engine, plates[2].shades);
+      if (with_engine) ask_engine(operation, row.examinations, *engine, plates[2].shades);
     }
   }
   std::vector<FailureMap> maps;
-  for (const Plate& plate : plates) maps.push_back(developed(grid, plate, ranks_of(outcomes)));
+  for (const Plate& plate : plates)
+    maps.push_back(developed(grid, effort.side, plate, ranks_of(outcomes, effort.side)));
   return maps;
 }
 
 Image image_of(const FailureMap& map, Scheme scheme) {
+  constexpr auto side = static_cast<std::size_t>(MapGrid::side);
+  const auto squares = static_cast<std::size_t>(map.side), wide = side / squares;
   Image image;
   image.width = image.height = MapGrid::side;
   for (const MapClass& entry : map.classes) {
@@ -210,11 +219,12 @@ Image image_of(const FailureMap& map, Scheme scheme) {
     image.palette.push_back(entry.look(scheme).mark);
   }
   image.palette.push_back(blank_colour(scheme));
-  for (std::size_t i = 0; i < map.pixels.size(); ++i) {
-    const std::size_t of = map.pixels[i];
-    const bool marked =
-        of < map.classes.size() && map.classes[of].look(scheme).marked(i % MapGrid::side, i / MapGrid::side);
-    image.pixels.push_back(static_cast<std::uint8_t>(2 * of + (marked ? 1 : 0)));
+  for (std::size_t row = 0; row < side; ++row) {
+    for (std::size_t column = 0; column < side; ++column) {
+      const std::size_t of = map.squares[row / wide * squares + column / wide];
+      const bool marked = of < map.classes.size() && map.classes[of].look(scheme).marked(column, row);
+      image.pixels.push_back(static_cast<std::uint8_t>(2 * of + (marked ? 1 : 0)));
+    }
   }
   return image;
 }

@@ -22,25 +22,27 @@ struct MapClass {
 
 struct FailureMap {
   MapGrid grid;
+  int side = MapGrid::side;  ///< so many squares to the right and upwards, each with the answer to one question
   std::string subject;
   std::vector<MapClass> classes;  ///< by verdict, then the commonest first
   std::vector<std::uint8_t>
-      pixels;  ///< the class of each, row by row from the top; classes.size(): outside the contract
+      squares;  ///< the class of each, row by row from the top; classes.size(): outside the contract
   std::array<std::uint64_t, verdict_count> counts{};
-  std::uint64_t refused = 0;  ///< pixels outside the contract
+  std::uint64_t refused = 0;  ///< squares outside the contract
 
   std::uint64_t findings() const;
 };
 
 /// Maps over the same grid (failing_grid): the formula in double (or float), then robust, then the engine if there is
-/// one. The same whatever the jobs.
+/// one. The same whatever the jobs. Empty where it was abandoned.
 std::vector<FailureMap> failure_maps(const Operation& operation, int jobs, bool binary32 = false,
-                                     Engine* engine = nullptr, const std::vector<Question>& candidates = {});
+                                     Engine* engine = nullptr, const std::vector<Question>& candidates = {},
+                                     const MapEffort& effort = {});
 
 /// Whose failures the maps are about: the engine if there is one, else the formula.
 const FailureMap& subject_of(const std::vector<FailureMap>& maps);
 
-/// One pixel a question. Of a palette index, half (rounded down) is the class; the same in both schemes.
+/// A pixel for each place of the grid. Of a palette index, half (rounded down) is the class; the same in both schemes.
 Image image_of(const FailureMap& map, Scheme scheme = Scheme::light);
 /// A small piece of an area of that class, for a legend.
 Image sample_of(const MapClass& entry, Scheme scheme);

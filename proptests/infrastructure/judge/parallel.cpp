@@ -45,7 +45,7 @@ TEST_CASE("parallel: a failure map is the same with any number of jobs") {
   REQUIRE(alone.size() == together.size());
   for (std::size_t i = 0; i < alone.size(); ++i) {
     CHECK(alone[i].counts == together[i].counts);
-    CHECK(alone[i].pixels == together[i].pixels);
+    CHECK(alone[i].squares == together[i].squares);
     REQUIRE(alone[i].classes.size() == together[i].classes.size());
     for (std::size_t k = 0; k < alone[i].classes.size(); ++k) {
       CHECK(alone[i].classes[k].said == together[i].classes[k].said);

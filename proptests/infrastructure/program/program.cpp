@@ -50,6 +50,7 @@ TEST_CASE("program: an engine that has none of the operations asked is an engine
 TEST_CASE("program: what cannot be written is known before the first question, by its option") {
   require_refused(called({"audit", "--json", "/no/such/folder/file"}), bad_usage, "--json /no/such/folder/file");
   require_refused(called({"audit", "--report", "/dev/null/report"}), bad_usage, "--report /dev/null/report");
+  require_refused(called({"audit", "--report-seconds", "5"}), bad_usage, "expected --report too");
   require_refused(called({"exhaust", "orientation", "--json", "/no/such/folder/file"}), bad_usage, "--json /no/such");
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <set>
+
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 #include "report/html.h"
@@ -58,18 +60,68 @@ TEST_CASE("maps: a coordinate that is 0 moves by the steps of the greatest numbe
   CHECK(grid.step.second == 0x1p-52);
 }
 
+TEST_CASE("maps: a coarse map asks fewer questions, those that a fine one asks too, the middle among them") {
+  const Operation& operation = *find_operation("orientation");
+  const FailureMap fine = maps_of("orientation")[0];
+  for (const int side : {16, 64}) {
+    const auto maps = failure_maps(operation, 2, false, nullptr, {}, {side});
+    const FailureMap& coarse = maps[0];
+    REQUIRE(coarse.squares.size() == static_cast<std::size_t>(side * side));
+    CHECK(coarse.grid.at(column_of(side / 2, side), row_of(side / 2 - 1, side)) == operation.map_centre());
+    const Image image = image_of(coarse);
+    CHECK(image.pixels.size() == 256 * 256);
+    const int wide = 256 / side;
+    std::set<int> places;  // among stripes half as wide as a square
+    for (int row = 0; row < side; ++row) {
+      for (int column = 0; column < side; ++column) {
+        const int x = column_of(column, side), y = row_of(row, side);
+        REQUIRE((x / wide == column && y / wide == row));
+        places.insert(x % (wide / 2));
+        const MapClass &of_coarse = coarse.classes.at(coarse.squares[static_cast<std::size_t>(row * side + column)]),
+                       &of_fine = fine.classes.at(fine.squares[static_cast<std::size_t>(y * 256 + x)]);
+        if (of_coarse.verdict != of_fine.verdict || of_coarse.said != of_fine.said) FAIL(column << ", " << row);
+      }
+    }
+    CHECK(places.size() == static_cast<std::size_t>(wide / 2));
+  }
+}
+
+TEST_CASE("maps: how many questions follows from those of the audit, at least 16 x 16, at most the whole grid") {
+  for (const auto& [cases, side] :
+       {std::pair(1, 16), {60, 16}, {255, 16}, {256, 32}, {2000, 64}, {4096, 128}, {16384, 256}, {200000, 256}})
+    CHECK(MapEffort::of(static_cast<std::uint64_t>(cases)).side == side);
+}
+
+TEST_CASE("maps: an engine is asked for a coarse map no more than five times its squares") {
+  class Counting : public WrongFarOut {
+   public:
+    std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override {
+      asked += questions.size();
+      return WrongFarOut::ask(operation, questions);
+    }
+    std::size_t asked = 0;
+  } engine;
+  const Question nowhere_wrong{{50, 0.5, 12, 12, 24, 24}, {}};
+  failure_maps(*find_operation("orientation"), 1, false, &engine, {nowhere_wrong, nowhere_wrong}, {16});
+  CHECK(engine.asked <= 5 * 256);
+}
+
+TEST_CASE("maps: what is abandoned is empty") {
+  CHECK(failure_maps(*find_operation("orientation"), 1, false, nullptr, {}, {16, [] { return false; }}).empty());
+}
+
 TEST_CASE("maps: each pixel has the colour that the legend gives its class, in both schemes") {
   const FailureMap map = maps_of("orientation")[0];
   std::vector<std::uint64_t> counted(map.classes.size());
   for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
     const Image image = image_of(map, scheme);
-    REQUIRE(image.pixels.size() == map.pixels.size());
+    REQUIRE(image.pixels.size() == map.squares.size());
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-      const MapClass& entry = map.classes.at(map.pixels[i]);
+      const MapClass& entry = map.classes.at(map.squares[i]);
       const Colour colour = image.palette.at(image.pixels[i]);
-      if (image.pixels[i] / 2 != map.pixels[i]) FAIL("pixel " << i << " is of another class");
+      if (image.pixels[i] / 2 != map.squares[i]) FAIL("pixel " << i << " is of another class");
       if (colour != entry.look(scheme).ground && colour != entry.look(scheme).mark) FAIL("pixel " << i);
-      if (scheme == Scheme::light) ++counted[map.pixels[i]];
+      if (scheme == Scheme::light) ++counted[map.squares[i]];
     }
   }
   for (std::size_t k = 0; k < counted.size(); ++k) CHECK(counted[k] == map.classes[k].count);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
+
 #include "audit/audit_run.h"
 #include "catalogue/draw/figures.h"
 #include "proptests/catch.h"
@@ -9,6 +12,7 @@
 #include "report/html_confusion.h"
 #include "report/html_finding.h"
 #include "report/html_footer.h"
+#include "report/html_parts.h"
 #include "report/phrases.h"
 
 /// What the pages of a report say, from tallies made by hand.
@@ -98,6 +102,42 @@ TEST_CASE("pages: an example says the truth and the answer in words") {
   CHECK_THAT(page, ContainsSubstring("Truth:</b> right of the line. <b class=\"who-said\">Formula:</b> on it."));
   CHECK_THAT(page, ContainsSubstring("on it where it is right of the line"));
   CHECK_THAT(page, ContainsSubstring("10 cases, 5 of ordinary size; 5 by over- or underflow"));
+}
+
+TEST_CASE("pages: a report can be read before the first map is made, then the worst operation has its map first") {
+  Cell right;
+  right.ways[{Verdict::agree, "above", "above"}].cases = {100, 0};
+  const Tally tally = tally_of({{"point_ground_plane", right}, {"orientation", cell_of_orientation()}});
+  const std::filesystem::path directory = std::filesystem::temp_directory_path() / "touchstone_pages_in_order";
+  const auto bytes = [&](const char* name) {
+    std::ifstream file(directory / name);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  std::vector<std::string> order;
+  ReportNotes notes;
+  notes.progress = [&](const std::string& name, std::size_t, std::size_t all) {
+    CHECK(all == 2);
+    if (order.empty()) {
+      CHECK_THAT(bytes("index.html"), ContainsSubstring("</html>") && !ContainsSubstring("class=\"gallery\""));
+      CHECK_THAT(bytes("orientation.html"),
+                 ContainsSubstring("on it where it is right") && !ContainsSubstring(map_opening));
+      CHECK_THAT(bytes("point_ground_plane.html"), ContainsSubstring("</html>"));
+    }
+    if (order.empty() || order.back() != name) order.push_back(name);
+  };
+  write_report(tally, directory, 1, nullptr, notes);
+  CHECK(order == std::vector<std::string>{"orientation", "point_ground_plane"});
+  CHECK_THAT(bytes("index.html"), ContainsSubstring("class=\"gallery\""));
+  CHECK_THAT(bytes("orientation.html"),
+             ContainsSubstring(map_opening) && ContainsSubstring("Each square of 16 \u00d7 16 pixels is one question"));
+  // With seconds that are over at once, no map at all; with many, the whole grid.
+  notes.seconds = 1e-9, notes.progress = nullptr;
+  write_report(tally, directory, 1, nullptr, notes);
+  CHECK(bytes("orientation.html").find(map_opening) == std::string::npos);
+  notes.seconds = 600;
+  write_report(tally, directory, 2, nullptr, notes);
+  CHECK_THAT(bytes("orientation.html"), ContainsSubstring("Each pixel is one question"));
+  std::filesystem::remove_all(directory);
 }
 
 TEST_CASE("pages: answers in words") {
