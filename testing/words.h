@@ -6,6 +6,7 @@
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/shape/described_bodies.h"
 #include "catalogue/shape/described_simultaneous.h"
+#include "catalogue/shape/described_triangles.h"
 
 namespace touchstone::audit {
 

@@ -12,6 +12,7 @@
 #include "geometry/polyhedra.h"
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
+#include "geometry/triangles.h"
 #include "geometry/volumes.h"
 
 /// How each shape is drawn; a new type of geometry adds its overload, and its name to the list in by_shape.cpp.
@@ -87,6 +88,15 @@ inline void draw(Drawing& drawing, const std::string& label, const Plane3d& plan
 }
 inline void draw(Drawing& drawing, const std::string& label, const Polygon3d& polygon, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of(polygon.vertices), {}, answer});
+}
+/// As polygons of two corners and of three.
+inline void draw(Drawing& drawing, const std::string& label, const Segment3d& s, bool answer) {
+  drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of({s.a, s.b}), {}, answer});
+  drawing.notes.push_back(label + ": " + in_words(s.a) + " to " + in_words(s.b));
+}
+inline void draw(Drawing& drawing, const std::string& label, const Triangle3d& t, bool answer) {
+  drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of({t.a, t.b, t.c}), {}, answer});
+  drawing.notes.push_back(label + ": " + in_words(t.a) + ", " + in_words(t.b) + ", " + in_words(t.c));
 }
 inline void draw(Drawing& drawing, const std::string& label, const Aabb3d& box, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::box, label, coordinates_of({box.min, box.max}), {}, answer});

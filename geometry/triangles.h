@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/space.h"
+
+/// Segments and triangles of space, and what operations answer about them.
+namespace touchstone {
+
+/// The closed set of points between a and b in space. a == b is valid: the single point a.
+template <class Real>
+struct Segment3 {
+  Point3<Real> a, b;
+};
+
+/// The smallest convex set that holds three points of space, closed. Valid without area, too: a segment or a point.
+template <class Real>
+struct Triangle3 {
+  Point3<Real> a, b, c;
+};
+
+using Segment3d = Segment3<double>;
+using Triangle3d = Triangle3<double>;
+
+enum class SegmentTriangleRelation { none, point, segment };
+
+/// relation `point`: the one common point and its t on the segment, point = a + t (b - a) (0 on a segment of length
+/// zero). `segment`: the common segment, its ends in the direction of the segment. `none`: no numbers.
+template <class Real>
+struct SegmentTriangle {
+  SegmentTriangleRelation relation;
+  std::optional<Real> t;
+  std::optional<Point3<Real>> point;
+  std::optional<Segment3<Real>> overlap;
+};
+
+}  // namespace touchstone

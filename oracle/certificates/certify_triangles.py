@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What certify.py checks of segments and triangles of space, as in check_triangles.cpp."""
+
+from certify_reading import expect, list_of_two
+from certify_space import dot, exact_triple, point_in_space, triple
+
+
+def points(value, what, count, in_words):
+    """Two points are the ends of a segment, three the corners of a triangle: all that is between them."""
+    expect(isinstance(value, list) and len(value) == count, f"{what}: a list of {in_words}")
+    return [point_in_space(point, f"{what}[{i}]") for i, point in enumerate(value)]
+
+
+def weighted(corners, weights):
+    """The point with these weights."""
+    point = (0, 0, 0)
+    for weight, corner in zip(weights, corners):
+        expect(weight >= 0, "certificate: a weight is negative")
+        point = tuple(x + weight * c for x, c in zip(point, corner))
+    expect(sum(weights) == 1, "certificate: the weights do not add up to 1")
+    return point
+
+
+def expect_nothing_before(plane, corners, end, x):
+    """A plane with none of the triangle in front of it, `end` in front and x not behind: so is all from the end to x,
+    but x itself."""
+    reason = "certificate: the plane does not keep the triangle apart"
+    expect(len(plane) == 4, reason)
+    normal, offset = plane[:3], plane[3]
+    expect(all(dot(normal, corner) <= offset for corner in corners), reason)
+    expect(dot(normal, end) > offset and dot(normal, x) >= offset, reason)
+
+
+def at(s, t):
+    return tuple(a + t * (b - a) for a, b in zip(*s))
+
+
+def check_segment_triangle(claim):
+    claim.inputs("segment", "triangle")
+    s = points(claim.input["segment"], "segment", 2, "two")
+    corners = points(claim.input["triangle"], "triangle", 3, "three")
+    relation = claim.word("relation")
+    if relation == "none":
+        claim.answers("relation"), claim.expect_kind("separating_plane"), claim.facts("normal", "offset")
+        normal, offset = triple(claim, "normal"), claim.single("offset")
+        separates = all(dot(normal, p) > offset for p in s) and all(dot(normal, p) < offset for p in corners)
+        expect(separates, "certificate: the plane does not separate")
+        return
+    expect(relation in ("point", "segment"), "truth: relation is wrong")
+    claim.answers("relation", *(["t", "point"] if relation == "point" else ["overlap"]))
+    claim.expect_kind("common_part"), claim.facts("on_segment", "weights", "before", "after")
+    t, weights, before, after = map(claim.list, ("on_segment", "weights", "before", "after"))
+    expect(len(t) in (1, 2) and len(weights) == 3 * len(t), "certificate: one or two common points")
+    rising = 0 <= t[0] and t[-1] <= 1 and (len(t) == 1 or t[0] < t[1])
+    expect(rising, "certificate: the parameters do not rise from 0 to 1")
+    one_point = s[0] == s[1]
+    common = [at(s, parameter) for parameter in t]
+    for i, point in enumerate(common):
+        expect(weighted(corners, weights[3 * i:3 * i + 3]) == point, "certificate: the weights give another point")
+    if t[0] > 0 or before:
+        expect_nothing_before(before, corners, s[0], common[0])
+    if (t[-1] < 1 and not one_point) or after:
+        expect_nothing_before(after, corners, s[1], common[-1])
+    expect((len(t) == 1) == (relation == "point"), "truth: relation is wrong")
+    if relation == "point":
+        expect(claim.exact("t") == t[0], "truth: t is wrong")
+        expect(exact_triple(claim.truth["point"], "truth.point") == common[0], "truth: point is not at t")
+        return
+    overlap = list_of_two(claim.truth["overlap"], "truth.overlap")
+    ends = [exact_triple(end, f"truth.overlap[{i}]") for i, end in enumerate(overlap)]
+    expect(ends == common, "truth: overlap is wrong")
+    expect(not one_point, "certificate: a segment of length zero is one point")

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <string>
+
+#include "oracle/certificates/check_space.h"
+
+namespace touchstone::certify {
+namespace {
+
+/// Two points are the ends of a segment, three the corners of a triangle: all that is between them.
+template <std::size_t count>
+std::array<Triple, count> points(const json& value, const std::string& what) {
+  expect(value.is_array() && value.size() == count, what + ": a list of " + (count == 2 ? "two" : "three"));
+  std::array<Triple, count> found;
+  for (std::size_t i = 0; i < count; ++i) found[i] = point_in_space(value[i], what + "[" + std::to_string(i) + "]");
+  return found;
+}
+using Ends3 = std::array<Triple, 2>;
+using Corners = std::array<Triple, 3>;
+
+/// The point with these weights, which follow from place `from` on.
+Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from) {
+  Triple sum{0, 0, 0};
+  Rational whole;
+  for (std::size_t k = 0; k < 3; ++k) {
+    expect(sgn(weights[from + k]) >= 0, "certificate: a weight is negative");
+    whole += weights[from + k];
+    sum = along(sum, weights[from + k], corners[k]);
+  }
+  expect(whole == 1, "certificate: the weights do not add up to 1");
+  return sum;
+}
+
+/// A plane with none of the triangle in front of it, `end` in front and x not behind: so is all from the end to x, but
+/// x itself.
+void expect_nothing_before(const std::vector<Rational>& numbers, const Corners& corners, const Triple& end,
+                           const Triple& x) {
+  const char* const reason = "certificate: the plane does not keep the triangle apart";
+  expect(numbers.size() == 4, reason);
+  const Plane plane{{numbers[0], numbers[1], numbers[2]}, Rational(-numbers[3])};
+  for (const Triple& corner : corners) expect(sgn(plane.at(corner)) <= 0, reason);
+  expect(sgn(plane.at(end)) > 0 && sgn(plane.at(x)) >= 0, reason);
+}
+
+void check_segment_triangle(const Claim& claim) {
+  claim.inputs({"segment", "triangle"});
+  const Ends3 s = points<2>(claim.input["segment"], "segment");
+  const Corners corners = points<3>(claim.input["triangle"], "triangle");
+  const std::string relation = claim.word("relation");
+  if (relation == "none") {
+    claim.answers({"relation"});
+    expect(claim.kind() == "separating_plane", "certificate: no such kind for this truth");
+    claim.facts({"normal", "offset"});
+    const Plane plane{triple(claim, "normal"), Rational(-claim.single("offset"))};
+    const char* const reason = "certificate: the plane does not separate";
+    for (const Triple& p : s) expect(sgn(plane.at(p)) > 0, reason);
+    for (const Triple& p : corners) expect(sgn(plane.at(p)) < 0, reason);
+    return;
+  }
+  expect(relation == "point" || relation == "segment", "truth: relation is wrong");
+  if (relation == "point") claim.answers({"relation", "t", "point"});
+  else claim.answers({"relation", "overlap"});
+  expect(claim.kind() == "common_part", "certificate: no such kind for this truth");
+  claim.facts({"on_segment", "weights", "before", "after"});
+  const std::vector<Rational> t = claim.list("on_segment"), weights = claim.list("weights"),
+                              before = claim.list("before"), after = claim.list("after");
+  expect((t.size() == 1 || t.size() == 2) && weights.size() == 3 * t.size(), "certificate: one or two common points");
+  expect(sgn(t.front()) >= 0 && t.back() <= 1 && (t.size() == 1 || t[0] < t[1]),
+         "certificate: the parameters do not rise from 0 to 1");
+  const bool one_point = s[0] == s[1];
+  std::vector<Triple> common;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    common.push_back(along(s[0], t[i], s[1] - s[0]));
+    expect(weighted(corners, weights, 3 * i) == common[i], "certificate: the weights give another point");
+  }
+  if (sgn(t.front()) > 0 || !before.empty()) expect_nothing_before(before, corners, s[0], common.front());
+  if ((t.back() < 1 && !one_point) || !after.empty()) expect_nothing_before(after, corners, s[1], common.back());
+  expect((t.size() == 1) == (relation == "point"), "truth: relation is wrong");
+  if (relation == "point") {
+    expect(exact_value(claim.truth["t"], "truth.t") == t[0], "truth: t is wrong");
+    expect(exact_triple(claim.truth["point"], "truth.point") == common[0], "truth: point is not at t");
+    return;
+  }
+  const json& overlap = claim.truth["overlap"];
+  expect(overlap.is_array() && overlap.size() == 2, "truth.overlap: a list of two");
+  expect(exact_triple(overlap[0], "truth.overlap[0]") == common[0] &&
+             exact_triple(overlap[1], "truth.overlap[1]") == common[1],
+         "truth: overlap is wrong");
+  expect(!one_point, "certificate: a segment of length zero is one point");
+}
+
+}  // namespace
+
+Checks checks_of_triangles() { return {{"segment_triangle", check_segment_triangle}}; }
+
+}  // namespace touchstone::certify

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/rows/polyhedra/segment_triangle.h"
+
+#include "proptests/space_laws.h"
+
+namespace touchstone::proptests::segment_triangle_tests {
+namespace {
+
+using Row = rows::segment_triangle;
+using Exact = exact_answer_t<Row>;
+using Relation = SegmentTriangleRelation;
+
+const Exact none{Relation::none, {}, {}, {}};
+Exact point(const Rational& t, const Rational& x, const Rational& y, const Rational& z) {
+  return {Relation::point, t, Point3<Rational>{x, y, z}, {}};
+}
+Exact overlap(const Point3<Rational>& first, const Point3<Rational>& last) {
+  return {Relation::segment, {}, {}, Segment3<Rational>{first, last}};
+}
+
+constexpr Worked<Row> worked;
+constexpr Triangle3d flat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};  // x, y >= 0, x + y <= 4
+constexpr Triangle3d thin{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}};  // the segment from 0 to 4
+constexpr Triangle3d dot_at_1{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
+
+Segment3d upright(double x, double y, double below, double above) { return {{x, y, below}, {x, y, above}}; }
+
+/// The sum of the magnitudes of the six products of E at p, and E as computed.
+struct SideBound {
+  double computed;
+  bool overflow;
+  Rational error;
+
+  SideBound(const Triangle3d& t, const Point3d& p) {
+    const Vector3d v = t.b - t.a, w = t.c - t.a, d = p - t.a, n = cross(v, w);
+    computed = dot(n, d);
+    overflow = !finite(v.x, v.y, v.z, w.x, w.y, w.z, d.x, d.y, d.z) || !finite(v.y * w.z, v.z * w.y, v.z * w.x) ||
+               !finite(v.x * w.z, v.x * w.y, v.y * w.x, n.x, n.y, n.z) || !finite(n.x * d.x, n.y * d.y, n.z * d.z) ||
+               !finite(n.x * d.x + n.y * d.y, computed);
+    const auto gap = [](double a, double b) { return Rational(abs(exact(a) - exact(b))); };
+    const Rational vx = gap(t.b.x, t.a.x), vy = gap(t.b.y, t.a.y), vz = gap(t.b.z, t.a.z), wx = gap(t.c.x, t.a.x),
+                   wy = gap(t.c.y, t.a.y), wz = gap(t.c.z, t.a.z), dx = gap(p.x, t.a.x), dy = gap(p.y, t.a.y),
+                   dz = gap(p.z, t.a.z);
+    const Rational products = (vy * wz + vz * wy) * dx + (vz * wx + vx * wz) * dy + (vx * wy + vy * wx) * dz;
+    error = 8 * (1 + 4 * unit()) * unit() * products + power_of_two(-1073) * (dx + dy + dz + 2);
+  }
+};
+
+}  // namespace
+
+LAW("segment_triangle: the order and the number of a triangle's corners do not matter", s, t) {
+  const auto answer = ask(asked);
+  return equal(answer, ask(Row::Question{s, {t.b, t.c, t.a}})) && equal(answer, ask(Row::Question{s, {t.b, t.a, t.c}}));
+}
+
+LAW("segment_triangle: the reversed segment has the same part in common, reversed", s, t) {
+  const auto answer = ask(asked), found = ask(Row::Question{{s.b, s.a}, t});
+  const bool turned = s.a == s.b ? equal(answer.t, found.t) : reversed(answer.t, found.t);
+  return answer.relation == found.relation && turned && equal(answer.point, found.point) &&
+         (!answer.overlap ||
+          (equal(answer.overlap->a, found.overlap->b) && equal(answer.overlap->b, found.overlap->a)));
+}
+
+LAW("segment_triangle: corners meet the triangle, and a segment of the triangle lies in it", s, t) {
+  const auto at_corner = ask(Row::Question{{t.b, t.b}, t});
+  const auto edge = ask(Row::Question{{t.a, t.b}, t});
+  return at_corner.relation == Relation::point && edge.relation == (t.a == t.b ? Relation::point : Relation::segment);
+}
+
+LAW("segment_triangle: what an edge meets, the triangle meets", s, t) {
+  const auto of_edge = ask(Row::Question{s, {t.a, t.b, t.b}});
+  return of_edge.relation <= ask(asked).relation;
+}
+
+TEST_CASE("segment_triangle: p. 54's ends on opposite sides, worked by hand") {
+  // t is how much of the way the plane z = 0 is away; margin: the edge x = 0 is 1 away, as are y = 0 and the ends.
+  worked({upright(1, 1, -1, 1), flat}, point(Rational(1, 2), 1, 1, 0), 1);
+  worked({upright(1, 1, 3, -1), flat}, point(Rational(3, 4), 1, 1, 0), 1);
+  worked({upright(1, 1, 1, 3), flat}, none, 1);    // both in front
+  worked({upright(1, 1, -3, -2), flat}, none, 4);  // both behind
+  worked({upright(3, 3, -1, 1), flat}, none, 2);   // beyond x + y = 4, by the root of 2
+  worked({upright(-2, 1, -1, 1), flat}, none, 4);  // beyond x = 0
+  worked({{{1, -1, -1}, {1, 3, 1}}, flat}, point(Rational(1, 2), 1, 1, 0), Rational(1, 5));  // y = 0 at z = -1/2
+}
+
+TEST_CASE("segment_triangle: ends, edges and corners belong to them") {
+  worked({upright(1, 1, 0, 3), flat}, point(0, 1, 1, 0), 0);
+  worked({upright(1, 1, -2, 0), flat}, point(1, 1, 1, 0), 0);
+  worked({upright(2, 2, -1, 1), flat}, point(Rational(1, 2), 2, 2, 0), 0);  // on an edge
+  worked({upright(4, 0, -1, 3), flat}, point(Rational(1, 4), 4, 0, 0), 0);  // through a corner
+  worked({upright(0, 0, 0, 1), flat}, point(0, 0, 0, 0), 0);                // corner on end
+}
+
+TEST_CASE("segment_triangle: the formula has no segment in the plane") {
+  worked({{{1, -1, 0}, {1, 5, 0}}, flat}, overlap({1, 0, 0}, {1, 3, 0}), 0, "algorithm");
+  worked({{{1, 5, 0}, {1, -1, 0}}, flat}, overlap({1, 3, 0}, {1, 0, 0}), 0, "algorithm");
+  worked({{{1, 1, 0}, {2, 1, 0}}, flat}, overlap({1, 1, 0}, {2, 1, 0}), 0, "algorithm");   // within
+  worked({{{-3, 0, 0}, {3, 0, 0}}, flat}, overlap({0, 0, 0}, {3, 0, 0}), 0, "algorithm");  // along an edge
+  worked({{{-1, 1, 0}, {1, -1, 0}}, flat}, point(Rational(1, 2), 0, 0, 0), 0, "algorithm");
+  worked({{{4, 0, 0}, {9, 0, 0}}, flat}, point(0, 4, 0, 0), 0, "algorithm");
+  worked({{{5, 0, 0}, {9, 0, 0}}, flat}, none, 1);
+  worked({{{3, 3, 0}, {5, 5, 0}}, flat}, none, 2);
+}
+
+TEST_CASE("segment_triangle: a segment of length zero is a point, a triangle without area what its corners span") {
+  worked({{{1, 1, 0}, {1, 1, 0}}, flat}, point(0, 1, 1, 0), 0, "algorithm");
+  worked({{{1, 1, 2}, {1, 1, 2}}, flat}, none, 4);
+  worked({{{3, -1, 0}, {3, 1, 0}}, thin}, point(Rational(1, 2), 3, 0, 0), 0, "algorithm");
+  worked({{{3, -1, 1}, {3, 1, 1}}, thin}, none, 1);
+  worked({{{-1, 0, 0}, {9, 0, 0}}, thin}, overlap({0, 0, 0}, {4, 0, 0}), 0, "algorithm");
+  worked({{{6, 0, 0}, {9, 0, 0}}, thin}, none, 4);
+  worked({{{0, 0, 0}, {4, 4, 4}}, dot_at_1}, point(Rational(1, 4), 1, 1, 1), 0, "algorithm");
+  worked({{{1, 1, 1}, {1, 1, 1}}, dot_at_1}, point(0, 1, 1, 1), 0, "algorithm");
+  worked({{{1, 1, 3}, {1, 1, 2}}, dot_at_1}, none, 1);
+}
+
+TEST_CASE("segment_triangle: huge, subnormal and negative zero") {
+  const Rational least = exact(tiny);
+  // E is beyond the range: infinity less infinity.
+  example<Row>({upright(1, 1, -huge, huge), {{-huge, -huge, 0}, {huge, -huge, 0}, {0, huge, 0}}},
+               point(Rational(1, 2), 1, 1, 0), "rounding");
+  // E is 0 at both ends: no product of three least numbers is one.
+  worked({upright(tiny, tiny, -tiny, tiny), {{0, 0, 0}, {4 * tiny, 0, 0}, {0, 4 * tiny, 0}}},
+         point(Rational(1, 2), least, least, 0), Rational(least * least), "rounding");
+  worked({upright(-0.0, 1, -1, 1), {{-0.0, -0.0, 0}, {4, 0, -0.0}, {0, 4, 0}}}, point(Rational(1, 2), 0, 1, 0), 0);
+}
+
+TEST_CASE("segment_triangle: of two broken rules the first is named") {
+  refused<Row>({{{0, 0, 0}, {0, 0, infinity}}, {{not_a_number, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, "segment[1][2]",
+               "finite number");
+  refused<Row>({upright(1, 1, 5, 9), {{0, 0, 0}, {4, 0, 0}, {0, infinity, 0}}}, "triangle[2][1]", "finite number");
+}
+
+CONTRACT("segment_triangle: the formula in double keeps its contract", segment, triangle) {
+  const SideBound p(triangle, segment.a), q(triangle, segment.b);
+  if (p.overflow || q.overflow) return true;
+  const Rational at_p = exact(p.computed), at_q = exact(q.computed);
+  if (abs(at_p) <= p.error || abs(at_q) <= q.error) return true;
+  if (sgn(at_p) == sgn(at_q)) return answer.relation == Relation::none && truth.answer.relation == Relation::none;
+  if (answer.relation != Relation::point || truth.answer.relation != Relation::point) return true;
+  const Rational error =
+      (p.error + q.error) / (abs(at_p) + abs(at_q)) + 3 * unit() * size(*answer.t) + power_of_two(-1073);
+  return !finite(p.computed - q.computed) || within(*answer.t, *truth.answer.t, error);
+}
+
+}  // namespace touchstone::proptests::segment_triangle_tests

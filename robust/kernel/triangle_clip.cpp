@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/triangle_clip.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace touchstone::robust::kernel {
+namespace {
+
+using Point = Point3<mpz_class>;
+using Vector = Vector3<mpz_class>;
+
+/// normal . (x - at) >= 0
+void keep_above(Clipped& part, const Segment3<mpz_class>& s, const Vector& normal, const Point& at) {
+  part.keep(dot(normal, s.a - at), dot(normal, s.b - at));
+}
+
+/// Within the plane: on the inner side of all edges. cross(normal, to - from) points inwards.
+void keep_triangle(Clipped& part, const Segment3<mpz_class>& s, const Triangle3<mpz_class>& t, const Vector& normal) {
+  part.keep_zero(dot(normal, s.a - t.a), dot(normal, s.b - t.a));
+  keep_above(part, s, cross(normal, t.b - t.a), t.a);
+  keep_above(part, s, cross(normal, t.c - t.b), t.b);
+  keep_above(part, s, cross(normal, t.a - t.c), t.c);
+}
+
+/// Corners on one line: the points of that line in the box around the corners. If the corners are one point, the box
+/// is that point, and there is no line to ask.
+void keep_without_area(Clipped& part, const Segment3<mpz_class>& s, const Triangle3<mpz_class>& t) {
+  const Vector along = t.b == t.a ? t.c - t.a : t.b - t.a;
+  const Vector from_a = cross(along, s.a - t.a), from_b = cross(along, s.b - t.a);
+  for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) part.keep_zero(from_a.*axis, from_b.*axis);
+  for (mpz_class Point::*axis : {&Point::x, &Point::y, &Point::z}) {
+    const auto [least, greatest] = std::minmax({t.a.*axis, t.b.*axis, t.c.*axis});
+    part.keep(s.a.*axis - least, s.b.*axis - least);
+    part.keep(greatest - s.a.*axis, greatest - s.b.*axis);
+  }
+}
+
+}  // namespace
+
+void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
+  const int p = sgn(at_p), q = sgn(at_q);
+  if (p >= 0 && q >= 0) return;
+  if (p < 0 && q < 0) {
+    empty = true;
+  } else if (p < 0) {
+    first = std::max(first, Parameter{-at_p, at_q - at_p});
+  } else {
+    last = std::min(last, Parameter{at_p, at_p - at_q});
+  }
+  empty = empty || last < first;
+}
+
+Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle) {
+  Clipped part;
+  const Vector normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+  if (sgn(normal.x) == 0 && sgn(normal.y) == 0 && sgn(normal.z) == 0) keep_without_area(part, segment, triangle);
+  else keep_triangle(part, segment, triangle, normal);
+  return part;
+}
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polyhedra/segment_triangle.h"
+
+#include "geometry/validation_of_triangles.h"
+#include "robust/kernel/integers.h"
+#include "robust/kernel/rounding.h"
+#include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+using kernel::Clipped;
+using Relation = SegmentTriangleRelation;
+
+/// In integers times 2^exponent.
+struct Question {
+  Segment3<mpz_class> segment;
+  Triangle3<mpz_class> triangle;
+  int exponent;
+};
+
+Question as_integers(const Segment3d& s, const Triangle3d& t) {
+  const auto whole = kernel::integers_of(s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y,
+                                         t.b.z, t.c.x, t.c.y, t.c.z);
+  const auto& n = whole.at;
+  const auto point = [&n](std::size_t i) { return Point3<mpz_class>{n[i], n[i + 1], n[i + 2]}; };
+  return {{point(0), point(3)}, {point(6), point(9), point(12)}, whole.exponent};
+}
+
+Relation relation_of(const Segment3<mpz_class>& segment, const Clipped& part) {
+  if (part.empty) return Relation::none;
+  return segment.a == segment.b || !(part.first < part.last) ? Relation::point : Relation::segment;
+}
+
+/// The segment's point at t, rounded.
+Point3d rounded(const Question& q, const Clipped::Parameter& t) {
+  const auto& [a, b] = q.segment;
+  const auto coordinate = [&](const mpz_class& from, const mpz_class& to) {
+    return kernel::round_quotient(mpz_class(t.denominator * from + t.numerator * (to - from)), t.denominator,
+                                  q.exponent);
+  };
+  return {coordinate(a.x, b.x), coordinate(a.y, b.y), coordinate(a.z, b.z)};
+}
+
+void validate(const Segment3d& s, const Triangle3d& t) {
+  using kernel::valid;
+  if (valid(s.a) && valid(s.b) && valid(t.a) && valid(t.b) && valid(t.c)) return;
+  validation::validate_numbers("segment", s), validation::validate_numbers("triangle", t);
+}
+
+}  // namespace
+
+Relation stages::segment_triangle::decision::exact(const Segment3d& segment, const Triangle3d& triangle) {
+  const Question q = as_integers(segment, triangle);
+  return relation_of(q.segment, kernel::clipped(q.segment, q.triangle));
+}
+
+Decided<Relation> stages::segment_triangle::decision::past_filter(const Segment3d& segment,
+                                                                  const Triangle3d& triangle) {
+  return in_turn<decision, validate, Stage::exact>(segment, triangle);
+}
+
+SegmentTriangle<double> stages::segment_triangle::exact(const Segment3d& segment, const Triangle3d& triangle) {
+  const Question q = as_integers(segment, triangle);
+  const Clipped part = kernel::clipped(q.segment, q.triangle);
+  SegmentTriangle<double> answer{relation_of(q.segment, part), {}, {}, {}};
+  if (answer.relation == Relation::point) {
+    answer.t = kernel::round_quotient(part.first.numerator, part.first.denominator);
+    answer.point = rounded(q, part.first);
+  } else if (answer.relation == Relation::segment) {
+    answer.overlap = Segment3d{rounded(q, part.first), rounded(q, part.last)};
+  }
+  return answer;
+}
+
+/// The filter finds no number: it saves those who have none.
+SegmentTriangle<double> segment_triangle(const Segment3d& segment, const Triangle3d& triangle) {
+  const auto relation = stages::segment_triangle::decision::filter(segment, triangle);
+  if (relation && *relation == Relation::none) return {Relation::none, {}, {}, {}};
+  return answer_in_turn<stages::segment_triangle, validate, Stage::exact>(segment, triangle);
+}
+
+}  // namespace touchstone::robust
