@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "catalogue/families/cube_surface.h"
 #include "catalogue/families/lattice_hull.h"
 
 namespace touchstone::catalogue {
@@ -69,6 +70,36 @@ Meshd stretched(Meshd mesh) {
   return mesh;
 }
 
+/// The outer cubes of a layer of five times five.
+std::vector<Whole> ring_of_cells() {
+  std::vector<Whole> cells;
+  for (long x = 0; x < 5; ++x) {
+    for (long y = 0; y < 5; ++y) {
+      if (x == 0 || x == 4 || y == 0 || y == 4) cells.push_back({x, y, 0});
+    }
+  }
+  return cells;
+}
+
+/// The 26 cubes around one.
+std::vector<Whole> cells_around_one() {
+  std::vector<Whole> cells;
+  for (long i = 0; i < 27; ++i) {
+    if (i != 13) cells.push_back({i % 3, i / 3 % 3, i / 9});
+  }
+  return cells;
+}
+
+/// Every vertex but each third one twice as far from the origin, so that the faces between have an edge or a corner
+/// that goes inwards.
+Meshd star(Meshd mesh) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    Point3d& p = mesh.vertices[i];
+    if (i % 3 != 0) p = {2 * p.x, 2 * p.y, 2 * p.z};
+  }
+  return mesh;
+}
+
 }  // namespace
 
 const std::vector<NamedMesh>& named_meshes() {
@@ -76,6 +107,14 @@ const std::vector<NamedMesh>& named_meshes() {
                                           {"geodesic_66", lattice_hull(geodesic())},
                                           {"prism_64", lattice_hull(prism())},
                                           {"stretched_72", stretched(lattice_hull(lattice_sphere()))}};
+  return all;
+}
+
+const std::vector<NamedMesh>& named_solids() {
+  static const std::vector<NamedMesh> all{{"ring_64", cube_surface(ring_of_cells())},
+                                          {"hollow_64", cube_surface(cells_around_one())},
+                                          {"star_66", star(lattice_hull(geodesic()))},
+                                          {"stretched_star_66", stretched(star(lattice_hull(geodesic())))}};
   return all;
 }
 

@@ -18,4 +18,7 @@ struct NamedMesh {
 /// multiples of 12, so that the middles of edges and faces are exact.
 const std::vector<NamedMesh>& named_meshes();
 
+/// The same of meshes that are closed and not convex: a ring of cubes, cubes around a hollow, a star.
+const std::vector<NamedMesh>& named_solids();
+
 }  // namespace touchstone::catalogue

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "oracle/certificates/check_meshes.h"
 
@@ -44,8 +48,86 @@ void check_point_in_convex_polyhedron(const Claim& claim) {
   expect(claim.word("location") == (on ? "boundary" : "inside"), "truth: location is wrong");
 }
 
+/// Every edge, a pair of vertices in whichever order, is in an even number of faces.
+void expect_even(const Mesh& mesh, const std::string& what) {
+  std::map<std::pair<std::size_t, std::size_t>, int> times;
+  for (const auto& face : mesh.faces) {
+    for (std::size_t k = 0; k < 3; ++k) ++times[std::minmax(face[k], face[(k + 1) % 3])];
+  }
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t from = mesh.faces[i][k], to = mesh.faces[i][(k + 1) % 3];
+      const std::string field = what + ".faces[" + std::to_string(i) + "]",
+                        edge = "from vertex " + std::to_string(from) + " to vertex " + std::to_string(to);
+      expect(times[std::minmax(from, to)] % 2 == 0,
+             field + ": closed: the edge " + edge + " must be in an even number of faces");
+    }
+  }
+}
+
+Triple cross(const Triple& v, const Triple& w) {
+  return {Rational(v.y * w.z - v.z * w.y), Rational(v.z * w.x - v.x * w.z), Rational(v.x * w.y - v.y * w.x)};
+}
+
+/// Where the ray along `direction` crosses a face, whose corners are given as the point sees them: at t > 0, or not at
+/// all. Its line misses every edge: it passes beside it, which the sign of a volume tells; or the edge lies on a line
+/// through the point, which is not between its ends, and the direction is another. So the face, whether it has an area
+/// or not, is crossed if the line passes all its edges on one side, and if not, it does not hold the point either.
+std::optional<Rational> crossing(const std::array<Triple, 3>& corners, const Triple& direction) {
+  Rational sum;
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Triple &a = corners[k], &b = corners[(k + 1) % 3], span = cross(a, b), none{0, 0, 0};
+    const Rational side = dot(direction, span);
+    const bool away = span == none && sgn(dot(a, b)) > 0 && !(cross(direction, a) == none);
+    expect(sgn(side) != 0 || away, "certificate: the ray's line meets an edge");
+    left += sgn(side) > 0, right += sgn(side) < 0, sum += side;
+  }
+  if (left != 3 && right != 3) return std::nullopt;
+  const Rational t = dot(corners[0], cross(corners[1], corners[2])) / sum;
+  expect(sgn(t) != 0, "certificate: the point is on a face");
+  return sgn(t) > 0 ? std::optional(t) : std::nullopt;
+}
+
+void check_point_in_polyhedron(const Claim& claim) {
+  claim.inputs({"mesh", "point"});
+  const Mesh surface = mesh(claim.input["mesh"], "mesh");
+  const Triple p = point_in_space(claim.input["point"], "point");
+  expect_even(surface, "mesh");
+  claim.answers({"location"});
+  const auto corner = [&](std::size_t face, std::size_t k) { return surface.vertices[surface.faces[face][k]]; };
+  if (claim.kind() == "on_face") {
+    claim.facts({"face", "weights"});
+    const std::size_t face = index(claim.single("face"), surface.faces.size());
+    const std::vector<Rational> weights = claim.list("weights");
+    expect(weights.size() == 3, "certificate: three weights");
+    Rational sum;
+    Triple combination{0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      expect(sgn(weights[k]) >= 0, "certificate: a weight is negative");
+      sum += weights[k];
+      combination = along(combination, weights[k], corner(face, k));
+    }
+    expect(sum == 1 && combination == p, "certificate: the weights give another point");
+    expect(claim.word("location") == "boundary", "truth: location is wrong");
+    return;
+  }
+  expect(claim.kind() == "crossings", wrong_kind), claim.facts({"direction", "faces", "t"});
+  const Triple direction = triple(claim, "direction");
+  std::vector<Rational> crossed, parameters;
+  for (std::size_t i = 0; i < surface.faces.size(); ++i) {
+    const auto t = crossing({corner(i, 0) - p, corner(i, 1) - p, corner(i, 2) - p}, direction);
+    if (t) crossed.emplace_back(i), parameters.push_back(*t);
+  }
+  expect(claim.list("faces") == crossed && claim.list("t") == parameters, "certificate: the ray crosses other faces");
+  expect(claim.word("location") == (crossed.size() % 2 == 1 ? "inside" : "outside"), "truth: location is wrong");
+}
+
 }  // namespace
 
-Checks checks_of_polyhedra() { return {{"point_in_convex_polyhedron", check_point_in_convex_polyhedron}}; }
+Checks checks_of_polyhedra() {
+  return {{"point_in_convex_polyhedron", check_point_in_convex_polyhedron},
+          {"point_in_polyhedron", check_point_in_polyhedron}};
+}
 
 }  // namespace touchstone::certify

@@ -3,9 +3,11 @@
 
 #include <gmpxx.h>
 
+#include <map>
 #include <set>
 
 #include "oracle/polyhedra/point_in_convex_polyhedron.h"
+#include "oracle/polyhedra/point_in_polyhedron.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 
@@ -61,6 +63,25 @@ TEST_CASE("named meshes: faces have the corners that their mesh is there for") {
   const auto sphere = corners("lattice_sphere_72");
   CHECK(2 * sphere.count(3) < sphere.size());
   CHECK(corners("stretched_72") == sphere);
+}
+
+TEST_CASE(
+    "named meshes: those that need not be convex are closed, not convex, and of the genus and parts they should be") {
+  std::set<std::string> names;
+  for (const NamedMesh& named : named_meshes()) names.insert(named.name);
+  const std::map<std::string, std::size_t> handles_and_parts{
+      {"ring_64", 0}, {"hollow_64", 8}, {"star_66", 4}, {"stretched_star_66", 4}};  // 2 V - F: 4 - 4 g a part
+  for (const auto& [name, mesh] : named_solids()) {
+    INFO(name);
+    CHECK(names.insert(name).second);
+    CHECK(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos);
+    CHECK(name.ends_with("_" + std::to_string(mesh.vertices.size())));
+    CHECK(2 * mesh.vertices.size() - mesh.faces.size() == handles_and_parts.at(name));
+    CHECK(oracle::point_in_polyhedron(mesh, mesh.vertices.back()).answer == Location::boundary);
+    CHECK_THROWS_WITH(oracle::point_in_convex_polyhedron(mesh, mesh.vertices.back()),
+                      ContainsSubstring("convex: vertex"));
+  }
+  CHECK(named_solids().size() == handles_and_parts.size());
 }
 
 }  // namespace touchstone::proptests::named_meshes_tests

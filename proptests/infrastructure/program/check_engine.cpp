@@ -121,7 +121,8 @@ TEST_CASE("check-engine: a method of an operation is not offered, and an engine 
   const Json offered = parse_own_line(greeting())["ops"];
   for (const Operation* operation : all_operations()) {
     INFO(operation->name());
-    CHECK(std::count(offered.begin(), offered.end(), operation->name()) == (operation->card().is_implementation() ? 0 : 1));
+    CHECK(std::count(offered.begin(), offered.end(), operation->name()) ==
+          (operation->card().is_implementation() ? 0 : 1));
   }
   const std::string alone = "echo '{\"engine\":\"e\",\"ops\":[\"" + method + "\"]}'; cat";
   const std::string none = "it declares none of the operations";
@@ -148,7 +149,7 @@ TEST_CASE("check-engine: every operation has five easy questions, or as many as 
     }
     CHECK(asked.size() == easy.size());
   }
-  for (const char* of_meshes : {"point_in_convex_polyhedron", "swept_convex_polyhedra"})
+  for (const char* of_meshes : {"point_in_convex_polyhedron", "point_in_polyhedron", "swept_convex_polyhedra"})
     for (const EasyQuestion& one : easy_questions(*find_operation(of_meshes)))
       CHECK(signed_volume(one.question.numbers, one.question.words) > 0);
   const auto sides = easy_questions(*find_operation("orientation"));

@@ -41,6 +41,29 @@ std::vector<Line> stored(const std::string& operation) {
 
 std::string complaint(const Line& line) { return vector_complaint(line.dump(), "vectors"); }
 
+/// Each of the meshes is named by a line of the operation, and none else.
+void expect_named(const Operation& operation, const std::vector<NamedMesh>& meshes) {
+  std::map<std::string, Line> named;
+  for (const Line& line : stored(operation.name())) {
+    if (line["input"]["mesh"].is_string()) named.emplace(line["input"]["mesh"], line);
+  }
+  CHECK(named.size() == meshes.size());
+  for (const auto& [name, mesh] : meshes) {
+    const Line& line = named.at("meshes/" + name + ".json");
+    const Json input = without_names(parse_line(line["input"].dump()), "vectors");
+    const auto [held, point] = unpacked<std::tuple<Meshd, Point3d>>(operation.parse(input));
+    CHECK(one_line(to_json(held)) == one_line(to_json(mesh)));
+    const auto bits = [](const Meshd& of) {
+      std::vector<std::uint64_t> all;
+      for (const Point3d& p : of.vertices) {
+        for (const double x : {p.x, p.y, p.z}) all.push_back(std::bit_cast<std::uint64_t>(x));
+      }
+      return all;
+    };
+    CHECK(bits(held) == bits(mesh));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("vectors: a refusal of another field or rule, or of what is valid, is complained about") {
@@ -122,26 +145,8 @@ TEST_CASE("vectors: whatever else a vector says is complained about where it is 
 }
 
 TEST_CASE("vectors: a mesh that a line names is the catalogue's, to the last bit") {
-  const Operation& operation = *find_operation("point_in_convex_polyhedron");
-  std::map<std::string, Line> named;
-  for (const Line& line : stored(operation.name())) {
-    if (line["input"]["mesh"].is_string()) named.emplace(line["input"]["mesh"], line);
-  }
-  CHECK(named.size() == named_meshes().size());
-  for (const auto& [name, mesh] : named_meshes()) {
-    const Line& line = named.at("meshes/" + name + ".json");
-    const Json input = without_names(parse_line(line["input"].dump()), "vectors");
-    const auto [held, point] = unpacked<std::tuple<Meshd, Point3d>>(operation.parse(input));
-    CHECK(one_line(to_json(held)) == one_line(to_json(mesh)));
-    const auto bits = [](const Meshd& of) {
-      std::vector<std::uint64_t> all;
-      for (const Point3d& p : of.vertices) {
-        for (const double x : {p.x, p.y, p.z}) all.push_back(std::bit_cast<std::uint64_t>(x));
-      }
-      return all;
-    };
-    CHECK(bits(held) == bits(mesh));
-  }
+  expect_named(*find_operation("point_in_convex_polyhedron"), named_meshes());
+  expect_named(*find_operation("point_in_polyhedron"), named_solids());
 }
 
 TEST_CASE("vectors: a mesh file that was changed is complained about, even where every answer stays the same") {

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/mesh_choices.h"
+#include "catalogue/families/solid_choices.h"
+#include "catalogue/operation/digits.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "oracle/polyhedra/point_in_polyhedron.h"
+#include "reference/polyhedra/point_in_polyhedron.h"
+#include "robust/polyhedra/point_in_polyhedron.h"
+
+namespace touchstone::catalogue::rows {
+
+struct point_in_polyhedron {
+  TOUCHSTONE_MODULES(point_in_polyhedron)
+  using stages = ::touchstone::robust::stages::point_in_polyhedron;
+  using Question = std::tuple<Meshd, Point3d>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "point_in_polyhedron",
+                           .chapter = "polyhedra",
+                           .pages = "14-15, 53",
+                           .question = "Does the point lie inside the solid of a closed mesh, on a face, or outside?",
+                           .kind = Kind::decision,
+                           .fields = {"mesh", "point"},
+                           .answer = "location",
+                           .margin_degree = 2,
+                           .cost = 69,
+                           .list_length = 5};
+    return card;
+  }
+
+  /// Mesh and point, both moved or mapped.
+  template <class Change>
+  static Question changed(Question question, const Change& change) {
+    auto& [mesh, point] = question;
+    std::for_each(mesh.vertices.begin(), mesh.vertices.end(), change);
+    change(point);
+    return question;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"on_face",
+         [](Choices& c) -> Question {
+           const Meshd mesh = lattice_solid(c);
+           return {mesh, on_a_face_plane(mesh, c)};
+         }},
+        {"ray_through",
+         [](Choices& c) -> Question {
+           // Before or behind a vertex, an edge, a face, along an axis.
+           const Meshd mesh = lattice_solid(c);
+           const Point3d p = on_a_face_plane(mesh, c);
+           const double way = 4 * small_integer(c, 8);
+           switch (c.below(4)) {
+             case 0: return {mesh, {p.x, p.y + way, p.z}};
+             case 1: return {mesh, {p.x, p.y, p.z + way}};
+             default: return {mesh, {p.x + way, p.y, p.z}};
+           }
+         }},
+        {"near_face",
+         [](Choices& c) -> Question {
+           const Meshd mesh = lattice_solid(c);
+           const Point3d p = on_a_face_plane(mesh, c);
+           const double x = small_integer(c, 1), y = small_integer(c, 1);
+           return {mesh, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
+         }},
+        {"between_vertices",
+         [](Choices& c) -> Question {
+           const Meshd mesh = lattice_solid(c);
+           return {mesh, between_vertices(mesh, c)};
+         }},
+        {"tetrahedra",
+         [](Choices& c) -> Question {
+           const Meshd mesh = tetrahedra_together(c);
+           const Point3d p = c.below(2) == 0 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
+           return {mesh, {p.x + 4 * small_integer(c, 2), p.y, p.z}};
+         }},
+        {"needless_faces",
+         [](Choices& c) -> Question {
+           Meshd mesh = lattice_solid(c);
+           for (std::uint64_t left = 1 + c.below(3); left > 0; --left) {
+             for (Point3d& p : mesh.vertices) p = {6 * p.x, 6 * p.y, 6 * p.z};
+             mesh = with_needless_faces(mesh, c);
+           }
+           const Point3d p = mesh.vertices[c.below(2) == 0 ? mesh.vertices.size() - 1 : 0];
+           const Point3d q = on_a_face_plane(mesh, c);
+           return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
+         }},
+        {"mapped",
+         [](Choices& c) -> Question {
+           Question question;
+           auto& [mesh, point] = question;
+           mesh = lattice_solid(c);
+           point = on_a_face_plane(mesh, c);
+           map_linearly(mesh, point, c);
+           return question;
+         }},
+        {"stretched",
+         [](Choices& c) -> Question {
+           // Each axis by its own power of two: past any lattice, past the filters' guards, below their absolute
+           // terms, to both ends of the range.
+           const Meshd mesh = lattice_solid(c);
+           const Point3d p = on_a_face_plane(mesh, c);
+           static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, 1015, -1074};
+           const int x = exponents[c.below(8)], y = exponents[c.below(8)], z = exponents[c.below(8)];
+           const double way = small_integer(c, 1);
+           return changed({mesh, {p.x + way, p.y, p.z}}, [=](Point3d& q) {
+             q = {std::ldexp(q.x, x), std::ldexp(q.y, y), std::ldexp(q.z, z)};
+           });
+         }},
+        {"rounded_on_face",
+         [](Choices& c) -> Question {
+           const auto number = [&c] { return ordinary(c); };
+           Question question;
+           auto& [mesh, point] = question;
+           for (int i = 0; i < 5; ++i) {
+             const double x = number(), y = number(), z = number();
+             mesh.vertices.push_back({x, y, z});
+           }
+           make_solid(mesh);
+           const auto &a = mesh.vertices[1], &b = mesh.vertices[2], &d = mesh.vertices[4];
+           const double s = std::fabs(number()) / 2, t = std::fabs(number()) / 2;
+           point = a + (s * (b - a)) + (t * (d - a));
+           return question;
+         }},
+        {"opened",
+         [](Choices& c) -> Question {
+           const Meshd mesh = lattice_solid(c);
+           const Point3d point = between_vertices(mesh, c);
+           return {opened(mesh, c), point};
+         }},
+        {"named_solid",
+         [](Choices& c) -> Question {
+           const Meshd& mesh = named_solid(c);
+           const Point3d p = c.below(3) == 2 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
+           return {mesh, c.below(2) == 0 ? p : Point3d{p.x / 2, p.y, p.z}};
+         },
+         /*as_drawn=*/true},
+        {"beside_named_solid",
+         [](Choices& c) -> Question {
+           const Meshd& mesh = named_solid(c);
+           const Point3d p = on_a_face_plane(mesh, c);
+           const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
+           const int x = ulps(), y = ulps(), z = ulps();
+           return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
+         },
+         /*as_drawn=*/true},
+    };
+  }
+
+  static void repair(Question& question) { make_solid(std::get<0>(question)); }
+
+  /// Tetrahedra of size 12 with a dent, or a spike, in the face away from the origin, and a point: both run over the
+  /// numbers from 0 in thirds of 12.
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
+  static Question world_at(int size, std::uint64_t index) {
+    Digits digit(size, index);
+    const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
+    return {dented_tetrahedron(12, {4 * x, 4 * y, 4 * z}), {4 * u, 4 * v, 4 * w}};
+  }
+
+  /// At the end of the dent.
+  static Question map_centre() { return {dented_tetrahedron(12, {2, 2, 2}), {2, 2, 2}}; }
+
+  static Hooks<point_in_polyhedron> hooks() {
+    return {.as_open_sets = outside_if_on_boundary<Question>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .world_count = world_count,
+            .world_at = world_at,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polyhedra/point_in_polyhedron.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/closed_mesh.h"
+#include "robust/kernel/face_side.h"
+#include "robust/kernel/ordered_bits.h"
+#include "robust/lines/orientation.h"
+
+namespace touchstone::robust {
+namespace {
+
+std::uint64_t edge(Index from, Index to) { return std::uint64_t{std::min(from, to)} << 32 | std::max(from, to); }
+
+std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
+
+/// In ascending order, each once.
+std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
+  std::vector<std::uint64_t> edges, odd;
+  edges.reserve(3 * mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const auto ring = ring_of(face);
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge(ring[k], ring[k + 1]));
+  }
+  std::sort(edges.begin(), edges.end());
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::find_if(first, edges.end(), [first](std::uint64_t other) { return other != *first; });
+    if ((last - first) % 2 != 0) odd.push_back(*first);
+    first = last;
+  }
+  return odd;
+}
+
+void validate_closed(const std::string& field, const Meshd& mesh) {
+  const auto odd = edges_of_odd_number(mesh);
+  if (odd.empty()) return;
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const auto ring = ring_of(mesh.faces[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::binary_search(odd.begin(), odd.end(), edge(ring[k], ring[k + 1])))
+        validation::refuse_odd_edge(field, i, ring[k], ring[k + 1]);
+    }
+  }
+}
+
+/// Coordinates to be compared, whatever the control word says.
+using Place = std::array<std::int64_t, 3>;
+Place place(const Point3d& p) {
+  return {kernel::ordered_bits(p.x), kernel::ordered_bits(p.y), kernel::ordered_bits(p.z)};
+}
+
+using Coordinate = double Point3d::*;
+
+/// How the ends of each edge of a triangle and the point turn, in two coordinates: 1 left, 0 on one line, -1 right.
+using Turns = std::array<int, 3>;
+Turns turns_of(const std::array<const Point3d*, 3>& corners, const Point3d& p, Coordinate u, Coordinate v,
+               Stage& latest) {
+  const auto seen = [u, v](const Point3d& q) { return Point2d{q.*u, q.*v}; };
+  const auto turn = [&](const Point3d& a, const Point3d& b) {
+    return 1 - static_cast<int>(stages::orientation::ask(seen(a), seen(b), seen(p)).noting(latest));
+  };
+  return {turn(*corners[0], *corners[1]), turn(*corners[1], *corners[2]), turn(*corners[2], *corners[0])};
+}
+
+/// The point is beside the triangle, which may be a segment or a point; if not, it may still be beyond its end.
+bool beside(const Turns& turns) {
+  return std::max({turns[0], turns[1], turns[2]}) == 1 && std::min({turns[0], turns[1], turns[2]}) == -1;
+}
+
+/// A turn of a, b and the point in y and z after the point was moved by (0, e, e^2), e > 0 less than any number: if it
+/// is 0, it gets the sign of what it gains by e, a.z - b.z times e, or if that is 0, by e^2. 0 only for an edge along
+/// the ray.
+int moved(int turn, const Place& a, const Place& b) {
+  if (turn != 0) return turn;
+  if (a[2] != b[2]) return a[2] > b[2] ? 1 : -1;
+  return (b[1] > a[1]) - (b[1] < a[1]);
+}
+
+enum class Meeting { none, crossed, held };
+
+/// Whether the ray to +x from the point, moved by (0, e, e^2), crosses a face, or whether the face holds the point as it
+/// is. Every line in y and z has the moved point on it for two e at most, so for all small e the ray's line meets no
+/// edge, and crosses a face once or not at all: where the three turns agree. If no face holds the point, none comes
+/// between it and its moved place for small e, and they are inside or outside together.
+Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Place& at, Stage& latest) {
+  const std::array corners{&mesh.vertices[face.a], &mesh.vertices[face.b], &mesh.vertices[face.c]};
+  const Place a = place(*corners[0]), b = place(*corners[1]), c = place(*corners[2]);
+  const auto below = [&](std::size_t axis) { return at[axis] < std::min({a[axis], b[axis], c[axis]}); };
+  const auto above = [&](std::size_t axis) { return at[axis] > std::max({a[axis], b[axis], c[axis]}); };
+  if (above(0) || below(1) || above(1) || below(2) || above(2)) return Meeting::none;
+  const Turns turns = turns_of(corners, p, &Point3d::y, &Point3d::z, latest);
+  if (beside(turns)) return Meeting::none;
+  const int first = moved(turns[0], a, b);
+  const bool met = first != 0 && moved(turns[1], b, c) == first && moved(turns[2], c, a) == first;
+  if (below(0)) return met ? Meeting::crossed : Meeting::none;
+  // The point is in the face's box. In its plane too, the face holds it if it is not beside it along any axis: a
+  // triangle with an area has one along some axis; of a segment or a point it is then on the line, and the box ends it.
+  const int side = kernel::FaceSide(mesh, face).of(p).noting(latest);
+  if (side != 0) return met && side != first ? Meeting::crossed : Meeting::none;
+  const bool held = !beside(turns_of(corners, p, &Point3d::z, &Point3d::x, latest)) &&
+                    !beside(turns_of(corners, p, &Point3d::x, &Point3d::y, latest));
+  return held ? Meeting::held : Meeting::none;
+}
+
+}  // namespace
+
+Decided<Location> stages::point_in_polyhedron::ask(const Meshd& mesh, const Point3d& point) {
+  validation::validate_numbers("mesh", mesh), validation::validate("point", point);
+  validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh), validate_closed("mesh", mesh);
+  Stage latest = Stage::filter;
+  const Place at = place(point);
+  bool odd = false;
+  for (const Face& face : mesh.faces) {
+    const Meeting found = meeting(mesh, face, point, at, latest);
+    if (found == Meeting::held) return {Location::boundary, latest};
+    odd ^= found == Meeting::crossed;
+  }
+  return {odd ? Location::inside : Location::outside, latest};
+}
+
+Location point_in_polyhedron(const Meshd& mesh, const Point3d& point) {
+  return stages::point_in_polyhedron::ask(mesh, point).answer;
+}
+
+}  // namespace touchstone::robust

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/polyhedra.h"
+#include "robust/kernel/staged.h"
+
+namespace touchstone::robust {
+
+/// Whether a point lies inside of the solid within a mesh, on its `boundary`, which is all of its faces, or outside.
+///
+/// The mesh is closed: every edge, a pair of vertices in whichever order, is in an even number of faces. It may be
+/// concave, of several parts, one within another, cross itself, have faces twice or without area, and faces may turn
+/// either way: inside is what a ray leaves through an odd number of faces. Every call makes sure that the mesh is
+/// closed, by sorting its edges; then it looks at each face once. Right for all finite doubles in every floating-point
+/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a mesh that is
+/// not closed (with the face and the edge). Contract: reference/polyhedra/point_in_polyhedron.h.
+Location point_in_polyhedron(const Meshd& mesh, const Point3d& point);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct point_in_polyhedron : Signatures<decltype(robust::point_in_polyhedron)> {
+  static Staged ask;
+};
+
+}  // namespace stages
+
+}  // namespace touchstone::robust
