@@ -5,6 +5,7 @@ with one point far away, in no plane with the point and an edge, a tetrahedron t
 from fractions import Fraction
 from functools import cache
 from itertools import combinations, count
+from math import lcm
 
 from simplest_truth_reading import dot, minus, point
 
@@ -42,9 +43,10 @@ def volume(a, b, c, d):
 
 def squared_distance_of_edge(p, a, b):
     along, square = minus(b, a), dot(minus(b, a), minus(b, a))
-    t = min(max(Fraction(dot(minus(p, a), along)) / square, 0), 1) if square else 0
-    off = minus(minus(p, a), tuple(t * x for x in along))
-    return dot(off, off)
+    t = dot(minus(p, a), along)
+    if t <= 0 or t >= square:
+        return min(dot(minus(p, end), minus(p, end)) for end in (a, b))
+    return dot(minus(p, a), minus(p, a)) - Fraction(t * t, square)
 
 
 def squared_distance_of_face(p, corners):
@@ -52,7 +54,7 @@ def squared_distance_of_face(p, corners):
     a, b, c = corners
     normal, edges = cross(minus(b, a), minus(c, a)), [(a, b), (b, c), (c, a)]
     if any(normal) and all(dot(cross(normal, minus(v, u)), minus(p, u)) >= 0 for u, v in edges):
-        return Fraction(dot(normal, minus(p, a))) ** 2 / dot(normal, normal)
+        return Fraction(dot(normal, minus(p, a)) ** 2, dot(normal, normal))
     return min(squared_distance_of_edge(p, u, v) for u, v in edges)
 
 
@@ -68,10 +70,11 @@ def holds(corners, p):
 
 
 def truth_point_in_polyhedron(question):
-    p, mesh = point(question["point"]), question["mesh"]
-    vertices = [point(v) for v in mesh["vertices"]]
+    mesh, given = question["mesh"], [point(v) for v in [question["point"], *question["mesh"]["vertices"]]]
+    scale = lcm(*(x.denominator for v in given for x in v))  # integers are quicker
+    p, *vertices = (tuple(int(x * scale) for x in v) for v in given)
     faces = [tuple(vertices[i] for i in face) for face in mesh["faces"]]
-    margin = min(squared_distance_of_face(p, face) for face in faces)
+    margin = min(squared_distance_of_face(p, face) for face in faces) / Fraction(scale**2)
     if margin == 0:
         return {"location": "boundary"}, margin
     far = 1 + 2 * max(abs(x) for v in [p, *vertices] for x in v)
