@@ -146,6 +146,23 @@ endfunction()
 example_suite(hypothesis "${TOUCHSTONE_SYSTEM_PYTHON}" test_hypothesis.py)
 example_suite(fast_check "${TOUCHSTONE_NODE}" test_fast_check.mjs)
 
+# What `touchstone ask --as` prints, of all operations: Catch2's is built and run with robust as the user's code, the others are run.
+if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
+  set(printed ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/regression_tests.py --program $<TARGET_FILE:touchstone>)
+  set(regression_tests ${PROJECT_BINARY_DIR}/regression_tests)
+  file(MAKE_DIRECTORY ${regression_tests})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR} ${regression_tests}/touchstone SYMBOLIC)
+  add_custom_command(OUTPUT ${regression_tests}/all.cpp COMMAND ${printed} --catch2 ${regression_tests}/all.cpp
+                     DEPENDS touchstone ${PROJECT_SOURCE_DIR}/proptests/regression_tests.py)
+  add_executable(test_printed ${regression_tests}/all.cpp)
+  touchstone_test_sources(test_printed)
+  target_include_directories(test_printed PRIVATE ${regression_tests})
+  target_compile_options(test_printed PRIVATE -O0)
+  target_link_libraries(test_printed PRIVATE touchstone_test_main)
+  add_test(NAME regression_tests/catch2 COMMAND test_printed ~[checked])
+  add_test(NAME regression_tests/others COMMAND ${printed} --run)
+endif()
+
 # What a user does with the installed package. Not while counting coverage: the flags for that stay in this build.
 if(NOT TOUCHSTONE_COVERAGE)
   include(install_tests)

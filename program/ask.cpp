@@ -6,6 +6,7 @@
 #include "catalogue/operation/explained.h"
 #include "program/commands.h"
 #include "program/program.h"
+#include "program/regression_test.h"
 #include "report/wording.h"
 
 namespace touchstone::program {
@@ -42,11 +43,12 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
   const std::string& file = command.file;
   const Json meshes = meshes_of(command);
   bool refused_any = false, found_any = false;
+  RegressionTests tests(command.as);
   const auto refuse = [&](std::uint64_t number, const InvalidInput& refused) {
     Json error = Json::object();
     error["error"]["field"] = refused.field();
     error["error"]["rule"] = refused.rule();
-    out << one_line(error) << '\n';
+    if (command.as.empty()) out << one_line(error) << '\n';
     err << place(file, number) << refused.what() << '\n';
     refused_any = true;
   };
@@ -57,8 +59,13 @@ int ask_command(const AskCommand& command, std::ostream& out, std::ostream& err)
       Question question = operation.parse(input);
       if (engine && engine->declaration().binary32) question = operation.in_binary32(question);
       const auto examination = operation.examine(question);
+      const Json said = engine ? said_by(*engine, operation, question, *examination, found_any) : Json();
+      if (!command.as.empty()) {
+        out << tests.next(*examination, said);
+        return;
+      }
       Json line = explained(*examination);
-      if (engine) line["engine"] = said_by(*engine, operation, question, *examination, found_any);
+      if (engine) line["engine"] = said;
       if (command.as_typed) {
         line["as_typed"] = Json::object();
         line["as_typed"]["truth"] = operation.truth_as_typed(input);

@@ -40,6 +40,7 @@ struct AuditCommand {
 struct AskCommand {
   std::string operation, file = "-";
   bool as_typed = false;
+  std::string as;      ///< one of test_frameworks: regression tests instead of JSON lines; empty: JSON
   std::string engine;  ///< command of an engine that is asked as well; empty: none
   double timeout = usual_timeout;
   std::vector<std::string> meshes;  ///< "field=FILE": a mesh field of every line, from a file

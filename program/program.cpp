@@ -13,6 +13,7 @@
 #include "program/commands.h"
 #include "program/documentation.h"
 #include "program/map.h"
+#include "program/regression_test.h"
 
 namespace touchstone::program {
 namespace {
@@ -103,7 +104,14 @@ void add_ask(CLI::App& program, Action& action) {
   auto options = std::make_shared<AskCommand>();
   command->add_option("operation", options->operation, "Name of the operation")->required();
   command->add_option("file", options->file, "JSON lines; - is standard input");
-  command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
+  auto* as_typed =
+      command->add_flag("--as-typed", options->as_typed, "Also the truth for the decimals as they were typed");
+  command
+      ->add_option("--as", options->as,
+                   "Print regression tests of your own code instead: catch2, gtest, pytest or jest")
+      ->check(CLI::IsMember(std::vector<std::string>(test_frameworks.begin(), test_frameworks.end())))
+      ->excludes(as_typed)
+      ->default_str("");
   add_engine(*command, options->engine, options->timeout, "Asked as well, and judged");
   command
       ->add_option("--mesh", options->meshes,
