@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalogue/families/impact_choices.h"
+#include "catalogue/families/list_choices.h"
 
 /// Lists of bodies, drawn from a stream of choices.
 namespace touchstone::catalogue {
@@ -23,6 +24,9 @@ inline Bodyd lattice_body(Choices& c) {
   return {m, lattice_velocity(c, 20)};
 }
 inline Bodies lattice_bodies(Choices& c) { return drawn_bodies(c, lattice_body); }
+
+/// Each of which counts.
+inline Bodies many_bodies(Choices& c) { return long_list(c, lattice_body); }
 
 /// In pairs of opposite momentum, and perhaps one that is lighter by far.
 inline Bodies cancelling_bodies(Choices& c) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "catalogue/families/numbers.h"
 #include "geometry/volumes.h"
@@ -48,6 +49,26 @@ inline Aabb3d shifted(const Aabb3d& b, double x, double y, double z) {
   return {{b.min.x + x, b.min.y + y, b.min.z + z}, {b.max.x + x, b.max.y + y, b.max.z + z}};
 }
 inline Aabb2d without_z(const Aabb3d& b) { return {{b.min.x, b.min.y}, {b.max.x, b.max.y}}; }
+
+/// A vector of multiples of 2^-30 below 1: what is moved by it has digits to lose.
+inline Vector3d fractions(Choices& choices) {
+  const auto fraction = [&choices] { return std::ldexp(static_cast<double>(choices.below(1 << 30)), -30); };
+  const double x = fraction(), y = fraction();
+  return {x, y, fraction()};
+}
+
+/// The sides that p does not see are moved away, by 2^20 to 2^56: half the sum of both ends, and half their difference,
+/// no longer hold the digits of the near end.
+inline Aabb3d widened(Aabb3d box, const Point3d& p, Choices& choices) {
+  const auto widen = [&choices](double& min, double& max, double at) {
+    const double far = scaled_up(choices, 8, 34) * 0x1p20;
+    const bool up = at < min || (at <= max && choices.below(2) == 1);
+    if (up) max += far;
+    else min -= far;
+  };
+  widen(box.min.x, box.max.x, p.x), widen(box.min.y, box.max.y, p.y), widen(box.min.z, box.max.z, p.z);
+  return box;
+}
 
 /// min and max exchanged where they stand the wrong way round.
 inline void put_in_order(double& min, double& max) {

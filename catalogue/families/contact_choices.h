@@ -29,6 +29,18 @@ inline Meeting lattice_meeting(Choices& c, int bits = 12) {
   return {a, b, p, lattice_normal(c, bits)};
 }
 
+/// As plane physics has it: all in the plane z = 0, turns about z.
+inline Meeting in_a_plane(Meeting m) {
+  for (MovingBodyd* body : {&m.a, &m.b}) {
+    body->position.z = body->velocity.z = 0;
+    body->angular_velocity = {0, 0, body->angular_velocity.z};
+  }
+  m.point.z = 0;
+  const Vector3d& n = m.normal;
+  m.normal = n.x == 0 && n.y == 0 ? Vector3d{0, 1, 0} : Vector3d{n.x, n.y, 0};
+  return m;
+}
+
 /// They slide along each other, at most.
 inline Meeting resting_meeting(Choices& c, int bits = 12) {
   Meeting m = lattice_meeting(c, bits);

@@ -12,7 +12,8 @@ template <class Question>
 struct HardCase {
   std::string name;            ///< the family: "collinear", "shared_end" ...
   Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
-  /// Neither scaled nor, as a family of its own, moved by an ulp: its mesh has to stay one that test vectors can name.
+  /// Neither scaled nor, as a family of its own, moved by an ulp: its mesh has to stay one that test vectors can name,
+  /// or its lists are so long that once is dear enough.
   bool as_drawn = false;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catalogue/families/box_choices.h"
+#include "catalogue/families/list_choices.h"
 #include "catalogue/families/space_choices.h"
 #include "geometry/volumes.h"
 
@@ -18,6 +19,18 @@ inline Vector3d usual_normal(Choices& choices) {
   const double x = 1 - static_cast<double>(choices.below(2)), y = small_integer(choices, 1);
   const double z = small_integer(choices, 1);
   return x == 0 && y == 0 && z == 0 ? Vector3d{0, 0, 1} : Vector3d{x, y, z};
+}
+
+/// The normals of a 26-DOP, 13 of them: the first 3, 7 and 9 are those of a box, a 14-DOP and an 18-DOP. Any lattice
+/// vector after these.
+inline Vector3d normal_in_turn(std::size_t place, Choices& choices) {
+  static constexpr Vector3d normals[]{{1, 0, 0}, {0, 1, 0},  {0, 0, 1}, {1, 1, 1},  {1, 1, -1}, {1, -1, 1}, {1, -1, -1},
+                                      {1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1},  {0, 1, -1}};
+  return place < std::size(normals) ? normals[place] : lattice_normal(choices, 8);
+}
+inline std::vector<Vector3d> many_normals(Choices& choices) {
+  std::size_t place = 0;
+  return long_list(choices, [&place](Choices& c) { return normal_in_turn(place++, c); });
 }
 
 /// A lattice vector, mostly such a one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,27 @@ auto one_by_one(Choices& choices, std::size_t most, const Draw& draw) {
   std::vector list{draw(choices)};
   while (list.size() < most && choices.below(8) != 7) list.push_back(draw(choices));
   return list;
+}
+
+/// Lists that outgrow arrays of a fixed length and counters of 4, 6 or 8 bits: every second has more than 16 elements,
+/// every tenth more than 64, one in 32 more than 256, as far as `most` lets them; more would be dear. One after another
+/// ("one more?"); of one element where the stream is simple.
+template <class Draw>
+auto long_list(Choices& choices, const Draw& draw, std::size_t most = 300) {
+  const std::uint64_t size = choices.below(32);
+  const std::size_t least = size < 16 ? 0 : size < 29 ? 16 : size < 31 ? 64 : 256;
+  std::vector list{draw(choices)};
+  for (bool more = true; more && list.size() < most;) {
+    more = choices.below(4) != 0 || list.size() <= least;
+    if (more) list.push_back(draw(choices));
+  }
+  return list;
+}
+
+/// The index of an element of a list, one of the last for the most part: what a loop that ends too early leaves out.
+inline std::size_t late_index(std::size_t size, Choices& choices) {
+  const std::size_t from_end = choices.below(4) == 3 ? choices.below(size) : choices.below(3);
+  return size - 1 - std::min(from_end, size - 1);
 }
 
 /// In another order; as it is where the stream is simple.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "catalogue/families/space_choices.h"
 #include "geometry/volumes.h"
@@ -88,17 +90,48 @@ inline Point3d on_obb(const Obb3d& box, Choices& c) {
 
 /// Moves b to where it touches a from outside, as far as their half axes number i and j, a's before b's, are not
 /// parallel: on the axis at right angles to both. What that axis leaves open is drawn: where along the common edges or
-/// faces. Exact for small integers.
-inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, Choices& c) {
+/// faces, by up to so many halves of these. Exact for small integers.
+inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, Choices& c, int most_open = 2) {
   const Vector3d* edges[] = {&a.half_axes.u, &a.half_axes.v, &a.half_axes.w,
                              &b.half_axes.u, &b.half_axes.v, &b.half_axes.w};
   const Vector3d n = cross(*edges[i], *edges[j]);
   b.center = a.center;
   for (std::size_t k = 0; k < 6; ++k) {
-    const double along = dot(n, *edges[k]), open = small_integer(c, 2);
+    const double along = dot(n, *edges[k]), open = small_integer(c, most_open);
     const double halves = k == i || k == j || along == 0 ? open : along > 0 ? 2 : -2;
     b.center = b.center + halves / 2 * *edges[k];
   }
+}
+
+/// Two boxes at right angles, turned each for itself, that only the axis across the half axes number i and j tells
+/// apart, by a small gap; or that just overlap, or touch. i and j of one box: the normal of its faces on the third.
+inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, Choices& c) {
+  std::pair<Obb3d, Obb3d> boxes{{lattice_point_in_space(c, 10), turned_half_axes(c)}, {{}, turned_half_axes(c)}};
+  auto& [a, b] = boxes;
+  bring_to_touch(a, b, i, j, c, 1);
+  const Vector3d edges[] = {a.half_axes.u, a.half_axes.v, a.half_axes.w, b.half_axes.u, b.half_axes.v, b.half_axes.w};
+  const Vector3d n = cross(edges[i], edges[j]);
+  const double largest = std::max({std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)});
+  if (largest == 0) return boxes;  // parallel
+  static constexpr double gaps[] = {1, 1, 1, 1, 1, -1, -1, 0};
+  const double gap = gaps[c.below(8)];
+  const int size = -std::ilogb(largest) - 2 - static_cast<int>(c.below(16));
+  b.center = b.center + std::ldexp(gap, size) * n;
+  return boxes;
+}
+
+/// Two beams on edge, one on the other, their ridges turned against each other by an angle of twice `half`: along the
+/// normals of faces, which stand at 45 degrees, there is no gap. Without a sine, of which every library has its own.
+inline std::pair<Obb3d, Obb3d> beams_on_edge(Choices& c) {
+  static constexpr double halves[] = {0.5e-4, 0.5e-3, 0.5e-5, 0.5e-6};
+  const double half = halves[c.below(4)], length = 2 / half * scaled_up(c, 4, 8), more = 1 + half * half;
+  const double x = (1 - half * half) / more, y = 2 * half / more;
+  const double r = 1 + static_cast<double>(c.below(4)), s = 1 + static_cast<double>(c.below(4));
+  const double way = small_integer(c, 2), gap = std::ldexp(way, -static_cast<int>(c.below(20)));
+  const Obb3d below{{0, 0, 0}, {{length, 0, 0}, {0, r, r}, {0, -r, r}}};
+  return {below,
+          {{small_integer(c, 4), 0, 2 * r + 2 * s + gap},
+           {{length * x, length * y, 0}, {-s * y, s * x, s}, {s * y, -s * x, s}}}};
 }
 
 /// A box with the half axes of another, in another order and perhaps half or twice as long, its center on the grid of

@@ -68,6 +68,14 @@ inline RigidMeeting ordinary_rigid(Choices& c) {
   r.a.mass += std::fabs(ordinary(c)), r.b.velocity = ordinary_vector(c);
   return r;
 }
+/// As plane physics has it; three moments of inertia, of which only the last counts.
+inline RigidMeeting planar_rigid(Choices& c) {
+  const Meeting m = in_a_plane(lattice_meeting(c, 6));
+  return with_weights(c, m, [](Choices& d) {
+    const double z = lattice_mass(d), x = lattice_mass(d), y = lattice_mass(d);
+    return Inertiad{{x, 0, 0}, {0, y, 0}, {0, 0, z}};
+  });
+}
 /// Long rods, and what is nearly no body: determinants that cancel.
 inline RigidMeeting thin_rigid(Choices& c) {
   const Meeting m = lattice_meeting(c, 6);

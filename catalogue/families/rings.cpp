@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "catalogue/families/list_choices.h"
 #include "catalogue/families/numbers.h"
 #include "oracle/rings/simple.h"
 
@@ -53,6 +54,25 @@ Polygon2d convex_ring(Choices& choices) {
     ring.vertices.erase(ring.vertices.begin() + static_cast<std::ptrdiff_t>(choices.below(ring.size())));
   }
   return moved(ring, small_vector(choices));
+}
+
+Polygon2d long_convex_ring(Choices& choices) {
+  double slope = 0;
+  std::vector<Vector2d> edges = long_list(choices, [&slope](Choices& c) {
+    const double x = 1 + static_cast<double>(c.below(4));
+    slope += 1 + static_cast<double>(c.below(2));
+    return Vector2d{x, slope * x};
+  });
+  if (edges.size() < 2) edges.push_back({1, slope + 1});
+  Polygon2d ring;
+  Point2d p{0, 0};
+  for (const Vector2d& edge : edges) ring.vertices.push_back(p), p = p + edge;
+  if (choices.below(2) == 1 || edges.size() > 16) {  // back by one edge
+    ring.vertices.push_back(p);
+    return ring;
+  }
+  for (const Vector2d& edge : edges) ring.vertices.push_back(p), p = p + -1.0 * edge;
+  return ring;
 }
 
 Polygon2d star_ring(Choices& choices) {

@@ -14,6 +14,10 @@ namespace touchstone::catalogue {
 /// vertices left out.
 Polygon2d convex_ring(Choices& choices);
 
+/// Convex, counter-clockwise, without flat angles, its edges a long list (list_choices.h): steeper and steeper,
+/// and back by their opposites or by one.
+Polygon2d long_convex_ring(Choices& choices);
+
 /// Seen whole from one point inside; mostly concave. Simple, counter-clockwise.
 Polygon2d star_ring(Choices& choices);
 

@@ -231,6 +231,33 @@ inline Touching contact_beside_a_tie(Choices& c) {
   return t;
 }
 
+/// A row of balls of one mass, of which the first move; or pairs of balls, each for itself. As long as exact numbers
+/// stay short.
+inline Touching many_contacts(Choices& c) {
+  Touching t;
+  const Vector3d n = lattice_normal(c, 2);
+  const Index step = c.below(2) == 1 ? 2 : 1;
+  const std::uint64_t moving = 1 + c.below(2);
+  std::uint64_t place = 0;
+  const auto ball = [&](Choices& d) {
+    const double speed = place++ < moving ? 8 : -static_cast<double>(d.below(2));
+    return PointBodyd{1, speed * n};
+  };
+  t.bodies = long_list(c, ball, 70);
+  for (Index i = 1; i < t.bodies.size(); i += step) t.contacts.push_back({i, i - 1, n});
+  t.e = c.below(2) == 1 ? 0 : 1;
+  return t;
+}
+
+/// As plane physics has it: all in the plane z = 0.
+inline Touching planar_net(Choices& c) {
+  Touching t = c.below(2) == 1 ? wedge(c) : lattice_net(c);
+  if (t.contacts.size() > 4) t.contacts.resize(4);
+  for (PointBodyd& body : t.bodies) body.velocity.z = 0;
+  for (BodyContactd& contact : t.contacts) contact.normal.z = 0, contact.normal = not_zero(contact.normal);
+  return t;
+}
+
 /// Something that is refused, somewhere.
 inline Touching refused_contacts(Choices& c) {
   Touching t = lattice_net(c);

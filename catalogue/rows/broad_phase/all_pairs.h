@@ -4,6 +4,7 @@
 #include <array>
 
 #include "catalogue/families/box_choices.h"
+#include "catalogue/families/list_choices.h"
 #include "catalogue/operation/row.h"
 #include "oracle/broad_phase/all_pairs.h"
 #include "oracle/volumes/aabb_aabb.h"
@@ -134,6 +135,39 @@ struct all_pairs {
            if (c.below(2) == 1) return std::tuple(Boxes(count, lattice_box(c)));
            return std::tuple(Spheres(count, one));
          }},
+        {"typed_touch",
+         [](Choices& c) -> Question {
+           // As typed, in tenths, each touches the next; as doubles they are a hair apart, or overlap.
+           static constexpr std::array<std::array<int, 4>, 6> steps{
+               {{4, -1, 8, 9}, {3, 4, 0, 5}, {-1, 2, 2, 3}, {2, 3, -6, 7}, {4, -4, 7, 9}, {0, -3, -4, 5}}};
+           int x = static_cast<int>(small_integer(c)), y = static_cast<int>(small_integer(c)), z = 0, r = 3;
+           Spheres chain{{{x / 10.0, y / 10.0, z / 10.0}, r / 10.0}};
+           for (std::uint64_t more = 1 + c.below(6); more > 0; --more) {
+             const auto [dx, dy, dz, length] = steps[c.below(6)];
+             const int k = 1 + static_cast<int>(c.below(4));
+             if (k * length < r) continue;
+             x += k * dx, y += k * dy, z += k * dz, r = k * length - r;
+             chain.push_back({{x / 10.0, y / 10.0, z / 10.0}, r / 10.0});
+           }
+           return std::tuple(shuffled(chain, c));
+         }},
+        {"many",
+         [](Choices& c) -> Question {
+           // In a row, in any order: none meets more than its neighbours. The truth asks every pair: seldom so many.
+           const std::size_t most = c.below(2) == 1 ? 300 : 80;
+           double x = 0;
+           const auto box = [&x](Choices& d) {
+             const double from = x + static_cast<double>(d.below(2)), y = static_cast<double>(d.below(2));
+             x = from + 2;
+             return Aabb3d{{from, y, 0}, {x, y + 1, 2}};
+           };
+           const Boxes row = long_list(c, box, most);
+           if (c.below(2) == 1) return std::tuple(shuffled(row, c));
+           Spheres balls;
+           for (const Aabb3d& box : row) balls.push_back({{box.min.x + 1, box.min.y, 0}, 1});
+           return std::tuple(shuffled(balls, c));
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -132,6 +132,12 @@ struct polygon_normal {
            const double n = 1 + static_cast<double>(c.below(8)), m = small_integer(c);
            return {{{{0, 0, 0}, {std::ldexp(n, up), 0, 0}, {0, std::ldexp(n, up), std::ldexp(m, -down)}}}};
          }},
+        {"many_vertices",
+         [](Choices& c) -> Question {
+           const auto [p, a, b] = frame(c);
+           return {lifted(turned(long_convex_ring(c), c), p, a, b)};
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "catalogue/families/list_choices.h"
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -104,6 +105,14 @@ struct point_in_convex_polygon {
                along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i]);
            return question;
          }},
+        {"many_edges",
+         [](Choices& c) -> Question {
+           const Polygon2d ring = turned(long_convex_ring(c), c);
+           const std::size_t i = late_index(ring.size(), c);
+           const Point2d p = ring[i] + static_cast<double>(c.below(9)) / 8 * (ring.next(i) - ring[i]);
+           return {ring, beside(p, c)};
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -39,10 +39,15 @@ struct contact_state {
             {"as_wide_as_lattices", [](Choices& c) -> Question { return asked(as_wide_as_lattices(c)); }},
             {"across_the_range", [](Choices& c) -> Question { return asked(across_the_range(c)); }},
             {"typed_rest", [](Choices& c) -> Question { return asked(typed_rest(c)); }},
-            {"without_a_normal", [](Choices& c) -> Question {
+            {"without_a_normal",
+             [](Choices& c) -> Question {
                Meeting m = lattice_meeting(c);
                m.normal = zero_vector(c);
                return asked(m);
+             }},
+            {"in_a_plane", [](Choices& c) -> Question {
+               const std::uint64_t which = c.below(3);
+               return asked(in_a_plane(which == 0 ? lattice_meeting(c, 6) : which == 1 ? rolling(c) : typed_rest(c)));
              }}};
   }
 

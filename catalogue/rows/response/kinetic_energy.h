@@ -37,7 +37,8 @@ struct kinetic_energy {
             hard<bodies_at_the_end>("products_at_the_end"),
             hard<bodies_at_end_of_range>("at_end_of_range"),
             hard<sum_beside_a_tie>("beside_a_tie"),
-            hard<bodies_without_a_mass>("without_a_mass")};
+            hard<bodies_without_a_mass>("without_a_mass"),
+            {"many_bodies", [](Choices& c) -> Question { return {many_bodies(c)}; }, /*as_drawn=*/true}};
   }
 
   static void scale(Question& question, int k) {

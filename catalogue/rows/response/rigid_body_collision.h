@@ -44,7 +44,8 @@ struct rigid_body_collision {
             hard<without_an_inertia, usual>("without_an_inertia"),
             hard<rigid_without_a_mass, usual>("without_a_mass"),
             hard<rigid_without_a_normal, usual>("without_a_normal"),
-            hard<lattice_rigid, restitution_at_a_bound>("e_at_a_bound")};
+            hard<lattice_rigid, restitution_at_a_bound>("e_at_a_bound"),
+            hard<planar_rigid, usual>("in_a_plane")};
   }
 
   /// Times in another unit: nothing else has a unit that all of the answer shares.

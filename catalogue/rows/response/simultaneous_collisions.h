@@ -43,7 +43,9 @@ struct simultaneous_collisions {
             hard<ordinary_net>("full_digits"),
             hard<stretched_net>("at_the_ends"),
             hard<contact_beside_a_tie>("beside_a_tie"),
-            hard<refused_contacts>("refused")};
+            hard<refused_contacts>("refused"),
+            hard<planar_net>("in_a_plane"),
+            hard<many_contacts>("many_contacts", /*as_drawn=*/true)};
   }
 
   /// e has no unit: it keeps its value.
@@ -124,11 +126,13 @@ struct simultaneous_collisions {
 
  private:
   template <auto draw>
-  static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+  static HardCase<Question> hard(const char* name, bool as_drawn = false) {
+    return {name,
+            [](Choices& c) -> Question {
               Touching t = draw(c);
               return {std::move(t.bodies), std::move(t.contacts), t.e};
-            }};
+            },
+            as_drawn};
   }
 };
 

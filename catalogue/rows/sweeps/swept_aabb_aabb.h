@@ -148,6 +148,15 @@ struct swept_aabb_aabb {
            const double gap = std::fabs(catalogue::typed(c)), x = catalogue::typed(c), y = catalogue::typed(c);
            return InPlane{{{-1, -1}, {0, 0}}, {{gap, -0.3}, {gap + 1, 0.1}}, {x, y}};
          }},
+        {"wide",
+         [](Choices& c) -> Question {
+           const Vector3d by = fractions(c);
+           const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z);
+           const double gap = static_cast<double>(c.below(8)) / 4, x = gap + small_integer(c, 2), y = small_integer(c);
+           const Aabb3d b = beside(a, overlapping(a, c), gap);
+           const Aabb3d wide = widened(a, b.max, c);
+           return turned(wide, c.below(2) == 1 ? widened(b, a.min, c) : b, {x, y, 0}, c);
+         }},
     };
   }
 

@@ -105,6 +105,17 @@ struct swept_convex_polyhedra {
            return {a, shifted(b, {to.x, to.y, to.z}), static_cast<double>(1 + c.below(4)) * w};
          },
          /*as_drawn=*/true},
+        {"named_mesh_at_rest",
+         [](Choices& c) -> Question {
+           Meshd a{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
+           make_tetrahedron(a);
+           const Meshd& b = named_mesh(c);
+           const Point3d p = on_a_face_plane(b, c);
+           const Vector3d w = 12.0 * lattice_normal(c, 3);
+           const Point3d from = p + -2.0 * w;
+           return {shifted(a, {from.x, from.y, from.z}), b, static_cast<double>(1 + c.below(4)) * w};
+         },
+         /*as_drawn=*/true},
     };
   }
 

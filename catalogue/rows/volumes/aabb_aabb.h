@@ -96,6 +96,15 @@ struct aabb_aabb {
            const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
            return InPlane{{{0, 0}, {k / 10 + m / 10, 1}}, {{(k + m) / 10, 0}, {2, 1}}};
          }},
+        {"wide",
+         [](Choices& c) -> Question {
+           const Vector3d by = fractions(c);
+           const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z), other = overlapping(a, c);
+           const double gap = std::ldexp(small_integer(c, 1), -20);
+           const Aabb3d b = shifted(other, a.max.x - other.min.x + gap, 0, 0);
+           const Aabb3d wide = widened(a, b.max, c);
+           return seen(wide, c.below(2) == 1 ? widened(b, a.min, c) : b, c);
+         }},
     };
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/box_choices.h"
+#include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/aabb_of_points.h"
 #include "reference/volumes/aabb_of_points.h"
@@ -96,6 +97,7 @@ struct aabb_of_points {
            const std::size_t count = c.below(3);
            return seen(InSpace(count, lattice_point_of_box(c)), c);
          }},
+        {"many_points", [](Choices& c) -> Question { return seen(many_points_and_one_far(c), c); }, /*as_drawn=*/true},
     };
   }
 

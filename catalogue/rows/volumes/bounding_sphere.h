@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/bounding_sphere.h"
 #include "reference/volumes/bounding_sphere.h"
@@ -145,6 +145,12 @@ struct bounding_sphere {
              return length == 0 ? Point3d{1, 0, 0} : Point3d{x / length, y / length, z / length};
            });
          }},
+        {"many_points",
+         [](Choices& c) -> Question {
+           const std::vector<Point3d> points = many_points_and_one_far(c);
+           return {points, drawn_method(c)};
+         },
+         /*as_drawn=*/true},
     };
   }
 
@@ -176,8 +182,12 @@ struct bounding_sphere {
     auto& [points, method] = question;
     const std::size_t length = 1 + c.below(9);
     while (points.size() < length) points.push_back(draw());
-    if (const auto word = c.below(5)) method = static_cast<SphereMethod>(4 - word);
+    method = drawn_method(c);
     return question;
+  }
+  static Method drawn_method(Choices& c) {
+    const std::uint64_t word = c.below(5);
+    return word == 0 ? Method() : static_cast<SphereMethod>(4 - word);
   }
 };
 

@@ -34,18 +34,8 @@ struct closest_point_on_aabb {
     return {
         {"beyond",
          [](Choices& c) -> Question {
-           // On each axis below the box, in it, at an end or above: faces, edges and corners.
            const Aabb3d box = lattice_box(c);
-           const auto coordinate = [&c](double min, double max) {
-             const auto far = static_cast<double>(c.below(8));
-             switch (c.below(3)) {
-               case 0: return min - far;
-               case 1: return max + far;
-               default: return std::min(min + far, max);
-             }
-           };
-           const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);
-           return seen({x, y, coordinate(box.min.z, box.max.z)}, box, c);
+           return seen(around(box, c), box, c);
          }},
         {"inside",
          [](Choices& c) -> Question {
@@ -80,6 +70,13 @@ struct closest_point_on_aabb {
            const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
            return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
          }},
+        {"wide",
+         [](Choices& c) -> Question {
+           const Vector3d by = fractions(c);
+           const Aabb3d box = shifted(lattice_box(c, 12), by.x, by.y, by.z);
+           const Point3d p = around(box, c);
+           return seen(p, widened(box, p, c), c);
+         }},
     };
   }
 
@@ -99,6 +96,20 @@ struct closest_point_on_aabb {
   }
 
  private:
+  /// On each axis below the box, in it, at an end or above: faces, edges and corners.
+  static Point3d around(const Aabb3d& box, Choices& c) {
+    const auto coordinate = [&c](double min, double max) {
+      const auto far = static_cast<double>(c.below(8));
+      switch (c.below(3)) {
+        case 0: return min - far;
+        case 1: return max + far;
+        default: return std::min(min + far, max);
+      }
+    };
+    const double x = coordinate(box.min.x, box.max.x), y = coordinate(box.min.y, box.max.y);
+    return {x, y, coordinate(box.min.z, box.max.z)};
+  }
+
   /// In space, or the same without z.
   static Question seen(const Point3d& point, const Aabb3d& box, Choices& c) {
     if (c.below(2) == 0) return InSpace{point, box};

@@ -3,6 +3,7 @@
 
 #include "catalogue/draw/figures.h"
 #include "catalogue/families/cloud_choices.h"
+#include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/convex_hull.h"
 #include "reference/volumes/convex_hull.h"
@@ -34,6 +35,8 @@ struct convex_hull {
     std::vector<HardCase<Question>> cases;
     for (const Cloud& cloud : all_clouds()) cases.push_back({cloud.name, nullptr});
     draw_each(cases, std::make_index_sequence<cloud_count>());
+    cases.push_back(
+        {"many_points", [](Choices& c) -> Question { return many_points_and_one_far(c); }, /*as_drawn=*/true});
     return cases;
   }
 

@@ -6,6 +6,7 @@
 #include "catalogue/draw/figures.h"
 #include "catalogue/families/list_choices.h"
 #include "catalogue/families/long_choices.h"
+#include "catalogue/families/many_points.h"
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/convex_hull_2d.h"
@@ -144,6 +145,13 @@ struct convex_hull_2d {
            compute(points, c);
            return shuffled(points, c);
          }},
+        {"many_points",
+         [](Choices& c) -> Question {
+           Points points;
+           for (const Point3d& p : many_points_and_one_far(c)) points.push_back({p.x, p.y});
+           return points;
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -102,6 +102,19 @@ struct kdop_kdop {
            }
            return {a, b};
          }},
+        {"many_slabs",
+         [](Choices& c) -> Question {
+           // All of them overlap but for one, perhaps.
+           Kdop3d a{many_normals(c), {}}, b{a.normals, {}};
+           while (a.slabs.size() < a.normals.size()) {
+             const auto [s, t] = overlap(c);
+             a.slabs.push_back(s), b.slabs.push_back(t);
+           }
+           const std::size_t place = late_index(a.slabs.size(), c);
+           std::tie(a.slabs[place], b.slabs[place]) = beside(c, static_cast<double>(c.below(3)));
+           return {a, b};
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/kdop_choices.h"
+#include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/kdop_of_points.h"
 #include "reference/volumes/kdop_of_points.h"
@@ -144,6 +145,18 @@ struct kdop_of_points {
            const std::size_t points = c.below(3), normals = c.below(3);
            return {Points(points, p), Normals(normals, n)};
          }},
+        {"many_points",
+         [](Choices& c) -> Question {
+           const Points points = many_points_and_one_far(c);
+           return {points, normals_of(c, usual_normal)};
+         },
+         /*as_drawn=*/true},
+        {"many_normals",
+         [](Choices& c) -> Question {
+           const Points points = points_of(c, [](Choices& d) { return integer(d, 8); });
+           return {points, many_normals(c)};
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -155,6 +155,26 @@ struct obb_obb {
            return {{{0, 0, 0}, {{3 * k / 10, 4 * k / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}},
                    {{3 * (k + m) / 10, 4 * (k + m) / 10, 0}, {{3 * m / 10, 4 * m / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}}};
          }},
+        {"beams_on_edge", [](Choices& c) -> Question { return beams_on_edge(c); }},
+        {"apart_by_face_of_a",
+         [](Choices& c) -> Question {
+           const std::size_t third = c.below(3);
+           return apart_on_one_axis(third == 0 ? 1 : 0, third == 2 ? 1 : 2, c);
+         }},
+        {"apart_by_face_of_b",
+         [](Choices& c) -> Question {
+           const std::size_t third = c.below(3);
+           return apart_on_one_axis(third == 0 ? 4 : 3, third == 2 ? 4 : 5, c);
+         }},
+        apart<0, 3>("apart_by_edges_u_u"),
+        apart<0, 4>("apart_by_edges_u_v"),
+        apart<0, 5>("apart_by_edges_u_w"),
+        apart<1, 3>("apart_by_edges_v_u"),
+        apart<1, 4>("apart_by_edges_v_v"),
+        apart<1, 5>("apart_by_edges_v_w"),
+        apart<2, 3>("apart_by_edges_w_u"),
+        apart<2, 4>("apart_by_edges_w_v"),
+        apart<2, 5>("apart_by_edges_w_w"),
     };
   }
 
@@ -188,6 +208,10 @@ struct obb_obb {
   }
 
  private:
+  template <std::size_t i, std::size_t j>
+  static HardCase<Question> apart(const char* name) {
+    return {name, [](Choices& c) -> Question { return apart_on_one_axis(i, j, c); }};
+  }
   static Question touching_obbs(Choices& c, HalfAxes3d (*half_axes)(Choices&)) {
     Question q{{lattice_point_in_space(c, 20), half_axes(c)}, {{}, half_axes(c)}};
     const std::size_t i = c.below(6), j = c.below(5);

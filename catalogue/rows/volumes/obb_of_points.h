@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/cloud_choices.h"
+#include "catalogue/families/many_points.h"
 #include "catalogue/families/obb_choices.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/obb_of_points.h"
@@ -146,6 +147,8 @@ struct obb_of_points {
     };
     for (std::size_t i = 0; i < clouds; ++i) cases.push_back({all_clouds()[i].name, nullptr});
     draw_each(&cases[cases.size() - clouds], std::make_index_sequence<clouds>());
+    cases.push_back(
+        {"many_points", [](Choices& c) -> Question { return many_points_and_one_far(c); }, /*as_drawn=*/true});
     return cases;
   }
 

@@ -119,6 +119,21 @@ struct point_in_kdop {
            }
            return {kdop, p};
          }},
+        {"many_slabs",
+         [](Choices& c) -> Question {
+           // The point is within all of them but for one, perhaps.
+           const Point3d p = lattice_point_in_space(c);
+           Kdop3d kdop{many_normals(c), {}};
+           for (const Vector3d& n : kdop.normals) {
+             const double value = product(n, p), below = static_cast<double>(1 + c.below(8));
+             kdop.slabs.push_back({value - below, value + static_cast<double>(1 + c.below(8))});
+           }
+           const std::size_t place = late_index(kdop.slabs.size(), c);
+           const double end = product(kdop.normals[place], p) + small_integer(c, 1);
+           kdop.slabs[place] = c.below(2) == 1 ? Slabd{end, end + 8} : Slabd{end - 8, end};
+           return {kdop, p};
+         },
+         /*as_drawn=*/true},
     };
   }
 

@@ -145,6 +145,15 @@ struct sphere_aabb {
            return seen({{(m + 3 * k) / 10, (m + 4 * k) / 10, 0}, 5 * k / 10}, {{-1, -1, -1}, {m / 10, m / 10, 1}},
                        c.below(2) == 1);
          }},
+        {"wide",
+         [](Choices& c) -> Question {
+           const Step step = whole_step(c);
+           const double r = std::max(step.length + std::ldexp(small_integer(c, 1), -20), 0.0);
+           auto [ball, box] = in_space(step, r, c);
+           const Vector3d by = fractions(c);
+           ball.center = ball.center + by, box = shifted(box, by.x, by.y, by.z);
+           return seen(ball, widened(box, ball.center, c), step.in_plane);
+         }},
     };
   }
 
