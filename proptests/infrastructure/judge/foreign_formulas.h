@@ -16,6 +16,7 @@ struct Asking {
   bool binary32 = false;    ///< the engine's number type; its formula takes doubles all the same
   bool ordinary_only = true;
   bool skew_boxes = false;
+  std::string family{};  ///< that one alone; or all
 };
 
 /// What an audit counts of a formula, which takes the arguments of the row's operation. `look` hears of every
@@ -28,6 +29,7 @@ Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
   tally.declaration.skew_boxes = asking.skew_boxes;
   tally.operations.push_back({operation.name(), {}});
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
+    if (!asking.family.empty() && asking.family != operation.families()[family]) continue;
     Cell cell;
     for (std::uint64_t i = 0; i < asking.each; ++i) {
       Choices choices = case_choices(operation, family, 1, i);
