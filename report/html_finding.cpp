@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/audit_run.h"
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/plain.h"
 #include "catalogue/operation/explained.h"
@@ -136,6 +137,37 @@ std::string sentence(const Operation& operation, const Json& answer) {
   std::string text = phrase(operation, in_short);
   if (text.empty()) text = one_line(in_short);
   return text.size() > longest ? text.substr(0, longest) + " \u2026" : text;
+}
+
+std::string right_case(const Operation& operation) {
+  constexpr std::uint64_t most_drawn = 40;
+  constexpr std::size_t longest = 400;
+  std::unique_ptr<Examination> best;
+  // A case that decides by a clear margin before one that only just does; of two, that with the shorter input.
+  std::pair<bool, std::size_t> least{true, longest};
+  const std::size_t families = operation.families().size();
+  for (std::uint64_t i = 0; i < most_drawn; ++i) {
+    Choices choices = case_choices(operation, i % families, 1, i / families);
+    const Question question = operation.draw(choices, i % families);
+    const std::size_t length = one_line(operation.print(question)).size();
+    if (range_of(question) != Range::ordinary || length >= longest) continue;
+    try {
+      auto examination = std::make_unique<Examination>(operation, question);
+      const std::pair<bool, std::size_t> key{examination->degenerate(), length};
+      if (key >= least || examination->judge_reference().verdict != Verdict::agree) continue;
+      const Drawing& drawing = examination->drawing();
+      if (drawing.figures.empty() && drawing.space.empty()) continue;
+      least = key, best = std::move(examination);
+    } catch (const InvalidInput&) {
+    }
+  }
+  if (!best) return "";
+  const std::string input = one_line(operation.print(best->question()));
+  return "<section class=\"card right-case\"><h3>For comparison: a case where the formula is right</h3>" +
+         drawn(best->drawing(), operation.name() + ": the input " + input,
+               "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, readable(best->truth()))) +
+                   ". The formula answers the same.") +
+         "<dl class=\"facts\"><dt>input</dt><dd>" + code(input) + "</dd></dl></section>";
 }
 
 std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,

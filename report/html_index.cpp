@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "audit/engines/protocol.h"
+#include "report/contract.h"
 #include "report/html.h"
 #include "report/html_compare.h"
 #include "report/html_footer.h"
@@ -125,31 +126,80 @@ std::string wrong_in_words(std::uint64_t wrong, std::uint64_t answered) {
   return answered == 0 ? "\u2013" : grouped(wrong) + " <small>" + share(wrong, answered) + "</small>";
 }
 
-std::string operation_row(const Cell& total, const std::string& name, const char* style) {
+/// What the page's script (sort.js) sorts a column by.
+std::string sort_key(double key) { return fmt::format(" data-sort=\"{}\"", key); }
+
+double part_of(std::uint64_t n, std::uint64_t of) {
+  return of == 0 ? -1 : static_cast<double>(n) / static_cast<double>(of);
+}
+
+std::string operation_row(const Cell& total, const std::string& name, const std::string& deck, const char* style) {
+  const std::uint64_t ordinary = total.wrong(Range::ordinary), of_ordinary = total.answered(Range::ordinary);
   return fmt::format(
-      "<tr{}>{}<td class=\"bar-cell wide\">{}</td><td data-label=\"wrong at ordinary size\">{}</td><td "
-      "data-label=\"wrong\">{}</td><td data-label=\"inexact\" class=\"{}\">{}</td></tr>",
-      style, name, verdict_bar(total, false),
-      wrong_in_words(total.wrong(Range::ordinary), total.answered(Range::ordinary)),
-      wrong_in_words(total.wrong(), total.answered()), total.count(Verdict::inexact) == 0 ? "none" : "",
+      "<tr{}>{}{}<td class=\"bar-cell wide\"{}>{}</td><td data-label=\"wrong at ordinary size\"{}>{}</td><td "
+      "data-label=\"wrong\"{}>{}</td><td data-label=\"inexact\" class=\"{}\"{}>{}</td></tr>",
+      style, name, deck, sort_key(static_cast<double>(total.answered())), verdict_bar(total, false),
+      sort_key(part_of(ordinary, of_ordinary)), wrong_in_words(ordinary, of_ordinary),
+      sort_key(part_of(total.wrong(), total.answered())), wrong_in_words(total.wrong(), total.answered()),
+      total.count(Verdict::inexact) == 0 ? "none" : "", sort_key(static_cast<double>(total.count(Verdict::inexact))),
       grouped(total.count(Verdict::inexact)));
+}
+
+/// Where an operation stands in the catalogue, which follows the deck.
+std::size_t place_in_deck(const Operation* operation) {
+  const auto& all = all_operations();
+  return static_cast<std::size_t>(std::find(all.begin(), all.end(), operation) - all.begin());
+}
+
+std::string deck_cell(const Operation* operation) {
+  if (operation == nullptr) return "<td class=\"text deck\"></td>";
+  const std::string pages = pages_in_words(*operation);
+  const bool on_pages = pages.compare(0, 4, "deck") == 0;
+  return fmt::format("<td class=\"text deck\" data-label=\"chapter\"{}>{}<small> {}</small></td>",
+                     sort_key(static_cast<double>(place_in_deck(operation))), operation->card().chapter,
+                     on_pages ? "p. " + std::string(operation->card().pages) : "no page");
 }
 
 std::string operations_table(const Tally& tally, const Cell& sum) {
   std::string text =
-      "<div class=\"card scroll\"><table class=\"stack operations\"><thead><tr><th scope=\"col\">operation, the worst "
-      "first</th><th scope=\"col\" class=\"text\">all answers</th><th scope=\"col\">wrong at ordinary size</th><th "
-      "scope=\"col\">wrong</th><th scope=\"col\">inexact</th></tr></thead><tbody>";
+      "<div class=\"card scroll\"><table class=\"stack operations sortable\"><thead><tr><th scope=\"col\">operation, "
+      "the worst first</th><th scope=\"col\" class=\"text\">chapter and page of the deck</th><th scope=\"col\" "
+      "class=\"text most\">all answers</th><th scope=\"col\" class=\"most\">wrong at ordinary size</th><th "
+      "scope=\"col\" class=\"most\">wrong</th><th scope=\"col\" class=\"most\">inexact</th></tr></thead><tbody>";
   for (const OperationTally* operation : worst_first(tally)) {
     const Operation* known = find_operation(operation->operation);
     text += operation_row(operation->total(),
-                          fmt::format("<th scope=\"row\"><a href=\"{}.html\">{}</a><div class=\"small quiet "
-                                      "question\">{}</div></th>",
+                          fmt::format("<th scope=\"row\" data-sort=\"{0}\"><a href=\"{0}.html\">{1}</a><div "
+                                      "class=\"small quiet question\">{2}</div></th>",
                                       escaped(operation->operation), breakable(operation->operation),
                                       escaped(known ? known->card().question : "")),
-                          "");
+                          deck_cell(known), "");
   }
-  return text + operation_row(sum, "<th scope=\"row\">all</th>", " class=\"total\"") + "</tbody></table></div>";
+  return text + operation_row(sum, "<th scope=\"row\">all</th>", "<td></td>", " class=\"total\"") +
+         "</tbody></table></div>";
+}
+
+/// Chapters with their pages, for reading along with the deck.
+std::string in_order_of_deck(const Tally& tally) {
+  std::vector<const Operation*> operations;
+  for (const OperationTally& counted : tally.operations) {
+    if (const Operation* known = find_operation(counted.operation)) operations.push_back(known);
+  }
+  std::stable_sort(operations.begin(), operations.end(),
+                   [](const Operation* a, const Operation* b) { return place_in_deck(a) < place_in_deck(b); });
+  std::string text, chapter;
+  for (const Operation* operation : operations) {
+    if (operation->card().chapter != chapter) {
+      text += (chapter.empty() ? "<h3>" : "</ul><h3>") + breakable(operation->card().chapter) + "</h3><ul>";
+      chapter = operation->card().chapter;
+    }
+    text += fmt::format("<li><a href=\"{}.html\">{}</a> <span class=\"quiet\">{}</span></li>", operation->name(),
+                        breakable(operation->name()), escaped(pages_in_words(*operation)));
+  }
+  return text.empty()
+             ? ""
+             : "<details class=\"card by-deck\"><summary>In the order of the deck, chapter by chapter</summary>" +
+                   text + "</ul></details>";
 }
 
 /// The words of the pages that a reader may not know.
@@ -251,7 +301,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps, const Repo
                      escaped(conditions(tally, sum)) + "</p></header><main>" + tiles(sum);
   if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"card\"><pre>" + escaped(notes.gate) + "</pre></div>";
   if (notes.before != nullptr) body += comparison(*notes.before, tally);
-  body += "<h2>By operation</h2>" + operations_table(tally, sum) + gallery(tally, maps);
+  body += "<h2>By operation</h2>" + operations_table(tally, sum) + in_order_of_deck(tally) + gallery(tally, maps);
   body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration)) + conventions(tally);
   return page("touchstone: " + headline(tally, sum), body + "</main>" + page_footer(tally, notes));
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "report/condition_plot.h"
+#include "report/contract.h"
 #include "report/html.h"
 #include "report/html_compare.h"
 #include "report/html_confusion.h"
@@ -46,8 +47,8 @@ std::string opening(const Tally& tally, const OperationTally& counted_here, cons
     std::string fields;
     for (const char* field : card.fields) fields += std::string(fields.empty() ? "" : ", ") + field;
     text += "<p class=\"lead\">" + escaped(card.question) + "</p><ul class=\"chips\">";
-    for (const std::string& chip : {"chapter: " + std::string(card.chapter), "deck p. " + std::string(card.pages),
-                                    "input: " + fields, kind_in_words(card)}) {
+    for (const std::string& chip :
+         {"chapter: " + std::string(card.chapter), pages_in_words(*known), "input: " + fields, kind_in_words(card)}) {
       text += "<li>" + escaped(chip) + "</li>";
     }
     text += "</ul>";
@@ -138,11 +139,12 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   const Speaker speaker = speaker_of(tally.declaration);
   std::string body = navigation(tally, operation) + opening(tally, here, known) + "<main>" + summary(tally, operation);
   if (notes.before != nullptr) body += comparison(*notes.before, tally, here.operation);
+  if (known) body += contract_section(*known);
   if (known) {
     const std::string matrix = confusion_matrix(
         *known, here.total(), speaker == Speaker::foreign ? tally.declaration.engine : std::string("the formula"));
     if (!matrix.empty()) body += "<h2>Truth and answer</h2>" + matrix;
-    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known);
+    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) + right_case(*known);
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
@@ -156,8 +158,8 @@ std::string map_page(const Operation& operation, const std::vector<FailureMap>& 
   const Card& card = operation.card();
   return page("touchstone map: " + operation.name(),
               "<header><p class=\"kicker\">touchstone map</p><h1>" + breakable(operation.name()) +
-                  "</h1><p class=\"lead\">" + escaped(card.question) + " Deck p. " + escaped(card.pages) + ".</p><p>" +
-                  escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" +
+                  "</h1><p class=\"lead\">" + escaped(card.question) + " (" + escaped(pages_in_words(operation)) +
+                  ")</p><p>" + escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" +
                   map_section(operation, maps, repeat) + "</div></main>" + page_footer());
 }
 

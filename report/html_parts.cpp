@@ -57,7 +57,8 @@ std::string with_breaks(const std::string& text, const std::string& after) {
 
 std::string page(const std::string& title, const std::string& body) {
   const std::string parts = std::string(has_space_figure(body) ? viewer_script : "") +
-                            (body.find(map_opening) != std::string::npos ? map_script : "");
+                            (body.find(map_opening) != std::string::npos ? map_script : "") +
+                            (body.find(" sortable\"") != std::string::npos ? sort_script : "");
   const std::string script = parts.empty() ? "" : "\n<script>" + parts + "</script>";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
          "content=\"width=device-width,initial-scale=1\">\n<title>" +

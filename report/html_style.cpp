@@ -64,6 +64,8 @@ pre.repeat{user-select:all}
 figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{font-size:14.5px;max-width:60ch;overflow-wrap:break-word}
 .beside{display:flex;flex-wrap:wrap;gap:0 28px}.truth-said{color:var(--truth)}.who-said{color:var(--said)}
 .finding h3{display:flex;flex-wrap:wrap;gap:4px 10px;align-items:baseline}.how-often{font-weight:400;color:var(--quiet);font-size:14px}
+thead button{all:unset;cursor:pointer;text-decoration:underline dotted}thead button:focus-visible{outline:3px solid var(--link);outline-offset:2px}[aria-sort=ascending] button::after{content:" \2191"}[aria-sort=descending] button::after{content:" \2193"}
+.by-deck h3{margin:14px 0 2px}.by-deck ul{margin:0;columns:2 380px;font-size:14.5px}.contract p{max-width:90ch}.contract :last-child{margin-bottom:0}.contract details p{font-size:14.5px}
 .apart{margin-top:14px}.question{font-weight:400;white-space:normal}td small{color:var(--quiet);font-weight:400}
 .confusion td{text-align:right}.confusion td small{display:block}.confusion td.right{background:var(--agree)}.confusion td.found{box-shadow:inset 4px 0 var(--rounding)}
 .walk pre{white-space:pre-wrap}

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/map_image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -31,12 +35,16 @@ Shade shade_of_distance(const Judgement& judgement) {
     return judgement.ulps > 0 ? Shade{judgement.verdict, "within the stated bound", false, 1}
                               : Shade{judgement.verdict, "correctly rounded", false, 0};
   }
-  constexpr std::uint64_t limits[] = {10, 1000, 1000000};
-  for (std::size_t level = 0; level < std::size(limits); ++level) {
-    if (judgement.ulps <= static_cast<double>(limits[level]))
-      return {judgement.verdict, "up to " + counted(limits[level], "ulp") + " off", false, level};
+  // A unit is the last of 53 binary digits or of 24; lost decimal digits are those that its multiples reach into.
+  const double lost = std::log10(std::max(judgement.ulps, 1.0));
+  constexpr std::array<int, distance_levels - 1> digits{1, 2, 4, 7, 10, 15};
+  for (std::size_t level = 0; level < digits.size(); ++level) {
+    if (lost > digits[level]) continue;
+    const std::string words =
+        level == 0 ? "up to 1 digit lost" : fmt::format("{} to {} digits lost", digits[level - 1], digits[level]);
+    return {judgement.verdict, words, false, level};
   }
-  return {judgement.verdict, "more than 1,000,000 ulps off", false, std::size(limits)};
+  return {judgement.verdict, "more than 15 digits lost", false, digits.size()};
 }
 
 /// Of an answer that is one of many right ones, and of one whose numbers are not those that were asked for, the verdict
@@ -44,7 +52,9 @@ Shade shade_of_distance(const Judgement& judgement) {
 template <class Answer>
 Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome, const Answer& answer) {
   if (outcome == "value") {
-    const bool measured = judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact;
+    const bool measured =
+        judgement.verdict == Verdict::agree ||
+        (is_finding(judgement.verdict) && judgement.verdict != Verdict::invalid && judgement.ulps > 0);
     return measured && kind != Kind::checked && kind != Kind::covering ? shade_of_distance(judgement)
                                                                        : Shade{judgement.verdict, ""};
   }
@@ -131,7 +141,7 @@ std::map<std::string, Rank> ranks_of(const std::map<std::string, std::uint64_t>&
 Look look_in_map(const Shade& shade, std::map<std::string, Rank>& ranks, Scheme scheme) {
   if (shade.level != Shade::words_only)
     return shade.verdict == Verdict::agree ? look_of(shade.verdict, {shade.level, false}, scheme)
-                                           : look_of_distance(shade.level, scheme);
+                                           : look_of_distance(shade.level, shade.verdict, scheme);
   if (shade.said.empty()) return look_of(shade.verdict, {}, scheme);
   return look_of(shade.verdict, ranks.emplace(shade.said, Rank{ranks.size(), false}).first->second, scheme);
 }
@@ -151,8 +161,10 @@ FailureMap developed(const MapGrid& grid, int side, const Plate& plate, std::map
       sorted.emplace_back(shade, n);
     }
   }
+  // A scale stands in its order.
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
-    return a.first.verdict != b.first.verdict ? a.first.verdict < b.first.verdict : a.second > b.second;
+    if (a.first.verdict != b.first.verdict) return a.first.verdict < b.first.verdict;
+    return a.first.level != b.first.level ? a.first.level < b.first.level : a.second > b.second;
   });
   std::map<Shade, std::uint8_t> index;
   for (const auto& [shade, n] : sorted) {

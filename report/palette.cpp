@@ -84,9 +84,25 @@ Look look_of(Verdict verdict, const Rank& rank, Scheme scheme) {
   return {own, mixed(own, colours.towards, 45), pattern(rank.rare ? 0 : rank.place + 1)};
 }
 
-Look look_of_distance(std::size_t level, Scheme scheme) {
-  const Colour own = colour_of(Verdict::inexact, scheme);
-  return {mixed(own, colours_of(scheme).towards, 22 * static_cast<int>(std::min<std::size_t>(level, 3))), own};
+Look look_of_distance(std::size_t level, Verdict verdict, Scheme scheme) {
+  // Each differs from its neighbours in lightness, towards what stands out most against the page.
+  constexpr std::array<Colour, distance_levels> on_paper{{{0x8f, 0x7a, 0x00},
+                                                          {0x66, 0x77, 0x00},
+                                                          {0x24, 0x6b, 0x3f},
+                                                          {0x0a, 0x5a, 0x68},
+                                                          {0x1f, 0x3f, 0x8a},
+                                                          {0x3a, 0x24, 0x80},
+                                                          {0x2c, 0x0a, 0x4a}}},
+      in_the_dark{{{0x6f, 0x7f, 0xd8},
+                   {0x4a, 0x9a, 0xe0},
+                   {0x2f, 0xb4, 0xc8},
+                   {0x3f, 0xc8, 0x96},
+                   {0x8c, 0xd8, 0x60},
+                   {0xd4, 0xe2, 0x4a},
+                   {0xff, 0xf2, 0xa0}}};
+  const Colour own = (scheme == Scheme::light ? on_paper : in_the_dark)[std::min(level, distance_levels - 1)];
+  if (verdict == Verdict::inexact) return {own, own};
+  return {own, colour_of(verdict, scheme), Look::Pattern::hatch};
 }
 
 std::string hex_of(const Colour& colour) {

@@ -127,6 +127,24 @@ TEST_CASE("maps: each pixel has the colour that the legend gives its class, in b
   for (std::size_t k = 0; k < counted.size(); ++k) CHECK(counted[k] == map.classes[k].count);
 }
 
+TEST_CASE("maps: numbers are shown by the digits that they lost, in the order of the scale") {
+  const FailureMap map = failure_maps(*find_operation("line_point_at"), 2)[0];
+  std::vector<std::string> said;
+  for (const MapClass& entry : map.classes) {
+    if (entry.verdict == Verdict::inexact) said.push_back(entry.said);
+  }
+  REQUIRE(said.size() >= 2);
+  const std::vector<std::string> scale{"up to 1 digit lost",      "1 to 2 digits lost",  "2 to 4 digits lost",
+                                       "4 to 7 digits lost",      "7 to 10 digits lost", "10 to 15 digits lost",
+                                       "more than 15 digits lost"};
+  auto at = scale.begin();
+  for (const std::string& words : said) {
+    at = std::find(at, scale.end(), words);
+    INFO(words);
+    REQUIRE(at != scale.end());
+  }
+}
+
 TEST_CASE("maps: the legend speaks in words") {
   const Operation& operation = *find_operation("orientation");
   CHECK(class_in_words(operation, {Verdict::agree, "left", 1, {}}) == "right: left of the line");

@@ -7,6 +7,7 @@
 #include "proptests/catch.h"
 #include "proptests/uses.h"
 #include "report/answered.h"
+#include "report/contract.h"
 #include "report/html.h"
 #include "report/html_compare.h"
 #include "report/html_confusion.h"
@@ -138,6 +139,45 @@ TEST_CASE("pages: a report can be read before the first map is made, then the wo
   write_report(tally, directory, 2, nullptr, notes);
   CHECK_THAT(bytes("orientation.html"), ContainsSubstring("Each pixel is one question"));
   std::filesystem::remove_all(directory);
+}
+
+TEST_CASE("pages: an operation's page quotes its contract, formulas on lines of their own") {
+  const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
+  const std::string page = operation_page(tally, 0, {});
+  CHECK_THAT(page,
+             ContainsSubstring("<p>Deck p. 16-17: E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0); left where E &gt; 0"));
+  CHECK(place_of(page, "<h2>Contract</h2>") < place_of(page, "<h2>How it fails"));
+  CHECK(place_of(page, "How it fails") < place_of(page, "For comparison: a case where the formula is right"));
+  CHECK(paragraph("As\nsaid:\n    a < b\n    c\nand so on.") ==
+        "<p>As\nsaid:</p><pre>a &lt; b\nc</pre><p>and so on.</p>");
+  for (const Operation* operation : all_operations()) {
+    INFO(operation->name());
+    const auto contract = contract_of(operation->name());
+    REQUIRE(contract.size() >= 2);
+    CHECK(contract[0].find("///") == std::string::npos);
+  }
+  CHECK(contract_of("no_such_operation").empty());
+}
+
+TEST_CASE("pages: what no page of the deck asks is not laid to the deck") {
+  CHECK(pages_in_words(*find_operation("orientation")) == "deck p. 16-17");
+  CHECK(pages_in_words(*find_operation("sphere_plane")) ==
+        "no page of the deck; what it is made of is taught there on p. 22, 44");
+}
+
+TEST_CASE("pages: the index can be read in the order of the deck, and every cell of its table has a key to sort by") {
+  const Tally tally = tally_of({{"sphere_plane", {}}, {"momentum", {}}, {"orientation", cell_of_orientation()}});
+  const std::string page = index_page(tally, {});
+  const std::size_t by_deck = place_of(page, "In the order of the deck");
+  const std::string list = page.substr(by_deck);
+  CHECK(place_of(list, "<h3>lines</h3>") < place_of(list, "orientation.html"));
+  CHECK(place_of(list, "orientation.html") < place_of(list, "<h3>response</h3>"));
+  CHECK(place_of(list, "momentum.html") < place_of(list, "<h3>mixed</h3>"));
+  CHECK_THAT(list, ContainsSubstring("<span class=\"quiet\">deck p. 16-17</span>"));
+  std::size_t keys = 0;
+  for (std::size_t at = 0; (at = page.find(" data-sort=\"", at)) != std::string::npos; ++at) ++keys;
+  CHECK(keys == 3 * 6 + 4);  // the row of sums has no name and no place
+  CHECK_THAT(page, ContainsSubstring("querySelectorAll('table.sortable')"));
 }
 
 TEST_CASE("pages: answers in words") {

@@ -115,7 +115,17 @@ TEST_CASE("palette: a finding stands out from every right answer, a right one fr
         }
       }
     }
-    for (std::size_t level = 0; level < 5; ++level) CHECK(contrast(look_of_distance(level, scheme).ground, right) >= 3);
+    for (std::size_t level = 0; level < distance_levels; ++level) {
+      const Colour lost = look_of_distance(level, Verdict::inexact, scheme).ground;
+      CHECK(contrast(lost, right) >= 3);
+      // A scale: each step stands out more than the one before.
+      if (level > 0)
+        CHECK(contrast(lost, right) >
+              1.1 * contrast(look_of_distance(level - 1, Verdict::inexact, scheme).ground, right));
+      const Look wrong = look_of_distance(level, Verdict::algorithm, scheme);
+      CHECK(wrong.ground == lost);
+      CHECK(wrong.mark == colour_of(Verdict::algorithm, scheme));
+    }
     for (std::size_t place = 0; place < 6; ++place) {
       const Look look = look_of(Verdict::agree, {place, false}, scheme);
       CHECK(look.ground == right);
