@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "catalogue/draw/by_shape.h"
 #include "geometry/invalid_input.h"
@@ -91,8 +92,33 @@ bool is_round(const SpaceFigure& figure) { return figure.kind == SpaceFigure::Ki
 bool is_endless(const Figure& figure) { return figure.kind == Figure::Kind::line || figure.kind == Figure::Kind::ray; }
 bool is_endless(const SpaceFigure& figure) { return figure.kind == SpaceFigure::Kind::plane; }
 
+/// Whether an answer may name a place that is not there.
+bool has_index(const Shape& shape) {
+  return shape.kind == Shape::Kind::index ||
+         std::any_of(shape.parts.begin(), shape.parts.end(),
+                     [](const Shape::Part& part) { return has_index(*part.shape); });
+}
+
+/// The figures of an answer that its operation draws itself; none where it does not, or where it is no whole answer.
+Drawing as_truth(const Operation& operation, const Json& answer, const Question& question) {
+  Drawing drawing, own;
+  if (operation.row().draw == nullptr || has_index(operation.answer_shape())) return own;
+  try {
+    Tape<double> tape;
+    read_json<double>(operation.answer_shape(), answer, "", tape, finite_number);
+    operation.row().draw(drawing, question, tape);
+  } catch (const InvalidInput&) {
+    return own;
+  }
+  const auto of_answer = [](const auto& figure) { return figure.answer; };
+  std::copy_if(drawing.figures.begin(), drawing.figures.end(), std::back_inserter(own.figures), of_answer);
+  std::copy_if(drawing.space.begin(), drawing.space.end(), std::back_inserter(own.space), of_answer);
+  return own;
+}
+
+/// `placed`: vectors stand where they belong already.
 template <class AnyFigure>
-void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::size_t dimension) {
+void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::size_t dimension, bool placed) {
   const auto coordinates = [&](const AnyFigure& figure) {
     return is_round(figure) ? dimension : figure.numbers.size();
   };
@@ -106,7 +132,7 @@ void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::
     const auto truth = std::find_if(drawn.begin(), drawn.end(), [&](const AnyFigure& other) {
       return other.answer && other.kind == figure.kind && other.label == figure.label;
     });
-    if (figure.kind == AnyFigure::Kind::arrow) {
+    if (figure.kind == AnyFigure::Kind::arrow && !placed) {
       // A vector stands where the truth's does.
       if (truth == drawn.end()) continue;
       for (std::size_t i = 0; i < dimension; ++i) {
@@ -118,31 +144,29 @@ void take_over(std::vector<AnyFigure>& drawn, std::vector<AnyFigure> said, std::
       return other.answer && other.numbers == figure.numbers;
     });
     if (true_one || is_endless(figure) || !extents.near(figure.numbers, coordinates(figure))) continue;
-    figure.label = "answered";
-    figure.said = true;
+    figure.label = placed ? "answered: " + figure.label : "answered";
+    figure.said = true, figure.answer = false;
     drawn.push_back(std::move(figure));
   }
 }
 
 }  // namespace
 
-void draw_answered(Drawing& scene, const Operation& operation, const Json& answer, const Json& input) {
+void draw_answered(Drawing& scene, const Operation& operation, const Json& answer, const Question& question) {
   Json points;
-  for (const Json& field : input) {
+  for (const Json& field : operation.print(question)) {
     if (points.is_null() && field.is_array() && !field.empty() && field[0].is_array()) points = field;
   }
   Drawing said;
   const std::string bare = operation.card().answer;
-  if (!bare.empty() && answer.is_object() && answer.contains(bare)) {
-    draw_parts(said, operation.answer_shape(), answer[bare], bare, points);
-  } else {
-    draw_parts(said, operation.answer_shape(), answer, "", points);
-  }
-  if (!scene.figures.empty()) {
-    take_over(scene.figures, std::move(said.figures), 2);
-  } else {
-    take_over(scene.space, std::move(said.space), 3);
-  }
+  const bool named = !bare.empty() && answer.is_object() && answer.contains(bare);
+  const Json& bare_answer = named ? answer[bare] : answer;
+  draw_parts(said, operation.answer_shape(), bare_answer, named ? bare : "", points);
+  const bool in_plane = !scene.figures.empty();
+  in_plane ? take_over(scene.figures, std::move(said.figures), 2, false)
+           : take_over(scene.space, std::move(said.space), 3, false);
+  const Drawing own = as_truth(operation, bare_answer, question);
+  in_plane ? take_over(scene.figures, own.figures, 2, true) : take_over(scene.space, own.space, 3, true);
 }
 
 }  // namespace touchstone::report

@@ -79,7 +79,7 @@ std::string figures(const Operation& operation, const Finding& finding, const Dr
                     wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
                             escaped(sentence(operation, plain(finding.answer))) + ".";
   Drawing both = drawing;
-  draw_answered(both, operation, plain(finding.answer), operation.print(finding.question));
+  draw_answered(both, operation, plain(finding.answer), finding.question);
   if (!shows_an_answer(both)) {
     const std::string more = notes.empty() ? "" : "<br><span class=\"quiet\">" + escaped(notes) + "</span>";
     return drawn(drawing, title, right + " " + wrong + more);

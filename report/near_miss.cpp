@@ -69,6 +69,9 @@ std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewp
   return std::nullopt;
 }
 
+/// What only helps to see decides nothing: lines without a name, and vectors, which have no place of their own.
+bool decides(const Figure& figure) { return !figure.label.empty() && figure.kind != Figure::Kind::arrow; }
+
 mpq_class root(const mpq_class& square) { return mpq_class(mpf_class(sqrt(mpf_class(square, 256)))); }
 
 }  // namespace
@@ -92,12 +95,12 @@ std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& vi
     found = NearMiss{exact_point(x, y), x, y, figure.label, root(gap.units)};
   };
   for (const Figure& figure : drawing.figures) {
-    if (figure.answer || (figure.kind == Figure::Kind::circle && figure.numbers[2] != 0)) continue;
+    if (!decides(figure) || figure.answer || (figure.kind == Figure::Kind::circle && figure.numbers[2] != 0)) continue;
     const std::vector<ExactPoint> vertices = vertices_of(figure);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       for (const Figure& other : drawing.figures) {
         // What was answered is held against the truth as well.
-        if (other.answer && !figure.said) continue;
+        if (!decides(other) || (other.answer && !figure.said)) continue;
         if (&other != &figure || figure.kind == Figure::Kind::polygon) {
           if (const auto gap = gap_to(other, vertices[i], view)) offer(figure, i, *gap);
         }

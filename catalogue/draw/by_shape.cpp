@@ -4,9 +4,18 @@
 #include <map>
 
 #include "catalogue/draw/figures.h"
+#include "catalogue/shape/described_bodies.h"
 #include "catalogue/shape/described_triangles.h"
+#include "geometry/bodies.h"
 
 namespace touchstone::catalogue {
+
+/// The rows of a matrix are no vectors of space.
+static void draw(Drawing& drawing, const std::string& label, const Inertiad& inertia, bool) {
+  const auto row = [](const Vector3d& v) { return in_words(Point3d{v.x, v.y, v.z}); };
+  drawing.notes.push_back(label + ": " + row(inertia.x) + ", " + row(inertia.y) + ", " + row(inertia.z));
+}
+
 namespace {
 
 using Draw = void (*)(Drawing&, const std::string& label, Cursor<double>& from, bool answer);
@@ -27,7 +36,7 @@ std::map<const Shape*, Draw> figures_of() {
 Draw figure_of(const Shape& shape) {
   static const std::map<const Shape*, Draw> figures =
       figures_of<Point2d, Vector2d, Segment2d, Line2d, ParametricLine2d, Ray2d, Polygon2d, Circle2d, Aabb2d, Point3d,
-                 Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d>();
+                 Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d, Inertiad>();
   const auto found = figures.find(&shape);
   return found == figures.end() ? nullptr : found->second;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/operation/truth_drawing.h"
 
+#include <algorithm>
+
 #include "catalogue/draw/by_shape.h"
 #include "catalogue/operation/operation.h"
 
@@ -11,10 +13,22 @@ namespace {
 class AnswerDrawing {
  public:
   AnswerDrawing(Drawing& drawing, const Examination& question)
-      : drawing_(drawing), exact_(question.solution().answer), at_(question.nearest_truth()) {}
+      : drawing_(drawing),
+        exact_(question.solution().answer),
+        at_(question.nearest_truth()),
+        has_arrows_(std::any_of(drawing.space.begin(), drawing.space.end(), [](const SpaceFigure& figure) {
+          return figure.answer && figure.kind == SpaceFigure::Kind::arrow;
+        })) {}
 
   void draw(const Shape& shape, const std::string& label) {
-    if (draw_figure(drawing_, shape, label, at_, true)) return pass(shape);
+    if (has_figure(shape)) {
+      const std::size_t before = drawing_.space.size();
+      draw_figure(drawing_, shape, label, at_, true);
+      // Vectors that the row has drawn where they belong are told here, and not drawn once more at the origin.
+      if (has_arrows_ && drawing_.space.size() > before && drawing_.space.back().kind == SpaceFigure::Kind::arrow)
+        drawing_.space.resize(before);
+      return pass(shape);
+    }
     switch (shape.kind) {
       case Shape::Kind::optional:
         if (*at_.word++ != 0) ++exact_.word, draw(*shape.parts[0].shape, label);
@@ -60,6 +74,7 @@ class AnswerDrawing {
   Drawing& drawing_;
   Cursor<TrueNumber> exact_;
   Cursor<double> at_;
+  bool has_arrows_;
 };
 
 }  // namespace

@@ -159,10 +159,11 @@ struct point_plane_toi {
     const double low = std::min(from.x, to.x), high = std::max(from.x, to.x);
     SideView::draw_plane(drawing, low, high, std::max(std::fabs(from.y), std::fabs(to.y)));
     drawing.figures.push_back({Figure::Kind::arrow, "step", {from.x, from.y, to.x, to.y}, false});
+    drawing.figures.push_back({Figure::Kind::point, "start", {from.x, from.y}, false});
     drawing.figures.push_back({Figure::Kind::point, "end: option 1", {to.x, to.y}, false});
     drawing.notes.push_back("seen along the plane, its front is up");
     const auto& [relation, t, point] = truth.option_2;
-    if (!t) return;
+    if (!t || !point) return;
     const Point2d hit{from.x + *t * (to.x - from.x), *t == 0 ? from.y : 0};
     drawing.figures.push_back({Figure::Kind::point, "option 2", {hit.x, hit.y}, true});
     drawing.figures.push_back({Figure::Kind::segment, "", {hit.x, hit.y, to.x, to.y}, false});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/impact_choices.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/elastic_collision.h"
@@ -52,8 +53,19 @@ struct elastic_collision {
   /// The first body stops: moves the normal's y and z.
   static Question map_centre() { return {{3, 3}, {{3, 1, 0}, {0, 0, 0}}, {3, 1, 0}}; }
 
+  /// Two balls at their contact, with their velocities before and after.
+  static void draw(Drawing& drawing, const Question& question, const Velocitiesd& truth) {
+    const auto& [masses, velocities, normal] = question;
+    const TouchingBalls balls = TouchingBalls::of(velocities, normal);
+    balls.draw_before(drawing, velocities, normal), balls.draw_after(drawing, truth);
+    draw_masses(drawing, masses);
+  }
+
   static Hooks<elastic_collision> hooks() {
-    return {.repair = repair, .map_centre = map_centre, .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+    return {.repair = repair,
+            .map_centre = map_centre,
+            .draw = draw,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/impact_choices.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/restitution_collision.h"
@@ -64,10 +65,20 @@ struct restitution_collision {
   /// The first body stops: moves the normal's z and e.
   static Question map_centre() { return {{1, 2}, {{3, 1, 0}, {0, 0, 0}}, {3, 1, 0}, 0.5}; }
 
+  /// Two balls at their contact, with their velocities before and after.
+  static void draw(Drawing& drawing, const Question& question, const Velocitiesd& truth) {
+    const auto& [masses, velocities, normal, e] = question;
+    const TouchingBalls balls = TouchingBalls::of(velocities, normal);
+    balls.draw_before(drawing, velocities, normal), balls.draw_after(drawing, truth);
+    draw_masses(drawing, masses);
+    drawing.notes.push_back("e = " + decimal(e));
+  }
+
   static Hooks<restitution_collision> hooks() {
     return {.repair = repair,
             .scale = scale,
             .map_centre = map_centre,
+            .draw = draw,
             .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/rigid_choices.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
@@ -89,11 +90,28 @@ struct rigid_body_collision {
     return {a, b, {digit(), 1, 1}, n, 1};
   }
 
+  /// Each body at its position with its motion before and after, and the normal at the point of contact.
+  static void draw(Drawing& drawing, const Question& question, const Motions<double>& truth) {
+    const auto& [a, b, point, normal, e] = question;
+    const auto body = [&drawing](const std::string& name, const RigidBodyd& before, const Motion<double>& after) {
+      catalogue::draw(drawing, name, before.position, false);
+      draw_arrow(drawing, name + " before", before.position, before.velocity, false);
+      draw_arrow(drawing, name + " turns before", before.position, before.angular_velocity, false);
+      draw_arrow(drawing, name + " after", before.position, after.velocity, true);
+      draw_arrow(drawing, name + " turns after", before.position, after.angular_velocity, true);
+    };
+    body("a", a, truth.a), body("b", b, truth.b);
+    catalogue::draw(drawing, "point", point, false);
+    draw_arrow(drawing, "normal", point, normal, false);
+    drawing.notes.push_back("e = " + decimal(e));
+  }
+
   static Hooks<rigid_body_collision> hooks() {
     return {.repair = repair,
             .scale = scale,
             .map_centre = map_centre,
             .map_axes = map_axes,
+            .draw = draw,
             .world_count = world_count,
             .world_at = world_at,
             .laws = {.scales = true}};

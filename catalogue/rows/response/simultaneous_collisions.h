@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/draw/figures.h"
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/simultaneous_choices.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/simultaneous_collisions.h"
@@ -80,13 +80,30 @@ struct simultaneous_collisions {
     return {{{1, {-1, -1, 0}}, {0, {0, 0, 0}}}, {{0, 1, {0, 1, 0}}, {0, 1, {1, 1, 0}}}, 0.5};
   }
 
-  /// The velocities before and after, each from its body's place in a row.
-  static void draw(Drawing& drawing, const Question& question, const SimultaneousVelocitiesd&) {
+  /// The bodies in a row, whose places are not asked, with their velocities before and after; between two that touch the
+  /// normal of their contact, beside each other where there are several.
+  static void draw(Drawing& drawing, const Question& question, const SimultaneousVelocitiesd& truth) {
     const auto& [bodies, contacts, e] = question;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      draw_from(drawing, "v" + std::to_string(i), {2.0 * static_cast<double>(i), 0, 0}, bodies[i].velocity, false);
-    for (const auto& [a, b, n] : contacts)
+    double fastest = 0;
+    for (const PointBodyd& body : bodies) fastest = std::max(fastest, largest(body.velocity));
+    const double apart = fastest > 0 ? 2 * fastest : 2;
+    const auto place = [&](double i) { return Point3d{apart * i, 0, 0}; };
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const std::string name = std::to_string(i);
+      const Point3d at = place(static_cast<double>(i));
+      catalogue::draw(drawing, name, at, false);
+      drawing.notes.pop_back();
+      draw_arrow(drawing, name + " before", at, bodies[i].velocity, false);
+      if (truth.velocities && i < truth.velocities->size())
+        draw_arrow(drawing, name + " after", at, (*truth.velocities)[i], true);
+    }
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const auto& [a, b, n] = contacts[i];
+      const Point3d between = place((static_cast<double>(a) + static_cast<double>(b)) / 2);
+      const Point3d at{between.x, -apart / 8 * static_cast<double>(i + 1), 0};
+      draw_arrow(drawing, "normal " + std::to_string(a) + "-" + std::to_string(b), at, apart / 4 * unit_of(n), false);
       drawing.notes.push_back(std::to_string(a) + " and " + std::to_string(b) + " along " + in_words({n.x, n.y, n.z}));
+    }
     drawing.notes.push_back("e = " + decimal(e));
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/box_choices.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
@@ -177,10 +178,22 @@ struct swept_aabb_aabb {
   /// a passes the corner (4, 0) of b with its own corner, at t = 1/2: moves its velocity.
   static Question map_centre() { return InPlane{{{-4, -4}, {0, 0}}, {{4, -12}, {12, 0}}, {8, 8}}; }
 
+  /// The step: a at its start, at the first contact and at its end; b rests.
+  static void draw(Drawing& drawing, const Question& question, const FirstContact<double>& truth) {
+    std::visit(
+        [&](const auto& in) {
+          const auto& [a, b, velocity] = in;
+          draw_sweep(drawing, "a", a, velocity, truth.t);
+          ::touchstone::catalogue::draw(drawing, "b", b, false);
+        },
+        question);
+  }
+
   static Hooks<swept_aabb_aabb> hooks() {
     return {.as_open_sets = never_if_grazing<swept_aabb_aabb>,
             .repair = repair,
             .map_centre = map_centre,
+            .draw = draw,
             .world_count = world_count,
             .world_at = world_at,
             .laws = {.maps = Laws::Maps::axes, .scales = true}};

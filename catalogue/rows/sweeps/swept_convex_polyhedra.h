@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/mesh_choices.h"
 #include "catalogue/families/space_choices.h"
 #include "catalogue/operation/digits.h"
@@ -142,10 +143,18 @@ struct swept_convex_polyhedra {
     return {a, b, {24, 0, 0}};
   }
 
+  /// The step: a at its start, at the first contact and at its end; b rests.
+  static void draw(Drawing& drawing, const Question& question, const FirstContact<double>& truth) {
+    const auto& [a, b, velocity] = question;
+    draw_sweep(drawing, "a", a, velocity, truth.t);
+    ::touchstone::catalogue::draw(drawing, "b", b, false);
+  }
+
   static Hooks<swept_convex_polyhedra> hooks() {
     return {.as_open_sets = never_if_grazing<swept_convex_polyhedra>,
             .repair = repair,
             .map_centre = map_centre,
+            .draw = draw,
             .world_count = world_count,
             .world_at = world_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/space_choices.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -143,12 +144,20 @@ struct swept_sphere_plane {
   static Question map_centre() { return {{{3, 6, 6}, 6}, {-1, -2, -2}, {{1, 2, 2}, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {5, 6}; }
 
+  /// The step: the ball at its start, at the first contact and at its end.
+  static void draw(Drawing& drawing, const Question& question, const FirstContact<double>& truth) {
+    const auto& [sphere, velocity, plane] = question;
+    draw_sweep(drawing, "sphere", sphere, velocity, truth.t);
+    ::touchstone::catalogue::draw(drawing, "plane", plane, false);
+  }
+
   static Hooks<swept_sphere_plane> hooks() {
     return {.as_open_sets = never_if_grazing<swept_sphere_plane>,
             .repair = repair,
             .scale = scale,
             .map_centre = map_centre,
-            .map_axes = map_axes};
+            .map_axes = map_axes,
+            .draw = draw};
   }
 
  private:

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/space_choices.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -164,11 +165,18 @@ struct swept_sphere_sphere {
   static Question map_centre() { return {{{-12, 5, 0}, 2}, {{0, 0, 0}, 3}, {24, 0, 0}, {0, 0, 0}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {1, 3}; }
 
+  /// The step: each ball at its start, at the first contact and at its end.
+  static void draw(Drawing& drawing, const Question& question, const FirstContact<double>& truth) {
+    const auto& [a, b, velocity_a, velocity_b] = question;
+    draw_sweep(drawing, "a", a, velocity_a, truth.t), draw_sweep(drawing, "b", b, velocity_b, truth.t);
+  }
+
   static Hooks<swept_sphere_sphere> hooks() {
     return {.as_open_sets = never_if_grazing<swept_sphere_sphere>,
             .repair = repair,
             .map_centre = map_centre,
             .map_axes = map_axes,
+            .draw = draw,
             .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 

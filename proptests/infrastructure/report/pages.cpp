@@ -210,15 +210,60 @@ TEST_CASE("pages: a wrong point is drawn beside the right one, the same figure w
 }
 
 TEST_CASE("pages: pieces that were answered are drawn at the polygon's vertices, none where an index is too great") {
-  const Json input = Json::parse(R"({"polygon":[[0,0],[4,0],[4,4],[0,4]]})");
+  const Operation& operation = *find_operation("triangulate_polygon");
+  const Question question{{0, 0, 4, 0, 4, 4, 0, 4}, {4}};
   for (const auto& [answer, drawn] :
        {std::pair(R"({"triangles":[[0,1,2],[0,2,3]]})", 2), std::pair(R"({"triangles":[[0,1,4]]})", 0)}) {
     Drawing scene;
     scene.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
-    draw_answered(scene, *find_operation("triangulate_polygon"), Json::parse(answer), input);
+    draw_answered(scene, operation, Json::parse(answer), question);
     REQUIRE(scene.figures.size() == 1u + static_cast<std::size_t>(drawn));
     if (drawn > 0) CHECK(scene.figures[1].numbers == std::vector<double>{0, 0, 4, 0, 4, 4});
   }
+}
+
+TEST_CASE("pages: a sweep is drawn at its start, at first contact and at its end, and at the time that was answered") {
+  const Operation& operation = *find_operation("swept_sphere_sphere");
+  // From x = -10 towards a ball around the origin, both of radius 1: they touch at x = -2, after 8 of 16.
+  const Question question{{-10, 0, 0, 1, 0, 0, 0, 1, 16, 0, 0, 0, 0, 0}, {}};
+  Drawing drawing = operation.examine(question)->drawing();
+  const auto spheres = [&](bool answer, bool said) {
+    std::vector<double> places;
+    for (const SpaceFigure& figure : drawing.space) {
+      if (figure.kind == SpaceFigure::Kind::sphere && figure.answer == answer && figure.said == said)
+        places.push_back(figure.numbers[0]);
+    }
+    return places;
+  };
+  CHECK(spheres(false, false) == std::vector<double>{-10, 6, 0});
+  CHECK(spheres(true, false) == std::vector<double>{-2});
+  const auto arrow = std::find_if(drawing.space.begin(), drawing.space.end(),
+                                  [](const SpaceFigure& figure) { return figure.kind == SpaceFigure::Kind::arrow; });
+  REQUIRE(arrow != drawing.space.end());
+  CHECK(arrow->label == "velocity of a");
+  CHECK(arrow->numbers == std::vector<double>{-10, 0, 0, 6, 0, 0});
+  draw_answered(drawing, operation, Json::parse(R"({"relation":"hit","t":0.25})"), question);
+  CHECK(spheres(false, true) == std::vector<double>{-6});
+}
+
+TEST_CASE("pages: velocities after an impact stand at the bodies, those that were answered too") {
+  const Operation& operation = *find_operation("elastic_collision");
+  // a comes from the left and stops, b goes on: equal masses, along x.
+  const Question question{{1, 1, 3, 0, 0, 0, 0, 0, 1, 0, 0}, {}};
+  Drawing drawing = operation.examine(question)->drawing();
+  const auto arrows = [&](bool answer, bool said) {
+    std::vector<std::vector<double>> places;
+    for (const SpaceFigure& figure : drawing.space) {
+      if (figure.kind == SpaceFigure::Kind::arrow && figure.answer == answer && figure.said == said)
+        places.push_back({figure.numbers[0], figure.numbers[3]});
+    }
+    return places;
+  };
+  using Places = std::vector<std::vector<double>>;
+  CHECK(arrows(false, false) == Places{{-1, 2}, {1, 1}, {0, 1}});  // before; the normal at the contact
+  CHECK(arrows(true, false) == Places{{-1, -1}, {1, 4}});          // after, once each
+  draw_answered(drawing, operation, Json::parse(R"({"velocities":[[1,0,0],[2,0,0]]})"), question);
+  CHECK(arrows(false, true) == Places{{-1, 0}, {1, 3}});
 }
 
 TEST_CASE("pages: before and after a fix, what changed most first") {

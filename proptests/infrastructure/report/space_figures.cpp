@@ -107,9 +107,10 @@ TEST_CASE("figures in space: a wrong point is drawn beside the truth, the right 
   Drawing scene;
   ask_for(scene, "sphere", Sphere3d{{0, 0, 0}, 1});
   draw(scene, "point", Point3d{0, 1, 0}, true);
-  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0]})"), {});
+  const Question question{{-1, -1, -1, 1, 1, 1, 0, 2, 0}, {1}};
+  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0]})"), question);
   CHECK(scene.space.size() == 2);
-  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0.5]})"), {});
+  draw_answered(scene, operation, Json::parse(R"({"point":[0,1,0.5]})"), question);
   REQUIRE(scene.space.size() == 3);
   CHECK(scene.space[2].said);
 }

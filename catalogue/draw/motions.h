@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalogue/draw/figures.h"
+#include "catalogue/draw/side_view.h"
+#include "geometry/bodies.h"
+
+/// Bodies that move: where they are, where they come to, and where they first touch. What is drawn is rounded.
+namespace touchstone::catalogue {
+
+inline Aabb2d moved(const Aabb2d& box, const Vector2d& v) { return {box.min + v, box.max + v}; }
+inline Aabb3d moved(const Aabb3d& box, const Vector3d& v) { return {box.min + v, box.max + v}; }
+inline Sphere3d moved(const Sphere3d& s, const Vector3d& v) { return {s.center + v, s.radius}; }
+inline Meshd moved(Meshd mesh, const Vector3d& v) {
+  for (Point3d& p : mesh.vertices) p = p + v;
+  return mesh;
+}
+
+/// Points whose ways outline the volume that is swept over.
+inline std::vector<Point2d> outline(const Aabb2d& box, const Vector2d&) {
+  return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+}
+inline std::vector<Point3d> outline(const Aabb3d& box, const Vector3d&) {
+  std::vector<Point3d> corners;
+  for (const double x : {box.min.x, box.max.x})
+    for (const double y : {box.min.y, box.max.y})
+      for (const double z : {box.min.z, box.max.z}) corners.push_back({x, y, z});
+  return corners;
+}
+inline std::vector<Point3d> outline(const Meshd& mesh, const Vector3d&) {
+  constexpr std::size_t most = 24;
+  return mesh.vertices.size() <= most ? mesh.vertices : std::vector<Point3d>{};
+}
+/// Four points of the ball's great circle across the way.
+inline std::vector<Point3d> outline(const Sphere3d& s, const Vector3d& v) {
+  const Vector3d way = unit_of(v);
+  const bool along_x = std::fabs(way.x) > 0.5;
+  const Vector3d one = unit_of(cross(way, along_x ? Vector3d{0, 1, 0} : Vector3d{1, 0, 0})), other = cross(way, one);
+  return {s.center + s.radius * one, s.center + -s.radius * one, s.center + s.radius * other,
+          s.center + -s.radius * other};
+}
+
+inline Point2d middle_of(const Aabb2d& box) { return {box.min.x / 2 + box.max.x / 2, box.min.y / 2 + box.max.y / 2}; }
+inline Point3d middle_of(const Aabb3d& box) {
+  return {box.min.x / 2 + box.max.x / 2, box.min.y / 2 + box.max.y / 2, box.min.z / 2 + box.max.z / 2};
+}
+inline Point3d middle_of(const Sphere3d& s) { return s.center; }
+inline Point3d middle_of(const Meshd& mesh) {
+  Vector3d sum{0, 0, 0};
+  const double part = 1 / static_cast<double>(mesh.vertices.size());
+  for (const Point3d& p : mesh.vertices) sum = sum + part * Vector3d{p.x, p.y, p.z};
+  return {sum.x, sum.y, sum.z};
+}
+
+inline void draw_arrow(Drawing& drawing, const std::string& label, const Point2d& from, const Vector2d& v,
+                       bool answer) {
+  const Point2d to = from + v;
+  drawing.figures.push_back({Figure::Kind::arrow, label, {from.x, from.y, to.x, to.y}, answer});
+}
+inline void draw_arrow(Drawing& drawing, const std::string& label, const Point3d& from, const Vector3d& v,
+                       bool answer) {
+  drawing.space.push_back({SpaceFigure::Kind::arrow, label, coordinates_of({from, from + v}), {}, answer});
+}
+inline void draw_way(Drawing& drawing, const Point2d& from, const Point2d& to) {
+  drawing.figures.push_back({Figure::Kind::segment, "", {from.x, from.y, to.x, to.y}, false});
+}
+inline void draw_way(Drawing& drawing, const Point3d& from, const Point3d& to) {
+  drawing.space.push_back({SpaceFigure::Kind::segment, "", coordinates_of({from, to}), {}, false});
+}
+
+inline bool is_zero(const Vector2d& v) { return v.x == 0 && v.y == 0; }
+inline bool is_zero(const Vector3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
+
+/// A body at the start of a step, its velocity, thinner its place at the end and the volume between; where the bodies
+/// meet at t, its place then, which belongs to the answer.
+template <class Solid, class Vector>
+void draw_sweep(Drawing& drawing, const std::string& name, const Solid& solid, const Vector& velocity,
+                const std::optional<double>& t) {
+  draw(drawing, name, solid, false);
+  if (is_zero(velocity)) return;
+  draw_arrow(drawing, "velocity of " + name, middle_of(solid), velocity, false);
+  const std::vector<std::string> notes = drawing.notes;
+  draw(drawing, "", moved(solid, velocity), false);
+  for (const auto& p : outline(solid, velocity)) draw_way(drawing, p, p + velocity);
+  if (t && std::isfinite(*t)) draw(drawing, name + " at first contact", moved(solid, *t * velocity), true);
+  drawing.notes = notes;
+}
+
+/// Two balls that stand for bodies whose places are not asked: they touch at the origin and approach along the normal,
+/// a on the side that it comes from.
+struct TouchingBalls {
+  Point3d a, b;
+  double radius;
+  static TouchingBalls of(const Velocitiesd& v, const Vector3d& normal) {
+    const double fastest = std::max(largest(v.first), largest(v.second)), radius = fastest > 0 ? fastest / 3 : 1;
+    const Vector3d n = unit_of(normal);
+    const bool comes_along = dot(n, unit_of(v.first - v.second)) > 0;
+    const Vector3d reach = (comes_along ? -radius : radius) * n;
+    return {Point3d{0, 0, 0} + reach, Point3d{0, 0, 0} + (-1.0 * reach), radius};
+  }
+  /// The velocities before, from the bodies, and the normal at the contact.
+  void draw_before(Drawing& drawing, const Velocitiesd& v, const Vector3d& normal) const {
+    drawing.space.push_back({SpaceFigure::Kind::sphere, "a", {a.x, a.y, a.z, radius}, {}, false});
+    draw_arrow(drawing, "a before", a, v.first, false);
+    drawing.space.push_back({SpaceFigure::Kind::sphere, "b", {b.x, b.y, b.z, radius}, {}, false});
+    draw_arrow(drawing, "b before", b, v.second, false);
+    draw_arrow(drawing, "normal", {0, 0, 0}, radius * unit_of(normal), false);
+    drawing.notes.push_back("before: a " + in_words({v.first.x, v.first.y, v.first.z}) + ", b " +
+                            in_words({v.second.x, v.second.y, v.second.z}) + ", normal " +
+                            in_words({normal.x, normal.y, normal.z}));
+  }
+  void draw_after(Drawing& drawing, const Velocitiesd& v) const {
+    draw_arrow(drawing, "a after", a, v.first, true);
+    draw_arrow(drawing, "b after", b, v.second, true);
+  }
+};
+
+inline void draw_masses(Drawing& drawing, const Massesd& masses) {
+  drawing.notes.push_back("masses " + decimal(masses.first) + " and " + decimal(masses.second));
+}
+
+}  // namespace touchstone::catalogue
