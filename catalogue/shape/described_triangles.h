@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/shape/described_shapes.h"
-#include "geometry/triangles.h"
+#include "geometry/triangle_pairs.h"
 
 namespace touchstone::catalogue {
 
@@ -28,6 +28,11 @@ template <>
 struct Words<SegmentTriangleRelation> {
   static constexpr std::array<const char*, 3> words{"none", "point", "segment"};
   static constexpr SegmentTriangleRelation no = SegmentTriangleRelation::none;
+};
+template <>
+struct Words<TriangleTriangleRelation> {
+  static constexpr std::array<const char*, 4> words{"none", "point", "segment", "area"};
+  static constexpr TriangleTriangleRelation no = TriangleTriangleRelation::none;
 };
 
 }  // namespace touchstone::catalogue

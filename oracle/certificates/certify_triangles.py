@@ -70,3 +70,63 @@ def check_segment_triangle(claim):
     ends = [exact_triple(end, f"truth.overlap[{i}]") for i, end in enumerate(overlap)]
     expect(ends == common, "truth: overlap is wrong")
     expect(not one_point, "certificate: a segment of length zero is one point")
+
+
+def cross(v, w):
+    return v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]
+
+
+def rank(displacements):
+    """How many of the displacements are independent."""
+    independent = []
+    for v in displacements:
+        if not independent:
+            adds = any(v)
+        elif len(independent) == 1:
+            adds = any(cross(independent[0], v))
+        else:
+            adds = len(independent) == 2 and dot(cross(*independent), v) != 0
+        if adds:
+            independent.append(v)
+    return len(independent)
+
+
+def ways(corners):
+    return [tuple(x - y for x, y in zip(p, corners[0])) for p in corners]
+
+
+def in_plane(plane, side, corners):
+    """What of the corners is in the plane; `side` times the others' heights is positive."""
+    heights = [side * (dot(plane, corner) - plane[3]) for corner in corners]
+    expect(all(height >= 0 for height in heights), "certificate: the plane does not separate")
+    return [corner for corner, height in zip(corners, heights) if height == 0]
+
+
+def most_dimensions(a, b):
+    """What is common lies in each of the planes, so what is left of both holds it, and with it the planes, lines or
+    points that they span."""
+    return rank(ways(a)) + rank(ways(b)) - rank(ways(a) + ways(b))
+
+
+def check_triangle_triangle(claim):
+    claim.inputs("a", "b")
+    a, b = (points(claim.input[name], name, 3, "three") for name in "ab")
+    claim.answers("relation"), claim.expect_kind("dimension"), claim.facts("planes", "on_a", "on_b")
+    planes, on_a, on_b = map(claim.list, ("planes", "on_a", "on_b"))
+    expect(len(planes) % 4 == 0, "certificate: four numbers a plane")
+    of_a, of_b = a, b
+    for i in range(0, len(planes), 4):
+        of_a, of_b = in_plane(planes[i:i + 4], -1, of_a), in_plane(planes[i:i + 4], 1, of_b)
+    expect(len(on_a) % 3 == 0 and len(on_a) == len(on_b), "certificate: three weights a point")
+    common = []
+    for i in range(0, len(on_a), 3):
+        common.append(weighted(a, on_a[i:i + 3]))
+        expect(weighted(b, on_b[i:i + 3]) == common[-1], "certificate: the weights give another point")
+    relation = claim.word("relation")
+    if not common:
+        expect(not of_a or not of_b, "certificate: corners are left of both")
+        expect(relation == "none", "truth: relation is wrong")
+        return
+    dimension = rank(ways(common))
+    expect(dimension >= most_dimensions(of_a, of_b), "certificate: the planes leave more than the points show")
+    expect(relation == ("point", "segment", "area")[dimension], "truth: relation is wrong")

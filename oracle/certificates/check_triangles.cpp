@@ -89,8 +89,83 @@ void check_segment_triangle(const Claim& claim) {
   expect(!one_point, "certificate: a segment of length zero is one point");
 }
 
+Triple cross(const Triple& v, const Triple& w) {
+  return {Rational(v.y * w.z - v.z * w.y), Rational(v.z * w.x - v.x * w.z), Rational(v.x * w.y - v.y * w.x)};
+}
+
+/// How many of the displacements are independent.
+std::size_t rank(const std::vector<Triple>& displacements) {
+  std::vector<Triple> independent;
+  const Triple zero{0, 0, 0};
+  for (const Triple& v : displacements) {
+    const bool adds = independent.empty() ? !(v == zero)
+                      : independent.size() == 1
+                          ? !(cross(independent[0], v) == zero)
+                          : independent.size() == 2 && sgn(dot(cross(independent[0], independent[1]), v)) != 0;
+    if (adds) independent.push_back(v);
+  }
+  return independent.size();
+}
+
+std::vector<Triple> ways(const std::vector<Triple>& points) {
+  std::vector<Triple> found;
+  for (const Triple& p : points) found.push_back(p - points.front());
+  return found;
+}
+
+/// What of the corners is in the plane; `side` times the others' heights is positive.
+std::vector<Triple> in_plane(const Plane& plane, int side, const std::vector<Triple>& corners) {
+  std::vector<Triple> kept;
+  for (const Triple& p : corners) {
+    const int height = side * sgn(plane.at(p));
+    expect(height >= 0, "certificate: the plane does not separate");
+    if (height == 0) kept.push_back(p);
+  }
+  return kept;
+}
+
+/// What is common lies in each of the planes, so what is left of both holds it, and with it the planes, lines or points
+/// that they span.
+std::size_t most_dimensions(const std::vector<Triple>& a, const std::vector<Triple>& b) {
+  std::vector<Triple> both = ways(a);
+  for (const Triple& way : ways(b)) both.push_back(way);
+  return rank(ways(a)) + rank(ways(b)) - rank(both);
+}
+
+void check_triangle_triangle(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Corners a = points<3>(claim.input["a"], "a"), b = points<3>(claim.input["b"], "b");
+  claim.answers({"relation"});
+  expect(claim.kind() == "dimension", "certificate: no such kind for this truth"),
+      claim.facts({"planes", "on_a", "on_b"});
+  const std::vector<Rational> planes = claim.list("planes"), on_a = claim.list("on_a"), on_b = claim.list("on_b");
+  expect(planes.size() % 4 == 0, "certificate: four numbers a plane");
+  std::vector<Triple> of_a(a.begin(), a.end()), of_b(b.begin(), b.end());
+  for (std::size_t i = 0; i < planes.size(); i += 4) {
+    const Plane plane{{planes[i], planes[i + 1], planes[i + 2]}, Rational(-planes[i + 3])};
+    of_a = in_plane(plane, -1, of_a), of_b = in_plane(plane, 1, of_b);
+  }
+  expect(on_a.size() % 3 == 0 && on_a.size() == on_b.size(), "certificate: three weights a point");
+  std::vector<Triple> common;
+  for (std::size_t i = 0; i < on_a.size(); i += 3) {
+    common.push_back(weighted(a, on_a, i));
+    expect(weighted(b, on_b, i) == common.back(), "certificate: the weights give another point");
+  }
+  const std::string relation = claim.word("relation");
+  if (common.empty()) {
+    expect(of_a.empty() || of_b.empty(), "certificate: corners are left of both");
+    expect(relation == "none", "truth: relation is wrong");
+    return;
+  }
+  const std::size_t dimension = rank(ways(common));
+  expect(dimension >= most_dimensions(of_a, of_b), "certificate: the planes leave more than the points show");
+  expect(relation == (dimension == 0 ? "point" : dimension == 1 ? "segment" : "area"), "truth: relation is wrong");
+}
+
 }  // namespace
 
-Checks checks_of_triangles() { return {{"segment_triangle", check_segment_triangle}}; }
+Checks checks_of_triangles() {
+  return {{"segment_triangle", check_segment_triangle}, {"triangle_triangle", check_triangle_triangle}};
+}
 
 }  // namespace touchstone::certify

@@ -24,7 +24,7 @@ struct segment_triangle {
                            .fields = {"segment", "triangle"},
                            .ulps = 36,
                            .margin_degree = 2,
-                           .cost = 5};
+                           .cost = 3};
     return card;
   }
 

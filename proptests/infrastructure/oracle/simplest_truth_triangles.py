@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The second truths of segments and triangles of space: half-spaces cut the segment, distances by all feet."""
+"""The second truths of segments and triangles of space: half-spaces cut the segment, distances by all feet; what two
+triangles have in common is spanned by what their edges have in common with the other."""
 from fractions import Fraction
 from itertools import combinations
 
@@ -81,3 +82,20 @@ def truth_segment_triangle(q):
     if first != last:
         return {"relation": "segment", "overlap": [written(first), written(last)]}, margin
     return {"relation": "point", "t": str(interval[0]), "point": written(first)}, margin
+
+
+def truth_triangle_triangle(q):
+    a, b = [[point(p) for p in q[name]] for name in "ab"]
+    pairs = [(edge, other) for corners, other in ((a, b), (b, a)) for edge in combinations(corners, 2)]
+    ends = {at(edge, t) for edge, other in pairs for t in common_interval(edge, other) or ()}
+    margin = min(squared_way_to_touch(edge, other) for edge, other in pairs)
+    if not ends:
+        return {"relation": "none"}, margin
+    # A point may become a segment where a triangle without area gets one, and an area a segment.
+    first, *others = ends
+    ways = [minus(p, first) for p in others]
+    if not ways:
+        return {"relation": "point"}, Fraction(0)
+    if any(any(cross(ways[0], way)) for way in ways):
+        return {"relation": "area"}, Fraction(0)
+    return {"relation": "segment"}, margin

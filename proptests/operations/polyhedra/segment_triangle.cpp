@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polyhedra/segment_triangle.h"
 
-#include "proptests/space_laws.h"
+#include "proptests/triangle_laws.h"
 
 namespace touchstone::proptests::segment_triangle_tests {
 namespace {
@@ -24,27 +24,6 @@ constexpr Triangle3d thin{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}};  // the segment from
 constexpr Triangle3d dot_at_1{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
 
 Segment3d upright(double x, double y, double below, double above) { return {{x, y, below}, {x, y, above}}; }
-
-/// The sum of the magnitudes of the six products of E at p, and E as computed.
-struct SideBound {
-  double computed;
-  bool overflow;
-  Rational error;
-
-  SideBound(const Triangle3d& t, const Point3d& p) {
-    const Vector3d v = t.b - t.a, w = t.c - t.a, d = p - t.a, n = cross(v, w);
-    computed = dot(n, d);
-    overflow = !finite(v.x, v.y, v.z, w.x, w.y, w.z, d.x, d.y, d.z) || !finite(v.y * w.z, v.z * w.y, v.z * w.x) ||
-               !finite(v.x * w.z, v.x * w.y, v.y * w.x, n.x, n.y, n.z) || !finite(n.x * d.x, n.y * d.y, n.z * d.z) ||
-               !finite(n.x * d.x + n.y * d.y, computed);
-    const auto gap = [](double a, double b) { return Rational(abs(exact(a) - exact(b))); };
-    const Rational vx = gap(t.b.x, t.a.x), vy = gap(t.b.y, t.a.y), vz = gap(t.b.z, t.a.z), wx = gap(t.c.x, t.a.x),
-                   wy = gap(t.c.y, t.a.y), wz = gap(t.c.z, t.a.z), dx = gap(p.x, t.a.x), dy = gap(p.y, t.a.y),
-                   dz = gap(p.z, t.a.z);
-    const Rational products = (vy * wz + vz * wy) * dx + (vz * wx + vx * wz) * dy + (vx * wy + vy * wx) * dz;
-    error = 8 * (1 + 4 * unit()) * unit() * products + power_of_two(-1073) * (dx + dy + dz + 2);
-  }
-};
 
 }  // namespace
 

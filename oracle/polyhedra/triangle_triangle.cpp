@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polyhedra/triangle_triangle.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/validation_of_triangles.h"
+#include "oracle/exact/common_dimension.h"
+#include "oracle/exact/common_scale.h"
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/triangles.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Relation = TriangleTriangleRelation;
+
+template <class Number>
+struct Solved {
+  Solved(const Triangle3<Number>& s, const Triangle3<Number>& t)
+      : scale({s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z, s.c.x, s.c.y, s.c.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z,
+               t.c.x, t.c.y, t.c.z}),
+        a{point(0), point(3), point(6)},
+        b{point(9), point(12), point(15)},
+        common(a, b) {}
+
+  Point3<Integer> point(std::size_t i) const { return {scale.whole(i), scale.whole(i + 1), scale.whole(i + 2)}; }
+
+  CommonScale<Number, 18> scale;
+  Triangle3<Integer> a, b;
+  CommonDimension common;
+};
+
+template <class Number>
+Certificate certificate(const Solved<Number>& s) {
+  std::vector<Rational> planes, on_a, on_b;
+  for (const WitnessPlane& plane : s.common.planes) {
+    const auto& [x, y, z] = plane.normal;
+    planes.insert(planes.end(), {Rational(x), Rational(y), Rational(z), s.scale.actual(plane.offset, 1)});
+  }
+  if (s.common.dimension >= 0) {
+    for (const PointOfBoth& p : points_of_both(s.a, s.b, s.common.dimension)) {
+      on_a.insert(on_a.end(), p.on_a.begin(), p.on_a.end());
+      on_b.insert(on_b.end(), p.on_b.begin(), p.on_b.end());
+    }
+  }
+  return {"dimension", {{"planes", planes}, {"on_a", on_a}, {"on_b", on_b}}};
+}
+
+template <class Number>
+Truth<Relation> truth_of(const Triangle3<Number>& a, const Triangle3<Number>& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  Solved<Number> s(a, b);
+  static constexpr Relation relations[]{Relation::none, Relation::point, Relation::segment, Relation::area};
+  Truth<Relation> truth{relations[s.common.dimension + 1], Rational(0)};
+  if (truth.answer == Relation::none || truth.answer == Relation::segment) {
+    std::vector<Rational> ways;
+    for (const auto& [t, other] : {std::pair{&s.a, &s.b}, std::pair{&s.b, &s.a}})
+      for (const auto& edge : {Segment3<Integer>{t->a, t->b}, {t->b, t->c}, {t->c, t->a}})
+        ways.push_back(squared_way_to_touch(edge, *other));
+    truth.margin = s.scale.actual(*std::min_element(ways.begin(), ways.end()), 2);
+  }
+  truth.certificate = [s = std::move(s)] { return certificate(s); };
+  return truth;
+}
+
+}  // namespace
+
+Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b) { return truth_of(a, b); }
+
+template <Exact Number>
+Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b) {
+  return truth_of(a, b);
+}
+template Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Rational>&, const Triangle3<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/rows/polyhedra/triangle_triangle.h"
+
+#include "proptests/triangle_laws.h"
+#include "robust/polyhedra/segment_triangle.h"
+
+namespace touchstone::proptests::triangle_triangle_tests {
+namespace {
+
+using Row = rows::triangle_triangle;
+using Relation = TriangleTriangleRelation;
+
+constexpr Relation none = Relation::none, point = Relation::point, segment = Relation::segment, area = Relation::area;
+constexpr Worked<Row> worked;
+constexpr Triangle3d flat{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}};  // x, y >= 0, x + y <= 4
+constexpr Triangle3d thin{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}};  // the segment from 0 to 4
+constexpr Triangle3d dot_at_1{{1, 1, 0}, {1, 1, 0}, {1, 1, 0}};
+
+}  // namespace
+
+LAW("triangle_triangle: the order of corners does not matter", a, b) {
+  const auto answer = ask(asked);
+  return answer == ask(Row::Question{{a.b, a.c, a.a}, b}) && answer == ask(Row::Question{a, {b.b, b.a, b.c}});
+}
+
+LAW("triangle_triangle: a triangle has itself in common with itself", a) {
+  const auto answer = ask(Row::Question{a, a});
+  const auto along = ask(Row::Question{{a.a, a.b, a.b}, {a.a, a.b, a.b}});
+  return answer >= along && along == (a.a == a.b ? point : segment);
+}
+
+LAW("triangle_triangle: an edge has no more in common than its triangle", a, b) {
+  return ask(Row::Question{{a.a, a.b, a.a}, b}) <= ask(asked);
+}
+
+ROBUST_LAW("triangle_triangle: they meet exactly if an edge of one meets the other", a, b) {
+  const auto meets = [](const Point3d& p, const Point3d& q, const Triangle3d& t) {
+    return robust::segment_triangle_relation({p, q}, t) != SegmentTriangleRelation::none;
+  };
+  const auto edge_meets = [&](const Triangle3d& s, const Triangle3d& t) {
+    return meets(s.a, s.b, t) || meets(s.b, s.c, t) || meets(s.c, s.a, t);
+  };
+  return (ask(asked) != none) == (edge_meets(a, b) || edge_meets(b, a));
+}
+
+TEST_CASE("triangle_triangle: p. 54's edges against the other face, worked by hand") {
+  // Its edges cross the plane z = 0 at (1, 1) and (2, 1). The edge through (2, 1) passes x + y = 4 at n = (-1, -1, 1)
+  // from (2, -1, 0): (n . w)^2 / n^2 = 1 / 3.
+  worked({{{1, 1, -1}, {1, 1, 1}, {3, 1, 1}}, flat}, segment, Rational(1, 3));
+  worked({{{1, 1, 1}, {2, 1, 1}, {1, 1, 3}}, flat}, none, 1);
+  worked({{{3, 3, -1}, {3, 3, 1}, {5, 3, 0}}, flat}, none, 2);  // x + y = 4 is the root of 2 away
+  // Here x + y = 4 crosses it, and passes the edge along (4, 4, 1) at n = (-1, -1, 8) from (3, -1, 1): 36 / 66.
+  worked({{{1, 1, -1}, {1, 1, 1}, {9, 9, 1}}, flat}, segment, Rational(6, 11));
+  worked({{{1, 1, 0}, {2, 1, 2}, {1, 1, 2}}, flat}, point, 0);  // a corner on the face
+}
+
+TEST_CASE("triangle_triangle: what touches is common") {
+  worked({{{1, 1, 0}, {2, 1, 0}, {1, 1, 3}}, flat}, segment, 0);  // an edge in the face
+  worked({{{0, 0, 0}, {-1, 0, 3}, {0, -1, 3}}, flat}, point, 0);  // a common corner
+  worked({{{4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, flat}, segment, 0);  // a common edge
+  worked({{{2, 2, -1}, {2, 2, 1}, {4, 4, 0}}, flat}, point, 0);   // edge across edge
+}
+
+TEST_CASE("triangle_triangle: in one plane the formula finds nothing") {
+  worked({{{1, 1, 0}, {2, 1, 0}, {1, 2, 0}}, flat}, area, 0, "algorithm");   // contained
+  worked({{{-1, 1, 0}, {5, 1, 0}, {2, 9, 0}}, flat}, area, 0, "algorithm");  // crossing
+  worked({flat, flat}, area, 0, "algorithm");
+  worked({{{0, 4, 0}, {4, 0, 0}, {4, 4, 0}}, flat}, segment, 0, "algorithm");  // a common edge
+  worked({{{3, 1, 0}, {1, 3, 0}, {4, 4, 0}}, flat}, segment, 0, "algorithm");  // a part of one
+  worked({{{2, 2, 0}, {4, 2, 0}, {4, 4, 0}}, flat}, point, 0, "algorithm");    // a corner on an edge
+  worked({{{4, 0, 0}, {9, 0, 0}, {9, 1, 0}}, flat}, point, 0, "algorithm");    // a corner on a corner
+  worked({{{3, 3, 0}, {4, 3, 0}, {3, 4, 0}}, flat}, none, 2);
+}
+
+TEST_CASE("triangle_triangle: a triangle without area is what its corners span") {
+  worked({thin, flat}, segment, 0, "algorithm");
+  worked({{{3, 0, -1}, {3, 0, 1}, {3, 0, 0}}, thin}, point, 0, "algorithm");
+  worked({{{4, 0, 0}, {9, 0, 0}, {5, 0, 0}}, thin}, point, 0, "algorithm");  // end on end
+  worked({{{6, 0, 0}, {9, 0, 0}, {7, 0, 0}}, thin}, none, 4);
+  worked({dot_at_1, flat}, point, 0, "algorithm");
+  worked({dot_at_1, dot_at_1}, point, 0, "algorithm");
+  worked({dot_at_1, thin}, none, 1);
+}
+
+TEST_CASE("triangle_triangle: huge, subnormal and negative zero") {
+  // E is 0 everywhere: no product of three least numbers is one.
+  const Rational least = exact(tiny);
+  worked({{{tiny, tiny, -tiny}, {tiny, tiny, tiny}, {3 * tiny, tiny, tiny}},
+          {{0, 0, 0}, {4 * tiny, 0, 0}, {0, 4 * tiny, 0}}},
+         segment, Rational(least * least / 3), "rounding");
+  example<Row>({{{1, 1, -huge}, {1, 1, huge}, {2, 1, huge}}, {{-huge, -huge, 0}, {huge, -huge, 0}, {0, huge, 0}}},
+               segment, "rounding");
+  worked({{{1, 1, -0.0}, {2, 1, 0.0}, {1, 1, 3}}, {{-0.0, 0, 0}, {4, -0.0, 0}, {0, 4, -0.0}}}, segment, 0);
+}
+
+TEST_CASE("triangle_triangle: of two broken rules the first is named") {
+  refused<Row>({{{0, 0, 0}, {0, 0, infinity}, {0, 1, 0}}, {{not_a_number, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, "a[1][2]",
+               "finite number");
+}
+
+CONTRACT("triangle_triangle: the formula in double keeps its contract", a, b) {
+  const auto one_side = [](const Triangle3d& t, const Triangle3d& other) {
+    int front = 0, back = 0;
+    for (const Point3d& p : {other.a, other.b, other.c}) {
+      const SideBound e(t, p);
+      if (e.overflow || abs(exact(e.computed)) <= e.error) return false;
+      (e.computed > 0 ? front : back) += 1;
+    }
+    return front == 3 || back == 3;
+  };
+  return !one_side(a, b) || !one_side(b, a) || (answer == none && truth.answer == none);
+}
+
+}  // namespace touchstone::proptests::triangle_triangle_tests

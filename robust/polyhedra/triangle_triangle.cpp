@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/polyhedra/triangle_triangle.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "geometry/validation_of_triangles.h"
+#include "robust/kernel/integers.h"
+#include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+using filters::Sign;
+using kernel::Clipped;
+using Relation = TriangleTriangleRelation;
+using Plane = filters::FacePlane<double>;
+using Sides = std::array<Sign, 3>;
+
+Sides sides_of(const Plane& plane, const Triangle3d& t) { return {plane.side(t.a), plane.side(t.b), plane.side(t.c)}; }
+bool known(const Sides& sides) {
+  return sides[0] != Sign::unknown && sides[1] != Sign::unknown && sides[2] != Sign::unknown;
+}
+bool one_side(const Sides& sides) { return sides[0] == sides[1] && sides[1] == sides[2]; }
+
+/// The corner that is alone on its side of the other's plane, then the other two in the order in which `corner` and
+/// they are counter-clockwise as seen from the side of the other triangle's lone corner.
+struct Tip {
+  const Point3d *corner, *second, *third;
+
+  Tip(const Triangle3d& t, const Sides& sides) {
+    if (sides[1] == sides[2]) corner = &t.a, second = &t.b, third = &t.c;
+    else if (sides[0] == sides[2]) corner = &t.b, second = &t.c, third = &t.a;
+    else corner = &t.c, second = &t.a, third = &t.b;
+  }
+  void turn() { std::swap(second, third); }
+};
+
+Sign lone_side(const Sides& sides) {
+  return sides[1] == sides[2] ? sides[0] : sides[0] == sides[2] ? sides[1] : sides[2];
+}
+
+struct Question {
+  Triangle3<mpz_class> a, b;
+};
+
+Question as_integers(const Triangle3d& a, const Triangle3d& b) {
+  const auto n = kernel::integers_of(a.a.x, a.a.y, a.a.z, a.b.x, a.b.y, a.b.z, a.c.x, a.c.y, a.c.z, b.a.x, b.a.y, b.a.z,
+                                     b.b.x, b.b.y, b.b.z, b.c.x, b.c.y, b.c.z)
+                     .at;
+  const auto point = [&n](std::size_t i) { return Point3<mpz_class>{n[i], n[i + 1], n[i + 2]}; };
+  return {{point(0), point(3), point(6)}, {point(9), point(12), point(15)}};
+}
+
+/// A point in homogeneous coordinates, w > 0.
+struct Rational3 {
+  Point3<mpz_class> p;
+  mpz_class w;
+};
+
+/// q - p, times a positive number.
+Vector3<mpz_class> way(const Rational3& p, const Rational3& q) {
+  return {mpz_class(q.p.x * p.w - p.p.x * q.w), mpz_class(q.p.y * p.w - p.p.y * q.w),
+          mpz_class(q.p.z * p.w - p.p.z * q.w)};
+}
+bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
+
+/// The ends of the parts that the edges of t have in the other triangle.
+void add_ends(std::vector<Rational3>& ends, const Triangle3<mpz_class>& t, const Triangle3<mpz_class>& other) {
+  for (const Segment3<mpz_class>& edge : {Segment3<mpz_class>{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+    const Clipped part = kernel::clipped(edge, other);
+    if (part.empty) continue;
+    for (const Clipped::Parameter& end : {part.first, part.last}) {
+      const mpz_class &n = end.numerator, &d = end.denominator;
+      const mpz_class rest = d - n;
+      ends.push_back({{mpz_class(rest * edge.a.x + n * edge.b.x), mpz_class(rest * edge.a.y + n * edge.b.y),
+                       mpz_class(rest * edge.a.z + n * edge.b.z)},
+                      d});
+    }
+  }
+}
+
+void validate(const Triangle3d& a, const Triangle3d& b) {
+  using kernel::valid;
+  if (valid(a.a) && valid(a.b) && valid(a.c) && valid(b.a) && valid(b.b) && valid(b.c)) return;
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+}
+
+}  // namespace
+
+Perhaps<Relation> stages::triangle_triangle::filter(const Triangle3d& a, const Triangle3d& b) {
+  const Sides of_b = sides_of(Plane(a.a, a.b, a.c), b);
+  if (known(of_b) && one_side(of_b)) return Relation::none;
+  const Sides of_a = sides_of(Plane(b.a, b.b, b.c), a);
+  if (!known(of_a)) return std::nullopt;
+  if (one_side(of_a)) return Relation::none;
+  if (!known(of_b)) return std::nullopt;
+  // Guigue and Devillers: the edges from p to its second and from q to its second cross the line of both planes, and so
+  // do those to the third. The side of q's second from p, p's second and q is the order of the first two along that
+  // line; that of q from p, p's third and q's third the order of the others.
+  Tip p(a, of_a), q(b, of_b);
+  if (lone_side(of_a) == Sign::negative) q.turn();
+  if (lone_side(of_b) == Sign::negative) p.turn();
+  const Sign first = Plane(*p.corner, *p.second, *q.corner).side(*q.second),
+             last = Plane(*p.corner, *p.third, *q.third).side(*q.corner);
+  if (first == Sign::positive || last == Sign::positive) return Relation::none;
+  if (first == Sign::unknown || last == Sign::unknown) return std::nullopt;
+  return Relation::segment;
+}
+
+/// Every extreme point of the common part lies on an edge of one of the two: what is inside both, in one plane or not,
+/// lies between others. So it is the smallest convex set around the ends of the parts that edges have in the other
+/// triangle, whose dimension is asked for.
+Relation stages::triangle_triangle::exact(const Triangle3d& a, const Triangle3d& b) {
+  const Question q = as_integers(a, b);
+  std::vector<Rational3> ends;
+  add_ends(ends, q.a, q.b), add_ends(ends, q.b, q.a);
+  if (ends.empty()) return Relation::none;
+  Vector3<mpz_class> along{0, 0, 0};
+  for (const Rational3& end : ends)
+    if (zero(along)) along = way(ends.front(), end);
+  if (zero(along)) return Relation::point;
+  for (const Rational3& end : ends)
+    if (!zero(cross(along, way(ends.front(), end)))) return Relation::area;
+  return Relation::segment;
+}
+
+Decided<Relation> stages::triangle_triangle::past_filter(const Triangle3d& a, const Triangle3d& b) {
+  return in_turn<triangle_triangle, validate, Stage::exact>(a, b);
+}
+
+}  // namespace touchstone::robust
