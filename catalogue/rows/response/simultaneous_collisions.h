@@ -80,8 +80,8 @@ struct simultaneous_collisions {
     return {{{1, {-1, -1, 0}}, {0, {0, 0, 0}}}, {{0, 1, {0, 1, 0}}, {0, 1, {1, 1, 0}}}, 0.5};
   }
 
-  /// The bodies in a row, whose places are not asked, with their velocities before and after; between two that touch the
-  /// normal of their contact, beside each other where there are several.
+  /// The bodies in a row, whose places are not asked, with their velocities before and after; between two that touch
+  /// the normal of their contact, beside each other where there are several.
   static void draw(Drawing& drawing, const Question& question, const SimultaneousVelocitiesd& truth) {
     const auto& [bodies, contacts, e] = question;
     double fastest = 0;

@@ -15,6 +15,7 @@
 #include "report/html_footer.h"
 #include "report/html_parts.h"
 #include "report/phrases.h"
+#include "report/svg.h"
 
 /// What the pages of a report say, from tallies made by hand.
 namespace touchstone::proptests::pages_tests {
@@ -244,6 +245,18 @@ TEST_CASE("pages: a sweep is drawn at its start, at first contact and at its end
   CHECK(arrow->numbers == std::vector<double>{-10, 0, 0, 6, 0, 0});
   draw_answered(drawing, operation, Json::parse(R"({"relation":"hit","t":0.25})"), question);
   CHECK(spheres(false, true) == std::vector<double>{-6});
+}
+
+TEST_CASE("pages: a narrow gap to a point is magnified, none to a vector or to a line that only helps") {
+  const auto magnified = [](Figure::Kind kind, const char* label, std::vector<double> numbers) {
+    Drawing drawing;
+    drawing.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
+    drawing.figures.push_back({kind, label, std::move(numbers)});
+    return drawing_svg(drawing, "").find("; gap ") != std::string::npos;
+  };
+  CHECK(magnified(Figure::Kind::point, "point", {1, 0x1p-30}));
+  CHECK(!magnified(Figure::Kind::arrow, "velocity", {2, 2, 1, 0x1p-30}));
+  CHECK(!magnified(Figure::Kind::segment, "", {2, 2, 1, 0x1p-30}));
 }
 
 TEST_CASE("pages: velocities after an impact stand at the bodies, those that were answered too") {
