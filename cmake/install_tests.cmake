@@ -21,7 +21,7 @@ function(install_consumer name source)
                    -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} ${of_OPTIONS} --test-command ${of_THEN})
 endfunction()
 install_consumer(consumer ${install_tests} OPTIONS -DCMAKE_PREFIX_PATH=${installed}
-                 THEN ${CMAKE_CTEST_COMMAND} --output-on-failure -E "^naive/audit$")
+                 THEN ${CMAKE_CTEST_COMMAND} --output-on-failure -E "^audit/naive_segments$")
 install_consumer(my_engine ${PROJECT_SOURCE_DIR}/examples/my_engine OPTIONS -DCMAKE_PREFIX_PATH=${installed} THEN
                  ${CMAKE_COMMAND} -E true)
 # Generators and laws in users' own tests.
@@ -73,9 +73,9 @@ add_test(NAME install/package_holds_self_check COMMAND ${package_holds} --self-c
 install_consumer(in_source ${install_tests}/in_source OPTIONS -DTOUCHSTONE_SOURCE=${PROJECT_SOURCE_DIR} THEN ${CMAKE_COMMAND} -E true)
 
 # touchstone_add_audit of an engine that is wrong: ctest fails, for the engine's findings.
-add_test(NAME install/naive_audit_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${consumers}/consumer -R "^naive/audit$" --output-on-failure)
+add_test(NAME install/naive_audit_fails COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${consumers}/consumer -R "^audit/naive_segments$" --output-on-failure)
 set_tests_properties(install/naive_audit_fails PROPERTIES DEPENDS install/consumer PASS_REGULAR_EXPRESSION
-                     "naive/audit [.]*\\*\\*\\*Failed.*textbook in Python.*segment_segment")
+                     "audit/naive_segments [.]*\\*\\*\\*Failed.*textbook in Python.*segment_segment")
 
 # What it says to those who misuse it: misuse(NAME complaint argument...).
 function(misuse name complaint)

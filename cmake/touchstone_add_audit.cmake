@@ -5,9 +5,9 @@
 # A test for ctest that audits an engine, and fails where the audit ends with findings. The engine is an executable of this project whose
 # main is TOUCHSTONE_ENGINE_MAIN; or, with COMMAND, any program that answers over pipes (docs/engines.md), its words as add_test takes them.
 #
-#   NAME       the test's name in ctest; if left out, audit/target
+#   NAME       the test's name in ctest is audit/NAME, so that ctest -R ^audit/ runs every audit; if left out, audit/target
 #   BASELINE   known findings, which are accepted: --baseline. If the path is relative it begins at the current source directory. The
-#              target NAME_baseline, with _ for every /, writes the file anew
+#              target audit_NAME_baseline, with _ for every / in NAME, writes the file anew
 #   ARGS       options of `touchstone audit`, as they stand: --ops orientation --cases 5000 --fail-on algorithm. Files among them that have
 #              relative paths are looked for in the current binary directory
 #
@@ -23,7 +23,10 @@ function(touchstone_add_audit target)
     message(FATAL_ERROR "touchstone_add_audit(${target}): nothing stands after ${audit_KEYWORDS_MISSING_VALUES}")
   endif()
   if(NOT audit_NAME)
-    set(audit_NAME audit/${target})
+    set(audit_NAME ${target})
+  endif()
+  if(NOT audit_NAME MATCHES "^audit/")
+    set(audit_NAME audit/${audit_NAME})
   endif()
   if(audit_COMMAND)
     # One word for a shell: the program starts the engine with one.

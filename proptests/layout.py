@@ -63,8 +63,7 @@ DRAW = re.compile(r"[(,] *c *[,)]|\bc\.\w+\(")
 
 class Tree:
     def __init__(self, root):
-        self.root = root
-        self.text = {}
+        self.root, self.text = root, {}
         for module in MODULES:
             for path in sorted((root / module).rglob("*")):
                 if path.is_file() and path.suffix in CODE:
@@ -166,9 +165,7 @@ def public_headers(tree):
     """No exact number type reaches a user of geometry, reference or robust, not even through another header; nor does a
     header that is not installed."""
     for name in tree.text:
-        if not name.endswith(".h") or name.startswith(("robust/kernel/", *NOT_INSTALLED)):
-            continue
-        if name.split("/")[0] not in ("geometry", "reference", "robust"):
+        if not re.match(r"(geometry|reference|robust)/.*\.h$", name) or name.startswith(("robust/kernel/", *NOT_INSTALLED)):
             continue
         stage = re.search(r"\bStage\b|\b\w+_(?:lattice|exact)(?=\()", COMMENT.sub("", tree.text[name]))
         if stage:
@@ -188,6 +185,8 @@ def public_headers(tree):
                 if target.startswith(NOT_INSTALLED):
                     yield f"{name}: reaches {target}, which is not installed, through {header}"
                 waiting.append(target)
+        if name.startswith("robust/") and "InvalidInput" in tree.text[name] and "geometry/invalid_input.h" not in seen:
+            yield f"{name}: InvalidInput without geometry/invalid_input.h"
 
 
 def arguments_of(text, start):
@@ -327,6 +326,7 @@ PLANTED = [
     ("robust/lines/touch.h", '#include "robust/rings/simple.h"\n', "rings/simple.h, which is not installed"),
     ("robust/lines/touch.h", "inline Side touch(int, Stage& decided);\n", "robust/lines/touch.h: Stage, a stage, in"),
     ("robust/lines/touch.h", "Side touch_exact(int);\n", "robust/lines/touch.h: touch_exact, a stage, in"),
+    ("robust/lines/touch.h", "/// Throws InvalidInput.\n", "touch.h: InvalidInput without geometry/invalid_input.h"),
     ("geometry/points.h", "struct P { mpq_class x; };\n", "geometry/points.h: mpq_class in a public header"),
     ("catalogue/rows/lines/touch.h", "turn(box(c), c.below(2));\n", "catalogue/rows/lines/touch.h:1: two draws in one call"),
     ("catalogue/rows/lines/touch.h", "turn(\n  move(a, b(c)), {1, d(c)});\n", "touch.h:1: two draws in one call"),

@@ -145,10 +145,15 @@ inline constexpr bool has_any_of = false;
 template <class Engine, class... AllRows>
 inline constexpr bool has_any_of<Engine, RowList<AllRows...>> =
     ((has_operation<Engine, AllRows, double> || has_operation<Engine, AllRows, float>) || ...);
+template <class Engine, class List>
+inline constexpr bool names_any_of = false;
+template <class Engine, class... AllRows>
+inline constexpr bool names_any_of<Engine, RowList<AllRows...>> = (names_operation<Engine, AllRows>() || ...);
 
 template <class Engine>
 Served served(Engine& engine) {
-  static_assert(has_any_of<Engine, Rows>,
+  // Where there is one of the name, require_signature says what is wrong with it.
+  static_assert(has_any_of<Engine, Rows> || names_any_of<Engine, Rows>,
                 "the engine has no member function of the name and arguments of an operation (touchstone ops)");
   Served all;
   all.hello.declaration = declaration_of<Engine>();

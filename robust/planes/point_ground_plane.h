@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/answers.h"
+#include "geometry/invalid_input.h"
 #include "geometry/validation.h"
 #include "robust/kernel/valid_space.h"
 

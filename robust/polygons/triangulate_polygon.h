@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/invalid_input.h"
 #include "geometry/polygons.h"
 #include "robust/kernel/staged.h"
 

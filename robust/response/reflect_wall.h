@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "geometry/answers.h"
+#include "geometry/invalid_input.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {

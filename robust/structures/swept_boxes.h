@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/commands.h"
+#include "geometry/invalid_input.h"
 #include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {

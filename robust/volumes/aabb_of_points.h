@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/invalid_input.h"
 #include "geometry/volumes.h"
 #include "robust/kernel/staged.h"
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/answers.h"
+#include "geometry/invalid_input.h"
 #include "robust/kernel/staged.h"
 
 namespace touchstone::robust {

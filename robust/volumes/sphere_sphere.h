@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
+#include "geometry/invalid_input.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/validation.h"
 #include "robust/kernel/decode.h"

@@ -48,6 +48,19 @@ std::size_t all(Wrong& wrong, Right& right, Closed& closed) {
 }
 """
 
+# Engines with nothing that could be asked: what the compiler must say, and what it must not.
+NOTHING_RIGHT = """
+#include "audit/engines/adapter.h"
+using namespace touchstone;
+struct Lonely {
+  static constexpr const char* name = "lonely 1";
+  %s
+};
+std::size_t all(Lonely& lonely) { return audit::served(lonely).operations.size(); }
+"""
+NO_OPERATION = "the engine has no member function of the name and arguments of an operation"
+WRONG_MEMBER = "the engine's member point_in_polygon cannot be called"
+
 # What the message has to hold, as both compilers write types.
 EXPECTED = {
     "explicit_line": "Height ?(double, double, Point2<double>)",
@@ -62,8 +75,11 @@ EXPECTED = {
 
 def main():
     compiler, root, generated = sys.argv[1:]
-    done = subprocess.run([compiler, "-std=c++20", f"-I{root}", f"-I{generated}", "-fsyntax-only", "-x", "c++", "-"], input=ENGINES,
-                          capture_output=True, text=True)
+
+    def compiled(source):
+        return subprocess.run([compiler, "-std=c++20", f"-I{root}", f"-I{generated}", "-fsyntax-only", "-x", "c++", "-"],
+                              input=source, capture_output=True, text=True)
+    done = compiled(ENGINES)
     said = done.stderr.replace("touchstone::", "")
     wrong = [] if done.returncode else ["it compiles"]
     named = set(re.findall(r"error: static.*the engine's member (\w+) cannot be called with the arguments of the operation \1: the signature",
@@ -79,6 +95,11 @@ def main():
         pattern = re.escape(signature).replace(r"\ \?", " ?")
         if not any(re.search(rf"{operation}::require_signature.*{pattern}", line) for line in said.splitlines()):
             wrong.append(f"{operation}: no line with {signature}")
+    for member, message, other in (("bool point_in_polygon(Point2d, Polygon2d);", WRONG_MEMBER, NO_OPERATION),
+                                   ("bool meets(int);", NO_OPERATION, "cannot be called")):
+        errors = [line for line in compiled(NOTHING_RIGHT % member).stderr.splitlines() if "error: " in line]
+        if not any(message in line for line in errors) or any(other in line for line in errors):
+            wrong += [f"{member} is refused otherwise:", *errors]
     print("\n".join([said] * bool(wrong) + wrong))
     return 1 if wrong else 0
 
