@@ -98,6 +98,19 @@ Meshd tetrahedra_together(Choices& choices) {
   return mesh;
 }
 
+Meshd sheets_at_a_vertex(Choices& choices) {
+  Meshd mesh = dented_tetrahedron(24, {6, 6, 6});
+  for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) {
+    const auto count = static_cast<Index>(mesh.vertices.size());
+    std::array<Index, 4> at{static_cast<Index>(choices.below(count)), count, count + 1, count + 2};
+    if (choices.below(3) == 2) at[1] = (at[0] + 1) % count;
+    for (int i = 0; i < 3; ++i) mesh.vertices.push_back(drawn_point(choices, 4));
+    const auto [a, b, c, d] = at;
+    for (const Face& face : {Face{a, c, b}, Face{a, b, d}, Face{a, d, c}, Face{b, c, d}}) mesh.faces.push_back(face);
+  }
+  return mesh;
+}
+
 const Meshd& named_solid(Choices& choices) {
   const auto& all = named_solids();
   return all[choices.below(all.size())].mesh;

@@ -16,6 +16,9 @@ Meshd lattice_solid(Choices& choices);
 /// are flat.
 Meshd tetrahedra_together(Choices& choices);
 
+/// Two to four tetrahedra, each with one vertex, or perhaps two, in common with the one before.
+Meshd sheets_at_a_vertex(Choices& choices);
+
 /// A tetrahedron whose face away from vertex 0 is replaced by three that meet in `dent`.
 Meshd dented_tetrahedron(double size, const Point3d& dent);
 

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/mesh_choices.h"
+#include "catalogue/families/solid_choices.h"
+#include "catalogue/operation/digits.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_complexity.h"
+#include "oracle/polyhedra/polyhedron_complexity.h"
+#include "reference/polyhedra/polyhedron_complexity.h"
+#include "robust/polyhedra/polyhedron_complexity.h"
+
+namespace touchstone::catalogue::rows {
+
+struct polyhedron_complexity {
+  TOUCHSTONE_MODULES(polyhedron_complexity)
+  using Question = std::tuple<Meshd>;
+  using decision = NoDecision;
+
+  static const Card& card() {
+    static const Card card{.name = "polyhedron_complexity",
+                           .chapter = "polyhedra",
+                           .pages = "26",
+                           .question = "How many vertices, edges, faces and parts has the mesh, and is it a surface?",
+                           .kind = Kind::measure,
+                           .fields = {"mesh"},
+                           .margin_degree = 0,
+                           .cost = 30,
+                           .list_length = 5};
+    return card;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {{"solid", [](Choices& c) -> Question { return {lattice_solid(c)}; }},
+            {"convex", [](Choices& c) -> Question { return {lattice_polyhedron(c)}; }},
+            {"sheets_at_a_vertex", [](Choices& c) -> Question { return {sheets_at_a_vertex(c)}; }},
+            {"tetrahedra", [](Choices& c) -> Question { return {tetrahedra_together(c)}; }},
+            {"needless_faces",
+             [](Choices& c) -> Question {
+               const Meshd mesh = lattice_solid(c);
+               return {with_needless_faces(mesh, c)};
+             }},
+            {"with_a_rim",
+             [](Choices& c) -> Question {
+               Meshd mesh = c.below(2) == 0 ? lattice_polyhedron(c) : sheets_at_a_vertex(c);
+               for (std::uint64_t left = 1 + c.below(4); left > 0 && mesh.faces.size() > 4; --left)
+                 mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(c.below(mesh.faces.size())));
+               return {mesh};
+             }},
+            {"opened", [](Choices& c) -> Question {
+               const Meshd mesh = lattice_solid(c);
+               return {opened(mesh, c)};
+             }}};
+  }
+
+  static void repair(Question& question) { make_solid(std::get<0>(question)); }
+
+  /// Six triangles over five vertices, each one of so many, in either direction.
+  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
+  static Question world_at(int size, std::uint64_t index) {
+    Digits digit(size, index);
+    std::vector<Face> triangles;
+    for (Index a = 0; a < 3; ++a) {
+      for (Index b = a + 1; b < 4; ++b) {
+        for (Index c = b + 1; c < 5; ++c) triangles.insert(triangles.end(), {{a, b, c}, {b, a, c}});
+      }
+    }
+    Meshd mesh = dented_tetrahedron(24, {6, 6, 6});
+    mesh.faces.clear();
+    for (std::size_t k = 0; k < 6; ++k)
+      mesh.faces.push_back(triangles[(7 * k + 3 * static_cast<std::size_t>(digit())) % triangles.size()]);
+    return {mesh};
+  }
+
+  static Hooks<polyhedron_complexity> hooks() {
+    return {.repair = repair,
+            .world_count = world_count,
+            .world_at = world_at,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows
