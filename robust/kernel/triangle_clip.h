@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include "geometry/triangles.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust::kernel {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/answers.h"
+#include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
 #include "robust/kernel/staged.h"
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "geometry/complexity.h"
+#include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 

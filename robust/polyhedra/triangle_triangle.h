@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "geometry/invalid_input.h"
 #include "geometry/triangle_pairs.h"
 #include "robust/kernel/face_filter.h"
 #include "robust/kernel/staged.h"
