@@ -25,6 +25,17 @@ std::vector<std::string> contract_of(const std::string& operation) {
   return paragraphs;
 }
 
+/// Words between backquotes are code.
+static std::string words_in_html(const std::string& line) {
+  std::string html;
+  bool code = false;
+  for (const char c : escaped(line)) {
+    if (c == '`') html += (code = !code) ? "<code>" : "</code>";
+    else html += c;
+  }
+  return html + (code ? "</code>" : "");
+}
+
 std::string paragraph(const std::string& text) {
   std::istringstream lines(text);
   std::string html;
@@ -39,7 +50,7 @@ std::string paragraph(const std::string& text) {
       html += now == In::words ? "<p>" : "<pre>";
       in = now;
     }
-    html += escaped(now == In::formula ? line.substr(4) : line);
+    html += now == In::formula ? escaped(line.substr(4)) : words_in_html(line);
   }
   end();
   return html;

@@ -122,7 +122,8 @@ struct TouchingBalls {
 };
 
 inline void draw_masses(Drawing& drawing, const Massesd& masses) {
-  drawing.notes.push_back("masses " + decimal(masses.first) + " and " + decimal(masses.second));
+  drawing.notes.push_back("masses " + decimal(masses.first) + " and " + decimal(masses.second) +
+                          "; the question has no places: balls of one size are drawn where they touch");
 }
 
 }  // namespace touchstone::catalogue

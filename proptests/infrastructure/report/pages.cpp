@@ -149,6 +149,7 @@ TEST_CASE("pages: an operation's page quotes its contract, formulas on lines of 
              ContainsSubstring("<p>Deck p. 16-17: E = (y - y0)(x1 - x0) - (x - x0)(y1 - y0); left where E &gt; 0"));
   CHECK(place_of(page, "<h2>Contract</h2>") < place_of(page, "<h2>How it fails"));
   CHECK(place_of(page, "How it fails") < place_of(page, "For comparison: a case where the formula is right"));
+  CHECK(paragraph("`none` if a < b") == "<p><code>none</code> if a &lt; b</p>");
   CHECK(paragraph("As\nsaid:\n    a < b\n    c\nand so on.") ==
         "<p>As\nsaid:</p><pre>a &lt; b\nc</pre><p>and so on.</p>");
   for (const Operation* operation : all_operations()) {
