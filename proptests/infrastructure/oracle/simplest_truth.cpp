@@ -18,11 +18,21 @@ std::vector<std::string> listed_operations() {
   return lines;
 }
 
+/// Not of the long lists: the second truth takes time that grows fast with their length. Meshes are no such lists.
+bool is_short(const nlohmann::json& input) {
+  if (!input.is_structured()) return true;
+  if (input.is_array() && input.size() > 16) return false;
+  for (const auto& [key, part] : input.items())
+    if (key != "vertices" && key != "faces" && !is_short(part)) return false;
+  return true;
+}
+
 }  // namespace
 
 TEST_CASE("truth: answers and margins are those of a slower and shorter program in fractions") {
   std::vector<std::string> lines;
-  for (const nlohmann::json& claim : drawn_claims("simplest truth", static_cast<std::uint64_t>(scaled(30)))) lines.push_back(claim.dump());
+  for (const nlohmann::json& claim : drawn_claims("simplest truth", static_cast<std::uint64_t>(scaled(30))))
+    if (is_short(claim.at("input"))) lines.push_back(claim.dump());
   REQUIRE(lines.size() > 2000);
   const LinesInFile claims("truths.jsonl", lines), operations("operations.jsonl", listed_operations());
   CHECK(python_finds_nothing(script + claims.path() + " " + operations.path()));
