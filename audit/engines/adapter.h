@@ -148,7 +148,8 @@ inline constexpr bool has_any_of<Engine, RowList<AllRows...>> =
 template <class Engine, class List>
 inline constexpr bool names_any_of = false;
 template <class Engine, class... AllRows>
-inline constexpr bool names_any_of<Engine, RowList<AllRows...>> = (names_operation<Engine, AllRows>() || ...);
+requires(!std::is_final_v<Engine>) inline constexpr bool names_any_of<Engine, RowList<AllRows...>> =
+    (names_operation<Engine, AllRows>() || ...);
 
 template <class Engine>
 Served served(Engine& engine) {
