@@ -23,6 +23,9 @@ struct Triangle3 {
 using Segment3d = Segment3<double>;
 using Triangle3d = Triangle3<double>;
 
+/// Of which dimension the common part of two triangles is.
+enum class TriangleTriangleRelation { none, point, segment, area };
+
 enum class SegmentTriangleRelation { none, point, segment };
 
 /// relation `point`: the one common point and its t on the segment, point = a + t (b - a) (0 on a segment of length

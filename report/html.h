@@ -25,10 +25,10 @@ struct ReportNotes {
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there:
 /// first all without maps, then, the worst operation first, each again with its map, and index.html at the end.
-/// Every page stands alone, nothing fetched: figures in space are drawn and turned, and maps walked over, by a script in
-/// the page. Without scripts such figures are told in words, and all else is seen. The same tally gives the same bytes,
-/// whatever the jobs, but for the versions in the last line, unless seconds limit the maps. With `engine` the failure
-/// maps show it too. Throws std::runtime_error naming the file that cannot be written.
+/// Every page stands alone, nothing fetched: figures in space are drawn and turned, and maps walked over, by a script
+/// in the page. Without scripts such figures are told in words, and all else is seen. The same tally gives the same
+/// bytes, whatever the jobs, but for the versions in the last line, unless seconds limit the maps. With `engine` the
+/// failure maps show it too. Throws std::runtime_error naming the file that cannot be written.
 void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr,
                   const ReportNotes& notes = {});
 

@@ -70,7 +70,8 @@ std::string boundary_word(Declaration::Boundary boundary) { return boundary_word
 std::string pairs_word(Declaration::Pairs pairs) { return pairs_words[static_cast<std::size_t>(pairs)]; }
 
 std::string why_never_asked(const Operation& implementation) {
-  return implementation.name() + ": a method of " + implementation.card().implementation_of + ", which engines are asked instead";
+  return implementation.name() + ": a method of " + implementation.card().implementation_of +
+         ", which engines are asked instead";
 }
 
 std::string greeting() {

@@ -73,8 +73,8 @@ Program any_program(Choices& c, const Draw& box, std::size_t bodies, std::size_t
   return p.program();
 }
 
-/// Bodies that are not there become some that are; without any, the command becomes a query. A program that asks nothing
-/// asks at its end.
+/// Bodies that are not there become some that are; without any, the command becomes a query. A program that asks
+/// nothing asks at its end.
 inline void repair_program(Program& program) {
   auto& [boxes, commands] = program;
   for (Aabb3d& box : boxes) put_in_order(box);

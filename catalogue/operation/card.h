@@ -17,8 +17,8 @@ enum class Kind {
   covering,  ///< nothing missing; what is too much is counted apart
 };
 
-/// A list of constants. With it a Card is a constant too, which needs no initialization at run time: there g++ and clang disagree on
-/// who stores the members that are constants, and a program may have rows of both.
+/// A list of constants. With it a Card is a constant too, which needs no initialization at run time: there g++ and
+/// clang disagree on who stores the members that are constants, and a program may have rows of both.
 template <class T, std::size_t most>
 class ShortList {
  public:

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/shape/described_shapes.h"
-#include "geometry/triangle_pairs.h"
+#include "geometry/triangles.h"
 
 namespace touchstone::catalogue {
 

@@ -2,7 +2,7 @@
 """How certify.py reads bodies and what they do, as check_bodies.cpp does."""
 
 from certify_reading import expect, list_of_two, number, only
-from certify_space import dot, list_of_three, point_in_space
+from certify_space import cross, dot, list_of_three, point_in_space
 
 
 def plus(p, q):
@@ -15,10 +15,6 @@ def minus(p, q):
 
 def times(t, p):
     return tuple(t * x for x in p)
-
-
-def cross(p, q):
-    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
 
 
 def bodies(value, what):

@@ -6,6 +6,7 @@ from math import lcm
 from certify_lines import cross, dot, minus
 from certify_reading import WRONG_KIND, expect, point
 from certify_rings import side
+from certify_space import cross as cross_in_space
 from certify_space import dot as dot_in_space
 from certify_space import point_in_space
 
@@ -59,10 +60,6 @@ def between(a, p, b):
 
 def minus_in_space(p, q):
     return p[0] - q[0], p[1] - q[1], p[2] - q[2]
-
-
-def cross_in_space(v, w):
-    return v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]
 
 
 def expect_polygon(points, ring):

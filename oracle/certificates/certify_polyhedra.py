@@ -5,7 +5,7 @@ from collections import Counter
 
 from certify_meshes import height, mesh, outward_planes
 from certify_reading import expect
-from certify_space import dot, point_in_space, triple
+from certify_space import cross, dot, point_in_space, triple
 
 
 def index(value, count):
@@ -47,10 +47,6 @@ def expect_even(faces, what):
             edge = f"the edge from vertex {a} to vertex {b}"
             even = times[frozenset((a, b))] % 2 == 0
             expect(even, f"{what}.faces[{i}]: closed: {edge} must be in an even number of faces")
-
-
-def cross(v, w):
-    return v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]
 
 
 def crossing(corners, direction):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of collision response: one function an operation, as in check_response.cpp."""
 
-from certify_bodies import (bodies, cross, minus, moving_body, normal, plus, restitution, rigid_body, times,
+from certify_bodies import (bodies, minus, moving_body, normal, plus, restitution, rigid_body, times,
                             two_bodies, velocity_at)
 from certify_reading import exact_value, expect, list_of_two, number, only
-from certify_space import dot, exact_triple, plane, point_in_space, triple
+from certify_space import cross, dot, exact_triple, plane, point_in_space, triple
 
 
 def check_reflect_wall(claim):

@@ -80,6 +80,10 @@ def dot(p, q):
     return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
 
 
+def cross(p, q):
+    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
+
+
 def named(claim, fact, points):
     """The points of a list that a fact names by their places."""
     places = claim.list(fact)

@@ -2,7 +2,7 @@
 """What certify.py checks of segments and triangles of space, as in check_triangles.cpp."""
 
 from certify_reading import expect, list_of_two
-from certify_space import dot, exact_triple, point_in_space, triple
+from certify_space import cross, dot, exact_triple, point_in_space, triple
 
 
 def points(value, what, count, in_words):
@@ -70,10 +70,6 @@ def check_segment_triangle(claim):
     ends = [exact_triple(end, f"truth.overlap[{i}]") for i, end in enumerate(overlap)]
     expect(ends == common, "truth: overlap is wrong")
     expect(not one_point, "certificate: a segment of length zero is one point")
-
-
-def cross(v, w):
-    return v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]
 
 
 def rank(displacements):

@@ -10,10 +10,6 @@ namespace touchstone::certify {
 
 inline Triple operator+(const Triple& p, const Triple& q) { return along(p, 1, q); }
 inline Triple operator*(const Rational& t, const Triple& p) { return along({0, 0, 0}, t, p); }
-inline Triple cross(const Triple& p, const Triple& q) {
-  return {Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z), Rational(p.x * q.y - p.y * q.x)};
-}
-
 /// Of a positive mass.
 struct Body {
   Rational mass;

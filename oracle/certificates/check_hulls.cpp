@@ -16,10 +16,6 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
-Triple cross(const Triple& v, const Triple& w) {
-  return {Rational(v.y * w.z - v.z * w.y), Rational(v.z * w.x - v.x * w.z), Rational(v.x * w.y - v.y * w.x)};
-}
-
 std::size_t place(const json& value, const std::string& what, std::size_t count) {
   expect(value.is_number_unsigned() && value.get<std::uint64_t>() < count, what + ": not an index");
   return value.get<std::size_t>();

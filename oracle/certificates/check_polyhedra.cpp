@@ -65,10 +65,6 @@ void expect_even(const Mesh& mesh, const std::string& what) {
   }
 }
 
-Triple cross(const Triple& v, const Triple& w) {
-  return {Rational(v.y * w.z - v.z * w.y), Rational(v.z * w.x - v.x * w.z), Rational(v.x * w.y - v.y * w.x)};
-}
-
 /// Where the ray along `direction` crosses a face, whose corners are given as the point sees them: at t > 0, or not at
 /// all. Its line misses every edge: it passes beside it, which the sign of a volume tells; or the edge lies on a line
 /// through the point, which is not between its ends, and the direction is another. So the face, whether it has an area

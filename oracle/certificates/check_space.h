@@ -21,6 +21,9 @@ inline Triple along(const Triple& from, const Rational& t, const Triple& step) {
   return {Rational(from.x + t * step.x), Rational(from.y + t * step.y), Rational(from.z + t * step.z)};
 }
 inline Rational dot(const Triple& p, const Triple& q) { return Rational(p.x * q.x + p.y * q.y + p.z * q.z); }
+inline Triple cross(const Triple& p, const Triple& q) {
+  return {Rational(p.y * q.z - p.z * q.y), Rational(p.z * q.x - p.x * q.z), Rational(p.x * q.y - p.y * q.x)};
+}
 
 /// The points p with normal . p + offset = 0.
 struct Plane {

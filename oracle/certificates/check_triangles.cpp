@@ -89,10 +89,6 @@ void check_segment_triangle(const Claim& claim) {
   expect(!one_point, "certificate: a segment of length zero is one point");
 }
 
-Triple cross(const Triple& v, const Triple& w) {
-  return {Rational(v.y * w.z - v.z * w.y), Rational(v.z * w.x - v.x * w.z), Rational(v.x * w.y - v.y * w.x)};
-}
-
 /// How many of the displacements are independent.
 std::size_t rank(const std::vector<Triple>& displacements) {
   std::vector<Triple> independent;

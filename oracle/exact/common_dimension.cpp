@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "oracle/exact/linear_program.h"
+#include "oracle/exact/whole_cloud.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -16,17 +17,15 @@ using Corners = std::vector<Point>;
 
 Corners corners_of(const Triangle3<Integer>& t) { return {t.a, t.b, t.c}; }
 
-bool is_zero(const Vector& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
-
 /// How many of the vectors are independent.
 int rank(const std::vector<Vector>& vectors) {
   Vector first{0, 0, 0}, normal{0, 0, 0};
   for (const Vector& v : vectors)
-    if (is_zero(first)) first = v;
-  if (is_zero(first)) return 0;
+    if (zero(first)) first = v;
+  if (zero(first)) return 0;
   for (const Vector& v : vectors)
-    if (is_zero(normal)) normal = cross(first, v);
-  if (is_zero(normal)) return 1;
+    if (zero(normal)) normal = cross(first, v);
+  if (zero(normal)) return 1;
   for (const Vector& v : vectors)
     if (sgn(dot(normal, v)) != 0) return 3;
   return 2;
@@ -144,7 +143,7 @@ std::vector<PointOfBoth> points_of_both(const Triangle3<Integer>& a, const Trian
     cost.resize(6);
     program.minimise(cost);
     const Vector there = way(first, whole_at(program, of_a));
-    if (found.size() == 1 ? is_zero(there) : is_zero(cross(along, there))) return;
+    if (found.size() == 1 ? zero(there) : zero(cross(along, there))) return;
     if (found.size() == 1) along = there;
     found.push_back(point_at(program));
   };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oracle/exact/linear_program.h"
+#include "oracle/exact/whole_cloud.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -33,7 +34,6 @@ void set_column(Program& program, int first_row, int variable, const Integer& x,
   program.set_coefficient(first_row + 2, variable, z);
 }
 
-bool is_zero(const Vector& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
 Integer square(const Vector& v) { return dot(v, v); }
 
 Rational squared_distance(const Point& p, const Segment& s) {
@@ -59,7 +59,7 @@ Rational squared_distance(const Segment& s, const Segment& r) {
 /// Where the foot of the perpendicular is in the triangle.
 std::optional<Rational> squared_height(const Point& p, const Triangle& t) {
   const Vector normal = cross(t.b - t.a, t.c - t.a);
-  if (is_zero(normal)) return std::nullopt;
+  if (zero(normal)) return std::nullopt;
   const auto beyond = [&](const Point& from, const Point& to) {
     return sgn(dot(cross(normal, to - from), p - from)) < 0;
   };
@@ -71,7 +71,7 @@ std::optional<Rational> squared_height(const Point& p, const Triangle& t) {
 }  // namespace
 
 WitnessPlane WitnessPlane::of(const Vector& normal, const Rational& offset) {
-  if (is_zero(normal)) return {normal, offset};
+  if (zero(normal)) return {normal, offset};
   const Integer factor = gcd(gcd(normal.x, normal.y), normal.z);
   return {{Integer(normal.x / factor), Integer(normal.y / factor), Integer(normal.z / factor)},
           Rational(offset / Rational(factor))};

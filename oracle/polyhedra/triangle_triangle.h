@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/triangle_pairs.h"
+#include "geometry/triangles.h"
 #include "oracle/truth.h"
 
 namespace touchstone::oracle {

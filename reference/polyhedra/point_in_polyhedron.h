@@ -16,11 +16,11 @@ namespace touchstone::reference {
 /// of a face, E = 0, is `boundary`. A face along the ray, all S = 0, is passed over.
 ///
 /// mesh, point: any unit of length, the same for both. The mesh is closed: every edge, a pair of vertices in whichever
-/// order, is in an even number of faces. That is all: faces may turn either way, lie twice in the list, be without area,
-/// cross or cover each other; there may be several parts, one within another, and vertices of no face. Inside is what a
-/// ray in general position leaves through an odd number of faces, so a shell within a shell is a hollow. The union of
-/// all faces is the boundary, also where it separates nothing (a face that is there twice, one without area: a segment
-/// or a point).
+/// order, is in an even number of faces. That is all: faces may turn either way, lie twice in the list, be without
+/// area, cross or cover each other; there may be several parts, one within another, and vertices of no face. Inside is
+/// what a ray in general position leaves through an odd number of faces, so a shell within a shell is a hollow. The
+/// union of all faces is the boundary, also where it separates nothing (a face that is there twice, one without area: a
+/// segment or a point).
 ///
 /// Degenerate: refused by robust and oracle with field and rule, the first that applies: NaN or infinity in the mesh
 /// (mesh.vertices[i][c], "finite number"), or in the point (point[c], "finite number"); a face that names no vertex

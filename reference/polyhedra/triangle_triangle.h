@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/triangle_pairs.h"
+#include "geometry/triangles.h"
 #include "reference/polyhedra/segment_triangle.h"
 
 namespace touchstone::reference {
@@ -12,8 +12,8 @@ namespace touchstone::reference {
 /// `none` where no edge meets the other triangle, `point` where all points that are found are equal, else `segment`.
 /// a, b: any unit of length, the same for both. Closed sets: edges and corners belong to them. `area`: a common part
 /// with an area. The points of the common part are not answered: that of an area is a polygon of up to six corners, for
-/// which the deck has no formula. Degenerate: a triangle without area is the segment or the point that its corners span.
-/// NaN or infinity: refused by robust and oracle (field, "finite number").
+/// which the deck has no formula. Degenerate: a triangle without area is the segment or the point that its corners
+/// span. NaN or infinity: refused by robust and oracle (field, "finite number").
 ///
 /// The slide has no case for what lies in one plane: triangles that overlap in an area, share an edge or touch in one
 /// plane are told by the edges that leave it, if any do, and `area` is never answered (cause: algorithm). So are

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/invalid_input.h"
-#include "geometry/triangle_pairs.h"
+#include "geometry/triangles.h"
 #include "robust/kernel/face_filter.h"
 #include "robust/kernel/staged.h"
 

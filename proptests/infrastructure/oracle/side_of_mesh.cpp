@@ -12,8 +12,8 @@
 #include "proptests/catch.h"
 #include "proptests/drawn.h"
 
-// CGAL as second opinion: by a ray and a tree of boxes, of surfaces without a rim, every edge in two faces that turn the
-// same way, that do not cross or touch themselves.
+// CGAL as second opinion: by a ray and a tree of boxes, of surfaces without a rim, every edge in two faces that turn
+// the same way, that do not cross or touch themselves.
 namespace touchstone::proptests {
 namespace {
 

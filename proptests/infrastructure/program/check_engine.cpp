@@ -36,7 +36,8 @@ for line in sys.stdin:
     if sys.argv[1] == "declines" or (sys.argv[1] == "in_space" and len(q["input"]["a"]["min"]) == 2):
         print(json.dumps({"id": q["id"], "unsupported": True}), flush=True)
         continue
-    said = True if sys.argv[1] == "in_space" else wirings[sys.argv[1]](orientation(**q["input"])) if q["op"] == "orientation" else True
+    asked = q["op"] == "orientation" and sys.argv[1] != "in_space"
+    said = wirings[sys.argv[1]](orientation(**q["input"])) if asked else True
     print(json.dumps({"id": q["id"], "answer": said}), flush=True)
 )";
 

@@ -116,7 +116,8 @@ TEST_CASE("program: an engine in float is asked about the floats nearest to the 
                          "\n";
   const char* const engine =
       R"(read greeting; echo '{"engine":"e","ops":["explicit_line"],"number":"binary32"}'; read question
-    case "$question" in *0.10000000149011612*) side=on;; *) side=above;; esac; echo "{\"id\":1,\"answer\":{\"side\":\"$side\"}}")";
+    case "$question" in *0.10000000149011612*) side=on;; *) side=above;; esac
+    echo "{\"id\":1,\"answer\":{\"side\":\"$side\"}}")";
   const Called call = called({"ask", "explicit_line", name.c_str(), "--engine", engine});
   std::filesystem::remove(name);
   INFO(call.err);

@@ -112,7 +112,7 @@ TEST_CASE("point_plane: rounding hides a side, and moves a point off the plane")
 }
 
 TEST_CASE("point_plane: normals so long or short that N . N leaves the range") {
-  example<Row>({{{0, 0x1p600, 0}, 0}, {0, 3, 0}}, {PlaneSide::front, 3}, "rounding");   // divided by infinity: 0
+  example<Row>({{{0, 0x1p600, 0}, 0}, {0, 3, 0}}, {PlaneSide::front, 3}, "rounding");  // divided by infinity: 0
   example<Row>({{{0, 0x1p-600, 0}, 0}, {0, 3, 0}}, {PlaneSide::front, 3}, "invalid");  // divided by 0
   example<Row>({{{0, tiny, 0}, tiny}, {0, 3, 0}}, {PlaneSide::front, 4}, "invalid");
   example<Row>({{{0, huge, 0}, -huge}, {0, -1, 0}}, {PlaneSide::back, -2}, "invalid");  // -infinity / infinity

@@ -133,7 +133,7 @@ TEST_CASE("swept_sphere_plane: huge, subnormal and negative zero") {
   worked({{{0, huge, 0}, 0}, {0, -huge, 0}, ground}, at(Rational(1)), 0);
   worked({{{0, 3 * tiny, 0}, tiny}, {0, -4 * tiny, 0}, ground}, at(Rational(1, 2)),
          Rational(2 * exact(tiny) * exact(tiny)));
-  worked({{{0, 3, 0}, 1}, {0, -4, 0}, {{0, tiny, 0}, 0}}, at(Rational(1, 2)), 2, "rounding");   // |N| is 0: 3 / 4
+  worked({{{0, 3, 0}, 1}, {0, -4, 0}, {{0, tiny, 0}, 0}}, at(Rational(1, 2)), 2, "rounding");  // |N| is 0: 3 / 4
   worked({{{0, 3, 0}, 1}, {0, -4, 0}, {{0, huge, 0}, 0}}, at(Rational(1, 2)), 2, "rounding");  // and infinite
   worked({{{-0.0, -0.0, 0}, -0.0}, {1, 1, 0}, {{-0.0, 1, 0}, -0.0}}, at(Rational(0)), 0);
   worked({{{0, 1, 0}, 0}, {0, -huge, 0}, ground}, at(Surd(Rational(1 / exact(huge)))), 1);  // t is subnormal
