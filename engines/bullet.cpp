@@ -64,6 +64,12 @@ struct Bullet {
     return first_contact(moving, {0, 0, 0}, velocity, resting, {0, 0, 0});
   }
 
+  bool triangle_triangle(const Triangle3<float>& a, const Triangle3<float>& b) {
+    btTriangleShape first(vector(a.a), vector(a.b), vector(a.c)), second(vector(b.a), vector(b.b), vector(b.c));
+    first.setMargin(0), second.setMargin(0);
+    return meet(first, {0, 0, 0}, second, {0, 0, 0});
+  }
+
   /// Documented: faces are planar n-gons; no word of flat input. They are cut into triangles from their first corner.
   ConvexHull convex_hull(const std::vector<Point3<float>>& points) {
     btConvexHullComputer hull;
@@ -130,6 +136,7 @@ struct Bullet {
   };
 
   static btVector3 vector(const Vector3<float>& v) { return {v.x, v.y, v.z}; }
+  static btVector3 vector(const Point3<float>& p) { return {p.x, p.y, p.z}; }
   static Vector3<float> back(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
   static btTransform at(const btVector3& p) { return btTransform(btQuaternion::getIdentity(), p); }
   static btTransform at(const Point3<float>& p) { return at(btVector3(p.x, p.y, p.z)); }

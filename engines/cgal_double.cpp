@@ -157,6 +157,38 @@ struct CgalDouble {
     return answer;
   }
 
+  std::optional<SegmentTriangle<double>> segment_triangle(const Segment3d& s, const Triangle3d& t) {
+    const Kernel::Segment_3 edge(point(s.a), point(s.b));
+    const Kernel::Triangle_3 face = triangle(t);
+    if (edge.is_degenerate() || face.is_degenerate()) return std::nullopt;
+    SegmentTriangle<double> answer{SegmentTriangleRelation::none, {}, {}, {}};
+    const auto common = CGAL::intersection(edge, face);
+    contradiction(CGAL::do_intersect(edge, face), common.has_value());
+    if (!common) return answer;
+    if (const auto* meeting = held<Spatial>(*common)) {
+      answer.relation = SegmentTriangleRelation::point;
+      answer.point = back(*meeting);
+    } else {
+      const auto& shared = *held<Kernel::Segment_3>(*common);
+      answer.relation = SegmentTriangleRelation::segment;
+      const bool forward = edge.to_vector() * shared.to_vector() > 0;
+      const Point3d p = back(shared.source()), q = back(shared.target());
+      answer.overlap = forward ? Segment3d{p, q} : Segment3d{q, p};
+    }
+    return answer;
+  }
+
+  std::optional<TriangleTriangleRelation> triangle_triangle(const Triangle3d& first, const Triangle3d& second) {
+    const Kernel::Triangle_3 a = triangle(first), b = triangle(second);
+    if (a.is_degenerate() || b.is_degenerate()) return std::nullopt;
+    const auto common = CGAL::intersection(a, b);
+    contradiction(CGAL::do_intersect(a, b), common.has_value());
+    if (!common) return TriangleTriangleRelation::none;
+    return held<Spatial>(*common)             ? TriangleTriangleRelation::point
+           : held<Kernel::Segment_3>(*common) ? TriangleTriangleRelation::segment
+                                              : TriangleTriangleRelation::area;
+  }
+
  private:
   static Point point(const Point2d& p) { return {p.x, p.y}; }
   static Point2d back(const Point& p) { return {p.x(), p.y()}; }
@@ -164,6 +196,8 @@ struct CgalDouble {
   static Kernel::Line_2 line(const Line2d& l) { return {point(l.p), point(l.q)}; }
 
   static Spatial point(const Point3d& p) { return {p.x, p.y, p.z}; }
+  static Point3d back(const Spatial& p) { return {p.x(), p.y(), p.z()}; }
+  static Kernel::Triangle_3 triangle(const Triangle3d& t) { return {point(t.a), point(t.b), point(t.c)}; }
   static std::vector<Point> points(const Polygon2d& polygon) {
     std::vector<Point> ring;
     for (const Point2d& p : polygon.vertices) ring.push_back(point(p));

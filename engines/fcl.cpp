@@ -2,6 +2,7 @@
 // FCL as peer: its narrow phase over doubles with libccd, and continuous collision by conservative advancement.
 #include <fcl/fcl.h>
 
+#include <array>
 #include <memory>
 #include <stdexcept>
 
@@ -59,6 +60,11 @@ struct Fcl {
     return first_contact(convex(a.vertices, a.faces), origin, end, convex(b.vertices, b.faces), origin, origin);
   }
 
+  /// As meshes of one triangle.
+  bool triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
+    return meet(soup({a.a, a.b, a.c}), at({0, 0, 0}), soup({b.a, b.b, b.c}), at({0, 0, 0}));
+  }
+
  private:
   /// Triangles of corners(), which need not be counter-clockwise: no function that is called here reads the faces.
   inline static const std::vector<Face> sides{{0, 1, 3}, {0, 3, 2}, {4, 6, 7}, {4, 7, 5}, {0, 4, 5}, {0, 5, 1},
@@ -80,6 +86,15 @@ struct Fcl {
     for (const Face& face : triangles)
       faces->insert(faces->end(), {3, static_cast<int>(face.a), static_cast<int>(face.b), static_cast<int>(face.c)});
     return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(triangles.size()), faces);
+  }
+
+  static Shape soup(const std::array<Point3d, 3>& corners) {
+    const auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
+    const auto corner = [&corners](std::size_t k) { return fcl::Vector3d(corners[k].x, corners[k].y, corners[k].z); };
+    mesh->beginModel();
+    mesh->addTriangle(corner(0), corner(1), corner(2));
+    mesh->endModel();
+    return mesh;
   }
 
   static bool meet(const Shape& a, const fcl::Transform3d& at_a, const Shape& b, const fcl::Transform3d& at_b) {

@@ -138,7 +138,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     options.engine = [&] {
       auto engine = pipe_engine(command.engine, command.timeout, &stopped, &notes);
       progress.leave_out(
-          [&](const Operation& o) { return o.card().is_implementation() || !engine->supports(o.name()); });
+          [&](const Operation& o) { return o.metadata().is_implementation() || !engine->supports(o.name()); });
       return engine;
     };
   }

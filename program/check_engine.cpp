@@ -22,7 +22,7 @@ std::string shown(const Json& value) { return excerpt(one_line(value), most_show
 bool is_wrong(Verdict verdict) { return is_finding(verdict) || verdict == Verdict::tolerance; }
 
 /// What the engine says to the easy questions of one operation.
-struct Wiring {
+struct Connection {
   struct Wrong {
     Json input, expected, got;
     Judgement judgement;
@@ -32,8 +32,8 @@ struct Wiring {
   std::map<std::string, std::string> said;  ///< truth's enumerator -> the answer's; empty where that differs
 };
 
-Wiring wiring_of(Engine& engine, const Operation& operation) {
-  Wiring wiring;
+Connection connection_of(Engine& engine, const Operation& operation) {
+  Connection connection;
   const std::vector<EasyQuestion> easy = easy_questions(operation, engine.declaration());
   std::vector<Question> questions;
   for (const EasyQuestion& one : easy) questions.push_back(one.question);
@@ -41,40 +41,40 @@ Wiring wiring_of(Engine& engine, const Operation& operation) {
   for (std::size_t i = 0; i < easy.size(); ++i) {
     const Examination& examination = *easy[i].examination;
     const Judgement judgement = judged(replies[i], examination, engine.declaration());
-    ++wiring.asked;
+    ++connection.asked;
     if (judgement.verdict == Verdict::unsupported) {
-      ++wiring.declined;
+      ++connection.declined;
       continue;
     }
     if (is_wrong(judgement.verdict)) {
-      wiring.wrong.push_back(
+      connection.wrong.push_back(
           {operation.print(easy[i].question), examination.rounded_truth(), kept(replies[i].answer), judgement});
     } else {
-      ++wiring.right;
+      ++connection.right;
     }
-    const auto [entry, is_new] = wiring.said.emplace(examination.outcome(), word_in(replies[i].answer));
+    const auto [entry, is_new] = connection.said.emplace(examination.outcome(), word_in(replies[i].answer));
     if (!is_new && entry->second != word_in(replies[i].answer)) entry->second.clear();
   }
-  return wiring;
+  return connection;
 }
 
 /// "left is said for right, right is said for left", where every answer is right but for names that are exchanged.
-std::string exchanged_names(const Wiring& wiring) {
+std::string exchanged_names(const Connection& connection) {
   std::string text;
-  for (const auto& [truth, said] : wiring.said) {
+  for (const auto& [truth, said] : connection.said) {
     if (said.empty() || said == "value") return "";
     if (said == truth) continue;
-    const auto back = wiring.said.find(said);
-    if (back == wiring.said.end() || back->second != truth) return "";
+    const auto back = connection.said.find(said);
+    if (back == connection.said.end() || back->second != truth) return "";
     text += (text.empty() ? "" : ", ") + said + " is said for " + truth;
   }
   return text;
 }
 
-std::string why(const Wiring& wiring) {
-  const Wiring::Wrong& first = wiring.wrong[0];
+std::string why(const Connection& connection) {
+  const Connection::Wrong& first = connection.wrong[0];
   if (!first.judgement.remark.empty()) return first.judgement.remark;
-  const std::string exchanged = exchanged_names(wiring);
+  const std::string exchanged = exchanged_names(connection);
   if (!exchanged.empty()) return exchanged + ": is the order of the arguments, or a sign, another one?";
   if (first.judgement.number) return "a number is off: " + off_in_words(first.judgement);
   if (first.judgement.verdict == Verdict::tolerance)
@@ -82,15 +82,15 @@ std::string why(const Wiring& wiring) {
   return "another answer than the definition gives, at small numbers and far from any touch";
 }
 
-void tell(const Operation& operation, const Wiring& wiring, std::ostream& out) {
-  out << fmt::format("{:<32} {} of {} right", operation.name(), wiring.right, wiring.asked);
-  if (wiring.declined > 0) out << fmt::format(", {} not supported", wiring.declined);
+void tell(const Operation& operation, const Connection& connection, std::ostream& out) {
+  out << fmt::format("{:<32} {} of {} right", operation.name(), connection.right, connection.asked);
+  if (connection.declined > 0) out << fmt::format(", {} not supported", connection.declined);
   out << '\n';
-  if (wiring.wrong.empty()) return;
-  const Wiring::Wrong& first = wiring.wrong[0];
+  if (connection.wrong.empty()) return;
+  const Connection::Wrong& first = connection.wrong[0];
   out << "  input     " << shown(first.input) << "\n  expected  " << shown(first.expected) << "\n  got       "
       << (first.got.is_null() ? "no answer" : shown(readable(first.got))) << "\n  why       "
-      << excerpt(why(wiring), most_shown) << '\n';
+      << excerpt(why(connection), most_shown) << '\n';
 }
 
 }  // namespace
@@ -100,7 +100,7 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
   PipeLimits limits;
   limits.timeout = command.timeout;
   limits.start_timeout = 2 * command.timeout;
-  limits.timeouts = 1;  // what is silent once is not wired up
+  limits.timeouts = 1;  // what is silent once is not connected
   limits.restarts_in_a_row = 2;
   PipeEngine engine(command.engine, limits, nullptr, &notes);
   const Declaration& declared = engine.declaration();
@@ -109,17 +109,17 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
       << decimal(declared.tolerance) << '\n';
   for (const Operation* operation : all_operations()) {
     if (!engine.supports(operation->name())) continue;
-    const Wiring wiring = wiring_of(engine, *operation);
-    tell(*operation, wiring, out);
+    const Connection connection = connection_of(engine, *operation);
+    tell(*operation, connection, out);
     ++operations;
-    wrong += wiring.wrong.empty() ? 0 : 1;
-    unchecked += wiring.declined == wiring.asked ? 1 : 0;
+    wrong += connection.wrong.empty() ? 0 : 1;
+    unchecked += connection.declined == connection.asked ? 1 : 0;
   }
   if (operations == 0)
     throw EngineError("engine " + declared.engine + ": it declares none of the operations" + notes.of_first_line());
   notes.tell(err);
-  out << (wrong == 0 ? fmt::format("wired up: {}\n", counted(operations - unchecked, "operation"))
-                     : fmt::format("not wired up: {} of {}\n", wrong, counted(operations, "operation")));
+  out << (wrong == 0 ? fmt::format("connected: {}\n", counted(operations - unchecked, "operation"))
+                     : fmt::format("not connected: {} of {}\n", wrong, counted(operations, "operation")));
   if (unchecked > 0)
     out << fmt::format("not checked: {}, of which no easy question is supported\n", counted(unchecked, "operation"));
   return wrong == 0 && unchecked == 0 ? nothing_found : findings;

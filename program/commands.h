@@ -93,7 +93,7 @@ int merge_command(const std::vector<std::string>& files, std::ostream& out, std:
 /// Of the operations named, with commas, or all.
 int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
                           std::ostream& out, std::ostream& err);
-/// A few easy questions to every operation of an engine: is it wired up rightly?
+/// A few easy questions to every operation of an engine: is it connected correctly?
 int check_engine_command(const CheckEngineCommand& command, std::ostream& out, std::ostream& err);
 int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);

@@ -22,8 +22,8 @@ class Questions {
   std::optional<Json> next() {
     for (std::uint64_t refused = 0; refused < most_refused; ++refused) {
       const std::uint64_t index = index_++;
-      Choices choices = case_choices(*operation_, family_, command_->seed, index);
-      Question question = operation_->draw(choices, family_);
+      DrawStream draws = case_choices(*operation_, family_, command_->seed, index);
+      Question question = operation_->draw(draws, family_);
       if (command_->binary32) question = operation_->in_binary32(question);
       if (command_->range == "ordinary" && range_of(question) != Range::ordinary) continue;
       try {

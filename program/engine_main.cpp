@@ -65,7 +65,7 @@ bool prints_no_table(int argc, const char* const* argv) {
 std::string operations_found(const Served& engine) {
   std::vector<std::string> found, not_found;
   for (const Operation* operation : all_operations()) {
-    if (operation->card().is_implementation()) continue;
+    if (operation->metadata().is_implementation()) continue;
     (engine.operations.count(operation->name()) != 0 ? found : not_found).push_back(operation->name());
   }
   const std::string all = std::to_string(found.size() + not_found.size());

@@ -42,8 +42,8 @@ std::string spelled_in_cpp(const T& value) {
 }
 
 template <class Row>
-InCpp in_cpp_of_row(const Operation& operation, const Question& tape, const Tape<double>& answer) {
-  const alternatives_t<typename Row::Question> question = unpacked<typename Row::Question>(tape);
+InCpp in_cpp_of_row(const Operation& operation, const Question& encoded, const EncodedValue<double>& answer) {
+  const alternatives_t<typename Row::Question> question = unpacked<typename Row::Question>(encoded);
   InCpp result;
   result.declaration = signature_texts<Row>()[question.index()].text;
   const std::string name = operation.name() + "(";
@@ -66,10 +66,10 @@ InCpp in_cpp_of_row(const Operation& operation, const Question& tape, const Tape
 
 }  // namespace
 
-InCpp in_cpp(const Operation& operation, const Question& question, const Tape<double>& answer) {
+InCpp in_cpp(const Operation& operation, const Question& question, const EncodedValue<double>& answer) {
   InCpp result;
   for_each_row([&]<class Row>() {
-    if (operation.name() == Row::card().name) result = in_cpp_of_row<Row>(operation, question, answer);
+    if (operation.name() == Row::metadata().name) result = in_cpp_of_row<Row>(operation, question, answer);
   });
   return result;
 }

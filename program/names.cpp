@@ -67,7 +67,7 @@ std::string text_of_file(const std::string& file, const std::string& option) {
 bool is_standard_output(const std::string& file) { return file == "-"; }
 
 void require_asked_of_engines(const std::vector<const Operation*>& operations) {
-  const auto is_implementation = [](const Operation* operation) { return operation->card().is_implementation(); };
+  const auto is_implementation = [](const Operation* operation) { return operation->metadata().is_implementation(); };
   if (std::all_of(operations.begin(), operations.end(), is_implementation))
     throw UsageError("--engine: " + why_never_asked(*operations.front()));
 }

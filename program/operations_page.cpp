@@ -51,7 +51,7 @@ std::string spaced(const Json& json) {
 template <class Row>
 void print_operation(const Operation& operation, std::ostream& out) {
   out << "\n### `" << operation.name() << "`\n\n"
-      << operation.card().question << " ([contract](../reference/" << operation.card().chapter << '/'
+      << operation.metadata().question << " ([contract](../reference/" << operation.metadata().chapter << '/'
       << operation.name() << ".h))\n\n```cpp\n";
   for (const Signature& signature : signature_texts<Row>()) {
     out << signature.text << ";";
@@ -77,14 +77,14 @@ int operations_page_command(std::ostream& out) {
   out << introduction;
   std::vector<std::string> chapters;
   for (const Operation* operation : all_operations()) {
-    const std::string chapter = operation->card().chapter;
+    const std::string chapter = operation->metadata().chapter;
     if (std::find(chapters.begin(), chapters.end(), chapter) == chapters.end()) chapters.push_back(chapter);
   }
   for (const std::string& chapter : chapters) {
     out << "\n## " << chapter << '\n';
     for_each_row([&]<class Row>() {
-      const Operation& operation = *find_operation(Row::card().name);
-      if (operation.card().chapter == chapter && !operation.card().is_implementation())
+      const Operation& operation = *find_operation(Row::metadata().name);
+      if (operation.metadata().chapter == chapter && !operation.metadata().is_implementation())
         print_operation<Row>(operation, out);
     });
   }

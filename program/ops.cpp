@@ -22,9 +22,9 @@ std::string joined(const FieldNames& words) {
 }
 
 /// "spheres | boxes"
-std::string all_fields(const Card& card) {
-  std::string text = joined(card.fields);
-  for (const auto& other : card.other_fields) text += " | " + joined(other);
+std::string all_fields(const Metadata& metadata) {
+  std::string text = joined(metadata.fields);
+  for (const auto& other : metadata.other_fields) text += " | " + joined(other);
   return text;
 }
 
@@ -44,8 +44,9 @@ void print(const std::vector<Line>& lines, std::ostream& out) {
 void print_table(std::ostream& out) {
   std::vector<Line> lines{{"operation", "chapter", "pages", "judged", "input", "question"}};
   for (const Operation* operation : all_operations()) {
-    const Card& card = operation->card();
-    lines.push_back({card.name, card.chapter, card.pages, kind_name(card.kind), all_fields(card), card.question});
+    const Metadata& metadata = operation->metadata();
+    lines.push_back({metadata.name, metadata.chapter, metadata.pages, kind_name(metadata.kind), all_fields(metadata),
+                     metadata.question});
   }
   print(lines, out);
 }
@@ -53,19 +54,19 @@ void print_table(std::ostream& out) {
 void print_json(std::ostream& out) {
   Json list = Json::array();
   for (const Operation* operation : all_operations()) {
-    const Card& card = operation->card();
+    const Metadata& metadata = operation->metadata();
     Json entry = Json::object();
-    entry["name"] = card.name;
-    entry["chapter"] = card.chapter;
-    entry["pages"] = card.pages;
-    entry["fields"] = card.fields;
-    if (!card.other_fields.empty()) entry["other_fields"] = card.other_fields;
+    entry["name"] = metadata.name;
+    entry["chapter"] = metadata.chapter;
+    entry["pages"] = metadata.pages;
+    entry["fields"] = metadata.fields;
+    if (!metadata.other_fields.empty()) entry["other_fields"] = metadata.other_fields;
     entry["input"] = operation->question_description();
-    if (card.is_implementation()) entry["implementation_of"] = card.implementation_of;
+    if (metadata.is_implementation()) entry["implementation_of"] = metadata.implementation_of;
     entry["words"] = operation->words();
-    entry["kind"] = kind_name(card.kind);
-    entry["cost"] = card.cost;
-    entry["question"] = card.question;
+    entry["kind"] = kind_name(metadata.kind);
+    entry["cost"] = metadata.cost;
+    entry["question"] = metadata.question;
     entry["answer"] = operation->answer_description();
     entry["families"] = operation->families();
     list.push_back(std::move(entry));

@@ -168,7 +168,7 @@ void add_audit(CLI::App& program, Action& action) {
 
 void add_check_engine(CLI::App& program, Action& action) {
   auto* command =
-      program.add_subcommand("check-engine", "Five easy questions an operation: is an engine wired up rightly?");
+      program.add_subcommand("check-engine", "Five easy questions an operation: is an engine connected correctly?");
   auto options = std::make_shared<CheckEngineCommand>();
   command->add_option("engine", options->engine, "Command of the engine (docs/engines.md)")
       ->required()

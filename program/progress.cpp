@@ -34,7 +34,7 @@ Progress::Progress(std::ostream& err, bool terminal, const std::vector<const Ope
 void Progress::share_out() {
   double whole = 0;
   for (Share& share : shares_) {
-    share.weight = static_cast<double>(share.operation->card().cost);
+    share.weight = static_cast<double>(share.operation->metadata().cost);
     share.before = whole;
     whole += share.weight;
   }

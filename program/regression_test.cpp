@@ -39,9 +39,9 @@ std::string literal(const Json& value, const Literals& literals) {
 }
 
 /// A right answer in doubles, as Examination::rounded_truth writes it.
-const Tape<double>& right_answer(const Examination& examination) {
-  const auto fault = examination.row().fault;
-  const bool nearest = fault == nullptr || fault(examination.question(), examination.nearest_truth()).empty();
+const EncodedValue<double>& right_answer(const Examination& examination) {
+  const auto defect = examination.row().defect;
+  const bool nearest = defect == nullptr || defect(examination.question(), examination.nearest_truth()).empty();
   return nearest ? examination.nearest_truth() : examination.robust_answer();
 }
 
@@ -53,7 +53,7 @@ std::string boundary_in_words(const Examination& examination) {
 }
 
 std::string comparison_in_words(const Examination& examination) {
-  const Kind kind = examination.operation().card().kind;
+  const Kind kind = examination.operation().metadata().kind;
   if (kind == Kind::checked)
     return "Many answers are right, and this is one of them: replace the comparison by the rule of the contract.";
   const bool numbers = !examination.nearest_truth().numbers.empty();
@@ -73,7 +73,7 @@ std::string comments(const Examination& examination, const Json& engine, const s
   const auto add = [&](const std::string& line) {
     if (!line.empty()) text += mark + " " + excerpt(line, most_of_a_comment) + "\n";
   };
-  add(operation.card().question);
+  add(operation.metadata().question);
   add("Exact: " + one_line(examination.truth()));
   add(boundary_in_words(examination));
   add(comparison_in_words(examination));
@@ -85,7 +85,7 @@ std::string comments(const Examination& examination, const Json& engine, const s
 
 /// The fields of a question as a function takes them by name; together where its alternatives have their own.
 std::string parameters(const Operation& operation, bool pytest) {
-  if (!operation.card().other_fields.empty()) return pytest ? "**question" : "...question";
+  if (!operation.metadata().other_fields.empty()) return pytest ? "**question" : "...question";
   const Json described = operation.question_description();
   std::string fields;
   for (const auto& [name, shape] : (described.is_array() ? described[0] : described).items()) {
@@ -113,7 +113,7 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
                                   "#include <catch2/catch.hpp>\n#endif\n"
                                 : "#include <gtest/gtest.h>\n") +
              "#include <touchstone/catalogue/shape/described_all.h>\n#include "
-             "<touchstone/catalogue/shape/tape.h>\n\n#include <limits>\n#include <stdexcept>\n\n"
+             "<touchstone/catalogue/shape/encoded.h>\n\n#include <limits>\n#include <stdexcept>\n\n"
              "using namespace touchstone;\n");
     text += once("\n" + cpp.declaration + " {\n  throw std::logic_error(\"" + to_be_written + "\");\n}\n");
     text += "\n" + comments(examination, engine, "//");
@@ -125,7 +125,7 @@ std::string RegressionTests::next(const Examination& examination, const Json& en
   const Literals& literals = pytest ? python : javascript;
   const Json input = json_of<double>(operation.question_shape(), examination.question(), marked);
   Json expected = json_of<double>(operation.answer_shape(), right_answer(examination), marked);
-  const std::string bare = operation.card().answer;
+  const std::string bare = operation.metadata().answer;
   if (!bare.empty()) expected = Json{{bare, expected}};
   const std::string fields = parameters(operation, pytest);
   if (pytest) {

@@ -35,6 +35,6 @@ struct InCpp {
   std::string call;         ///< "my_segment_segment(Segment2<double>{...}, ...)"
   std::string expected;     ///< "SegmentSegment<double>{SegmentRelation::point, ...}"
 };
-InCpp in_cpp(const Operation& operation, const Question& question, const Tape<double>& answer);
+InCpp in_cpp(const Operation& operation, const Question& question, const EncodedValue<double>& answer);
 
 }  // namespace touchstone::program

@@ -31,7 +31,7 @@ int vectors_write_command(const std::string& directory, const std::string& opera
   write_text(folder / "schema.json", vector_schema().dump(1) + "\n");
   for (const NamedFile& file : named_files()) write_text(folder / file.name, file.text);
   for (const Operation* operation : chosen) {
-    if (operation->card().is_implementation()) continue;  // the vectors of the operation itself serve
+    if (operation->metadata().is_implementation()) continue;  // the vectors of the operation itself serve
     const Vectors vectors = vectors_of(*operation, seed);
     std::string text;
     for (const std::string& line : vectors.lines) text += line + "\n";
@@ -40,7 +40,8 @@ int vectors_write_command(const std::string& directory, const std::string& opera
     write_text(folder / "schemas" / (operation->name() + ".json"), vector_schema(*operation).dump(1) + "\n");
     out << path.string() << ": " << vectors.lines.size() << " vectors";
     if (vectors.left_out > 0) {
-      out << ", " << vectors.left_out << " longer than " << operation->card().longest_vector << " characters left out";
+      out << ", " << vectors.left_out << " longer than " << operation->metadata().longest_vector
+          << " characters left out";
     }
     out << '\n';
   }

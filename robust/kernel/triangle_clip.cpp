@@ -36,6 +36,21 @@ void keep_without_area(Clipped& part, const Segment3<mpz_class>& s, const Triang
   }
 }
 
+/// Those of the edges of t in the other triangle.
+void add_ends(std::vector<HomogeneousPoint>& ends, const Triangle3<mpz_class>& t, const Triangle3<mpz_class>& other) {
+  for (const Segment3<mpz_class>& edge : {Segment3<mpz_class>{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
+    const Clipped part = clipped(edge, other);
+    if (part.empty) continue;
+    for (const Clipped::Parameter& end : {part.first, part.last}) {
+      const mpz_class &n = end.numerator, &d = end.denominator;
+      const mpz_class rest = d - n;
+      ends.push_back({{mpz_class(rest * edge.a.x + n * edge.b.x), mpz_class(rest * edge.a.y + n * edge.b.y),
+                       mpz_class(rest * edge.a.z + n * edge.b.z)},
+                      d});
+    }
+  }
+}
+
 }  // namespace
 
 void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
@@ -54,9 +69,20 @@ void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
 Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle) {
   Clipped part;
   const Vector normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  if (sgn(normal.x) == 0 && sgn(normal.y) == 0 && sgn(normal.z) == 0) keep_without_area(part, segment, triangle);
+  if (zero(normal)) keep_without_area(part, segment, triangle);
   else keep_triangle(part, segment, triangle, normal);
   return part;
+}
+
+Vector way(const HomogeneousPoint& p, const HomogeneousPoint& q) {
+  return {mpz_class(q.p.x * p.w - p.p.x * q.w), mpz_class(q.p.y * p.w - p.p.y * q.w),
+          mpz_class(q.p.z * p.w - p.p.z * q.w)};
+}
+
+std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a, const Triangle3<mpz_class>& b) {
+  std::vector<HomogeneousPoint> ends;
+  add_ends(ends, a, b), add_ends(ends, b, a);
+  return ends;
 }
 
 }  // namespace touchstone::robust::kernel

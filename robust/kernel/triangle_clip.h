@@ -3,6 +3,8 @@
 
 #include <gmpxx.h>
 
+#include <vector>
+
 #include "geometry/triangles.h"
 #include "robust/kernel/strict_math.h"
 
@@ -28,5 +30,20 @@ struct Clipped {
 
 /// The part of a segment in a triangle, which may have no area.
 Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle);
+
+/// p / w, w > 0.
+struct HomogeneousPoint {
+  Point3<mpz_class> p;
+  mpz_class w;
+};
+
+/// q - p, times a positive number.
+Vector3<mpz_class> way(const HomogeneousPoint& p, const HomogeneousPoint& q);
+inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
+
+/// The ends of the parts that the edges of each triangle have in the other. Every extreme point of the common part lies
+/// on an edge of one of the two: what is inside both, in one plane or not, lies between others. So the common part is
+/// the smallest convex set around these ends.
+std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a, const Triangle3<mpz_class>& b);
 
 }  // namespace touchstone::robust::kernel

@@ -4,48 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <vector>
 
-#include "geometry/closed_mesh.h"
+#include "geometry/validation.h"
+#include "robust/kernel/closed_mesh.h"
 #include "robust/kernel/face_side.h"
 #include "robust/kernel/ordered_bits.h"
 #include "robust/lines/orientation.h"
 
 namespace touchstone::robust {
 namespace {
-
-std::uint64_t edge(Index from, Index to) { return std::uint64_t{std::min(from, to)} << 32 | std::max(from, to); }
-
-std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
-
-/// In ascending order, each once.
-std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
-  std::vector<std::uint64_t> edges, odd;
-  edges.reserve(3 * mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    const auto ring = ring_of(face);
-    for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge(ring[k], ring[k + 1]));
-  }
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();) {
-    const auto last = std::find_if(first, edges.end(), [first](std::uint64_t other) { return other != *first; });
-    if ((last - first) % 2 != 0) odd.push_back(*first);
-    first = last;
-  }
-  return odd;
-}
-
-void validate_closed(const std::string& field, const Meshd& mesh) {
-  const auto odd = edges_of_odd_number(mesh);
-  if (odd.empty()) return;
-  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-    const auto ring = ring_of(mesh.faces[i]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (std::binary_search(odd.begin(), odd.end(), edge(ring[k], ring[k + 1])))
-        validation::refuse_odd_edge(field, i, ring[k], ring[k + 1]);
-    }
-  }
-}
 
 /// Coordinates to be compared, whatever the control word says.
 using Place = std::array<std::int64_t, 3>;
@@ -82,8 +49,8 @@ int moved(int turn, const Place& a, const Place& b) {
 
 enum class Meeting { none, crossed, held };
 
-/// Whether the ray to +x from the point, moved by (0, e, e^2), crosses a face, or whether the face holds the point as it
-/// is. Every line in y and z has the moved point on it for two e at most, so for all small e the ray's line meets no
+/// Whether the ray to +x from the point, moved by (0, e, e^2), crosses a face, or whether the face holds the point as
+/// it is. Every line in y and z has the moved point on it for two e at most, so for all small e the ray's line meets no
 /// edge, and crosses a face once or not at all: where the three turns agree. If no face holds the point, none comes
 /// between it and its moved place for small e, and they are inside or outside together.
 Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Place& at, Stage& latest) {
@@ -109,8 +76,12 @@ Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Pla
 }  // namespace
 
 Decided<Location> stages::point_in_polyhedron::ask(const Meshd& mesh, const Point3d& point) {
-  validation::validate_numbers("mesh", mesh), validation::validate("point", point);
-  validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh), validate_closed("mesh", mesh);
+  validation::validate_numbers("mesh", mesh), validation::validate("point", point),
+      kernel::validate_closed("mesh", mesh);
+  return of_valid(mesh, point);
+}
+
+Decided<Location> stages::point_in_polyhedron::of_valid(const Meshd& mesh, const Point3d& point) {
   Stage latest = Stage::filter;
   const Place at = place(point);
   bool odd = false;

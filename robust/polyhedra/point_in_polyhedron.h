@@ -14,8 +14,8 @@ namespace touchstone::robust {
 /// concave, of several parts, one within another, cross itself, have faces twice or without area, and faces may turn
 /// either way: inside is what a ray leaves through an odd number of faces. Every call makes sure that the mesh is
 /// closed, by sorting its edges; then it looks at each face once. Right for all finite doubles in every floating-point
-/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a mesh that is
-/// not closed (with the face and the edge). Contract: reference/polyhedra/point_in_polyhedron.h.
+/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a mesh that
+/// is not closed (with the face and the edge). Contract: reference/polyhedra/point_in_polyhedron.h.
 Location point_in_polyhedron(const Meshd& mesh, const Point3d& point);
 
 /// Each stage alone, for tests and other operations; no promise to users.
@@ -24,6 +24,7 @@ namespace stages {
 /// The latest stage that one of its decisions needed.
 struct point_in_polyhedron : Signatures<decltype(robust::point_in_polyhedron)> {
   static Staged ask;
+  static Staged of_valid;  ///< the same of a mesh and a point that were validated
 };
 
 }  // namespace stages

@@ -14,7 +14,8 @@ namespace touchstone::robust {
 namespace {
 
 using filters::Sign;
-using kernel::Clipped;
+using kernel::HomogeneousPoint;
+using kernel::zero;
 using Relation = TriangleTriangleRelation;
 using Plane = filters::FacePlane<double>;
 using Sides = std::array<Sign, 3>;
@@ -54,34 +55,6 @@ Question as_integers(const Triangle3d& a, const Triangle3d& b) {
   return {{point(0), point(3), point(6)}, {point(9), point(12), point(15)}};
 }
 
-/// A point in homogeneous coordinates, w > 0.
-struct Rational3 {
-  Point3<mpz_class> p;
-  mpz_class w;
-};
-
-/// q - p, times a positive number.
-Vector3<mpz_class> way(const Rational3& p, const Rational3& q) {
-  return {mpz_class(q.p.x * p.w - p.p.x * q.w), mpz_class(q.p.y * p.w - p.p.y * q.w),
-          mpz_class(q.p.z * p.w - p.p.z * q.w)};
-}
-bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y) == 0 && sgn(v.z) == 0; }
-
-/// The ends of the parts that the edges of t have in the other triangle.
-void add_ends(std::vector<Rational3>& ends, const Triangle3<mpz_class>& t, const Triangle3<mpz_class>& other) {
-  for (const Segment3<mpz_class>& edge : {Segment3<mpz_class>{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) {
-    const Clipped part = kernel::clipped(edge, other);
-    if (part.empty) continue;
-    for (const Clipped::Parameter& end : {part.first, part.last}) {
-      const mpz_class &n = end.numerator, &d = end.denominator;
-      const mpz_class rest = d - n;
-      ends.push_back({{mpz_class(rest * edge.a.x + n * edge.b.x), mpz_class(rest * edge.a.y + n * edge.b.y),
-                       mpz_class(rest * edge.a.z + n * edge.b.z)},
-                      d});
-    }
-  }
-}
-
 void validate(const Triangle3d& a, const Triangle3d& b) {
   using kernel::valid;
   if (valid(a.a) && valid(a.b) && valid(a.c) && valid(b.a) && valid(b.b) && valid(b.c)) return;
@@ -110,19 +83,16 @@ Perhaps<Relation> stages::triangle_triangle::filter(const Triangle3d& a, const T
   return Relation::segment;
 }
 
-/// Every extreme point of the common part lies on an edge of one of the two: what is inside both, in one plane or not,
-/// lies between others. So it is the smallest convex set around the ends of the parts that edges have in the other
-/// triangle, whose dimension is asked for.
+/// The dimension of the smallest convex set around the ends of the parts that edges have in the other triangle.
 Relation stages::triangle_triangle::exact(const Triangle3d& a, const Triangle3d& b) {
   const Question q = as_integers(a, b);
-  std::vector<Rational3> ends;
-  add_ends(ends, q.a, q.b), add_ends(ends, q.b, q.a);
+  const std::vector<HomogeneousPoint> ends = kernel::ends_of_common_part(q.a, q.b);
   if (ends.empty()) return Relation::none;
   Vector3<mpz_class> along{0, 0, 0};
-  for (const Rational3& end : ends)
+  for (const HomogeneousPoint& end : ends)
     if (zero(along)) along = way(ends.front(), end);
   if (zero(along)) return Relation::point;
-  for (const Rational3& end : ends)
+  for (const HomogeneousPoint& end : ends)
     if (!zero(cross(along, way(ends.front(), end)))) return Relation::area;
   return Relation::segment;
 }

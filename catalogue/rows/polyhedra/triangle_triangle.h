@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/triangle_choices.h"
+#include "catalogue/families/reported_triangles.h"
+#include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/triangle_triangle.h"
@@ -16,8 +17,8 @@ struct triangle_triangle {
   using Question = std::tuple<Triangle3d, Triangle3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "triangle_triangle",
         .chapter = "polyhedra",
         .pages = "54",
@@ -27,25 +28,25 @@ struct triangle_triangle {
         .answer = "relation",
         .margin_degree = 2,
         .cost = 17};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"crossing", crossing},
         {"small_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Triangle3d t = of(c, small_lattice_point);
            return {t, of(c, small_lattice_point)};
          }},
         {"coplanar",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            const Triangle3d t = plane.triangle(c);
            return {t, plane.triangle(c)};
          }},
         {"parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            const Triangle3d t = plane.triangle(c);
            const Vector3d off = lattice_normal(c);
@@ -53,13 +54,13 @@ struct triangle_triangle {
            return {t, {other.a + off, other.b + off, other.c + off}};
          }},
         {"common_corner",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c), b = lattice_point_in_space(c), d = lattice_point_in_space(c),
                          e = lattice_point_in_space(c);
            return {{p, b, d}, {e, lattice_point_in_space(c), p}};
          }},
         {"common_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Along one line; the edges may share all of it, a part, an end or nothing.
            const LatticePlane edge = LatticePlane::of(c);
            const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
@@ -68,7 +69,7 @@ struct triangle_triangle {
            return {{edge.at(i, 0), edge.at(j, 0), p}, {edge.at(k, 0), lattice_point_in_space(c), edge.at(l, 0)}};
          }},
         {"corner_on",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // On a face, an edge or a corner, or beside them in their plane.
            const LatticePlane plane = LatticePlane::of(c);
            const Triangle3d t = plane.triangle(c);
@@ -76,7 +77,7 @@ struct triangle_triangle {
            return {t, {q, p, lattice_point_in_space(c)}};
          }},
         {"edge_on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane cross = LatticePlane::of(c);
            const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
            const double l = small_integer(c, 3);
@@ -84,14 +85,14 @@ struct triangle_triangle {
            return {{cross.at(i, 0), cross.at(j, 0), p}, {cross.at(0, k), cross.at(0, l), lattice_point_in_space(c)}};
          }},
         {"no_area",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
            const Triangle3d t{plane.at(i, 0), plane.at(j, 0), plane.at(k, 0)};
            return {t, plane.triangle(c)};
          }},
         {"needles",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Thousands of millions long, a few units wide, across each other.
            const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
            const auto unit = [&c] { return small_integer(c, 3); };
@@ -101,39 +102,44 @@ struct triangle_triangle {
            return {t, {{cx, -length, cz}, {dx, length, 0}, {0, length, dz}}};
          }},
         {"corner_rounded_onto",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Triangle3d t = of(c, ordinary_point_in_space);
            const double i = ordinary(c), j = ordinary(c);
            const Point3d p = t.a + (i * (t.b - t.a) + j * (t.c - t.a)), q = ordinary_point_in_space(c);
            return {t, {p, q, ordinary_point_in_space(c)}};
          }},
         {"long_coplanar",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LongPlane plane = LongPlane::of(c);
-           const auto point = [&plane](Choices& choices) { return plane.point(choices); };
+           const auto point = [&plane](DrawStream& draws) { return plane.point(draws); };
            const Triangle3d t = of(c, point);
            return {t, of(c, point)};
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question question = crossing(c);
            auto& [a, b] = question;
            stretch(c, a.a, a.b, a.c, b.a, b.b, b.c);
            return question;
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Differences overflow, and products of what does not.
-           const auto point = [](Choices& choices) {
-             const auto number = [&choices] {
-               const double n = small_integer(choices, 1);
-               return std::ldexp(n, choices.below(2) == 1 ? 1023 : 0);
+           const auto point = [](DrawStream& draws) {
+             const auto number = [&draws] {
+               const double n = small_integer(draws, 1);
+               return std::ldexp(n, draws.below(2) == 1 ? 1023 : 0);
              };
              const double x = number(), y = number();
              return Point3d{x, y, number()};
            };
            const Triangle3d t = of(c, point);
            return {t, of(c, point)};
+         }},
+        {"reported",
+         [](DrawStream& c) -> Question {
+           const auto [a, b] = reported_triangles(c);
+           return {a, b};
          }},
     };
   }
@@ -163,13 +169,13 @@ struct triangle_triangle {
 
  private:
   template <class Draw>
-  static Triangle3d of(Choices& c, const Draw& point) {
+  static Triangle3d of(DrawStream& c, const Draw& point) {
     const Point3d a = point(c), b = point(c);
     return {a, b, point(c)};
   }
 
   /// Triangles around one point, or beside it, in two planes.
-  static Question crossing(Choices& c) {
+  static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c), other = LatticePlane::of(c);
     const Triangle3d t = plane.triangle(c);
     return {t, LatticePlane{plane.origin, other.u, other.v}.triangle(c)};

@@ -11,8 +11,8 @@
 namespace touchstone::proptests::check_engine_tests {
 namespace {
 
-/// Answers orientation and segment_segment rightly, or wired up as its argument says.
-const char* const wired = R"(import json, sys
+/// Answers orientation and segment_segment rightly, or connected as its argument says.
+const char* const connected = R"(import json, sys
 
 def cross(p, q, r):
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
@@ -21,7 +21,7 @@ def orientation(p0, p1, p):
     s = cross(p0, p1, p)
     return "left" if s > 0 else "right" if s < 0 else "on"
 
-wirings = {
+connections = {
     "rightly": lambda side: {"side": side},
     "sign": lambda side: {"side": {"left": "right", "right": "left", "on": "on"}[side]},
     "field": lambda side: {"sid": side},
@@ -30,14 +30,14 @@ wirings = {
     "always": lambda side: {"side": "left"},
 }
 sys.stdin.readline()
-print(json.dumps({"engine": "wired 1", "ops": sys.argv[2].split(","), "boundary": "closed"}), flush=True)
+print(json.dumps({"engine": "small 1", "ops": sys.argv[2].split(","), "boundary": "closed"}), flush=True)
 for line in sys.stdin:
     q = json.loads(line, parse_int=float)
     if sys.argv[1] == "declines" or (sys.argv[1] == "in_space" and len(q["input"]["a"]["min"]) == 2):
         print(json.dumps({"id": q["id"], "unsupported": True}), flush=True)
         continue
     asked = q["op"] == "orientation" and sys.argv[1] != "in_space"
-    said = wirings[sys.argv[1]](orientation(**q["input"])) if asked else True
+    said = connections[sys.argv[1]](orientation(**q["input"])) if asked else True
     print(json.dumps({"id": q["id"], "answer": said}), flush=True)
 )";
 
@@ -56,28 +56,28 @@ double signed_volume(const std::vector<double>& numbers, const std::vector<Word>
   return sum;
 }
 
-Called checked(const std::string& wiring, const std::string& operations = "orientation") {
-  const TextFile engine("wired.py", wired);
-  const std::string command = std::string("python3 ") + engine.path() + " " + wiring + " " + operations;
+Called checked(const std::string& connection, const std::string& operations = "orientation") {
+  const TextFile engine("connected.py", connected);
+  const std::string command = std::string("python3 ") + engine.path() + " " + connection + " " + operations;
   return called({"check-engine", "--timeout", "60", command.c_str()});
 }
 
 }  // namespace
 
-TEST_CASE("check-engine: an engine that is wired up rightly passes") {
+TEST_CASE("check-engine: an engine that is connected correctly passes") {
   const Called call = checked("rightly");
   INFO(call.out << call.err);
   CHECK(call.code == nothing_found);
-  CHECK_THAT(call.out, StartsWith("wired 1 (binary64), boundary closed, tolerance 0\n") &&
-                           ContainsSubstring("5 of 5 right") && ContainsSubstring("wired up: 1 operation\n"));
+  CHECK_THAT(call.out, StartsWith("small 1 (binary64), boundary closed, tolerance 0\n") &&
+                           ContainsSubstring("5 of 5 right") && ContainsSubstring("connected: 1 operation\n"));
   CHECK(call.err.empty());
 }
 
-TEST_CASE("check-engine: an operation of which no easy question is supported is not called wired up") {
+TEST_CASE("check-engine: an operation of which no easy question is supported is not called connected") {
   const Called call = checked("declines");
   CHECK(call.code == findings);
   CHECK_THAT(call.out,
-             ContainsSubstring("wired up: 0 operations\nnot checked: 1 operation, of which no easy question"));
+             ContainsSubstring("connected: 0 operations\nnot checked: 1 operation, of which no easy question"));
 }
 
 TEST_CASE("check-engine: boxes in the plane are asked, and boxes in space") {
@@ -86,12 +86,12 @@ TEST_CASE("check-engine: boxes in the plane are asked, and boxes in space") {
   CHECK_THAT(call.out, ContainsSubstring(" not supported\n") && !ContainsSubstring("5 not supported\n"));
 }
 
-TEST_CASE("check-engine: what is wired up wrongly is said as expectation and fact") {
-  const auto require_told = [](const std::string& wiring, const std::string& words) {
-    const Called call = checked(wiring);
+TEST_CASE("check-engine: what is connected wrongly is said as expectation and fact") {
+  const auto require_told = [](const std::string& connection, const std::string& words) {
+    const Called call = checked(connection);
     INFO(call.out << call.err);
     CHECK(call.code == findings);
-    CHECK_THAT(call.out, ContainsSubstring(words) && ContainsSubstring("not wired up: 1 of 1 operation\n"));
+    CHECK_THAT(call.out, ContainsSubstring(words) && ContainsSubstring("not connected: 1 of 1 operation\n"));
   };
   require_told("field", "answer.sid: no such field (did you mean \"side\"?); expected side\n");
   require_told("word", "answer.side: expected one of left, on, right, got \"");
@@ -105,7 +105,7 @@ TEST_CASE("check-engine: every operation is told apart, and a name misspelt is t
   const Called call = checked("rightly", "orientation,segment_segment,ray_segmnt");
   INFO(call.out << call.err);
   CHECK(call.code == findings);  // the truth is not always that segments meet
-  CHECK_THAT(call.out, ContainsSubstring("not wired up: 1 of 2 operations\n"));
+  CHECK_THAT(call.out, ContainsSubstring("not connected: 1 of 2 operations\n"));
   CHECK_THAT(call.err, ContainsSubstring("ray_segmnt: no operation of the catalogue (did you mean \"ray_segment\"?)"));
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("check-engine: a method of an operation is not offered, and an engine 
   for (const Operation* operation : all_operations()) {
     INFO(operation->name());
     CHECK(std::count(offered.begin(), offered.end(), operation->name()) ==
-          (operation->card().is_implementation() ? 0 : 1));
+          (operation->metadata().is_implementation() ? 0 : 1));
   }
   const std::string alone = "echo '{\"engine\":\"e\",\"ops\":[\"" + method + "\"]}'; cat";
   const std::string none = "it declares none of the operations";
@@ -138,7 +138,7 @@ TEST_CASE("check-engine: a method of an operation is not offered, and an engine 
 
 TEST_CASE("check-engine: every operation has five easy questions, or as many as it has, and robust answers them") {
   for (const Operation* operation : all_operations()) {
-    if (operation->card().is_implementation()) continue;
+    if (operation->metadata().is_implementation()) continue;
     const auto easy = easy_questions(*operation);
     INFO(operation->name());
     CHECK(easy.size() == 5);

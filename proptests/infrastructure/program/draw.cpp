@@ -52,7 +52,7 @@ TEST_CASE("draw: beside the truth stands what its numbers round to; there is a m
 
 TEST_CASE("draw: what is outside the contract is not printed, and does not count") {
   for (const Operation* operation : {find_operation("interior_angles"), find_operation("point_in_convex_polyhedron")}) {
-    const auto lines = drawn({operation->card().name, "--families", "any_bits,grid", "--cases", "40"});
+    const auto lines = drawn({operation->metadata().name, "--families", "any_bits,grid", "--cases", "40"});
     CHECK(lines.size() == 40);
   }
 }

@@ -27,7 +27,7 @@ struct Told {
 }  // namespace
 
 TEST_CASE("progress: a log gets a line every ten seconds, with the whole and the time left") {
-  REQUIRE(operations()[2]->card().cost == 3);
+  REQUIRE(operations()[2]->metadata().cost == 3);
   Told told;
   told.progress("orientation", 500);
   told.now += milliseconds(9'999);

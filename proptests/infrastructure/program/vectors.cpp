@@ -90,7 +90,7 @@ TEST_CASE("vectors: a refusal of another field or rule, or of what is valid, is 
 
 TEST_CASE("vectors: every operation has a vector for each of its numbers that is not finite") {
   for (const Operation* operation : all_operations()) {
-    if (operation->card().is_implementation()) continue;
+    if (operation->metadata().is_implementation()) continue;
     std::set<std::string> fields;
     for (const Line& line : stored(operation->name())) {
       if (line["family"] != "not_finite") continue;

@@ -88,7 +88,7 @@ TEST_CASE("with engine: an answer that is none costs a verdict, whatever the ope
   INFO(checked.out << checked.err);
   CHECK(checked.code == findings);
   CHECK_THAT(checked.out,
-             ContainsSubstring("not wired up: 3 of 3 operations\n") &&
+             ContainsSubstring("not connected: 3 of 3 operations\n") &&
                  ContainsSubstring(R"(answer: expected an object like {"aabb":{"min":[0,0],"max":[0,0]}}, got 0.5)"));
   const Called audited = called({"audit", "--ops", "kinetic_energy,momentum,aabb_of_points", "--cases", "20",
                                  "--timeout", "60", "--json", "-", "--engine", command.c_str()});

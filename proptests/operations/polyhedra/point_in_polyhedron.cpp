@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "catalogue/families/cube_surface.h"
+#include "proptests/solids.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 
@@ -11,53 +11,9 @@ namespace touchstone::proptests::point_in_polyhedron_tests {
 namespace {
 
 using Row = rows::point_in_polyhedron;
-using catalogue::cube_surface;
+using namespace solids;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
-
-/// [0, 12]^3, and three of these at an angle, nine but the one in the middle, 27 but the one in the middle; two that
-/// share an edge, and two a corner.
-const Meshd cube = cube_surface({{0, 0, 0}}), angle = cube_surface({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
-            edge_to_edge = cube_surface({{0, 0, 0}, {1, 1, 0}}),
-            corner_to_corner = cube_surface({{0, 0, 0}, {1, 1, 1}});
-Meshd but_the_middle(long height) {
-  std::vector<catalogue::Whole> cells;
-  for (long i = 0; i < 9 * height; ++i) {
-    if (i != 9 * height / 2) cells.push_back({i % 3, i / 3 % 3, i / 9});
-  }
-  return cube_surface(cells);
-}
-const Meshd ring = but_the_middle(1), hollow = but_the_middle(3);
-const Meshd octahedron{{{12, 0, 0}, {-12, 0, 0}, {0, 12, 0}, {0, -12, 0}, {0, 0, 12}, {0, 0, -12}},
-                       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
-
-template <class Change>
-Meshd with_each_face(Meshd mesh, const Change& change) {
-  std::for_each(mesh.faces.begin(), mesh.faces.end(), change);
-  return mesh;
-}
-
-Meshd mapped(Meshd mesh, double factor, double shift = 0) {
-  for (Point3d& p : mesh.vertices) p = {factor * p.x + shift, factor * p.y + shift, factor * p.z + shift};
-  return mesh;
-}
-
-/// Two meshes as one list of vertices and one of faces.
-Meshd together(Meshd mesh, const Meshd& other) {
-  const auto shift = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
-  return mesh;
-}
-
-Meshd with_faces(Meshd mesh, const std::vector<Face>& more) {
-  mesh.faces.insert(mesh.faces.end(), more.begin(), more.end());
-  return mesh;
-}
-Meshd with_vertex(Meshd mesh, const Point3d& p) {
-  mesh.vertices.push_back(p);
-  return mesh;
-}
 
 constexpr Worked<Row> worked;
 

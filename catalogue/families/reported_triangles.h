@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <utility>
+
+#include "catalogue/families/draw_stream.h"
+#include "geometry/triangles.h"
+
+namespace touchstone::catalogue {
+
+/// Pairs of triangles that a library was reported to be wrong about, with the numbers of the report.
+inline std::pair<Triangle3d, Triangle3d> reported_triangles(DrawStream& draws) {
+  // github.com/libigl/libigl/issues/2381: triangles of one that was subdivided twice, "5 self-intersecting pairs".
+  static constexpr std::array<Point3d, 6> v{{{0.33890101313590998, 0.78804200887680098, 0.48812699317932101},
+                                             {0.31805300712585399, 0.76836401224136397, 0.49308800697326699},
+                                             {0.32418551295995701, 0.79794725775718722, 0.48203899711370451},
+                                             {0.33368901163339598, 0.78312250971794173, 0.48936724662780751},
+                                             {0.30854950845241502, 0.78318876028060946, 0.485759757459164},
+                                             {0.32326500862836799, 0.77328351140022322, 0.4918477535247805}}};
+  // .../2382: 0.003 apart, and said to meet.
+  static constexpr std::array<Point3d, 6> w{{{0.39234799146652199, 0.38443601131439198, 0.44744500517845198},
+                                             {0.38924700021743752, 0.385637506842613, 0.45762349665164948},
+                                             {0.38700349628925301, 0.38789276033639897, 0.45634675025939975},
+                                             {0.39079749584197976, 0.38503675907850249, 0.45253425091505073},
+                                             {0.38769650459289529, 0.38623825460672351, 0.46271274238824822},
+                                             {0.39279749989509577, 0.37299175560474374, 0.45553924888372399}}};
+  static const std::pair<Triangle3d, Triangle3d> pairs[]{
+      {{v[1], v[5], v[4]}, {v[0], v[2], v[3]}},
+      {{w[0], w[3], w[2]}, {w[1], w[5], w[4]}},
+      // github.com/CGAL/cgal/issues/9486: two coincident faces, which do not "self-intersect".
+      {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}}},
+      // github.com/llnl/axom/issues/152: a common corner, missed in 6 of 36 orders of the corners.
+      {{{76.648, 54.6752, 15.0012}, {76.648, 54.6752, 14.5542}, {76.582, 54.6752, 14.7879}},
+       {{76.6252, 54.6752, 14.892}, {76.582, 54.6752, 14.7879}, {76.5617, 54.6752, 14.7929}}},
+      // github.com/benardp/contours/issues/1: apart, and said to meet.
+      {{{12.3015, -0.253368, 5.49101}, {18.6765, -2.55337, 4.91756}, {12.3015, -2.55337, 4.91756}},
+       {{-11.9885, -0.253368, 5.49101}, {1.61448, -0.253368, 5.49101}, {1.61448, -2.55337, 4.91756}}},
+      // github.com/BrunoLevy/geogram/issues/10: an assertion.
+      {{{1898.68, 775, 1158.48}, {2000, 775, 1166.7}, {1898.68, 675, 1148.6}},
+       {{1966.41, 675, 1163.79}, {1971.63, 675, 1166.95}, {1967.56, 684.554, 1166.67}}}};
+  return pairs[draws.below(std::size(pairs))];
+}
+
+}  // namespace touchstone::catalogue

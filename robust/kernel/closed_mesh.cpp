@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/closed_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/closed_mesh.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+std::uint64_t edge(Index from, Index to) { return std::uint64_t{std::min(from, to)} << 32 | std::max(from, to); }
+
+std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
+
+/// In ascending order, each once.
+std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
+  std::vector<std::uint64_t> edges, odd;
+  edges.reserve(3 * mesh.faces.size());
+  for (const Face& face : mesh.faces) {
+    const auto ring = ring_of(face);
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge(ring[k], ring[k + 1]));
+  }
+  std::sort(edges.begin(), edges.end());
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last = std::find_if(first, edges.end(), [first](std::uint64_t other) { return other != *first; });
+    if ((last - first) % 2 != 0) odd.push_back(*first);
+    first = last;
+  }
+  return odd;
+}
+
+}  // namespace
+
+void validate_closed(const std::string& field, const Meshd& mesh) {
+  validation::validate_indices(field, mesh), validation::validate_triangles(field, mesh);
+  const auto odd = edges_of_odd_number(mesh);
+  if (odd.empty()) return;
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const auto ring = ring_of(mesh.faces[i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::binary_search(odd.begin(), odd.end(), edge(ring[k], ring[k + 1])))
+        validation::refuse_odd_edge(field, i, ring[k], ring[k + 1]);
+    }
+  }
+}
+
+}  // namespace touchstone::robust::kernel
