@@ -74,8 +74,8 @@ class Worker {
   void prepare(std::uint64_t i, std::vector<Pending>& pending) {
     const std::size_t family = i % families_.size();
     const std::uint64_t index = i / families_.size();
-    Choices choices = case_choices(operation_, families_[family], options_.seed, index);
-    Question question = operation_.draw(choices, families_[family]);
+    DrawStream draws = case_choices(operation_, families_[family], options_.seed, index);
+    Question question = operation_.draw(draws, families_[family]);
     if (engine_ != nullptr) question = fitted(operation_, question, engine_->declaration());
     if (options_.ordinary_only && range_of(question, options_.limits) == Range::extreme) {
       ++asked_[family].left_out, ++robust_[family].left_out;
@@ -109,7 +109,7 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
   if (std::any_of(options.operations.begin(), options.operations.end(), has)) return;
   std::string asked;
   for (const Operation* operation : options.operations) {
-    if (!operation->card().is_implementation()) asked += (asked.empty() ? "" : ", ") + operation->name();
+    if (!operation->metadata().is_implementation()) asked += (asked.empty() ? "" : ", ") + operation->name();
   }
   throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
 }
@@ -139,7 +139,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   tally.limits = options.limits;
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
-    if (families.empty() || (options.engine && operation->card().is_implementation())) continue;
+    if (families.empty() || (options.engine && operation->metadata().is_implementation())) continue;
     if (options.engine && !engines[0]->supports(operation->name())) {
       tally.undeclared.push_back(operation->name());
       continue;

@@ -21,7 +21,7 @@ bool is_short(double number) { return std::fabs(number) < 1024 && number * 8 == 
 bool is_easy(const Examination& examination, bool binary32) {
   if (examination.touch()) return false;
   if (examination.margin() && *examination.margin() < mpq_class(1, 8)) return false;
-  return examination.judge_reference(binary32).verdict == Verdict::agree && !examination.doubtful(binary32);
+  return examination.judge_reference(binary32).verdict == Verdict::agree && !examination.inconclusive(binary32);
 }
 
 /// Where questions are looked for, in this order, until there are enough.
@@ -45,8 +45,8 @@ class Examples {
     for (std::uint64_t i = 0; i < source.draws && !enough(); ++i) {
       for (std::size_t family = 0; family < operation_.families().size(); ++family) {
         if (source.generic && operation_.families()[family] != "random") continue;
-        Choices choices = case_choices(operation_, family, 1, i);
-        Question question = operation_.draw(choices, family);
+        DrawStream draws = case_choices(operation_, family, 1, i);
+        Question question = operation_.draw(draws, family);
         for (double& number : question.numbers) {
           if (source.generic) number = std::rint(number * 64) / 4;  // drawn between -1 and 1
         }

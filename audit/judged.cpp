@@ -61,10 +61,10 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   counted.example = std::move(found);
 }
 
-Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
-                     bool record) {
+DrawStream case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                        bool record) {
   const std::string stream = operation.name() + "/" + operation.families()[family];
-  return Choices::seeded(seed_of(seed, stream.c_str(), index), record);
+  return DrawStream::seeded(seed_of(seed, stream.c_str(), index), record);
 }
 
 }  // namespace touchstone::audit

@@ -29,8 +29,8 @@ Way way_of(const Judgement& judgement, const std::string& truth);
 /// Our reference in double, as if it were somebody's engine.
 const Declaration& reference_declaration();
 
-/// The choices that give case `index` of a family.
-Choices case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
-                     bool record = false);
+/// The draws that give case `index` of a family.
+DrawStream case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                        bool record = false);
 
 }  // namespace touchstone::audit

@@ -21,13 +21,12 @@ inline constexpr std::size_t most_bytes_of_a_mesh = std::size_t{256} << 20;
 /// are cut into a fan from their first corner. STL has no vertices but only corners: those with equal coordinates
 /// become one vertex, in order of appearance. Normals, colours, materials, groups and other elements are passed over,
 /// lines and points too; a line of OBJ that begins with another word is refused, curved surfaces with it. A text may
-/// begin with the byte order mark of UTF-8. All vertices are finite and all indices those of vertices; nothing else is promised of the
-/// mesh: which meshes an operation takes is its own affair.
+/// begin with the byte order mark of UTF-8. All vertices are finite and all indices those of vertices; nothing else is
+/// promised of the mesh: which meshes an operation takes is its own affair.
 ///
 /// Throws InvalidInput, the field being the file and where in it ("cube.obj:12", for binary "cube.stl: byte 84"), where
-/// the file cannot be read, is no regular file (a device, a pipe), is too large, breaks a rule of its format or ends too
-/// early. No count in a file is taken on trust: memory
-/// is in proportion to the file's size.
+/// the file cannot be read, is no regular file (a device, a pipe), is too large, breaks a rule of its format or ends
+/// too early. No count in a file is taken on trust: memory is in proportion to the file's size.
 Meshd read_mesh(const std::string& path);
 
 /// The same of the bytes of a file of that name.

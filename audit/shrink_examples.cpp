@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t most_read_to_shrink = 1 << 20;
 constexpr std::size_t most_families = 4;
 
-/// One example, and the streams of choices around it.
+/// One example, and the draw streams around it.
 class Shrinker {
  public:
   Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way)
@@ -28,17 +28,17 @@ class Shrinker {
   /// `smaller`: otherwise only the answer is put beside the question as it was drawn.
   void shrink(Finding& example, bool smaller) {
     if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
-    Choices choices = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
-    shrinking_.operation.draw(choices, family_);
+    DrawStream draws = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
+    shrinking_.operation.draw(draws, family_);
     const auto still_shown = [&](const std::vector<std::uint8_t>& candidate) {
       if (read_ >= most_read_to_shrink || shrinking_.limit.over()) return false;
       const std::optional<Finding> found = look(candidate, example.index);
       return found && found->range <= example.range && found->generic >= example.generic;
     };
-    const std::vector<std::uint8_t> bytes = shrunk(choices.recorded(), still_shown, smaller ? budget() : 0);
+    const std::vector<std::uint8_t> bytes = shrunk(draws.recorded(), still_shown, smaller ? budget() : 0);
     std::optional<Finding> least = look(bytes, example.index);
     // Only to have the answer beside the question as it was drawn.
-    if (!least || shown_before(example, *least)) least = look(choices.recorded(), example.index);
+    if (!least || shown_before(example, *least)) least = look(draws.recorded(), example.index);
     if (least) example = *std::move(least);
   }
 
@@ -48,11 +48,11 @@ class Shrinker {
     return slow ? 20 : shrinking_.engine != nullptr ? 300 : 2000;
   }
 
-  /// The question of these choices, where it is answered in the same way.
+  /// The question of these draws, where it is answered in the same way.
   std::optional<Finding> look(const std::vector<std::uint8_t>& bytes, std::uint64_t index) {
     const Operation& operation = shrinking_.operation;
     Engine* const engine = shrinking_.engine;
-    Choices replay = Choices::replayed(bytes);
+    DrawStream replay = DrawStream::replayed(bytes);
     Question question = operation.draw(replay, family_);
     if (engine != nullptr) question = fitted(operation, question, engine->declaration());
     Finding found{std::move(question), {}, nullptr, index};

@@ -22,10 +22,10 @@ struct Shrinking {
   int jobs = 1;
 };
 
-/// Makes the examples of an operation smaller on their streams of choices. An example keeps its family and its way of
+/// Makes the examples of an operation smaller on their draw streams. An example keeps its family and its way of
 /// answering, and stays as ordinary and as generic as it was. Of each way those of the four families with the best
-/// examples are made smaller, and the others stay as drawn; what is shown of a way comes from these. `families`: the number of each family of the
-/// tally within the operation. The same whatever `jobs` is.
+/// examples are made smaller, and the others stay as drawn; what is shown of a way comes from these. `families`: the
+/// number of each family of the tally within the operation. The same whatever `jobs` is.
 void shrink_examples(const Shrinking& shrinking, const std::vector<std::size_t>& families, OperationTally& tally);
 
 }  // namespace touchstone::audit

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/families/numbers.h"
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/tape.h"
+#include "catalogue/shape/encoded_value.h"
 #include "catalogue/shape/walk.h"
 #include "geometry/invalid_input.h"
 
@@ -61,21 +61,21 @@ std::vector<catalogue::HardCase<typename Row::Question>> near_misses() {
 }
 
 template <class Row>
-typename Row::Question drawn(DataSet set, catalogue::Choices& choices) {
+typename Row::Question drawn(DataSet set, catalogue::DrawStream& draws) {
   typename Row::Question question{};
-  const auto fill = [&](double (*number)(catalogue::Choices&)) {
+  const auto fill = [&](double (*number)(catalogue::DrawStream&)) {
     catalogue::walk(
-        question, [&](double& value) { value = number(choices); },
-        [](auto& list) { list.resize(Row::card().list_length); });
+        question, [&](double& value) { value = number(draws); },
+        [](auto& list) { list.resize(Row::metadata().list_length); });
     if constexpr (requires { Row::repair(question); }) Row::repair(question);
   };
   switch (set) {
     case DataSet::near_degenerate: {
       static const auto hard = near_misses<Row>();
-      return hard[choices.below(hard.size())].draw(choices);
+      return hard[draws.below(hard.size())].draw(draws);
     }
     case DataSet::small_integer_grid:
-      fill([](catalogue::Choices& c) { return static_cast<double>(c.below(8)); });
+      fill([](catalogue::DrawStream& c) { return static_cast<double>(c.below(8)); });
       return question;
     case DataSet::random: fill(catalogue::ordinary); return question;
     case DataSet::huge: fill(catalogue::ordinary), scale<Row>(question, 1012); return question;
@@ -89,12 +89,12 @@ typename Row::Question drawn(DataSet set, catalogue::Choices& choices) {
 /// case_count questions that the contract accepts.
 template <class Row>
 std::vector<typename Row::Question> draw_cases(DataSet set) {
-  const std::string stream = std::string(Row::card().name) + "/" + name_of(set);
+  const std::string stream = std::string(Row::metadata().name) + "/" + name_of(set);
   std::vector<typename Row::Question> cases;
   cases.reserve(case_count);
   for (std::uint64_t index = 0; cases.size() < case_count; ++index) {
-    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, stream.c_str(), index));
-    const auto question = drawn<Row>(set, choices);
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, stream.c_str(), index));
+    const auto question = drawn<Row>(set, draws);
     try {
       catalogue::ask_robust<Row>(question);
       cases.push_back(question);

@@ -25,7 +25,7 @@ extern "C" {
 #include <string>
 #include <vector>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/families/numbers.h"
 #include "robust/volumes/convex_hull.h"
 
@@ -38,14 +38,14 @@ using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// Of n points: uniform in a ball, on a sphere, in a box and on its faces; on a grid of 100^3; around twenty centres;
 /// on a cylinder; in a plane, exactly or but for rounding; on a line; turned so that faces are flat but for rounding.
 Points cloud(const std::string& set, std::size_t n) {
-  catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, set.c_str(), 0));
-  const auto number = [&choices] { return catalogue::ordinary(choices); };
+  catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, set.c_str(), 0));
+  const auto number = [&draws] { return catalogue::ordinary(draws); };
   const auto normal = [&] {
     const double radius = std::sqrt(-2 * std::log(1 - (number() + 1) / 2 + 1e-300));
     return radius * std::cos(std::numbers::pi * number());
   };
-  const auto centre = [&choices](std::size_t k) {
-    return static_cast<double>((choices.below(1000) + 37 * k) % 997) / 500 - 1;
+  const auto centre = [&draws](std::size_t k) {
+    return static_cast<double>((draws.below(1000) + 37 * k) % 997) / 500 - 1;
   };
   Points centres, points;
   for (std::size_t k = 0; k < 20; ++k) {
@@ -65,12 +65,12 @@ Points cloud(const std::string& set, std::size_t n) {
     } else if (set == "grid") {
       points.push_back({std::floor(50 * x), std::floor(50 * y), std::floor(50 * z)});
     } else if (set == "clusters") {
-      const Point3d& c = centres[choices.below(centres.size())];
+      const Point3d& c = centres[draws.below(centres.size())];
       const double u = normal(), v = normal();
       points.push_back({c.x + 0.02 * u, c.y + 0.02 * v, c.z + 0.02 * normal()});
     } else if (set == "box_faces" || set == "turned_box_faces") {
       double p[3] = {x, y, z};
-      p[choices.below(3)] = choices.below(2) == 1 ? 1 : -1;
+      p[draws.below(3)] = draws.below(2) == 1 ? 1 : -1;
       if (set == "box_faces") points.push_back({p[0], p[1], p[2]});
       else
         points.push_back({0.6 * p[0] - 0.8 * p[1], 0.28 * (0.8 * p[0] + 0.6 * p[1]) - 0.96 * p[2],

@@ -85,7 +85,7 @@ Wrong wrong_decisions(DataSet set) {
 
 template <class Row>
 std::size_t wrong_answers(DataSet set) {
-  const auto& operation = *catalogue::find_operation(Row::card().name);
+  const auto& operation = *catalogue::find_operation(Row::metadata().name);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < chunk; ++i) {
     const catalogue::Question flat{catalogue::packed(cases_of<Row>(set)[i])};
@@ -103,13 +103,13 @@ bool verified() {
       std::size_t wrong_full = wrong_answers<Row>(set);
       if constexpr (Decides<Row>) {
         const Wrong w = wrong_decisions<Row>(set);
-        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu\n", Row::card().name, name_of(set), w.robust, w.naive,
+        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu\n", Row::metadata().name, name_of(set), w.robust, w.naive,
                     w.epick, w.epeck, w.rational);
         wrong_full += w.robust + w.epick + w.epeck + w.rational;
       }
       if (wrong_full != 0) {
         held = false;
-        std::printf("%s %s: an exact answer is wrong\n", Row::card().name, name_of(set));
+        std::printf("%s %s: an exact answer is wrong\n", Row::metadata().name, name_of(set));
       }
     }
   });
@@ -132,7 +132,7 @@ const auto& shapes_of(DataSet set) {
 template <class Row>
 void add_row(DataSet set) {
   using Q = QuestionOf<Row>;
-  const std::string group = std::string(Row::card().name) + "/" + name_of(set) + "/";
+  const std::string group = std::string(Row::metadata().name) + "/" + name_of(set) + "/";
   const auto add = [&](const char* peer, auto timed) { benchmark::RegisterBenchmark((group + peer).c_str(), timed); };
   if constexpr (Decides<Row>) {
     using A = Asked<Row>;
@@ -156,7 +156,7 @@ void add_row(DataSet set) {
         [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
   }
   // Which answers hold numbers, for the goals of ratios.py.
-  const catalogue::Kind kind = Row::card().kind;
+  const catalogue::Kind kind = Row::metadata().kind;
   const char* label = kind == catalogue::Kind::measure || kind == catalogue::Kind::set ? "numbers" : "";
   add("slide_answer", [=](benchmark::State& s) {
     time_answers(s, cases_of<Row>(set), [](const Q& q) { return catalogue::ask_reference<Row>(q); });

@@ -26,15 +26,15 @@ struct Case {
   Point2d point;
 };
 
-Case drawn(DataSet set, std::size_t size, catalogue::Choices& choices) {
+Case drawn(DataSet set, std::size_t size, catalogue::DrawStream& draws) {
   const auto number = [&] {
-    return set == DataSet::small_integer_grid ? static_cast<double>(choices.below(8)) : catalogue::ordinary(choices);
+    return set == DataSet::small_integer_grid ? static_cast<double>(draws.below(8)) : catalogue::ordinary(draws);
   };
   Case made;
   for (std::size_t i = 0; i < size; ++i) made.polygon.vertices.push_back({number(), number()});
   made.point = {number(), number()};
   if (set == DataSet::near_degenerate) {  // rounded onto an edge
-    const std::size_t i = choices.below(size);
+    const std::size_t i = draws.below(size);
     const Point2d &a = made.polygon[i], &b = made.polygon.next(i);
     made.point = a + (number() / 2 + 0.5) * (b - a);
   }
@@ -55,8 +55,8 @@ const std::vector<Case>& cases_of(DataSet set, std::size_t size) {
   if (made == wanted) return cases;
   cases.clear();
   for (std::uint64_t index = 0; cases.size() < case_count / size; ++index) {
-    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, wanted.c_str(), index));
-    cases.push_back(drawn(set, size, choices));
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, wanted.c_str(), index));
+    cases.push_back(drawn(set, size, draws));
   }
   made = wanted;
   return cases;

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "bench/timing.h"
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/families/numbers.h"
 #include "oracle/polygons/triangulate_polygon.h"
 #include "robust/polygons/triangulate_polygon.h"
@@ -51,8 +51,8 @@ Polygon2d there_and_back(const Out& out, const Back& back) {
 }
 
 std::vector<std::pair<std::string, Polygon2d>> shapes() {
-  catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, "triangulation", 0));
-  const auto random = [&choices] { return (catalogue::ordinary(choices) + 1) / 2; };  // from [0, 1)
+  catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, "triangulation", 0));
+  const auto random = [&draws] { return (catalogue::ordinary(draws) + 1) / 2; };  // from [0, 1)
   const auto x = [](std::size_t i) { return static_cast<double>(i); };
   const auto spiral = [](double width) {
     return [width](std::size_t i) {
@@ -97,9 +97,9 @@ void write_shapes(const char* file) {
 bool verified() {
   bool held = true;
   for (const auto& [name, ring] : shapes()) {
-    const std::string fault = oracle::triangulate_polygon_fault(ring, robust::triangulate_polygon(ring));
-    std::printf("%-8s %zu vertices: %s\n", name.c_str(), ring.size(), fault.empty() ? "right" : fault.c_str());
-    held = held && fault.empty();
+    const std::string defect = oracle::triangulate_polygon_defect(ring, robust::triangulate_polygon(ring));
+    std::printf("%-8s %zu vertices: %s\n", name.c_str(), ring.size(), defect.empty() ? "right" : defect.c_str());
+    held = held && defect.empty();
   }
   return held;
 }

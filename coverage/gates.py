@@ -54,15 +54,15 @@ def totals_by_room(export):
 
 
 def below_gate(totals):
-    faults = []
+    defects = []
     for room in ROOMS:
         if totals[room]["lines"][1] == 0:
-            faults.append(f"{room}: nothing of it was counted")
+            defects.append(f"{room}: nothing of it was counted")
         for kind, gate in GATES.items():
             if percent(totals[room][kind]) < gate:
                 covered, count = totals[room][kind]
-                faults.append(f"{room}: {covered} of {count} {kind} ({percent(totals[room][kind]):.2f} %), the gate is {gate:g} %")
-    return faults
+                defects.append(f"{room}: {covered} of {count} {kind} ({percent(totals[room][kind]):.2f} %), the gate is {gate:g} %")
+    return defects
 
 
 def show(export, totals, lcov):
@@ -89,7 +89,7 @@ def self_check():
         return {"data": [{"files": [{"filename": f"/x/{room}/a.h", "summary": summary} for room in ROOMS]}]}
 
     expected = [((100, 95), 0), ((100, 100), 0), ((99, 100), 3), ((100, 94), 3), ((99, 94), 6)]
-    wrong = [case for case, faults in expected if len(below_gate(totals_by_room(export(*case)))) != faults]
+    wrong = [case for case, defects in expected if len(below_gate(totals_by_room(export(*case)))) != defects]
     if not below_gate(totals_by_room({"data": [{"files": []}]})):
         wrong.append("nothing counted")
     print(f"self-check: {'failed: ' + str(wrong) if wrong else 'as expected'}")
@@ -105,10 +105,10 @@ def main(arguments):
     export = json.loads(pathlib.Path(arguments[0]).read_text(encoding="utf-8"))
     totals = totals_by_room(export)
     show(export, totals, pathlib.Path(arguments[1]).read_text(encoding="utf-8"))
-    faults = below_gate(totals)
-    for fault in faults:
-        print(f"below the gate: {fault}")
-    return 1 if faults else 0
+    defects = below_gate(totals)
+    for defect in defects:
+        print(f"below the gate: {defect}")
+    return 1 if defects else 0
 
 
 if __name__ == "__main__":

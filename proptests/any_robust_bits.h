@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/judge/environment.h"
 #include "catalogue/operation/operation.h"
 #include "proptests/answer_bits.h"
@@ -23,7 +23,7 @@ inline AnswerBits robust_bits(const catalogue::Operation& operation, const catal
                               std::size_t environment) {
   AnswerBits bits;
   try {
-    const catalogue::Tape<double> answer = operation.row().robust(question, environment);
+    const catalogue::EncodedValue<double> answer = operation.row().robust(question, environment);
     bits.words.assign(answer.words.begin(), answer.words.end());
     for (const double number : answer.numbers) bits.words.push_back(std::bit_cast<std::uint64_t>(number));
     if (operation.row().decision != nullptr) bits.words.push_back(operation.row().decide(question, environment));

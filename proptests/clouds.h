@@ -21,7 +21,7 @@ namespace touchstone::proptests {
 
 __extension__ typedef __int128 Int128;
 
-/// The definition on integers below 2^30, for clouds that the oracle would take too long for: as convex_hull_fault,
+/// The definition on integers below 2^30, for clouds that the oracle would take too long for: as convex_hull_defect,
 /// which says why that is enough.
 inline bool is_hull(const std::vector<Point3d>& points, const std::vector<Face>& faces) {
   using Whole = std::array<Int128, 3>;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the operations cost: core-seconds of building and of testing, handwritten lines, and whether Card::cost is what a
+"""What the operations cost: core-seconds of building and of testing, handwritten lines, and whether Metadata::cost is what a
 question costs. For information: the exit code is 0.
 
   costs.py [--json FILE]   the builds in build/release (g++) and build/clang, after ./dev test or ./dev test full
@@ -62,7 +62,7 @@ def tests(build):
 
 
 def measured_costs(ran, operations, factor):
-    """{operation: (Card::cost, what the interrogation's time makes of it)}; factor: TOUCHSTONE_CASES."""
+    """{operation: (Metadata::cost, what the interrogation's time makes of it)}; factor: TOUCHSTONE_CASES."""
     seconds = next((parts for name, _, parts in ran if name == "agreement/interrogation"), {})
     costs = {}
     for operation in operations:
@@ -119,7 +119,7 @@ def table(costs):
     yield f"dearest to test: {dear}" if dear else "no tests were run"
     for name, (said, measured) in costs["costs"].items():
         if not said / 3 <= max(1, measured) <= 3 * said:
-            yield f"{name}: Card::cost is {said}, measured {measured:.1f}"
+            yield f"{name}: Metadata::cost is {said}, measured {measured:.1f}"
 
 
 def self_check():
@@ -153,7 +153,7 @@ def self_check():
                 ("dearest", costs["testing"]["touch_all"], 30.036), ("lines", costs["lines"]["worst"], 2 + 1 + 4 + 3),
                 ("cost of touch", costs["costs"]["touch"][1], 1 / 8192 / UNIT),
                 ("cost of touch_all", costs["costs"]["touch_all"][1], 0.036 / 8 / UNIT),
-                ("told", shown.count("Card::cost is 1024, measured 100.0"), 1), ("not told", shown.count("touch: Card"), 0)]
+                ("told", shown.count("Metadata::cost is 1024, measured 100.0"), 1), ("not told", shown.count("touch: Metadata"), 0)]
     wrong = [f"{what}: {got} instead of {wanted}" for what, got, wanted in expected if abs(got - wanted) > 1e-9]
     print(*wrong, f"self-check: {len(expected) - len(wrong)} of {len(expected)} as expected", sep="\n")
     return 1 if wrong else 0

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the pages hold what they say: documentation.py --program PATH, or --self-check (small trees with one fault
-each: every fault must be found).
+"""Whether the pages hold what they say: documentation.py --program PATH, or --self-check (small trees with one defect
+each: every defect must be found).
 
 Links lead to files that are there, and to headings. A block marked `console` shows commands (`$ ...`) with what they
 print; each is run as it stands, with the program in place of build/release/touchstone, and a line `...` stands for any
@@ -120,7 +120,7 @@ def number_of_vectors(root):
         yield f"README.md: the vectors are {vectors:,} questions"
 
 
-def faults(root, program, usage, subcommands, told):
+def defects(root, program, usage, subcommands, told):
     for page in pages(root):
         yield from links(root, page)
         yield from commands(root, page, usage, subcommands)
@@ -167,7 +167,7 @@ def self_check():
                 changed = text.replace(before, after, 1) if name == file and before else text
                 (root / name).write_text(changed, encoding="utf-8")
             (root / "program").chmod(0o755)
-            found = list(faults(root, root / "program", "./dev test   build\n./dev audit   ask", {"ask"}, "touchstone 1.2.3\nelse"))
+            found = list(defects(root, root / "program", "./dev test   build\n./dev audit   ask", {"ask"}, "touchstone 1.2.3\nelse"))
         if wanted is None and found:
             yield f"the right tree: {found}"
         if wanted is not None and not (len(found) == 1 and wanted in found[0]):
@@ -187,7 +187,7 @@ def main():
         help_text, version = (subprocess.run([options.program, option], check=True, text=True, stdout=subprocess.PIPE).stdout
                               for option in ("--help", "--version"))
         subcommands = set(re.findall(r"^  ([a-z][a-z-]*)  ", help_text, re.MULTILINE))
-        found = list(faults(root, options.program.resolve(), usage, subcommands, version))
+        found = list(defects(root, options.program.resolve(), usage, subcommands, version))
     print("\n".join(found) or "the pages hold")
     sys.exit(1 if found else 0)
 

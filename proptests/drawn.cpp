@@ -21,8 +21,8 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
     const std::uint64_t seed = rc::Random(random).next();
     std::uint64_t at = 0;
     for (; at + 1 < size; ++at) {
-      Choices choices = Choices::seeded(catalogue::seed_of(seed, "", at));
-      if (!complaint(operation.draw(choices, family), at + 1).empty()) break;
+      DrawStream draws = DrawStream::seeded(catalogue::seed_of(seed, "", at));
+      if (!complaint(operation.draw(draws, family), at + 1).empty()) break;
     }
     return tests::shrinkable(recorded(operation, family, catalogue::seed_of(seed, "", at)));
   };
@@ -31,7 +31,7 @@ rc::Gen<Drawn> questions(const Operation& operation, std::size_t family, const C
 }  // namespace
 
 std::uint64_t affordable(const Operation& operation, std::uint64_t questions) {
-  return std::max(least_cases, questions / static_cast<std::uint64_t>(operation.card().cost));
+  return std::max(least_cases, questions / static_cast<std::uint64_t>(operation.metadata().cost));
 }
 
 void never_at(const Operation& operation, const std::string& sentence, const ComplaintAt& complaint, int usual,

@@ -12,7 +12,7 @@
 /// Questions of the catalogue as RapidCheck draws and shrinks them.
 namespace touchstone::proptests {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using catalogue::Operation;
 using catalogue::Question;
 
@@ -26,7 +26,7 @@ using Complaint = std::function<std::string(const Question&)>;
 /// How many cases one pick of RapidCheck drives.
 inline constexpr std::uint64_t batch = 64;
 
-/// How many questions of a family are asked instead of so many, by the cost of a question (Card::cost).
+/// How many questions of a family are asked instead of so many, by the cost of a question (Metadata::cost).
 std::uint64_t affordable(const Operation& operation, std::uint64_t questions);
 
 /// The property that `complaint(question)` is empty for every question of every family of an operation: `usual` batches

@@ -104,7 +104,7 @@ def unstated(line, written, page):
 
 
 def untrue(lines, declaration, program):
-    """(line, fault): what the program does not confirm, of one engine and operation."""
+    """(line, defect): what the program does not confirm, of one engine and operation."""
     with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
         json.dump([declaration, *(line["answer"] for line in lines)], file)
         file.flush()
@@ -135,18 +135,18 @@ def replay(path):
         print(json.dumps({"id": json.loads(line)["id"], **(answer if error else {"answer": answer})}), flush=True)
 
 
-def faults(texts, program):
+def defects(texts, program):
     pages, groups = {}, {}
     for number, text in enumerate(texts, 1):
         line, written = json.loads(text), json.loads(text, parse_int=str, parse_float=str)
         page = pages.setdefault(line["page"], (DOCS / line["page"]).read_text(encoding="utf-8"))
         found = list(unstated(line, written, page))
-        yield from (f"findings.jsonl:{number}: {fault}" for fault in found)
+        yield from (f"findings.jsonl:{number}: {defect}" for defect in found)
         if not found:
             groups.setdefault(json.dumps(table_of(line, page)), []).append((number, line))
     for declaration, numbered in groups.items():
-        for line, fault in untrue([line for _, line in numbered], json.loads(declaration), program):
-            yield f"findings.jsonl:{next(n for n, same in numbered if same is line)}: {fault}"
+        for line, defect in untrue([line for _, line in numbered], json.loads(declaration), program):
+            yield f"findings.jsonl:{next(n for n, same in numbered if same is line)}: {defect}"
     if len(set(texts)) != len(texts) or not texts:
         yield "findings.jsonl: no line, or a line twice"
 
@@ -176,10 +176,10 @@ def self_check(texts, program):
         if right is None:
             yield f"no line has {before}"
             continue
-        found = list(faults([right.replace(before, after, 1)], program))
-        if not any(wanted in fault for fault in found):
+        found = list(defects([right.replace(before, after, 1)], program))
+        if not any(wanted in defect for defect in found):
             yield f"{after}: found {found}"
-    if not any("a line twice" in fault for fault in faults(texts[:1] * 2, program)):
+    if not any("a line twice" in defect for defect in defects(texts[:1] * 2, program)):
         yield "a line twice was not found"
 
 
@@ -193,7 +193,7 @@ def main():
         replay(options.replay)
         return
     texts = (DOCS / "findings.jsonl").read_text(encoding="utf-8").splitlines()
-    check = self_check if options.self_check else faults
+    check = self_check if options.self_check else defects
     found = list(check(texts, options.program.resolve()))
     right = "every wrong line is found" if options.self_check else f"the {len(texts)} findings hold"
     print("\n".join(found) or right)

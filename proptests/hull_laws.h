@@ -93,7 +93,7 @@ void hull_is(const Points& points, Index dimension, std::set<Index> places, bool
       if (place == places.end()) return false;
       named.insert(*place);
     }
-    return hull.dimension == dimension && named == places && Row::fault(question, hull).empty();
+    return hull.dimension == dimension && named == places && Row::defect(question, hull).empty();
   };
   CHECK(right(catalogue::ask_robust<Row>(question)));
   CHECK(right(catalogue::ask_oracle<Row>(question).answer));
@@ -106,13 +106,13 @@ void hull_checkers_agree(const Alter& alter) {
   const catalogue::Operation& operation = catalogue::operation_of_row<Row>();
   int right = 0, wrong = 0, different = 0;
   for (std::uint64_t i = 0; i < 2500; ++i) {
-    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(i, "altered hulls", 0));
-    const Question question = operation.draw(choices, choices.below(operation.families().size()));
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(i, "altered hulls", 0));
+    const Question question = operation.draw(draws, draws.below(operation.families().size()));
     const auto asked = typed<Row>(question);
     if (std::get<0>(asked).empty() || std::get<0>(asked).size() > 12) continue;
     auto hull = catalogue::ask_robust<Row>(asked);
-    for (std::uint64_t more = choices.below(3); more > 0; --more)
-      alter(choices, hull, static_cast<Index>(std::get<0>(asked).size()));
+    for (std::uint64_t more = draws.below(3); more > 0; --more)
+      alter(draws, hull, static_cast<Index>(std::get<0>(asked).size()));
     auto claim = catalogue::claim_of(*operation.examine(question));
     claim["truth"] = nlohmann::json::parse(operation.answer_json(catalogue::packed(hull)).dump());
     std::set<Index> named;
@@ -125,7 +125,7 @@ void hull_checkers_agree(const Alter& alter) {
       if (key != "dimension") name(value, name);
     claim["certificate"]["extreme"] = nlohmann::json::array();
     for (const Index k : named) claim["certificate"]["extreme"].push_back(std::to_string(k));
-    const bool accepted = Row::fault(asked, hull).empty();
+    const bool accepted = Row::defect(asked, hull).empty();
     if (accepted == certify::refuse(claim).has_value()) {
       ++different;
       WARN(claim.dump());

@@ -69,7 +69,7 @@ inline constexpr auto masses_have_any_unit = [](const auto& ask, const auto& ask
 };
 
 /// What another observer sees, who moves at a constant velocity, is the same law.
-inline constexpr auto observers_agree = [](const auto& ask, const auto& asked) {
+inline constexpr auto galilean_invariance = [](const auto& ask, const auto& asked) {
   const auto seen = ask(with_velocities(asked, with(std::get<1>(asked), a_shift())));
   if constexpr (requires { seen.first; }) return same(seen, with(ask(asked), a_shift()));
   else return same(seen, ask(asked) + a_shift());
@@ -80,7 +80,7 @@ template <class Row>
 void impact_laws() {
   law<Row>("exchanged", bodies_may_be_exchanged);
   law<Row>("unit of mass", masses_have_any_unit);
-  exact_law<Row>("observers", observers_agree);
+  exact_law<Row>("galilean_invariance", galilean_invariance);
 }
 
 }  // namespace touchstone::proptests

@@ -12,17 +12,17 @@
 namespace touchstone::proptests {
 namespace {
 
+using catalogue::EncodedValue;
 using catalogue::Examination;
 using catalogue::Operation;
 using catalogue::Question;
 using catalogue::StageFunctions;
-using catalogue::Tape;
 using catalogue::Verdict;
 using robust::Stage;
 
 std::string in_words(std::size_t environment) { return " (" + environment_name(environment) + ")"; }
 
-bool same_bits(const Tape<double>& a, const Tape<double>& b) {
+bool same_bits(const EncodedValue<double>& a, const EncodedValue<double>& b) {
   const auto same = [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
   };
@@ -61,7 +61,7 @@ std::string wrong_robust(const Examination& question) {
 
 /// What is wrong with some stage; the stage that decides is never later than the first that knows.
 std::string wrong_stage(const StageFunctions& stages, const Question& question, std::size_t environment,
-                        const Tape<double>& answer) {
+                        const EncodedValue<double>& answer) {
   const Stage decided = stages.decided_by == nullptr ? Stage::filter : stages.decided_by(question, environment);
   for (const StageFunctions::One& one : stages.each) {
     const std::string name = "stage " + std::to_string(static_cast<int>(one.stage)) + ": ";
@@ -78,7 +78,7 @@ std::string wrong_stages(const Examination& question) {
   for (const std::size_t environment : {std::size_t{0}, environment_of(question.question())}) {
     std::string found = wrong_stage(row.stages, question.question(), environment, question.robust_answer(environment));
     if (found.empty() && row.decision != nullptr) {
-      const Tape<double> decision{{}, {question.robust_decision(environment)}};
+      const EncodedValue<double> decision{{}, {question.robust_decision(environment)}};
       found = wrong_stage(row.decision_stages, question.question(), environment, decision);
     }
     if (!found.empty()) return found + in_words(environment);
@@ -90,9 +90,9 @@ std::string wrong_promise(const Examination& question) {
   const std::string broken = catalogue::broken_promise(question);
   if (!broken.empty()) return "promise: " + broken;
   // Of numbers that a checker refuses, as slabs that lose a point, no comparison tells.
-  const bool numbers_refused = question.row().fault != nullptr && !question.formula().numbers.empty();
+  const bool numbers_refused = question.row().defect != nullptr && !question.formula().numbers.empty();
   const catalogue::Judgement& judgement = question.judge_reference();
-  if (judgement.verdict == Verdict::rounding && !judgement.number && !question.doubtful() && !numbers_refused)
+  if (judgement.verdict == Verdict::rounding && !judgement.number && !question.inconclusive() && !numbers_refused)
     return "promise: the reference is wrong by rounding where rounding cannot have changed its decision";
   return "";
 }
@@ -135,7 +135,7 @@ std::string wrong(const Examination& question, Aspect aspect) {
 Aspects aspects_of(const Operation& operation) {
   Aspects aspects;
   const auto set = [&](Aspect aspect, bool asked) { aspects[static_cast<std::size_t>(aspect)] = asked; };
-  const bool own_truth = !operation.card().is_implementation(), laws = catalogue::declares_laws(operation);
+  const bool own_truth = !operation.metadata().is_implementation(), laws = catalogue::declares_laws(operation);
   set(Aspect::robust, true);
   set(Aspect::stages, !operation.row().stages.each.empty());
   set(Aspect::promise, true);

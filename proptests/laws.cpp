@@ -28,10 +28,10 @@ void example(const Operation& operation, const Question& question, const catalog
   CHECK(robust.ulps == 0);
   CHECK(name_of(examination->judge_reference().verdict) == by_reference);
   if (by_reference != "agree") return;
-  const Reading reading = operation.card().formula_answers_less ? Reading::less : Reading::complete;
+  const Reading reading = operation.metadata().formula_answers_less ? Reading::less : Reading::complete;
   const catalogue::Comparison reference = catalogue::compared(shape, expected, row.reference(question), reading);
   CHECK(reference.decision);
-  CHECK(reference.ulps <= operation.card().ulps);
+  CHECK(reference.ulps <= operation.metadata().ulps);
 }
 
 void refused(const Operation& operation, const Question& question, const std::string& expected) {

@@ -3,7 +3,7 @@
 """Whether every operation is in every module under its own name, and no module sees one that it must not.
 
   layout.py --program PATH   the source tree around this file, with the operations that the program knows
-  layout.py --self-check     small trees with one fault each: every fault must be found
+  layout.py --self-check     small trees with one defect each: every defect must be found
 """
 import argparse
 import json
@@ -255,7 +255,7 @@ def lengths(tree):
             yield f"{name}: {lines} lines, more than {LONGEST}"
 
 
-def faults(root, operations):
+def defects(root, operations):
     if not operations:
         yield "the program knows no operations"
         return
@@ -300,7 +300,7 @@ def right_tree():
     return files
 
 
-# One fault each: what is written where (None removes it), and the file that must be blamed.
+# One defect each: what is written where (None removes it), and the file that must be blamed.
 PLANTED = [
     ("robust/lines/touch.cpp", None, "robust/lines/touch.cpp: missing"),
     ("oracle/lines/touch.h", None, "oracle/lines/touch.h: missing"),
@@ -360,21 +360,21 @@ def self_check():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         write(root / "right", right_tree())
-        wrong += [f"a right tree was blamed: {fault}" for fault in faults(root / "right", operations)]
+        wrong += [f"a right tree was blamed: {defect}" for defect in defects(root / "right", operations)]
         for own in ({"reference"}, {"robust"}, {"reference", "robust"}):
             tree = root / "implementation of its own" / " ".join(sorted(own))
             files = [f"{place}/lines/touch_slowly{suffix}" for place in own | {"catalogue/rows"} for suffix in PLACES[place]]
             write(tree, right_tree() | dict.fromkeys(files, ""))
-            wrong += [f"a right implementation was blamed: {fault}" for fault in faults(tree, operations + [implementation])]
-        if not list(faults(root / "right", [])):
+            wrong += [f"a right implementation was blamed: {defect}" for defect in defects(tree, operations + [implementation])]
+        if not list(defects(root / "right", [])):
             wrong.append("a program without operations was not noticed")
         for number, (name, text, blame) in enumerate(PLANTED):
             files = {other: held for other, held in right_tree().items() if other != name}
             if text is not None:
                 files[name] = text
             write(root / str(number), files)
-            found = list(faults(root / str(number), operations))
-            if not any(blame in fault for fault in found):
+            found = list(defects(root / str(number), operations))
+            if not any(blame in defect for defect in found):
                 wrong.append(f"planted in {name}, expected '{blame}', found {found}")
     print(f"self-check: {len(PLANTED) + 5 - len(wrong)} of {len(PLANTED) + 5} as expected")
     return wrong
@@ -390,9 +390,9 @@ def main():
         found = self_check()
     else:
         listing = subprocess.run([options.program, "ops", "--json"], check=True, capture_output=True, text=True).stdout
-        found = list(faults(pathlib.Path(__file__).resolve().parent.parent, json.loads(listing)))
-    for fault in found:
-        print(fault)
+        found = list(defects(pathlib.Path(__file__).resolve().parent.parent, json.loads(listing)))
+    for defect in found:
+        print(defect)
     return 1 if found else 0
 
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "geometry/polygons.h"
 
 /// Rings of as many vertices as one likes.
@@ -22,8 +22,8 @@ inline Polygon2d wavy_ring(std::size_t n) {
 
 /// Vertices anywhere in a square: almost every edge crosses many others.
 inline Polygon2d random_ring(std::size_t n) {
-  catalogue::Choices choices = catalogue::Choices::seeded(n);
-  const auto number = [&choices] { return static_cast<double>(choices.any_bits() >> 11); };
+  catalogue::DrawStream draws = catalogue::DrawStream::seeded(n);
+  const auto number = [&draws] { return static_cast<double>(draws.any_bits() >> 11); };
   Polygon2d ring;
   for (std::size_t i = 0; i < n; ++i) {
     const double x = number();

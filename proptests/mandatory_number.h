@@ -14,9 +14,9 @@ struct mandatory_number {
   static std::vector<catalogue::HardCase<Question>> hard_cases() { return {}; }
   static catalogue::Hooks<mandatory_number> hooks() { return {}; }
 
-  static const catalogue::Card& card() {
-    static const catalogue::Card card{.name = "mandatory_number", .fields = {"point"}};
-    return card;
+  static const catalogue::Metadata& metadata() {
+    static const catalogue::Metadata metadata{.name = "mandatory_number", .fields = {"point"}};
+    return metadata;
   }
 
   template <class Real>

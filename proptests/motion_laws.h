@@ -31,8 +31,8 @@ inline bool divided(const FirstContact<double>& answer, const FirstContact<doubl
   return scaled_number(*answer.t, *found.t, -k);
 }
 
-/// Velocities times a power of two, where that is exact, divide t by it. velocities: their numbers among the parts of the
-/// question, which may stand in a plane or in space.
+/// Velocities times a power of two, where that is exact, divide t by it. velocities: their numbers among the parts of
+/// the question, which may stand in a plane or in space.
 template <std::size_t... velocities>
 inline constexpr auto velocities_divide_t = [](const auto& ask, const auto& asked) {
   const auto answer = ask(asked);

@@ -160,7 +160,7 @@ void formula_keeps_contract() {
         return refused_or(asked, [&]() -> std::string {
           if (polygon.size() > 9 || !beyond_margins(polygon)) return "";
           ++beyond;
-          return Row::fault(asked, catalogue::ask_reference<Row>(asked));
+          return Row::defect(asked, catalogue::ask_reference<Row>(asked));
         });
       },
       4);
@@ -172,17 +172,17 @@ void formula_keeps_contract() {
         return refused_or(asked, [&] {
           const auto exactly = catalogue::converted<catalogue::Exact>(
               asked, [](double number) { return catalogue::Exact(exact(number)); });
-          return Row::fault(asked, catalogue::ask_reference<Row>(exactly));
+          return Row::defect(asked, catalogue::ask_reference<Row>(exactly));
         });
       },
       1);
 }
 
 /// Lists changed a little: most are wrong then, a diagonal turned over in a convex quadrilateral is not.
-inline IndexLists altered(catalogue::Choices& choices, IndexLists lists, std::size_t n) {
-  const auto one = [&]() -> std::vector<Index>& { return lists[choices.below(lists.size())]; };
-  switch (choices.below(7)) {
-    case 0: one()[choices.below(3)] = static_cast<Index>(choices.below(n + 1)); return lists;
+inline IndexLists altered(catalogue::DrawStream& draws, IndexLists lists, std::size_t n) {
+  const auto one = [&]() -> std::vector<Index>& { return lists[draws.below(lists.size())]; };
+  switch (draws.below(7)) {
+    case 0: one()[draws.below(3)] = static_cast<Index>(draws.below(n + 1)); return lists;
     case 1: {
       std::vector<Index>& list = one();
       std::reverse(list.begin(), list.end());
@@ -213,18 +213,17 @@ void checkers_agree() {
   const catalogue::Operation& operation = catalogue::operation_of_row<Row>();
   int right = 0, wrong = 0, different = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(i, "altered lists", 0));
-    const Question question = operation.draw(choices, choices.below(operation.families().size()));
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(i, "altered lists", 0));
+    const Question question = operation.draw(draws, draws.below(operation.families().size()));
     const auto asked = typed<Row>(question);
     const std::size_t n = std::get<0>(asked).size();
     if (n > 12) continue;
     try {
       IndexLists lists = catalogue::ask_robust<Row>(asked);
-      for (std::uint64_t more = choices.below(3); more > 0 && lists.size() > 1; --more)
-        lists = altered(choices, lists, n);
+      for (std::uint64_t more = draws.below(3); more > 0 && lists.size() > 1; --more) lists = altered(draws, lists, n);
       auto claim = catalogue::claim_of(*operation.examine(question));
-      claim["truth"] = {{Row::card().answer, lists}};
-      const bool accepted = Row::fault(asked, lists).empty();
+      claim["truth"] = {{Row::metadata().answer, lists}};
+      const bool accepted = Row::defect(asked, lists).empty();
       different += accepted == certify::refuse(claim).has_value();
       ++(accepted ? right : wrong);
     } catch (const InvalidInput&) {
@@ -271,7 +270,7 @@ std::size_t real_rings() {
     try {
       const auto pieces = catalogue::ask_robust<Row>(question);
       CHECK(fits(ring, pieces));
-      if (ring.size() <= 300) CHECK(Row::fault(question, pieces) == "");
+      if (ring.size() <= 300) CHECK(Row::defect(question, pieces) == "");
     } catch (const InvalidInput& refusal) {
       if (ring.size() > 1200) continue;  // the oracle compares all pairs of edges
       CHECK_THROWS_WITH(catalogue::ask_oracle<Row>(question), refusal.what());

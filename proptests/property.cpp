@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 
 namespace touchstone::proptests {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catalogue/operation/row.h"
-#include "catalogue/shape/tape.h"
+#include "catalogue/shape/encoded_value.h"
 #include "proptests/answer_bits.h"
 
 /// What robust answers in any environment, bit by bit.

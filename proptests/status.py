@@ -95,7 +95,7 @@ def second_opinions():
 
 def grids():
     """[(size, most configurations of a cost of 1)] of what the test run asks."""
-    found = re.findall(r"\.size = (\d+), \.first = -?\d+, \.most = 1 << (\d+).*?\}, operation\.card\(\)\.list_length\)",
+    found = re.findall(r"\.size = (\d+), \.first = -?\d+, \.most = 1 << (\d+).*?\}, operation\.metadata\(\)\.list_length\)",
                        text_of("proptests/agreement/grids.cpp"))
     if len(found) < 2:
         sys.exit("proptests/agreement/grids.cpp: the sizes of the grids are no longer where this script looks")

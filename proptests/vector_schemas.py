@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Whether the schemas beside the vectors let the vectors pass and refuse lines with one fault each: vector_schemas.py
+"""Whether the schemas beside the vectors let the vectors pass and refuse lines with one defect each: vector_schemas.py
 VECTORS. Of each file every outcome and every 50th line is asked: the checker takes milliseconds a line. Exit code 77
 if there is no Python package jsonschema."""
 import copy
@@ -39,7 +39,7 @@ def without(line, name):
     return {key: value for key, value in line.items() if key != name}
 
 
-def faults(line):
+def defects(line):
     """(what is wrong, the line with it)"""
     yield "another version", line | {"touchstone": 2}
     yield "another operation", line | {"op": "touch"}
@@ -106,13 +106,13 @@ def complaints(folder):
                 for error in validator.iter_errors(line):
                     yield f"{name}: line {position}: {error.json_path}: {error.message[:200]}"
                 if new:
-                    yield from (f"{name}: line {position}: {what} passes" for what, changed in faults(line)
+                    yield from (f"{name}: line {position}: {what} passes" for what, changed in defects(line)
                                 if validator.is_valid(changed))
 
 
 def main(folder):
     found = list(complaints(pathlib.Path(folder)))
-    print("\n".join(found) or "every vector that was asked passes, every fault is refused")
+    print("\n".join(found) or "every vector that was asked passes, every defect is refused")
     sys.exit(1 if found else 0)
 
 

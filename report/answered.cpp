@@ -42,9 +42,9 @@ bool all_indices(const Shape& shape) {
 void draw_parts(Drawing& said, const Shape& shape, const Json& json, const std::string& field, const Json& points) {
   if (has_figure(shape)) {
     try {
-      Tape<double> tape;
-      read_json<double>(shape, json, field, tape, finite_number);
-      Cursor<double> at(tape);
+      EncodedValue<double> encoded;
+      read_json<double>(shape, json, field, encoded, finite_number);
+      Cursor<double> at(encoded);
       draw_figure(said, shape, field, at, false);
     } catch (const InvalidInput&) {
       // An answer of another alternative, or none at all.
@@ -104,9 +104,9 @@ Drawing as_truth(const Operation& operation, const Json& answer, const Question&
   Drawing drawing, own;
   if (operation.row().draw == nullptr || has_index(operation.answer_shape())) return own;
   try {
-    Tape<double> tape;
-    read_json<double>(operation.answer_shape(), answer, "", tape, finite_number);
-    operation.row().draw(drawing, question, tape);
+    EncodedValue<double> encoded;
+    read_json<double>(operation.answer_shape(), answer, "", encoded, finite_number);
+    operation.row().draw(drawing, question, encoded);
   } catch (const InvalidInput&) {
     return own;
   }
@@ -158,7 +158,7 @@ void draw_answered(Drawing& scene, const Operation& operation, const Json& answe
     if (points.is_null() && field.is_array() && !field.empty() && field[0].is_array()) points = field;
   }
   Drawing said;
-  const std::string bare = operation.card().answer;
+  const std::string bare = operation.metadata().answer;
   const bool named = !bare.empty() && answer.is_object() && answer.contains(bare);
   const Json& bare_answer = named ? answer[bare] : answer;
   draw_parts(said, operation.answer_shape(), bare_answer, named ? bare : "", points);

@@ -26,13 +26,13 @@ double part(double number) {
 }  // namespace
 
 std::string condition_section(const Operation& operation) {
-  if (operation.card().kind != Kind::measure || !operation.words().empty()) return "";
+  if (operation.metadata().kind != Kind::measure || !operation.words().empty()) return "";
   std::array<std::string, range_count> dots;  // small squares
   std::array<std::uint64_t, range_count> all{}, above{};
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     for (std::uint64_t index = 0; index < questions_of_a_family; ++index) {
-      Choices choices = case_choices(operation, family, seed, index);
-      const Question question = operation.draw(choices, family);
+      DrawStream draws = case_choices(operation, family, seed, index);
+      const Question question = operation.draw(draws, family);
       if (question.numbers.size() > most_numbers) continue;
       try {
         for (const auto& [condition, ulps] : sensitivities(operation, question)) {
@@ -57,7 +57,8 @@ std::string condition_section(const Operation& operation) {
         at * width, height, (1 - at) * height, height + 18, (1 - at) * height + 4, label);
   }
   return fmt::format(
-      "<h2 id=\"condition\">Error against condition</h2><div class=\"card\"><p class=\"quiet\">Each dot is a number "
+      "<h2 id=\"condition\">Error against condition</h2><div class=\"metadata\"><p class=\"quiet\">Each dot is a "
+      "number "
       "that "
       "the textbook formula in double answers: how far it is from the exact value, in units in the last place, and how "
       "much more than the input that value changes, relatively. On the line the error is what a change of the input in "

@@ -60,7 +60,7 @@ std::string pages_in_words(const Operation& operation) {
   const std::vector<std::string> contract = contract_of(operation.name());
   const bool asked = std::any_of(contract.begin(), contract.end(),
                                  [](const std::string& text) { return text.find("Deck p. ") != std::string::npos; });
-  const std::string pages = operation.card().pages;
+  const std::string pages = operation.metadata().pages;
   return asked ? "deck p. " + pages : "no page of the deck; what it is made of is taught there on p. " + pages;
 }
 
@@ -72,7 +72,7 @@ std::string contract_section(const Operation& operation) {
   if (text.empty()) return "";
   if (!folded.empty())
     folded = "<details><summary>Degenerate input, what is refused, rounding</summary>" + folded + "</details>";
-  return "<h2>Contract</h2><div class=\"card contract\">" + text + folded + "</div>";
+  return "<h2>Contract</h2><div class=\"metadata contract\">" + text + folded + "</div>";
 }
 
 }  // namespace touchstone::report

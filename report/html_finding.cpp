@@ -147,8 +147,8 @@ std::string right_case(const Operation& operation) {
   std::pair<bool, std::size_t> least{true, longest};
   const std::size_t families = operation.families().size();
   for (std::uint64_t i = 0; i < most_drawn; ++i) {
-    Choices choices = case_choices(operation, i % families, 1, i / families);
-    const Question question = operation.draw(choices, i % families);
+    DrawStream draws = case_choices(operation, i % families, 1, i / families);
+    const Question question = operation.draw(draws, i % families);
     const std::size_t length = one_line(operation.print(question)).size();
     if (range_of(question) != Range::ordinary || length >= longest) continue;
     try {
@@ -163,7 +163,7 @@ std::string right_case(const Operation& operation) {
   }
   if (!best) return "";
   const std::string input = one_line(operation.print(best->question()));
-  return "<section class=\"card right-case\"><h3>For comparison: a case where the formula is right</h3>" +
+  return "<section class=\"metadata right-case\"><h3>For comparison: a case where the formula is right</h3>" +
          drawn(best->drawing(), operation.name() + ": the input " + input,
                "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, readable(best->truth()))) +
                    ". The formula answers the same.") +
@@ -184,7 +184,7 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
           ? ""
           : phrase(operation, shown.way.answer) + " where it is " + phrase(operation, shown.way.truth) + " ";
   std::string text =
-      fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
+      fmt::format("<section class=\"metadata finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
                   badge(verdict, speaker), escaped(words), escaped(how_often),
                   escaped(why(finding, &operation, speaker, declaration.binary32)));
   std::string margin, proof, said;

@@ -9,8 +9,8 @@
 
 namespace touchstone::report {
 
-/// A way of answering as a card with its example: the truth and what was answered in words, drawn beside one another
-/// where they can be drawn, what each implementation said and why, the numbers, the command, the certificate.
+/// A way of answering as a metadata with its example: the truth and what was answered in words, drawn beside one
+/// another where they can be drawn, what each implementation said and why, the numbers, the command, the certificate.
 std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
                          Speaker speaker, const Repeat& repeat);
 

@@ -156,13 +156,14 @@ std::string deck_cell(const Operation* operation) {
   const std::string pages = pages_in_words(*operation);
   const bool on_pages = pages.compare(0, 4, "deck") == 0;
   return fmt::format("<td class=\"text deck\" data-label=\"chapter\"{}>{}<small> {}</small></td>",
-                     sort_key(static_cast<double>(place_in_deck(operation))), operation->card().chapter,
-                     on_pages ? "p. " + std::string(operation->card().pages) : "no page");
+                     sort_key(static_cast<double>(place_in_deck(operation))), operation->metadata().chapter,
+                     on_pages ? "p. " + std::string(operation->metadata().pages) : "no page");
 }
 
 std::string operations_table(const Tally& tally, const Cell& sum) {
   std::string text =
-      "<div class=\"card scroll\"><table class=\"stack operations sortable\"><thead><tr><th scope=\"col\">operation, "
+      "<div class=\"metadata scroll\"><table class=\"stack operations sortable\"><thead><tr><th "
+      "scope=\"col\">operation, "
       "the worst first</th><th scope=\"col\" class=\"text\">chapter and page of the deck</th><th scope=\"col\" "
       "class=\"text most\">all answers</th><th scope=\"col\" class=\"most\">wrong at ordinary size</th><th "
       "scope=\"col\" class=\"most\">wrong</th><th scope=\"col\" class=\"most\">inexact</th></tr></thead><tbody>";
@@ -172,7 +173,7 @@ std::string operations_table(const Tally& tally, const Cell& sum) {
                           fmt::format("<th scope=\"row\" data-sort=\"{0}\"><a href=\"{0}.html\">{1}</a><div "
                                       "class=\"small quiet question\">{2}</div></th>",
                                       escaped(operation->operation), breakable(operation->operation),
-                                      escaped(known ? known->card().question : "")),
+                                      escaped(known ? known->metadata().question : "")),
                           deck_cell(known), "");
   }
   return text + operation_row(sum, "<th scope=\"row\">all</th>", "<td></td>", " class=\"total\"") +
@@ -189,16 +190,16 @@ std::string in_order_of_deck(const Tally& tally) {
                    [](const Operation* a, const Operation* b) { return place_in_deck(a) < place_in_deck(b); });
   std::string text, chapter;
   for (const Operation* operation : operations) {
-    if (operation->card().chapter != chapter) {
-      text += (chapter.empty() ? "<h3>" : "</ul><h3>") + breakable(operation->card().chapter) + "</h3><ul>";
-      chapter = operation->card().chapter;
+    if (operation->metadata().chapter != chapter) {
+      text += (chapter.empty() ? "<h3>" : "</ul><h3>") + breakable(operation->metadata().chapter) + "</h3><ul>";
+      chapter = operation->metadata().chapter;
     }
     text += fmt::format("<li><a href=\"{}.html\">{}</a> <span class=\"quiet\">{}</span></li>", operation->name(),
                         breakable(operation->name()), escaped(pages_in_words(*operation)));
   }
   return text.empty()
              ? ""
-             : "<details class=\"card by-deck\"><summary>In the order of the deck, chapter by chapter</summary>" +
+             : "<details class=\"metadata by-deck\"><summary>In the order of the deck, chapter by chapter</summary>" +
                    text + "</ul></details>";
 }
 
@@ -211,7 +212,7 @@ std::string glossary() {
 }
 
 std::string legend(Speaker speaker) {
-  std::string text = "<div class=\"card\"><dl class=\"legend\">";
+  std::string text = "<div class=\"metadata\"><dl class=\"legend\">";
   const auto entry = [&](const char* style, const std::string& name, const std::string& words) {
     text +=
         fmt::format("<dt><span class=\"swatch {} hatch\" style=\"background-color:var(--c)\"></span>{}</dt><dd>{}</dd>",
@@ -269,7 +270,8 @@ std::string conventions(const Tally& tally) {
                          counted(total.touches_open, "case"));
   }
   if (items.empty()) return "";
-  return "<h2>Inconsistent convention</h2><div class=\"card\"><p>Where shapes only touch, these operations answer now "
+  return "<h2>Inconsistent convention</h2><div class=\"metadata\"><p>Where shapes only touch, these operations answer "
+         "now "
          "as closed "
          "sets do, now as open sets do:</p><ul>" +
          items + "</ul></div>";
@@ -299,7 +301,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps, const Repo
   std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(headline(tally, sum)) +
                      "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) + "</p><p class=\"quiet\">" +
                      escaped(conditions(tally, sum)) + "</p></header><main>" + tiles(sum);
-  if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"card\"><pre>" + escaped(notes.gate) + "</pre></div>";
+  if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"metadata\"><pre>" + escaped(notes.gate) + "</pre></div>";
   if (notes.before != nullptr) body += comparison(*notes.before, tally);
   body += "<h2>By operation</h2>" + operations_table(tally, sum) + in_order_of_deck(tally) + gallery(tally, maps);
   body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration)) + conventions(tally);

@@ -16,8 +16,8 @@
 namespace touchstone::report {
 namespace {
 
-std::string kind_in_words(const Card& card) {
-  switch (card.kind) {
+std::string kind_in_words(const Metadata& metadata) {
+  switch (metadata.kind) {
     case Kind::decision: return "a decision: right or wrong";
     case Kind::measure: return "numbers: judged by their distance from the exact value in ulps";
     case Kind::set: return "a set: equal after canonical order";
@@ -43,12 +43,12 @@ std::string opening(const Tally& tally, const OperationTally& counted_here, cons
   std::string text = "<header><p class=\"kicker\">touchstone audit of " + escaped(subject(tally.declaration)) +
                      "</p><h1>" + breakable(counted_here.operation) + "</h1>";
   if (known) {
-    const Card& card = known->card();
+    const Metadata& metadata = known->metadata();
     std::string fields;
-    for (const char* field : card.fields) fields += std::string(fields.empty() ? "" : ", ") + field;
-    text += "<p class=\"lead\">" + escaped(card.question) + "</p><ul class=\"chips\">";
-    for (const std::string& chip :
-         {"chapter: " + std::string(card.chapter), pages_in_words(*known), "input: " + fields, kind_in_words(card)}) {
+    for (const char* field : metadata.fields) fields += std::string(fields.empty() ? "" : ", ") + field;
+    text += "<p class=\"lead\">" + escaped(metadata.question) + "</p><ul class=\"chips\">";
+    for (const std::string& chip : {"chapter: " + std::string(metadata.chapter), pages_in_words(*known),
+                                    "input: " + fields, kind_in_words(metadata)}) {
       text += "<li>" + escaped(chip) + "</li>";
     }
     text += "</ul>";
@@ -58,7 +58,7 @@ std::string opening(const Tally& tally, const OperationTally& counted_here, cons
 
 std::string summary(const Tally& tally, std::size_t operation) {
   const Cell total = tally.operations[operation].total();
-  std::string text = "<div class=\"card\"><p><strong>" + escaped(subject(tally.declaration)) +
+  std::string text = "<div class=\"metadata\"><p><strong>" + escaped(subject(tally.declaration)) +
                      "</strong>: " + escaped(summary_of(total)) + ".</p>" + verdict_bar(total, false);
   for (const OperationTally& robust : tally.robust) {
     if (robust.operation != tally.operations[operation].operation) continue;
@@ -115,7 +115,7 @@ std::string by_family(const OperationTally& tally) {
   const Cell total = tally.total();
   const std::vector<Column> columns = columns_of(total);
   std::string text =
-      "<div class=\"card scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">family</th><th "
+      "<div class=\"metadata scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">family</th><th "
       "scope=\"col\" class=\"text\"></th>" +
       headings(columns) + "</tr></thead><tbody>";
   for (const auto& [family, cell] : tally.families) {
@@ -147,7 +147,8 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) + right_case(*known);
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
-    body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
+    body +=
+        "<h2 id=\"map\">Failure map</h2><div class=\"metadata\">" + map_section(*known, maps, tally.repeat) + "</div>";
   }
   if (known && speaker == Speaker::reference && !tally.declaration.binary32) body += condition_section(*known);
   body += "<h2>By family of inputs</h2>" + by_family(here);
@@ -155,11 +156,11 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
 }
 
 std::string map_page(const Operation& operation, const std::vector<FailureMap>& maps, const Repeat& repeat) {
-  const Card& card = operation.card();
+  const Metadata& metadata = operation.metadata();
   return page("touchstone map: " + operation.name(),
               "<header><p class=\"kicker\">touchstone map</p><h1>" + breakable(operation.name()) +
-                  "</h1><p class=\"lead\">" + escaped(card.question) + " (" + escaped(pages_in_words(operation)) +
-                  ")</p><p>" + escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" +
+                  "</h1><p class=\"lead\">" + escaped(metadata.question) + " (" + escaped(pages_in_words(operation)) +
+                  ")</p><p>" + escaped(in_words(maps)) + ".</p></header><main><div class=\"metadata\">" +
                   map_section(operation, maps, repeat) + "</div></main>" + page_footer());
 }
 

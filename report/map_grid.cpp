@@ -50,7 +50,8 @@ std::string field_of(const Operation& operation, const Question& centre, std::si
   return path_of_difference(operation.print(centre), operation.print(moved));
 }
 
-/// Where a grid is looked at before its map is made. The stride is odd, so that stripes of powers of two are not missed.
+/// Where a grid is looked at before its map is made. The stride is odd, so that stripes of powers of two are not
+/// missed.
 struct Stride {
   int start, step;
   static Stride of(const MapEffort& effort) { return effort.side > 64 ? Stride{7, 11} : Stride{19, 31}; }
@@ -114,8 +115,8 @@ std::vector<Question> failing_questions(const Operation& operation, bool binary3
   const std::size_t families = operation.families().size();
   for (std::uint64_t i = 0; i < most && failing.size() < most_candidates; ++i) {
     const std::size_t family = i % families;
-    Choices choices = case_choices(operation, family, 1, i / families);
-    Question question = operation.draw(choices, family);
+    DrawStream draws = case_choices(operation, family, 1, i / families);
+    Question question = operation.draw(draws, family);
     if (binary32) question = operation.in_binary32(question);
     if (!of_ordinary_size(question)) continue;
     try {

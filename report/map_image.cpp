@@ -83,7 +83,7 @@ struct PixelRow {
 };
 
 PixelRow examined(const Operation& operation, const std::vector<Question>& asked, bool binary32) {
-  const Kind kind = operation.card().kind;
+  const Kind kind = operation.metadata().kind;
   PixelRow result;
   for (const Question& pixel : asked) {
     try {
@@ -120,7 +120,7 @@ void ask_engine(const Operation& operation, const std::vector<std::unique_ptr<Ex
     if (reply.kind == Reply::Kind::answered) {
       const Judgement judgement = examination->judge_engine(reply.answer, engine.declaration());
       shades.push_back(
-          shade_of(operation.card().kind, judgement, examination->outcome(), [&] { return plain(reply.answer); }));
+          shade_of(operation.metadata().kind, judgement, examination->outcome(), [&] { return plain(reply.answer); }));
     } else {
       shades.push_back({reply.kind == Reply::Kind::failed ? Verdict::invalid : Verdict::unsupported, "no answer"});
     }

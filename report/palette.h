@@ -37,8 +37,8 @@ struct Look {
 
 Look look_of(Verdict verdict, const Rank& rank, Scheme scheme);
 
-/// Of a number that is too far off, by how many decimal digits of the format were lost: a scale of distance_levels steps
-/// from yellow to violet. The last is for numbers without a correct digit.
+/// Of a number that is too far off, by how many decimal digits of the format were lost: a scale of distance_levels
+/// steps from yellow to violet. The last is for numbers without a correct digit.
 constexpr std::size_t distance_levels = 7;
 /// What rounding does not explain is hatched in its verdict's colour.
 Look look_of_distance(std::size_t level, Verdict verdict, Scheme scheme);

@@ -70,8 +70,8 @@ std::string named(const std::string& head, const std::vector<Row>& rows) {
   return rows.empty() ? "" : wrapped(head + names, 2) + "\n";
 }
 
-/// How telling a finding is: first at ordinary size, then what is no matter of rounding, then in general position, then what fits on a
-/// line, then what is most frequent among the operation's answers.
+/// How telling a finding is: first at ordinary size, then what is no matter of rounding, then in general position, then
+/// what fits on a line, then what is most frequent among the operation's answers.
 struct Telling {
   const OperationTally* operation;
   WayOfOperation shown;

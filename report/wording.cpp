@@ -98,7 +98,7 @@ std::string why_rounding(const Judgement& judgement, Speaker speaker) {
 }
 
 /// What is wrong with the answer, as a sentence before others: a number, or what a checker says.
-std::string fault_of(const Finding& finding, const Operation* operation) {
+std::string defect_of(const Finding& finding, const Operation* operation) {
   if (finding.judgement.number) return about_number(finding.judgement, operation);
   std::string text = finding.judgement.remark;
   if (text.empty()) return text;
@@ -180,10 +180,11 @@ std::string surplus_in_words(const Cell& cell, double most) {
 
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
-    case Verdict::rounding: return fault_of(finding, operation) + why_rounding(finding.judgement, speaker);
-    case Verdict::algorithm: return fault_of(finding, operation) + why_algorithm(finding, operation, speaker, binary32);
+    case Verdict::rounding: return defect_of(finding, operation) + why_rounding(finding.judgement, speaker);
+    case Verdict::algorithm:
+      return defect_of(finding, operation) + why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {
-      const double bound = operation && speaker != Speaker::robust ? operation->card().ulps : 0;
+      const double bound = operation && speaker != Speaker::robust ? operation->metadata().ulps : 0;
       return about_number(finding.judgement, operation) + (speaker == Speaker::robust
                                                                ? "robust promises the nearest number."
                                                                : "Stated bound: " + ulps_in_words(bound) + ".");

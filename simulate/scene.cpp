@@ -24,9 +24,9 @@ Scene read_scene(const Json& json) {
   std::size_t part = 0;
   for (const char* name : {"touchstone_scene", "timestep", "walls", "particles"}) shape.parts[part++].name = name;
   if (!json.is_object()) throw InvalidInput("scene", catalogue::expected("an object", json));
-  catalogue::Tape<double> tape;
-  catalogue::read_json(shape, json, "", tape, catalogue::read_double);
-  auto [version, timestep, walls, particles] = catalogue::unpacked<Fields>(tape);
+  catalogue::EncodedValue<double> encoded;
+  catalogue::read_json(shape, json, "", encoded, catalogue::read_double);
+  auto [version, timestep, walls, particles] = catalogue::unpacked<Fields>(encoded);
   if (version != 1) throw InvalidInput("touchstone_scene", "1, the version that this program reads");
   if (!(timestep > 0)) throw InvalidInput("timestep", "greater than 0");
   for (std::size_t i = 0; i < walls.size(); ++i) validation::validate("walls[" + std::to_string(i) + "]", walls[i]);

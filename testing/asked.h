@@ -55,7 +55,7 @@ std::string shown(const Asked<Row, Ts...>& asked) {
 
 template <class Row>
 const Operation& operation_of() {
-  return *catalogue::find_operation(Row::card().name);
+  return *catalogue::find_operation(Row::metadata().name);
 }
 
 /// Empty where the question is of another alternative.
@@ -106,7 +106,7 @@ Asked<Row, Ts...> asked(const std::vector<std::size_t>& families, std::uint64_t 
   const Operation& operation = operation_of<Row>();
   for (std::uint64_t at = 0; at < most_refused; ++at) {
     const std::size_t family = families[catalogue::seed_of(seed, "family", at) % families.size()];
-    Drawn drawn = recorded(operation, family, catalogue::seed_of(seed, "choices", at));
+    Drawn drawn = recorded(operation, family, catalogue::seed_of(seed, "draws", at));
     if (!is_wanted(drawn, sizes)) continue;
     if (auto found = typed<Row, Ts...>(std::move(drawn))) return *std::move(found);
   }
@@ -159,7 +159,7 @@ std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& o
     const auto of_choices = [&](const std::vector<std::uint8_t>& bytes) {
       return typed<Row, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
     };
-    return of_choices(catalogue::shrunk(first.drawn.choices, [&](const std::vector<std::uint8_t>& bytes) {
+    return of_choices(catalogue::shrunk(first.drawn.draws, [&](const std::vector<std::uint8_t>& bytes) {
       const auto candidate = of_choices(bytes);
       return candidate && is_wanted(candidate->drawn, options.sizes) && fails(*candidate);
     }));

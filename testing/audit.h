@@ -68,7 +68,7 @@ audit::Tally audit(E& engine, const AuditOptions& options = {}) {
     all.operations.push_back(catalogue::find_operation(name));
   }
   for (const Operation* operation : catalogue::all_operations()) {
-    if (options.operations.empty() && !operation->card().is_implementation() && asked.supports(operation->name()))
+    if (options.operations.empty() && !operation->metadata().is_implementation() && asked.supports(operation->name()))
       all.operations.push_back(operation);
   }
   for (const std::string& family : options.families) {

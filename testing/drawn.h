@@ -9,31 +9,31 @@
 
 #include "catalogue/operation/operation.h"
 
-/// Questions of the catalogue and the choices that give them, whatever test framework draws them.
+/// Questions of the catalogue and the draws that give them, whatever test framework draws them.
 namespace touchstone::tests {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using catalogue::Operation;
 
-/// A question and the choices that give it. Shrinking works on the choices, so that what shrinks stays in its family.
+/// A question and the draws that give it. Shrinking works on the draws, so that what shrinks stays in its family.
 struct Drawn {
   const Operation* operation = nullptr;
   std::size_t family = 0;
-  std::vector<std::uint8_t> choices;
+  std::vector<std::uint8_t> draws;
   catalogue::Question question;
 };
 
 inline Drawn replayed(const Operation& operation, std::size_t family, std::vector<std::uint8_t> bytes) {
-  Choices choices = Choices::replayed(bytes);
-  catalogue::Question question = operation.draw(choices, family);
+  DrawStream draws = DrawStream::replayed(bytes);
+  catalogue::Question question = operation.draw(draws, family);
   return {&operation, family, std::move(bytes), std::move(question)};
 }
 
-/// The choices of a seed written down.
+/// The draws of a seed written down.
 inline Drawn recorded(const Operation& operation, std::size_t family, std::uint64_t seed) {
-  Choices choices = Choices::seeded(seed, true);
-  catalogue::Question question = operation.draw(choices, family);
-  return {&operation, family, choices.recorded(), std::move(question)};
+  DrawStream draws = DrawStream::seeded(seed, true);
+  catalogue::Question question = operation.draw(draws, family);
+  return {&operation, family, draws.recorded(), std::move(question)};
 }
 
 /// Whether the question is within the operation's contract: families also draw what `robust` refuses.
@@ -55,7 +55,7 @@ inline std::string shown(const Drawn& drawn) {
          "' | touchstone ask " + name + " -";
 }
 
-/// Simpler streams of choices than this one: shorter ones first, then those of smaller bytes.
+/// Simpler draw streams than this one: shorter ones first, then those of smaller bytes.
 inline std::vector<std::vector<std::uint8_t>> simpler(const std::vector<std::uint8_t>& bytes) {
   std::vector<std::vector<std::uint8_t>> found;
   for (std::size_t length = bytes.size(); length > 0; length /= 2) {

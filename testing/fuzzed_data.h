@@ -22,7 +22,7 @@ namespace touchstone::tests {
 class FuzzedData {
  public:
   /// The bytes are not copied.
-  FuzzedData(const std::uint8_t* bytes, std::size_t size) : choices_(Choices::replayed({bytes, size})) {}
+  FuzzedData(const std::uint8_t* bytes, std::size_t size) : choices_(DrawStream::replayed({bytes, size})) {}
 
   /// The next question; empty where it is outside the operation's contract, or of another alternative. The bytes of a
   /// single question are those that TOUCHSTONE_ENGINE_FUZZ reads for it.
@@ -39,7 +39,7 @@ class FuzzedData {
   std::uint64_t below(std::uint64_t n) { return choices_.below(n); }
 
  private:
-  Choices choices_;
+  DrawStream choices_;
 };
 
 /// Prints the question, with the line that asks for the truth, and aborts, which libFuzzer keeps as a crash.

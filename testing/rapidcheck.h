@@ -23,11 +23,11 @@ void showValue(const Asked<Row, Ts...>& asked, std::ostream& os) {
   os << shown(asked);
 }
 
-/// A question and, as its shrinks, those of simpler choices, valid or not.
+/// A question and, as its shrinks, those of simpler draws, valid or not.
 inline rc::Shrinkable<Drawn> shrinkable(Drawn drawn) {
   return rc::shrinkable::shrinkRecur(std::move(drawn), [](const Drawn& parent) {
     std::vector<Drawn> smaller;
-    for (auto& bytes : simpler(parent.choices))
+    for (auto& bytes : simpler(parent.draws))
       smaller.push_back(replayed(*parent.operation, parent.family, std::move(bytes)));
     return rc::seq::fromContainer(std::move(smaller));
   });
@@ -38,7 +38,7 @@ template <class Row, class... Ts>
 rc::Shrinkable<Asked<Row, Ts...>> shrinkable(Asked<Row, Ts...> asked, Sizes sizes) {
   return rc::shrinkable::shrinkRecur(std::move(asked), [sizes](const Asked<Row, Ts...>& parent) {
     std::vector<Asked<Row, Ts...>> smaller;
-    for (auto& bytes : simpler(parent.drawn.choices)) {
+    for (auto& bytes : simpler(parent.drawn.draws)) {
       Drawn drawn = replayed(*parent.drawn.operation, parent.drawn.family, std::move(bytes));
       if (!is_wanted(drawn, sizes)) continue;
       if (auto found = typed<Row, Ts...>(std::move(drawn))) smaller.push_back(*std::move(found));

@@ -78,7 +78,7 @@ std::vector<std::string> alternatives_left_out() {
     const auto look = [&]<class Alternative>(const Alternative*) {
       constexpr bool answers =
           answers_row<Engine, Row, Alternative> || answers_row<Engine, Row, rebound_t<Alternative, float>>;
-      if (!answers) left_out.push_back(arguments_text<Alternative>(*find_operation(Row::card().name), at));
+      if (!answers) left_out.push_back(arguments_text<Alternative>(*find_operation(Row::metadata().name), at));
       ++at;
     };
     (look(static_cast<const Ts*>(nullptr)), ...);
@@ -161,7 +161,7 @@ Served served(Engine& engine) {
   for_each_row([&]<class Row>() {
     require_signature<Row, Engine>();
     if constexpr (has_operation<Engine, Row, double> || has_operation<Engine, Row, float>) {
-      const Operation& operation = *find_operation(Row::card().name);
+      const Operation& operation = *find_operation(Row::metadata().name);
       all.hello.operations.insert(operation.name());
       for (const std::string& arguments : alternatives_left_out<Row, Engine>())
         all.left_out.push_back(operation.name() + arguments);

@@ -83,9 +83,10 @@ std::optional<Json> engine_answer(const Result& result) {
                   "true and false are no answer to this operation: return its enumeration");
     return Json(result);
   } else if constexpr (std::is_same_v<Result, rebound_t<Answer, double>>) {
-    return named(Row::card().answer, to_json(result));
+    return named(Row::metadata().answer, to_json(result));
   } else if constexpr (std::is_same_v<Result, rebound_t<Answer, float>>) {
-    return named(Row::card().answer, to_json(converted<double>(result, [](float number) { return double{number}; })));
+    return named(Row::metadata().answer,
+                 to_json(converted<double>(result, [](float number) { return double{number}; })));
   } else {
     static_assert(has_member_of_type<Answer, Result>(),
                   "this type is no answer to the operation (see geometry/answers.h)");

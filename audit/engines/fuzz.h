@@ -42,7 +42,7 @@ class StoppingVerdicts {
   std::vector<Verdict> named_;
 };
 
-/// One libFuzzer input: its first byte chooses the family, the others are the choices that draw a question of it.
+/// One libFuzzer input: its first byte chooses the family, the others are the draws that draw a question of it.
 /// Aborts with one line where the verdict on the engine's answer is among those that stop: the findings, or with
 /// TOUCHSTONE_FUZZ_ONLY=algorithm,invalid these alone. A crash of the engine is libFuzzer's to report.
 template <class Engine, class Row>
@@ -50,10 +50,10 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   static const StoppingVerdicts stopping = StoppingVerdicts::of_environment();
   static Engine engine{};
   static const Declaration declaration = declaration_of<Engine>();
-  static const Operation& operation = *find_operation(Row::card().name);
-  Choices choices = Choices::replayed({bytes, size});
-  const std::size_t family = choices.below(operation.families().size());
-  Question question = operation.draw(choices, family);
+  static const Operation& operation = *find_operation(Row::metadata().name);
+  DrawStream draws = DrawStream::replayed({bytes, size});
+  const std::size_t family = draws.below(operation.families().size());
+  Question question = operation.draw(draws, family);
   question = fitted(operation, question, declaration);
   std::unique_ptr<Examination> examination;
   try {
@@ -74,7 +74,7 @@ int fuzz_engine(const unsigned char* bytes, std::size_t size) {
   }
   if (!stopping.contain(judgement.verdict)) return 0;
   std::fprintf(stderr, "%s: %s (%s%s%s) on %s: it says %s, the truth is %s\n", declaration.engine.c_str(),
-               operation.card().name, name_of(judgement.verdict), judgement.remark.empty() ? "" : ": ",
+               operation.metadata().name, name_of(judgement.verdict), judgement.remark.empty() ? "" : ": ",
                judgement.remark.c_str(), one_line(operation.print_hexadecimal(question)).c_str(),
                one_line(answer).c_str(), one_line(examination->truth()).c_str());
   std::abort();

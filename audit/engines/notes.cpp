@@ -17,10 +17,10 @@ void EngineNotes::add_of_first_line(const std::string& remark) {
   remarks_.insert(remark);
 }
 
-void EngineNotes::add_restart(const std::string& fault) {
+void EngineNotes::add_restart(const std::string& defect) {
   const std::lock_guard lock(mutex_);
   ++restarts_;
-  last_fault_ = fault;
+  last_fault_ = defect;
 }
 
 void EngineNotes::add_stray_line(const std::string& line) {

@@ -17,7 +17,7 @@ namespace touchstone::audit {
 class EngineNotes {
  public:
   void add_of_first_line(const std::string& remark);
-  void add_restart(const std::string& fault);
+  void add_restart(const std::string& defect);
   void add_stray_line(const std::string& line);
 
   /// The remarks on the first line, each behind "; ": the end of a complaint.

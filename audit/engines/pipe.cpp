@@ -31,7 +31,7 @@ std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector
     operation_ = operation.name();
     restarts_ = restarts_in_a_row_ = timeouts_ = 0;
   }
-  Round round{operation.card(), QuestionText(operation), questions, next_id_};
+  Round round{operation.metadata(), QuestionText(operation), questions, next_id_};
   round.replies.resize(questions.size());
   round.settled.resize(questions.size());
   Indices to_ask(questions.size()), unanswered;
@@ -57,11 +57,11 @@ void PipeEngine::ask_alone(Round& round, Indices& suspects) {
     const int timeouts = timeouts_;
     alone.assign(1, suspects.front());
     unanswered.clear();
-    const auto fault = converse(round, alone, 1, unanswered);
+    const auto defect = converse(round, alone, 1, unanswered);
     if (interrupted()) return;
-    if (fault && !unanswered.empty()) {
+    if (defect && !unanswered.empty()) {
       if (!fresh && timeouts_ == timeouts) continue;
-      settle(round, suspects.front(), {Reply::Kind::failed, nullptr, *fault});
+      settle(round, suspects.front(), {Reply::Kind::failed, nullptr, *defect});
     }
     suspects.pop_front();
   }
@@ -71,13 +71,13 @@ std::optional<std::string> PipeEngine::converse(Round& round, Indices& to_ask, s
                                                 Indices& unanswered) {
   const std::size_t first = round.asked.size();
   round.owed = 0;
-  const auto fault = exchange(round, to_ask, in_flight);
-  if (!fault) return fault;
-  lose_engine(*fault);
+  const auto defect = exchange(round, to_ask, in_flight);
+  if (!defect) return defect;
+  lose_engine(*defect);
   for (std::size_t i = first; i < round.asked.size(); ++i) {
     if (!round.settled[round.asked[i]]) unanswered.push_back(round.asked[i]);
   }
-  return fault;
+  return defect;
 }
 
 std::optional<std::string> PipeEngine::exchange(Round& round, Indices& to_ask, std::size_t in_flight) {
@@ -88,7 +88,7 @@ std::optional<std::string> PipeEngine::exchange(Round& round, Indices& to_ask, s
     if (owed == 0) return std::nullopt;
     process_->wait_for(!outbox_.empty(), std::min(deadline, Clock::now() + slice));
     const bool open = process_->read(inbox_);
-    if (auto fault = take_lines(round)) return fault;
+    if (auto defect = take_lines(round)) return defect;
     if (!open) return process_->end();
     if (round.owed < owed) {
       deadline = from_now(limits_.timeout);
@@ -103,7 +103,7 @@ std::optional<std::string> PipeEngine::exchange(Round& round, Indices& to_ask, s
 
 void PipeEngine::write_questions(Round& round, Indices& to_ask, std::size_t in_flight) {
   while (!to_ask.empty() && round.owed < in_flight && outbox_.size() < outbox_filled) {
-    append_question_line(next_id_++, round.card, round.text, round.questions[to_ask.front()], outbox_);
+    append_question_line(next_id_++, round.metadata, round.text, round.questions[to_ask.front()], outbox_);
     round.asked.push_back(to_ask.front());
     to_ask.pop_front();
     ++round.owed;
@@ -116,7 +116,7 @@ void PipeEngine::write_questions(Round& round, Indices& to_ask, std::size_t in_f
 std::optional<std::string> PipeEngine::take_lines(Round& round) {
   std::size_t begin = 0;
   for (std::size_t end; (end = inbox_.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    if (auto fault = take_line(inbox_.substr(begin, end - begin), round)) return fault;
+    if (auto defect = take_line(inbox_.substr(begin, end - begin), round)) return defect;
   }
   inbox_.erase(0, begin);
   if (inbox_.size() > limits_.line)
@@ -162,7 +162,7 @@ void PipeEngine::hear_repetitions(Round& round) {
   while (repeats_itself_ && process_ && Clock::now() < deadline) {
     process_->wait_for(false, deadline);
     const bool open = process_->read(inbox_);
-    if (const auto fault = take_lines(round); fault || !open) lose_engine(fault.value_or("its output ended"));
+    if (const auto defect = take_lines(round); defect || !open) lose_engine(defect.value_or("its output ended"));
   }
 }
 
@@ -230,10 +230,10 @@ bool PipeEngine::start_again() {
   }
 }
 
-void PipeEngine::lose_engine(const std::string& fault) {
+void PipeEngine::lose_engine(const std::string& defect) {
   process_.reset();
-  last_fault_ = fault;
-  if (notes_ != nullptr && !interrupted()) notes_->add_restart(fault);
+  last_fault_ = defect;
+  if (notes_ != nullptr && !interrupted()) notes_->add_restart(defect);
   ++restarts_;
   ++restarts_in_a_row_;
 }

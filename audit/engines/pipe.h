@@ -47,7 +47,7 @@ class PipeEngine final : public Engine {
   using Clock = std::chrono::steady_clock;
   /// One call of ask. A question is known by its index in it.
   struct Round {
-    const Card& card;
+    const Metadata& metadata;
     const QuestionText text;
     const std::vector<Question>& questions;
     std::uint64_t first_id;
@@ -70,7 +70,7 @@ class PipeEngine final : public Engine {
   std::optional<std::string> take_line(const std::string& line, Round& round);
   void hear_repetitions(Round& round);
   void settle(Round& round, std::size_t index, Reply reply);
-  void lose_engine(const std::string& fault);
+  void lose_engine(const std::string& defect);
   std::string why_stop() const;
   bool interrupted() const { return (stop_ != nullptr && *stop_) || (over_ && over_()); }
 

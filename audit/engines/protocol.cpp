@@ -29,7 +29,7 @@ std::size_t word_index(const Json& value, const char* field, const std::array<co
 }
 
 /// Whether engines are asked an operation. Of a method, another formula for an operation, they need not know.
-bool is_asked(const Operation& operation) { return !operation.card().is_implementation(); }
+bool is_asked(const Operation& operation) { return !operation.metadata().is_implementation(); }
 
 /// Names that nobody knows: they may be of a newer version, or misspelt; and those of methods.
 std::vector<std::string> remarks_on(const Json& hello) {
@@ -70,7 +70,7 @@ std::string boundary_word(Declaration::Boundary boundary) { return boundary_word
 std::string pairs_word(Declaration::Pairs pairs) { return pairs_words[static_cast<std::size_t>(pairs)]; }
 
 std::string why_never_asked(const Operation& implementation) {
-  return implementation.name() + ": a method of " + implementation.card().implementation_of +
+  return implementation.name() + ": a method of " + implementation.metadata().implementation_of +
          ", which engines are asked instead";
 }
 
@@ -132,12 +132,12 @@ std::string written_hello(const Hello& hello) {
   return one_line(line) + "\n";
 }
 
-void append_question_line(std::uint64_t id, const Card& card, const QuestionText& text, const Question& question,
-                          std::string& lines) {
+void append_question_line(std::uint64_t id, const Metadata& metadata, const QuestionText& text,
+                          const Question& question, std::string& lines) {
   lines += R"({"id":)";
   lines += std::to_string(id);
   lines += R"(,"op":")";
-  lines += card.name;
+  lines += metadata.name;
   lines += R"(","input":)";
   text.write(question, lines);
   lines += "}\n";

@@ -38,8 +38,8 @@ std::string why_never_asked(const Operation& method);
 Hello read_hello(const std::string& line);
 std::string written_hello(const Hello& hello);
 
-void append_question_line(std::uint64_t id, const Card& card, const QuestionText& text, const Question& question,
-                          std::string& lines);
+void append_question_line(std::uint64_t id, const Metadata& metadata, const QuestionText& text,
+                          const Question& question, std::string& lines);
 
 /// The parts of a question's line where it is as append_question_line writes it; nothing otherwise.
 struct QuestionLine {

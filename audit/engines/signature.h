@@ -110,7 +110,7 @@ struct Signature {
 /// One for each alternative of the operation's questions.
 template <class Row>
 std::vector<Signature> signature_texts() {
-  const Operation& operation = *find_operation(Row::card().name);
+  const Operation& operation = *find_operation(Row::metadata().name);
   std::vector<Signature> found;
   const auto add = [&]<class Answer, class... Ts>(Answer (*)(Ts...)) {
     const std::string arguments = arguments_text<std::tuple<Ts...>>(operation, found.size());

@@ -34,7 +34,7 @@ Json rule_json(const Found& found) {
   const Operation* operation = find_operation(found.operation);
   Json rule = {{"id", rule_id(found)},
                {"shortDescription", {{"text", found.operation + ": " + cause_in_words(found.cause)}}}};
-  if (operation) rule["fullDescription"] = {{"text", std::string(operation->card().question)}};
+  if (operation) rule["fullDescription"] = {{"text", std::string(operation->metadata().question)}};
   rule["defaultConfiguration"] = {{"level", "error"}};
   return rule;
 }

@@ -71,7 +71,7 @@ Json schema_of(const Shape& shape, const std::string& number, bool input) {
 
 Json answer_schema(const Operation& operation, const std::string& number) {
   Json bare = schema_of(operation.answer_shape(), number, false);
-  const std::string name = operation.card().answer;
+  const std::string name = operation.metadata().answer;
   if (name.empty()) return bare;
   return closed_object({{name, std::move(bare)}}, {name});
 }
@@ -110,7 +110,7 @@ Json answered(const Operation& operation) {
   members["input"] = schema_of(operation.question_shape(), "finite", true);
   members["truth"] = answer_schema(operation, "exact");
   members["rounded"] = answer_schema(operation, "double");
-  if (operation.card().margin_degree != 0) members["margin"] = reference_to("rational");
+  if (operation.metadata().margin_degree != 0) members["margin"] = reference_to("rational");
   members["certificate"] = reference_to("certificate");
   Json flags = Json::array();
   for (const Flag& flag : vector_flags) {
@@ -168,7 +168,8 @@ Json vector_schema(const Operation& operation) {
   Json schema = Json::object();
   schema["$schema"] = draft;
   schema["title"] = "touchstone test vector: " + operation.name();
-  schema["description"] = std::string(operation.card().question) + " What the fields and flags mean: ../schema.json.";
+  schema["description"] =
+      std::string(operation.metadata().question) + " What the fields and flags mean: ../schema.json.";
   schema["if"] = {{"required", {"refused"}}};
   schema["then"] = reference_to("refused");
   schema["else"] = reference_to("answered");

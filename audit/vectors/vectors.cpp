@@ -147,13 +147,13 @@ std::string other_complaint(const Json& line, const Examined& examined) {
 
 Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
   Vectors vectors;
-  const std::size_t longest = operation.card().longest_vector;
+  const std::size_t longest = operation.metadata().longest_vector;
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     std::map<std::string, std::size_t> seen;
     std::size_t kept = 0;
     for (std::uint64_t i = 0; i < drawn_of_a_family && kept < most_of_a_family; ++i) {
-      Choices choices = case_choices(operation, family, seed, i);
-      const Examined examined{operation, operation.draw(choices, family)};
+      DrawStream draws = case_choices(operation, family, seed, i);
+      const Examined examined{operation, operation.draw(draws, family)};
       if (seen[likeness(examined)]++ >= most_alike) continue;
       std::string line = one_line(vector_line(operation.families()[family], examined));
       if (longest != 0 && line.size() > longest) {

@@ -15,7 +15,7 @@ namespace touchstone::audit {
 /// operation and its number, from 1.
 struct Vectors {
   std::vector<std::string> lines;
-  std::size_t left_out = 0;  ///< longer than the operation's longest vector (Card::longest_vector)
+  std::size_t left_out = 0;  ///< longer than the operation's longest vector (Metadata::longest_vector)
 };
 Vectors vectors_of(const Operation& operation, std::uint64_t seed);
 

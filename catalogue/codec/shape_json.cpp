@@ -27,9 +27,9 @@ bool may_be_left_out(const Shape& shape, bool partial) {
 }
 
 template <class Real>
-void leave_out(const Shape& shape, Tape<Real>& tape) {
-  if (shape.kind != Shape::Kind::record) return tape.words.push_back(0);
-  for (const Shape::Part& part : shape.parts) leave_out(*part.shape, tape);
+void leave_out(const Shape& shape, EncodedValue<Real>& encoded) {
+  if (shape.kind != Shape::Kind::record) return encoded.words.push_back(0);
+  for (const Shape::Part& part : shape.parts) leave_out(*part.shape, encoded);
 }
 
 void read_word(const Shape& shape, const Json& json, const std::string& path, std::vector<Word>& words) {
@@ -59,21 +59,21 @@ void require_known(const Shape& shape, const Json& json, const std::string& path
 }
 
 template <class Real>
-void read_record(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
-                 bool partial) {
-  if (shape.form == Form::bare) return read_json(*shape.parts[0].shape, json, path, tape, read, partial);
+void read_record(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
+                 ReadNumber<Real> read, bool partial) {
+  if (shape.form == Form::bare) return read_json(*shape.parts[0].shape, json, path, encoded, read, partial);
   if (shape.form == Form::list) {
     require_array(json, path, shape.parts.size());
     for (std::size_t i = 0; i < shape.parts.size(); ++i)
-      read_json(*shape.parts[i].shape, json[i], element(path, i), tape, read, partial);
+      read_json(*shape.parts[i].shape, json[i], element(path, i), encoded, read, partial);
     return;
   }
   require_known(shape, json, path);
   for (const Shape::Part& part : shape.parts) {
     if (json.contains(part.name)) {
-      read_json(*part.shape, json[part.name], member_path(path, part.name), tape, read, partial);
+      read_json(*part.shape, json[part.name], member_path(path, part.name), encoded, read, partial);
     } else if (may_be_left_out(*part.shape, partial)) {
-      leave_out(*part.shape, tape);
+      leave_out(*part.shape, encoded);
     } else {
       throw InvalidInput(member_path(path, part.name), "missing");
     }
@@ -93,8 +93,8 @@ bool has_a_field_of(const Shape& alternative, const Json& json) {
 /// furthest, of those that have a field of that name. A number that is not finite stands where a number should: it is
 /// read further than what is none.
 template <class Real>
-void read_choice(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
-                 bool partial) {
+void read_choice(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
+                 ReadNumber<Real> read, bool partial) {
   std::optional<InvalidInput> complaint;
   std::size_t furthest = 0;
   bool named = false;
@@ -109,12 +109,12 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
   }
   for (std::size_t i = 0; i < shape.parts.size(); ++i) {
     if (named && !has_a_field_of(*shape.parts[i].shape, json)) continue;
-    Tape<Real> tried;
+    EncodedValue<Real> tried;
     tried.words.push_back(static_cast<Word>(i));
     try {
       read_json(*shape.parts[i].shape, json, path, tried, read, partial);
-      tape.numbers.insert(tape.numbers.end(), tried.numbers.begin(), tried.numbers.end());
-      tape.words.insert(tape.words.end(), tried.words.begin(), tried.words.end());
+      encoded.numbers.insert(encoded.numbers.end(), tried.numbers.begin(), tried.numbers.end());
+      encoded.words.insert(encoded.words.end(), tried.words.begin(), tried.words.end());
       return;
     } catch (const InvalidInput& refused) {
       const std::size_t reached = 2 * tried.numbers.size() + (refused.rule() == "finite number" ? 2 : 1);
@@ -158,27 +158,27 @@ Json json_of(const Shape& shape, Cursor<Real>& at, WriteNumber<Real> write) {
 }
 
 template <class Real>
-void read_json(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
-               bool partial) {
+void read_json(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
+               ReadNumber<Real> read, bool partial) {
   switch (shape.kind) {
     case Shape::Kind::number:
-      if (partial) tape.words.push_back(1);
-      tape.numbers.push_back(read(json, path));
+      if (partial) encoded.words.push_back(1);
+      encoded.numbers.push_back(read(json, path));
       return;
-    case Shape::Kind::word: return read_word(shape, json, path, tape.words);
-    case Shape::Kind::flag: tape.words.push_back(read_flag(json, path)); return;
-    case Shape::Kind::index: tape.words.push_back(read_index(json, path)); return;
+    case Shape::Kind::word: return read_word(shape, json, path, encoded.words);
+    case Shape::Kind::flag: encoded.words.push_back(read_flag(json, path)); return;
+    case Shape::Kind::index: encoded.words.push_back(read_index(json, path)); return;
     case Shape::Kind::optional:
-      tape.words.push_back(1);
-      return read_json(*shape.parts[0].shape, json, path, tape, read, partial);
+      encoded.words.push_back(1);
+      return read_json(*shape.parts[0].shape, json, path, encoded, read, partial);
     case Shape::Kind::list:
       if (!json.is_array()) throw InvalidInput(path, expected("an array", json));
-      tape.words.push_back(static_cast<Word>(json.size()));
+      encoded.words.push_back(static_cast<Word>(json.size()));
       for (std::size_t i = 0; i < json.size(); ++i)
-        read_json(*shape.parts[0].shape, json[i], element(path, i), tape, read, partial);
+        read_json(*shape.parts[0].shape, json[i], element(path, i), encoded, read, partial);
       return;
-    case Shape::Kind::choice: return read_choice(shape, json, path, tape, read, partial);
-    case Shape::Kind::record: return read_record(shape, json, path, tape, read, partial);
+    case Shape::Kind::choice: return read_choice(shape, json, path, encoded, read, partial);
+    case Shape::Kind::record: return read_record(shape, json, path, encoded, read, partial);
   }
 }
 
@@ -213,7 +213,8 @@ Json json_of(const Shape& shape) {
 template Json json_of(const Shape&, Cursor<double>&, WriteNumber<double>);
 template Json json_of(const Shape&, Cursor<mpq_class>&, WriteNumber<mpq_class>);
 template Json json_of(const Shape&, Cursor<TrueNumber>&, WriteNumber<TrueNumber>);
-template void read_json(const Shape&, const Json&, const std::string&, Tape<double>&, ReadNumber<double>, bool);
-template void read_json(const Shape&, const Json&, const std::string&, Tape<mpq_class>&, ReadNumber<mpq_class>, bool);
+template void read_json(const Shape&, const Json&, const std::string&, EncodedValue<double>&, ReadNumber<double>, bool);
+template void read_json(const Shape&, const Json&, const std::string&, EncodedValue<mpq_class>&, ReadNumber<mpq_class>,
+                        bool);
 
 }  // namespace touchstone::catalogue

@@ -19,16 +19,17 @@ inline Json written(const TrueNumber& value) { return value.text(); }
 template <class Real>
 Json json_of(const Shape& shape, Cursor<Real>& at, WriteNumber<Real> write);
 template <class Real>
-Json json_of(const Shape& shape, const Tape<Real>& tape, WriteNumber<Real> write) {
-  Cursor<Real> at(tape);
+Json json_of(const Shape& shape, const EncodedValue<Real>& encoded, WriteNumber<Real> write) {
+  Cursor<Real> at(encoded);
   return json_of(shape, at, write);
 }
 
-/// Appends the value to the tape. Throws InvalidInput naming the path and the rule. In a partial reading any number may
-/// be left out: each is preceded on the tape by a word that says whether it is there. Double or mpq_class.
+/// Appends the value to the encoded value. Throws InvalidInput naming the path and the rule. In a partial reading any
+/// number may be left out: each is preceded on the encoded value by a word that says whether it is there. Double or
+/// mpq_class.
 template <class Real>
-void read_json(const Shape& shape, const Json& json, const std::string& path, Tape<Real>& tape, ReadNumber<Real> read,
-               bool partial = false);
+void read_json(const Shape& shape, const Json& json, const std::string& path, EncodedValue<Real>& encoded,
+               ReadNumber<Real> read, bool partial = false);
 
 /// The shape itself: "number", "on | off", ["number", "number"], {"t?": "number"}. A name that ends in ? may be left
 /// out.
@@ -43,9 +44,9 @@ Json to_json(const T& value) {
 }
 template <class T>
 void read(const Json& json, const std::string& path, T& value, ReadNumber<double> read_number) {
-  Tape<double> tape;
-  read_json(shape_of<T>(), json, path, tape, read_number);
-  value = unpacked<T>(tape);
+  EncodedValue<double> encoded;
+  read_json(shape_of<T>(), json, path, encoded, read_number);
+  value = unpacked<T>(encoded);
 }
 
 }  // namespace touchstone::catalogue

@@ -3,18 +3,18 @@
 
 #include <string>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 
 namespace touchstone::catalogue {
 
 /// A family of questions that are hard on purpose.
 template <class Question>
 struct HardCase {
-  std::string name;            ///< the family: "collinear", "shared_end" ...
-  Question (*draw)(Choices&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
+  std::string name;               ///< the family: "collinear", "shared_end" ...
+  Question (*draw)(DrawStream&);  ///< integers and other exact parameters, so that a shrunk case stays degenerate
   /// Neither scaled nor, as a family of its own, moved by an ulp: its mesh has to stay one that test vectors can name,
   /// or its lists are so long that once is dear enough.
-  bool as_drawn = false;
+  bool unscaled = false;
 };
 
 }  // namespace touchstone::catalogue

@@ -3,24 +3,24 @@
 
 #include <vector>
 
-#include "catalogue/families/list_choices.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/list_draws.h"
+#include "catalogue/families/space_draws.h"
 
-/// Long lists of points, drawn from a stream of choices.
+/// Long lists of points, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 /// Points near the origin, and one that is beyond them on every axis: without it the answer is another one.
-inline std::vector<Point3d> many_points_and_one_far(Choices& choices) {
-  std::vector<Point3d> points = long_list(choices, [](Choices& c) {
+inline std::vector<Point3d> many_points_and_one_far(DrawStream& draws) {
+  std::vector<Point3d> points = long_list(draws, [](DrawStream& c) {
     const double x = small_integer(c), y = small_integer(c);
     return Point3d{x, y, small_integer(c)};
   });
-  const auto far = [&choices] {
-    const auto size = static_cast<double>(9 + choices.below(16));
-    return choices.below(2) == 1 ? -size : size;
+  const auto far = [&draws] {
+    const auto size = static_cast<double>(9 + draws.below(16));
+    return draws.below(2) == 1 ? -size : size;
   };
   const double x = far(), y = far(), z = far();
-  const std::size_t place = late_index(points.size(), choices);
+  const std::size_t place = late_index(points.size(), draws);
   points[place] = {x, y, z};
   return points;
 }

@@ -7,43 +7,43 @@
 
 namespace touchstone::catalogue {
 
-double integer(Choices& choices, int bits) {
-  const auto width = static_cast<int>(choices.below(8)) < 5
+double integer(DrawStream& draws, int bits) {
+  const auto width = static_cast<int>(draws.below(8)) < 5
                          ? std::min(bits, 3)
-                         : 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(bits)));
-  const std::uint64_t size = choices.below(std::uint64_t{1} << width);
-  return choices.below(2) == 1 ? -static_cast<double>(size) : static_cast<double>(size);
+                         : 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(bits)));
+  const std::uint64_t size = draws.below(std::uint64_t{1} << width);
+  return draws.below(2) == 1 ? -static_cast<double>(size) : static_cast<double>(size);
 }
 
-double any_finite(Choices& choices) {
-  const std::uint64_t bits = choices.any_bits();
+double any_finite(DrawStream& draws) {
+  const std::uint64_t bits = draws.any_bits();
   const double value = std::bit_cast<double>(bits);
   // An infinity or NaN pattern becomes a number of the greatest binade.
   return (bits >> 52 & 0x7ff) == 0x7ff ? std::bit_cast<double>(bits & ~(std::uint64_t{1} << 52)) : value;
 }
 
-double ordinary(Choices& choices) {
-  const std::uint64_t k = choices.below(std::uint64_t{1} << 53);
+double ordinary(DrawStream& draws) {
+  const std::uint64_t k = draws.below(std::uint64_t{1} << 53);
   return (static_cast<double>(k) - 0x1p52) * 0x1p-52;
 }
 
-double typed(Choices& choices) {
+double typed(DrawStream& draws) {
   static constexpr std::array<double, 24> values{0.0,     1.0,       0.1,  0.2,     0.3, 0.5, 2.0,  0.7,
                                                  1.0 / 3, 2.0 / 3,   0.6,  1.1,     3.3, 10,  12.5, 99.99,
                                                  100,     1000000.1, 1e-3, 3.14159, 0.9, 0.4, 0.8,  1e6};
-  const double value = values[choices.below(values.size())];
-  return choices.below(4) == 3 ? -value : value;
+  const double value = values[draws.below(values.size())];
+  return draws.below(4) == 3 ? -value : value;
 }
 
-double mixed_exponent(Choices& choices) {
-  const auto significand = static_cast<double>(choices.below(16));
-  const double sign = choices.below(2) == 1 ? -1 : 1;
-  const int exponent = static_cast<int>(choices.below(2095)) - 1074;  // 15 * 2^1020 is the greatest
+double mixed_exponent(DrawStream& draws) {
+  const auto significand = static_cast<double>(draws.below(16));
+  const double sign = draws.below(2) == 1 ? -1 : 1;
+  const int exponent = static_cast<int>(draws.below(2095)) - 1074;  // 15 * 2^1020 is the greatest
   return sign * std::ldexp(significand, exponent);
 }
 
-int scale_exponent(Choices& choices) {
-  switch (choices.below(16)) {
+int scale_exponent(DrawStream& draws) {
+  switch (draws.below(16)) {
     default: return 0;
     case 9: return 39;
     case 10: return -39;
@@ -51,19 +51,19 @@ int scale_exponent(Choices& choices) {
     case 12: return -537;
     case 13: return -1074;
     case 14: return 960;
-    case 15: return static_cast<int>(choices.below(1900)) - 1000;
+    case 15: return static_cast<int>(draws.below(1900)) - 1000;
   }
 }
 
-double beside_half_an_ulp(Choices& choices, int first, int places) {
-  const double bit = std::ldexp(1, first - static_cast<int>(choices.below(static_cast<std::uint64_t>(places))));
-  return choices.below(2) == 1 ? 0x1p-53 - bit : 0x1p-53 + bit;
+double beside_half_an_ulp(DrawStream& draws, int first, int places) {
+  const double bit = std::ldexp(1, first - static_cast<int>(draws.below(static_cast<std::uint64_t>(places))));
+  return draws.below(2) == 1 ? 0x1p-53 - bit : 0x1p-53 + bit;
 }
 
-std::size_t list_length(Choices& choices) {
-  const std::uint64_t k = choices.below(32);
+std::size_t list_length(DrawStream& draws) {
+  const std::uint64_t k = draws.below(32);
   if (k < 30) return 3 + k % 6;
-  return k == 30 ? choices.below(3) : 9 + choices.below(32);
+  return k == 30 ? draws.below(3) : 9 + draws.below(32);
 }
 
 double moved_by_ulps(double value, int ulps) {

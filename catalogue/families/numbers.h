@@ -3,50 +3,50 @@
 
 #include <cmath>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 
-/// Single numbers, drawn from a stream of choices; the first choice gives the simplest.
+/// Single numbers, drawn from a draw stream; the first choice gives the simplest.
 namespace touchstone::catalogue {
 
 /// 0, 1, -1, 2, -2, ... up to +-most.
-inline double small_integer(Choices& choices, int most = 8) {
-  const auto k = static_cast<int>(choices.below(2 * static_cast<std::uint64_t>(most) + 1));
+inline double small_integer(DrawStream& draws, int most = 8) {
+  const auto k = static_cast<int>(draws.below(2 * static_cast<std::uint64_t>(most) + 1));
   return k % 2 == 0 ? -k / 2 : (k + 1) / 2;
 }
 
 /// 1 to `most` times 2^k, 0 <= k < `exponents`, or 2^-k; both drawn, k second.
-inline double scaled_up(Choices& choices, std::uint64_t most, std::uint64_t exponents) {
-  const auto number = static_cast<double>(1 + choices.below(most));
-  return std::ldexp(number, static_cast<int>(choices.below(exponents)));
+inline double scaled_up(DrawStream& draws, std::uint64_t most, std::uint64_t exponents) {
+  const auto number = static_cast<double>(1 + draws.below(most));
+  return std::ldexp(number, static_cast<int>(draws.below(exponents)));
 }
-inline double scaled_down(Choices& choices, std::uint64_t most, std::uint64_t exponents) {
-  const auto number = static_cast<double>(1 + choices.below(most));
-  return std::ldexp(number, -static_cast<int>(choices.below(exponents)));
+inline double scaled_down(DrawStream& draws, std::uint64_t most, std::uint64_t exponents) {
+  const auto number = static_cast<double>(1 + draws.below(most));
+  return std::ldexp(number, -static_cast<int>(draws.below(exponents)));
 }
 
 /// An integer of at most `bits` bits with sign; mostly a small one. bits <= 53.
-double integer(Choices& choices, int bits);
+double integer(DrawStream& draws, int bits);
 
 /// Any finite double, every bit pattern alike: subnormals, 1e308, -0.0.
-double any_finite(Choices& choices);
+double any_finite(DrawStream& draws);
 
 /// Uniform in [-1, 1) on a grid of 2^-52: what a random test draws.
-double ordinary(Choices& choices);
+double ordinary(DrawStream& draws);
 
 /// A number that people type: 0.1, 0.2, 0.3, 1/3, 1e6 + 0.1 ...
-double typed(Choices& choices);
+double typed(DrawStream& draws);
 
 /// A few bits at an exponent from one end of the range to the other: 1e-308 beside 1e308.
-double mixed_exponent(Choices& choices);
+double mixed_exponent(DrawStream& draws);
 
 /// Half a unit in the last place of 1, give or take one bit at 2^first or less than `places` below.
-double beside_half_an_ulp(Choices& choices, int first, int places);
+double beside_half_an_ulp(DrawStream& draws, int first, int places);
 
 /// An exponent for scaling a whole input: mostly 0, else +-39, one end of the range or the other (see numbers.cpp).
-int scale_exponent(Choices& choices);
+int scale_exponent(DrawStream& draws);
 
 /// How many elements a list has: mostly 3 to 8, 3 being the simplest; sometimes fewer, sometimes up to 40.
-std::size_t list_length(Choices& choices);
+std::size_t list_length(DrawStream& draws);
 
 /// `value` moved by `ulps` units in the last place; finite values stay finite, zero passes through the subnormals.
 double moved_by_ulps(double value, int ulps);

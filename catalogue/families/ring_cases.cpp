@@ -5,32 +5,32 @@
 #include <cmath>
 #include <utility>
 
-#include "catalogue/families/plane_choices.h"
+#include "catalogue/families/plane_draws.h"
 
 namespace touchstone::catalogue {
 namespace {
 
 using Rings = std::tuple<Polygon2d>;
 
-double length(Choices& c) {
+double length(DrawStream& c) {
   const double n = std::fabs(integer(c, 20));
   return n == 0 ? 1 : n;
 }
 
 /// Eight times as large, so that halves, quarters and eighths of edges are lattice points.
-Polygon2d with_flat_vertices(Polygon2d ring, Choices& c) {
+Polygon2d with_flat_vertices(Polygon2d ring, DrawStream& c) {
   for (Point2d& p : ring.vertices) p = {8 * p.x, 8 * p.y};
   for (std::uint64_t more = 1 + c.below(4); more > 0; --more) ring = with_flat_vertex(ring, c);
   return ring;
 }
 
-void exchange_two(Polygon2d& ring, Choices& c) {
+void exchange_two(Polygon2d& ring, DrawStream& c) {
   const std::size_t one = c.below(ring.size()), other = c.below(ring.size());
   std::swap(ring.vertices[one], ring.vertices[other]);
 }
 
 /// A rectangle, or one with a corner taken out, with every lattice point of its boundary as a vertex.
-Polygon2d lattice_boundary(Choices& c) {
+Polygon2d lattice_boundary(DrawStream& c) {
   const auto a = static_cast<int>(1 + c.below(5)), b = static_cast<int>(1 + c.below(5));
   const bool notched = c.below(2) == 1;
   std::vector<Point2d> corners{{0, 0}, {2.0 * a, 0}, {2.0 * a, 1.0 * b}};
@@ -48,7 +48,7 @@ Polygon2d lattice_boundary(Choices& c) {
 }
 
 /// Two chains that go on in x, one unit apart.
-Polygon2d strip(Choices& c) {
+Polygon2d strip(DrawStream& c) {
   std::vector<Point2d> lower;
   double x = 0;
   for (std::uint64_t more = 2 + c.below(8); more > 0; --more) {
@@ -61,7 +61,7 @@ Polygon2d strip(Choices& c) {
 }
 
 /// A corridor of width 1 with walls of thickness 1, winding outwards.
-Polygon2d spiral(Choices& c) {
+Polygon2d spiral(DrawStream& c) {
   static constexpr Vector2d turn[4]{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   std::vector<Point2d> outer{{0, 0}}, inner{{0, 1}};
   const std::uint64_t arms = 2 + c.below(14);
@@ -77,13 +77,13 @@ Polygon2d spiral(Choices& c) {
 }
 
 /// A frame that closes but for a slit of one unit: a hole, almost.
-Polygon2d slit_frame(Choices& c) {
+Polygon2d slit_frame(DrawStream& c) {
   const double a = 4 + length(c), b = 4 + length(c);
   return {{{0, 0}, {a, 0}, {a, b}, {0, b}, {0, 2}, {1, 2}, {1, b - 1}, {a - 1, b - 1}, {a - 1, 1}, {0, 1}}};
 }
 
 /// Corners as people type them, 1e6 + 0.1 and tenths beside it.
-Polygon2d typed_ring(Choices& c) {
+Polygon2d typed_ring(DrawStream& c) {
   const double where = c.below(2) == 1 ? 1e6 + 0.1 : 0.1;
   Polygon2d ring = c.below(2) == 1 ? comb_ring(c) : star_ring(c);
   for (Point2d& p : ring.vertices) p = {where + p.x / 10, where + p.y / 10};
@@ -91,7 +91,7 @@ Polygon2d typed_ring(Choices& c) {
 }
 
 /// A saw of up to 200 vertices, its teeth leaning to either side.
-Polygon2d long_ring(Choices& c) {
+Polygon2d long_ring(DrawStream& c) {
   const std::uint64_t teeth = c.one_in(12) ? 60 + c.below(39) : 2 + c.below(16);
   Polygon2d ring;
   for (std::uint64_t i = 0; i < teeth; ++i) {
@@ -105,7 +105,7 @@ Polygon2d long_ring(Choices& c) {
 }
 
 /// Small and in no order, its crossings undone.
-Polygon2d untangled(Choices& c) {
+Polygon2d untangled(DrawStream& c) {
   Polygon2d ring;
   for (std::uint64_t more = 4 + c.below(6); more > 0; --more) {
     const double x = static_cast<double>(c.below(7));
@@ -117,26 +117,26 @@ Polygon2d untangled(Choices& c) {
 
 /// Edges that become neighbours of a sweep only when two others end; they cross in the one ring, and in the other
 /// nothing does.
-Rings late_neighbours(Choices& c) {
+Rings late_neighbours(DrawStream& c) {
   if (c.below(2) == 0) return turned({{{0, 0}, {10, 10}, {10, 1}, {0, 8}, {1, 4}}}, c);
   return turned({{{0, 0}, {1, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {2, 1}, {1, 0}}}, c);
 }
 
 /// Chains of a sweep that grow at one end and at once at the other.
-Rings growing_chains(Choices& c) {
+Rings growing_chains(DrawStream& c) {
   if (c.below(2) == 0) return turned({{{0, 2}, {2, 3}, {5, 6}, {4, 4}, {6, 1}}}, c);
   return turned({{{0, 1}, {3, 2}, {2, 1}, {3, 0}, {1, 1}}}, c);
 }
 
 /// A chain of a sweep that splits at its end; sides of pieces that are looked at twice.
-Rings split_chain(Choices& c) {
+Rings split_chain(DrawStream& c) {
   if (c.below(2) == 0) return turned({{{2, 0}, {1, 2}, {1, 3}, {0, 1}, {2, 6}, {4, 3}, {2, 2}, {5, 0}}}, c);
   return turned({{{8.000000000000002, 0}, {8, 4}, {8, 8}, {0, 0}, {1, 0}, {2, 0}, {4, 0}}}, c);
 }
 
 /// A spike, a vertex twice, a hole that touches its outline in one point, an edge that crosses another; or nothing of
 /// these.
-Polygon2d defective(Choices& c) {
+Polygon2d defective(DrawStream& c) {
   switch (c.below(6)) {
     case 1: return with_repeated_vertex(simple_ring(c), c);
     case 2: return with_spike(simple_ring(c), c);
@@ -158,8 +158,8 @@ Polygon2d defective(Choices& c) {
   }
 }
 
-template <Polygon2d (*Ring)(Choices&)>
-Rings turned_ring(Choices& c) {
+template <Polygon2d (*Ring)(DrawStream&)>
+Rings turned_ring(DrawStream& c) {
   Polygon2d ring = Ring(c);
   if (c.below(2) == 1) {
     for (Point2d& p : ring.vertices) std::swap(p.x, p.y);
@@ -167,13 +167,13 @@ Rings turned_ring(Choices& c) {
   return {turned(ring, c)};
 }
 
-Polygon2d flat_vertices(Choices& c) {
+Polygon2d flat_vertices(DrawStream& c) {
   const Polygon2d ring = simple_ring(c);
   return with_flat_vertices(ring, c);
 }
 
 /// Flat but for rounding, in many places.
-Polygon2d computed(Choices& c) {
+Polygon2d computed(DrawStream& c) {
   Polygon2d ring = c.below(2) == 0 ? lattice_boundary(c) : c.below(2) == 0 ? strip(c) : flat_vertices(c);
   compute(ring.vertices, c);
   return ring;

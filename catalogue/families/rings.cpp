@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "catalogue/families/list_choices.h"
+#include "catalogue/families/list_draws.h"
 #include "catalogue/families/numbers.h"
 #include "oracle/rings/simple.h"
 
@@ -22,8 +22,8 @@ Vector2d direction(std::size_t k) {
 }
 
 /// 1 where the stream is simple, up to 2^20 elsewhere.
-double size(Choices& choices) {
-  const double n = std::fabs(integer(choices, 20));
+double size(DrawStream& draws) {
+  const double n = std::fabs(integer(draws, 20));
   return n == 0 ? 1 : n;
 }
 
@@ -32,17 +32,17 @@ Polygon2d moved(Polygon2d ring, const Vector2d& by) {
   return ring;
 }
 
-Vector2d small_vector(Choices& choices) {
-  const double x = integer(choices, 24);
-  return {x, integer(choices, 24)};
+Vector2d small_vector(DrawStream& draws) {
+  const double x = integer(draws, 24);
+  return {x, integer(draws, 24)};
 }
 
 }  // namespace
 
-Polygon2d convex_ring(Choices& choices) {
+Polygon2d convex_ring(DrawStream& draws) {
   std::array<double, half.size()> times{};
-  times[0] = size(choices), times[6] = size(choices);
-  for (std::uint64_t more = choices.below(6); more > 0; --more) times[choices.below(half.size())] = size(choices);
+  times[0] = size(draws), times[6] = size(draws);
+  for (std::uint64_t more = draws.below(6); more > 0; --more) times[draws.below(half.size())] = size(draws);
   Polygon2d ring;
   Point2d p{0, 0};
   for (std::size_t k = 0; k < 2 * half.size(); ++k) {
@@ -50,15 +50,15 @@ Polygon2d convex_ring(Choices& choices) {
     ring.vertices.push_back(p);
     p = p + times[k % half.size()] * direction(k);
   }
-  for (std::uint64_t fewer = choices.below(3); fewer > 0 && ring.size() > 3; --fewer) {
-    ring.vertices.erase(ring.vertices.begin() + static_cast<std::ptrdiff_t>(choices.below(ring.size())));
+  for (std::uint64_t fewer = draws.below(3); fewer > 0 && ring.size() > 3; --fewer) {
+    ring.vertices.erase(ring.vertices.begin() + static_cast<std::ptrdiff_t>(draws.below(ring.size())));
   }
-  return moved(ring, small_vector(choices));
+  return moved(ring, small_vector(draws));
 }
 
-Polygon2d long_convex_ring(Choices& choices) {
+Polygon2d long_convex_ring(DrawStream& draws) {
   double slope = 0;
-  std::vector<Vector2d> edges = long_list(choices, [&slope](Choices& c) {
+  std::vector<Vector2d> edges = long_list(draws, [&slope](DrawStream& c) {
     const double x = 1 + static_cast<double>(c.below(4));
     slope += 1 + static_cast<double>(c.below(2));
     return Vector2d{x, slope * x};
@@ -67,7 +67,7 @@ Polygon2d long_convex_ring(Choices& choices) {
   Polygon2d ring;
   Point2d p{0, 0};
   for (const Vector2d& edge : edges) ring.vertices.push_back(p), p = p + edge;
-  if (choices.below(2) == 1 || edges.size() > 16) {  // back by one edge
+  if (draws.below(2) == 1 || edges.size() > 16) {  // back by one edge
     ring.vertices.push_back(p);
     return ring;
   }
@@ -75,59 +75,59 @@ Polygon2d long_convex_ring(Choices& choices) {
   return ring;
 }
 
-Polygon2d star_ring(Choices& choices) {
+Polygon2d star_ring(DrawStream& draws) {
   Polygon2d ring;
   // Four directions a quarter turn apart or less are always there, so that no step is half a turn.
   for (std::size_t k = 0; k < 2 * half.size(); ++k) {
-    if (k % 6 != 0 && choices.below(3) != 2) continue;
-    const Vector2d v = size(choices) * direction(k);
+    if (k % 6 != 0 && draws.below(3) != 2) continue;
+    const Vector2d v = size(draws) * direction(k);
     ring.vertices.push_back({v.x, v.y});
   }
-  return moved(ring, small_vector(choices));
+  return moved(ring, small_vector(draws));
 }
 
-Polygon2d comb_ring(Choices& choices) {
+Polygon2d comb_ring(DrawStream& draws) {
   Polygon2d ring;
-  const std::uint64_t teeth = 1 + choices.below(6);
+  const std::uint64_t teeth = 1 + draws.below(6);
   double x = 0;
   for (std::uint64_t i = 0; i < teeth; ++i) {
-    const double width = size(choices), height = size(choices);
+    const double width = size(draws), height = size(draws);
     ring.vertices.insert(ring.vertices.end(), {{x, 0}, {x + width, height}});
     x += width + 1;
   }
-  ring.vertices.insert(ring.vertices.end(), {{x, 0}, {x, -size(choices)}, {0, -1}});
+  ring.vertices.insert(ring.vertices.end(), {{x, 0}, {x, -size(draws)}, {0, -1}});
   std::reverse(ring.vertices.begin(), ring.vertices.end());
-  return moved(ring, small_vector(choices));
+  return moved(ring, small_vector(draws));
 }
 
-Polygon2d simple_ring(Choices& choices) {
-  switch (choices.below(4)) {
-    case 0: return convex_ring(choices);
-    case 3: return comb_ring(choices);
-    default: return star_ring(choices);
+Polygon2d simple_ring(DrawStream& draws) {
+  switch (draws.below(4)) {
+    case 0: return convex_ring(draws);
+    case 3: return comb_ring(draws);
+    default: return star_ring(draws);
   }
 }
 
-Polygon2d turned(Polygon2d ring, Choices& choices) {
-  const auto first = static_cast<std::ptrdiff_t>(choices.below(ring.size()));
+Polygon2d turned(Polygon2d ring, DrawStream& draws) {
+  const auto first = static_cast<std::ptrdiff_t>(draws.below(ring.size()));
   std::rotate(ring.vertices.begin(), ring.vertices.begin() + first, ring.vertices.end());
-  if (choices.below(2) == 1) std::reverse(ring.vertices.begin(), ring.vertices.end());
+  if (draws.below(2) == 1) std::reverse(ring.vertices.begin(), ring.vertices.end());
   return ring;
 }
 
-Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices) {
-  const std::size_t i = choices.below(ring.size());
+Polygon2d with_flat_vertex(Polygon2d ring, DrawStream& draws) {
+  const std::size_t i = draws.below(ring.size());
   const Point2d p = ring[i], q = ring.next(i);
   ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i + 1),
                        {std::trunc(p.x / 2 + q.x / 2), std::trunc(p.y / 2 + q.y / 2)});
   return ring;
 }
 
-Polygon2d with_flat_runs(Polygon2d ring, Choices& choices) {
-  const auto fewest = static_cast<int>(3 - choices.below(3));
+Polygon2d with_flat_runs(Polygon2d ring, DrawStream& draws) {
+  const auto fewest = static_cast<int>(3 - draws.below(3));
   Polygon2d fine;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const int parts = fewest + static_cast<int>(choices.below(2));
+    const int parts = fewest + static_cast<int>(draws.below(2));
     const Vector2d step = 12.0 / parts * (ring.next(i) - ring[i]);
     for (int part = 0; part < parts; ++part) {
       fine.vertices.push_back({12 * ring[i].x + part * step.x, 12 * ring[i].y + part * step.y});
@@ -145,11 +145,11 @@ static double steps(double n) {
   return std::copysign(sum, n);
 }
 
-void compute(std::vector<Point2d>& points, Choices& choices) {
+void compute(std::vector<Point2d>& points, DrawStream& draws) {
   static constexpr std::array<Vector2d, 4> turns{
       {{3.0 / 5, 4.0 / 5}, {12.0 / 13, 5.0 / 13}, {8.0 / 17, 15.0 / 17}, {0.1, 0.3}}};
-  const std::uint64_t way = choices.below(3);
-  const Vector2d turn = turns[choices.below(turns.size())];
+  const std::uint64_t way = draws.below(3);
+  const Vector2d turn = turns[draws.below(turns.size())];
   for (Point2d& p : points) {
     if (way == 0) p = {p.x / 10, p.y / 10};
     else if (way == 1) p = {steps(p.x), steps(p.y)};
@@ -157,35 +157,35 @@ void compute(std::vector<Point2d>& points, Choices& choices) {
   }
 }
 
-Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices) {
-  const std::size_t i = choices.below(ring.size());
+Polygon2d with_repeated_vertex(Polygon2d ring, DrawStream& draws) {
+  const std::size_t i = draws.below(ring.size());
   ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i), Point2d(ring[i]));
   return ring;
 }
 
-Polygon2d with_spike(Polygon2d ring, Choices& choices) {
-  const std::size_t i = choices.below(ring.size());
+Polygon2d with_spike(Polygon2d ring, DrawStream& draws) {
+  const std::size_t i = draws.below(ring.size());
   const Point2d p = ring[i];
-  const double x = size(choices), y = integer(choices, 20);
+  const double x = size(draws), y = integer(draws, 20);
   ring.vertices.insert(ring.vertices.begin() + static_cast<std::ptrdiff_t>(i + 1), {{p.x + x, p.y + y}, p});
   return ring;
 }
 
-Point2d on_an_edge(const Polygon2d& ring, Choices& choices) {
-  const std::size_t i = choices.below(ring.size());
-  return ring[i] + static_cast<double>(choices.below(9)) / 8 * (ring.next(i) - ring[i]);
+Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws) {
+  const std::size_t i = draws.below(ring.size());
+  return ring[i] + static_cast<double>(draws.below(9)) / 8 * (ring.next(i) - ring[i]);
 }
 
-Point2d beside(const Point2d& p, Choices& choices) {
-  const double x = small_integer(choices, 2), y = small_integer(choices, 2);
+Point2d beside(const Point2d& p, DrawStream& draws) {
+  const double x = small_integer(draws, 2), y = small_integer(draws, 2);
   return {p.x + x, p.y + y};
 }
 
-std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices) {
+std::tuple<Polygon2d, Point2d> beside_least_edge(DrawStream& draws) {
   const auto high = [](double y) { return std::ldexp(y, -1028); };  // 64: the least normal number
-  const double x = static_cast<double>(choices.below(65)) / 16, y = 16 * x + small_integer(choices, 4);
-  const double top = static_cast<double>(65 + choices.below(1 << 13));
-  return {turned({{{0, 0}, {4, high(64)}, {choices.below(2) == 1 ? 0.0 : -3.0, high(top)}}}, choices), {x, high(y)}};
+  const double x = static_cast<double>(draws.below(65)) / 16, y = 16 * x + small_integer(draws, 4);
+  const double top = static_cast<double>(65 + draws.below(1 << 13));
+  return {turned({{{0, 0}, {4, high(64)}, {draws.below(2) == 1 ? 0.0 : -3.0, high(top)}}}, draws), {x, high(y)}};
 }
 
 void untangle(Polygon2d& ring) {

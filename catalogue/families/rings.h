@@ -4,58 +4,58 @@
 #include <tuple>
 #include <vector>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "geometry/polygons.h"
 
-/// Polygons, drawn from a stream of choices as exact integers below 2^40; the simplest is a triangle or a square.
+/// Polygons, drawn from a draw stream as exact integers below 2^40; the simplest is a triangle or a square.
 namespace touchstone::catalogue {
 
 /// Convex, counter-clockwise, without flat angles: a ring of edges in the order of their directions, perhaps with
 /// vertices left out.
-Polygon2d convex_ring(Choices& choices);
+Polygon2d convex_ring(DrawStream& draws);
 
-/// Convex, counter-clockwise, without flat angles, its edges a long list (list_choices.h): steeper and steeper,
+/// Convex, counter-clockwise, without flat angles, its edges a long list (list_draws.h): steeper and steeper,
 /// and back by their opposites or by one.
-Polygon2d long_convex_ring(Choices& choices);
+Polygon2d long_convex_ring(DrawStream& draws);
 
 /// Seen whole from one point inside; mostly concave. Simple, counter-clockwise.
-Polygon2d star_ring(Choices& choices);
+Polygon2d star_ring(DrawStream& draws);
 
 /// A comb: teeth of different lengths on a bar, the gaps down to width 1. Simple, counter-clockwise.
-Polygon2d comb_ring(Choices& choices);
+Polygon2d comb_ring(DrawStream& draws);
 
 /// One of the three above.
-Polygon2d simple_ring(Choices& choices);
+Polygon2d simple_ring(DrawStream& draws);
 
 /// The same ring from another vertex on, or the other way round.
-Polygon2d turned(Polygon2d ring, Choices& choices);
+Polygon2d turned(Polygon2d ring, DrawStream& draws);
 
 /// One more vertex in the middle of an edge: exactly on it if both ends are even, else moved towards it by rounding to
 /// integers.
-Polygon2d with_flat_vertex(Polygon2d ring, Choices& choices);
+Polygon2d with_flat_vertex(Polygon2d ring, DrawStream& draws);
 
 /// Each edge in up to four equal parts: turns change only across several flat vertices. Twelve times as large, so that
 /// the parts are exact.
-Polygon2d with_flat_runs(Polygon2d ring, Choices& choices);
+Polygon2d with_flat_runs(Polygon2d ring, DrawStream& draws);
 
 /// The points as people type or compute them: in tenths, by steps of 0.1 added up, or turned by an angle and scaled.
 /// What was in a line is so but for rounding.
-void compute(std::vector<Point2d>& points, Choices& choices);
+void compute(std::vector<Point2d>& points, DrawStream& draws);
 
 /// One vertex twice in a row, or a detour from a vertex and back.
-Polygon2d with_repeated_vertex(Polygon2d ring, Choices& choices);
-Polygon2d with_spike(Polygon2d ring, Choices& choices);
+Polygon2d with_repeated_vertex(Polygon2d ring, DrawStream& draws);
+Polygon2d with_spike(Polygon2d ring, DrawStream& draws);
 
 /// A point of an edge, an end or an eighth of the way between: exactly there if the ring's numbers are integers of 40
 /// bits.
-Point2d on_an_edge(const Polygon2d& ring, Choices& choices);
+Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws);
 
 /// p, or a point at most 2 beside it in each coordinate.
-Point2d beside(const Point2d& p, Choices& choices);
+Point2d beside(const Point2d& p, DrawStream& draws);
 
 /// A triangle with an edge from the origin that rises by the least normal number, and a point on it or beside it: every
 /// difference in y is subnormal, and lost where such numbers are read as zero.
-std::tuple<Polygon2d, Point2d> beside_least_edge(Choices& choices);
+std::tuple<Polygon2d, Point2d> beside_least_edge(DrawStream& draws);
 
 /// The ring of these vertices with crossings undone by turning parts of it round, as far as 60 turns go.
 void untangle(Polygon2d& ring);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 
 /// Numbers so near to the middle between two doubles that only their last digits tell on which side they lie.
 namespace touchstone::catalogue {
@@ -12,13 +12,13 @@ struct BesideTie {
   double t, v, rest;
 };
 
-inline BesideTie beside_tie(Choices& choices) {
+inline BesideTie beside_tie(DrawStream& draws) {
   __extension__ using Wide = __int128;
   const std::uint64_t half = std::uint64_t{1} << 52;
-  const auto t = static_cast<std::int64_t>(half + choices.below(half));
-  const Wide tie = (static_cast<Wide>(2 * (half + choices.below(half)) + 1)) << 51;
+  const auto t = static_cast<std::int64_t>(half + draws.below(half));
+  const Wide tie = (static_cast<Wide>(2 * (half + draws.below(half)) + 1)) << 51;
   const auto v = static_cast<std::int64_t>(tie / t);
-  const Wide rest = tie - static_cast<Wide>(t) * v + (choices.below(2) == 0 ? 1 : -1);  // below t, so of 53 digits
+  const Wide rest = tie - static_cast<Wide>(t) * v + (draws.below(2) == 0 ? 1 : -1);  // below t, so of 53 digits
   return {static_cast<double>(t), static_cast<double>(v), static_cast<double>(static_cast<std::int64_t>(rest))};
 }
 
@@ -27,10 +27,10 @@ struct QuotientBesideTie {
   double d, q;
 };
 
-inline QuotientBesideTie quotient_beside_tie(Choices& choices) {
+inline QuotientBesideTie quotient_beside_tie(DrawStream& draws) {
   const std::uint64_t least = std::uint64_t{1} << 52, room = std::uint64_t{1} << 50;
-  const double q = static_cast<double>(least + choices.below(least - room));
-  return {static_cast<double>(room / 2 + choices.below(room / 2)), q};  // d + 1 + q is below 2^53
+  const double q = static_cast<double>(least + draws.below(least - room));
+  return {static_cast<double>(room / 2 + draws.below(room / 2)), q};  // d + 1 + q is below 2^53
 }
 
 }  // namespace touchstone::catalogue

@@ -3,10 +3,10 @@
 
 #include <array>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "geometry/space.h"
 
-/// Displacements of whole length, drawn from a stream of choices.
+/// Displacements of whole length, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 /// The way from one position to another and, where it is whole, its length; and whether all is to be seen in the plane.
@@ -17,7 +17,7 @@ struct Step {
 };
 
 /// By a Pythagorean triple or, in space, quadruple.
-inline Step whole_step(Choices& choices) {
+inline Step whole_step(DrawStream& draws) {
   static constexpr std::array<std::array<double, 4>, 9> steps{{{3, 4, 0, 5},
                                                                {1, 0, 0, 1},
                                                                {5, -12, 0, 13},
@@ -27,9 +27,9 @@ inline Step whole_step(Choices& choices) {
                                                                {4, 4, 7, 9},
                                                                {0, 8, 15, 17},
                                                                {2, 10, 11, 15}}};
-  const bool in_plane = choices.below(2) == 1;
-  const auto [x, y, z, length] = steps[choices.below(in_plane ? 4 : 9)];
-  const double k = 1 + static_cast<double>(choices.below(1 << 12));
+  const bool in_plane = draws.below(2) == 1;
+  const auto [x, y, z, length] = steps[draws.below(in_plane ? 4 : 9)];
+  const double k = 1 + static_cast<double>(draws.below(1 << 12));
   return {{k * x, k * y, k * z}, k * length, in_plane};
 }
 

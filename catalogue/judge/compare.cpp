@@ -41,7 +41,7 @@ void skip(const Shape& shape, At& at, bool partial = false) {
 template <class Real>
 class SideBySide {
  public:
-  SideBySide(const TrueTape& truth, const Tape<Real>& answer, Reading reading)
+  SideBySide(const TrueTape& truth, const EncodedValue<Real>& answer, Reading reading)
       : truth_(truth), answer_(answer), reading_(reading) {}
 
   template <class OnNumber>
@@ -122,7 +122,7 @@ void for_each_word_shape(const Shape& shape, const std::function<void(const Shap
 
 }  // namespace
 
-Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double>& answer, Reading reading,
+Comparison compared(const Shape& shape, const TrueTape& truth, const EncodedValue<double>& answer, Reading reading,
                     bool binary32) {
   Comparison result;
   SideBySide<double> both(truth, answer, reading);
@@ -135,7 +135,7 @@ Comparison compared(const Shape& shape, const TrueTape& truth, const Tape<double
 }
 
 template <class Real>
-std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& truth, const Tape<Real>& answer,
+std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& truth, const EncodedValue<Real>& answer,
                                          Reading reading) {
   std::vector<PairedNumber> pairs;
   SideBySide<Real> both(truth, answer, reading);
@@ -145,9 +145,11 @@ std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& tru
   });
   return pairs;
 }
-template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const Tape<double>&, Reading);
-template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const Tape<Tracked<double>>&, Reading);
-template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const Tape<Tracked<float>>&, Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const EncodedValue<double>&, Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const EncodedValue<Tracked<double>>&,
+                                                  Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const EncodedValue<Tracked<float>>&,
+                                                  Reading);
 
 namespace {
 
@@ -194,7 +196,7 @@ Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::
   return found;
 }
 
-bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>& answer, Reading reading) {
+bool same_as_truth(const Shape& shape, const TrueTape& truth, const EncodedValue<Exact>& answer, Reading reading) {
   bool numbers = true;
   SideBySide<Exact> both(truth, answer, reading);
   const bool words = both.walk(shape, [&](const TrueNumber& right, const Exact& answered, Meaning) {
@@ -204,7 +206,8 @@ bool same_as_truth(const Shape& shape, const TrueTape& truth, const Tape<Exact>&
   return words && numbers;
 }
 
-bool promise_holds(const Tape<double>& plain, const Tape<Tracked<double>>& tracked, const Tape<Exact>& exact) {
+bool promise_holds(const EncodedValue<double>& plain, const EncodedValue<Tracked<double>>& tracked,
+                   const EncodedValue<Exact>& exact) {
   if (plain.words != tracked.words || plain.words != exact.words) return false;
   for (std::size_t i = 0; i < plain.numbers.size(); ++i) {
     const double number = plain.numbers[i];

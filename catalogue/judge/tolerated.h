@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "catalogue/numbers/ulps.h"
-#include "catalogue/shape/tape.h"
+#include "catalogue/shape/encoded_value.h"
 
 namespace touchstone::catalogue {
 

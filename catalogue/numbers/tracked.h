@@ -13,9 +13,9 @@ namespace touchstone::catalogue {
 ///
 /// A reference formula run in this type computes what it computes in Float, bit for bit, and in the end each number
 /// lies within `error()` of the value of the same formula in exact arithmetic. An operation that happens to be exact
-/// adds nothing. A comparison that the bound cannot decide sets `doubtful()`: as long as it is not set, rounding cannot
-/// have changed the course of the formula. What left the range of Float on the way, an overflow or bits lost below its
-/// least normal number, sets `out_of_range()`. Float: float or double, rounding to nearest.
+/// adds nothing. A comparison that the bound cannot decide sets `inconclusive()`: as long as it is not set, rounding
+/// cannot have changed the course of the formula. What left the range of Float on the way, an overflow or bits lost
+/// below its least normal number, sets `out_of_range()`. Float: float or double, rounding to nearest.
 template <class Float>
 class Tracked {
  public:
@@ -30,7 +30,7 @@ class Tracked {
   /// was given or computed counts as rounded, exact or not. error() is 0 where this formula happens to be exact, and
   /// another that is as good may round there. Integers that the formula itself contains are exact.
   double spread() const { return spread_; }
-  static bool& doubtful() {
+  static bool& inconclusive() {
     thread_local bool doubt = false;
     return doubt;
   }
@@ -111,7 +111,7 @@ class Tracked {
   friend Tracked acos(const Tracked& a) {
     if (a.undefined_) return undefined(std::acos(a.value_));
     const double most = plus(size(a), a.error_);
-    if (most > 1 && a.error_ > 0) doubtful() = true;
+    if (most > 1 && a.error_ > 0) inconclusive() = true;
     const Float angle = std::acos(a.value_);
     const double spread = moved_angle(size(a), a.spread_) + 4 * step(angle);
     if (a.error_ == 0) return Tracked(angle, a.value_ == 1 ? 0 : 4 * half_ulp(angle), spread);
@@ -219,8 +219,8 @@ class Tracked {
     if (a.undefined_ || b.undefined_) return;
     const double gap = std::fabs(static_cast<double>(a.value_) - static_cast<double>(b.value_));
     const double error = plus(a.error_, b.error_);
-    if (error > 0 && !(down(gap) > error)) doubtful() = true;
-    if (a.value_ != a.value_ || b.value_ != b.value_) doubtful() = true;
+    if (error > 0 && !(down(gap) > error)) inconclusive() = true;
+    if (a.value_ != a.value_ || b.value_ != b.value_) inconclusive() = true;
   }
 
   Float value_ = 0;

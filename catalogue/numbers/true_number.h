@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/shape/tape.h"
+#include "catalogue/shape/encoded_value.h"
 #include "oracle/exact/surd.h"
 
 namespace touchstone::catalogue {
 
 /// The numbers of the truth: p + q sqrt(r), mostly rational.
 using TrueNumber = oracle::Surd;
-using TrueTape = Tape<TrueNumber>;
+using TrueTape = EncodedValue<TrueNumber>;
 
 /// As those of rationals in catalogue/numbers/ulps.h.
 double nearest(const TrueNumber& truth, bool binary32 = false);

@@ -32,7 +32,7 @@ const std::optional<TrueTape>& Examination::open() const {
   });
 }
 
-const Tape<double>& Examination::nearest_truth() const {
+const EncodedValue<double>& Examination::nearest_truth() const {
   const auto rounded = [](const TrueNumber& number) { return nearest(number); };
   return nearest_.value([&] { return tape_with<double>(solution_->answer, rounded); });
 }
@@ -42,7 +42,7 @@ Json Examination::truth() const { return operation_.answer_json(solution_->answe
 
 Json Examination::rounded_truth() const {
   // Where numbers are to be rounded otherwise, the nearest ones are no right answer.
-  if (row_.fault != nullptr && !row_.fault(question_, nearest_truth()).empty()) return robust();
+  if (row_.defect != nullptr && !row_.defect(question_, nearest_truth()).empty()) return robust();
   return operation_.answer_json(nearest_truth());
 }
 
@@ -50,12 +50,12 @@ const Drawing& Examination::drawing() const {
   return drawing_.value([&] { return drawing_of(*this); });
 }
 
-const Tape<double>& Examination::formula(bool binary32) const {
+const EncodedValue<double>& Examination::formula(bool binary32) const {
   return formula_[binary32].answer.value(
       [&] { return binary32 ? row_.reference_in_float(question_) : row_.reference(question_); });
 }
 
-const Tape<Exact>& Examination::formula_exactly() const {
+const EncodedValue<Exact>& Examination::formula_exactly() const {
   return exactly_.value([&] { return row_.reference_exactly(question_); });
 }
 
@@ -67,19 +67,19 @@ Examination::Tracking Examination::tracked(bool binary32) const {
   Tracking known;
   const bool checked = checks_numbers(row_);
   if (binary32) {
-    Tracked<float>::doubtful() = Tracked<float>::out_of_range() = false;
+    Tracked<float>::inconclusive() = Tracked<float>::out_of_range() = false;
     known.answer_in_float = row_.reference_tracked_in_float(question_);
-    known.compared_in_doubt = Tracked<float>::doubtful();
-    known.doubtful = known.compared_in_doubt || checked;
+    known.compared_in_doubt = Tracked<float>::inconclusive();
+    known.inconclusive = known.compared_in_doubt || checked;
     known.out_of_range = Tracked<float>::out_of_range();
   } else {
-    Tracked<double>::doubtful() = Tracked<double>::out_of_range() = false;
+    Tracked<double>::inconclusive() = Tracked<double>::out_of_range() = false;
     known.answer = row_.reference_tracked(question_);
     const auto rounded = [](const Tracked<double>& number) { return number.error() > 0; };
     const auto& numbers = known.answer.numbers;
-    known.compared_in_doubt = Tracked<double>::doubtful();
+    known.compared_in_doubt = Tracked<double>::inconclusive();
     known.out_of_range = Tracked<double>::out_of_range();
-    known.doubtful = known.compared_in_doubt || (checked && std::any_of(numbers.begin(), numbers.end(), rounded));
+    known.inconclusive = known.compared_in_doubt || (checked && std::any_of(numbers.begin(), numbers.end(), rounded));
   }
   return known;
 }
@@ -90,7 +90,7 @@ const Examination::Tracking& Examination::tracking(bool binary32) const {
 
 Json Examination::reference(bool binary32) const { return operation_.answer_json(formula(binary32)); }
 
-const Tape<double>& Examination::robust_answer(std::size_t environment) const {
+const EncodedValue<double>& Examination::robust_answer(std::size_t environment) const {
   return robust_[environment].answer.value([&] { return row_.robust(question_, environment); });
 }
 

@@ -38,7 +38,7 @@ class Examination {
   const std::optional<TrueTape>& open() const;
   bool touch() const { return open().has_value(); }
   /// Every number of the truth as the nearest double.
-  const Tape<double>& nearest_truth() const;
+  const EncodedValue<double>& nearest_truth() const;
   std::string outcome() const;  ///< the truth's enumerator ("overlap"), or "value"
   Json truth() const;           ///< exact, "p/q"
   Json rounded_truth() const;   ///< a right answer in doubles
@@ -46,26 +46,26 @@ class Examination {
   const Drawing& drawing() const;
 
   /// What the textbook formula answers in double or float.
-  const Tape<double>& formula(bool binary32 = false) const;
-  const Tape<Exact>& formula_exactly() const;
+  const EncodedValue<double>& formula(bool binary32 = false) const;
+  const EncodedValue<Exact>& formula_exactly() const;
   /// Whether that is right.
   bool formula_right_exactly() const;
   /// The formula under running error analysis (catalogue/numbers/tracked.h).
   struct Tracking {
-    bool compared_in_doubt = false;  ///< rounding may have changed a comparison
-    bool doubtful = false;           ///< the same, or a number that the checker sees
-    bool out_of_range = false;       ///< a number left the range of double or float
-    Tape<Tracked<double>> answer;    ///< in double
-    Tape<Tracked<float>> answer_in_float;
+    bool compared_in_doubt = false;        ///< rounding may have changed a comparison
+    bool inconclusive = false;             ///< the same, or a number that the checker sees
+    bool out_of_range = false;             ///< a number left the range of double or float
+    EncodedValue<Tracked<double>> answer;  ///< in double
+    EncodedValue<Tracked<float>> answer_in_float;
   };
   const Tracking& tracking(bool binary32 = false) const;
   /// Whether rounding may have changed the course of the formula.
-  bool doubtful(bool binary32 = false) const { return tracking(binary32).doubtful; }
+  bool inconclusive(bool binary32 = false) const { return tracking(binary32).inconclusive; }
   bool out_of_range(bool binary32 = false) const { return tracking(binary32).out_of_range; }
   Json reference(bool binary32 = false) const;
 
   /// What robust answers in that floating-point environment (catalogue/judge/environment.h). Throws what robust throws.
-  const Tape<double>& robust_answer(std::size_t environment = 0) const;
+  const EncodedValue<double>& robust_answer(std::size_t environment = 0) const;
   /// Its decision alone, where it has one.
   Word robust_decision(std::size_t environment = 0) const;
   Json robust() const;
@@ -77,12 +77,12 @@ class Examination {
 
  private:
   struct InEnvironment {
-    Once<Tape<double>> answer;
+    Once<EncodedValue<double>> answer;
     Once<Word> decision;
     Once<Judgement> judgement;
   };
   struct InNumbers {
-    Once<Tape<double>> answer;
+    Once<EncodedValue<double>> answer;
     Once<Tracking> tracking;
     Once<Judgement> judgement;
   };
@@ -94,10 +94,10 @@ class Examination {
   std::shared_ptr<const Solution> solution_;
   Once<oracle::Certificate> certificate_;
   Once<std::optional<TrueTape>> open_;
-  Once<Tape<double>> nearest_;
+  Once<EncodedValue<double>> nearest_;
   Once<Drawing> drawing_;
   std::array<InNumbers, 2> formula_;  ///< in double, in float
-  Once<Tape<Exact>> exactly_;
+  Once<EncodedValue<Exact>> exactly_;
   Once<bool> right_exactly_;
   mutable std::map<std::size_t, InEnvironment> robust_;
 };

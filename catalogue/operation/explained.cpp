@@ -60,7 +60,7 @@ Json explained(const Examination& examination) {
   line["robust"] = verdict_json(examination.judge_robust(), examination.robust());
   line["reference"] = verdict_json(examination.judge_reference(), examination.reference());
   for (const Operation* other : all_operations()) {
-    if (operation.name() != other->card().implementation_of) continue;
+    if (operation.name() != other->metadata().implementation_of) continue;
     const Examination by_other(*other, examination);
     const bool longer = other->name().starts_with(operation.name() + "_");
     line["reference_" + (longer ? other->name().substr(operation.name().size() + 1) : other->name())] =

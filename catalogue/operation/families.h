@@ -15,7 +15,7 @@ class Families {
   explicit Families(const RowFunctions& row);
 
   const std::vector<std::string>& names() const { return names_; }
-  Question draw(Choices& choices, std::size_t family) const;
+  Question draw(DrawStream& draws, std::size_t family) const;
 
  private:
   const RowFunctions& row_;

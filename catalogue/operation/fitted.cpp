@@ -49,7 +49,7 @@ Question fitted(const Operation& operation, const Question& question, const Decl
   Question result = question;
   if (!declaration.skew_boxes) {
     for_each_value<Axes>(operation, question, [&](const Axes& axes, const Cursor<double>& first) {
-      const Tape<double> turned = packed(at_right_angles(axes));
+      const EncodedValue<double> turned = packed(at_right_angles(axes));
       std::copy(turned.numbers.begin(), turned.numbers.end(),
                 result.numbers.begin() + (first.number - question.numbers.data()));
     });

@@ -18,7 +18,7 @@ struct FormulaNumber {
 using FormulaNumbers = std::vector<std::optional<FormulaNumber>>;
 
 template <class Float>
-FormulaNumbers numbers_of(const Examination& question, const Tape<Tracked<Float>>& formula) {
+FormulaNumbers numbers_of(const Examination& question, const EncodedValue<Tracked<Float>>& formula) {
   const TrueTape& truth = question.solution().answer;
   FormulaNumbers numbers(truth.numbers.size());
   for (const PairedNumber& pair : paired_numbers(*question.row().answer, truth, formula, Reading::less)) {
@@ -29,7 +29,7 @@ FormulaNumbers numbers_of(const Examination& question, const Tape<Tracked<Float>
 }
 
 /// The greatest size of a number of that meaning.
-double greatest_of(Meaning meaning, const Shape& shape, const Tape<double>& tape) {
+double greatest_of(Meaning meaning, const Shape& shape, const EncodedValue<double>& encoded) {
   struct Sizes {
     Meaning meaning;
     double greatest = 0;
@@ -38,7 +38,7 @@ double greatest_of(Meaning meaning, const Shape& shape, const Tape<double>& tape
     }
     void word(const Shape&, const Cursor<double>&) {}
   } sizes{meaning};
-  Cursor<double> at(tape);
+  Cursor<double> at(encoded);
   walk_tape(shape, at, sizes);
   return sizes.greatest;
 }
@@ -80,7 +80,7 @@ class NumberJudge {
   std::optional<double> spread_at(const PairedNumber& place) const {
     std::optional<double> spread;
     if (formula_[place.in_truth]) spread = formula_[place.in_truth]->spread;
-    else if (question_.row().card->formula_answers_less) spread = spread_of_what_is_left_out();
+    else if (question_.row().metadata->formula_answers_less) spread = spread_of_what_is_left_out();
     // Whoever moves the origin rounds all coordinates there; whoever takes velocities relatively to another, these.
     const RowFunctions& row = question_.row();
     double scale = 0;
@@ -108,7 +108,7 @@ class NumberJudge {
 
   /// A number that is another one on the other side of a touch, and the question is beside one.
   bool jumps() const {
-    return question_.row().card->kind == Kind::measure && beside_a_touch(question_, declaration_.binary32);
+    return question_.row().metadata->kind == Kind::measure && beside_a_touch(question_, declaration_.binary32);
   }
 
   const Examination& question_;
@@ -123,7 +123,7 @@ int gravity(Verdict verdict) {
 
 }  // namespace
 
-JudgedNumber worst_number(const Examination& question, const Tape<double>& answer, Reading reading,
+JudgedNumber worst_number(const Examination& question, const EncodedValue<double>& answer, Reading reading,
                           const Declaration& declaration) {
   const RowFunctions& row = question.row();
   const TrueTape& truth = question.solution().answer;
@@ -133,7 +133,7 @@ JudgedNumber worst_number(const Examination& question, const Tape<double>& answe
     const double answered = answer.numbers[pair.in_answer];
     const TrueNumber& exact = truth.numbers[pair.in_truth];
     const double ulps = distance_in_ulps(answered, exact, declaration.binary32);
-    if (!(ulps > row.card->ulps)) continue;
+    if (!(ulps > row.metadata->ulps)) continue;
     const Verdict verdict = judge.verdict_on(pair, answered);
     if (gravity(verdict) < gravity(worst.verdict)) continue;
     if (gravity(verdict) > gravity(worst.verdict) || ulps > worst.ulps)
@@ -147,7 +147,7 @@ bool beside_a_touch(const Examination& question, bool binary32) {
   if (!margin || sgn(*margin) == 0) return false;
   const mpq_class size = exact_value(greatest(question.question())),
                   few_units = 4 * exact_value(binary32 ? 0x1p-23 : 0x1p-52);
-  return within(*margin, few_units * size, size, question.row().card->margin_degree);
+  return within(*margin, few_units * size, size, question.row().metadata->margin_degree);
 }
 
 }  // namespace touchstone::catalogue

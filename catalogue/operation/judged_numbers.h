@@ -18,7 +18,7 @@ struct JudgedNumber {
 
 /// Of the numbers of an answer beyond the stated bound, all of them finite, the one with the gravest verdict
 /// (`inexact`, `rounding`, `algorithm`), and of these the one that is furthest off in ulps.
-JudgedNumber worst_number(const Examination& question, const Tape<double>& answer, Reading reading,
+JudgedNumber worst_number(const Examination& question, const EncodedValue<double>& answer, Reading reading,
                           const Declaration& declaration);
 
 /// The decision turns on less than a few units in the last place of the question's numbers: formulas that round at all

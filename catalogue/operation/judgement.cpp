@@ -36,15 +36,15 @@ std::uint64_t most_surplus(const Examination& question) {
   return most;
 }
 
-Comparison compared(const Examination& question, const Tape<double>& answer, Reading reading, bool binary32,
+Comparison compared(const Examination& question, const EncodedValue<double>& answer, Reading reading, bool binary32,
                     Judgement& judgement) {
   const RowFunctions& row = question.row();
   const TrueTape& truth = question.solution().answer;
   Comparison found;
-  if (row.fault != nullptr) {
-    judgement.remark = row.fault(question.question(), answer);
+  if (row.defect != nullptr) {
+    judgement.remark = row.defect(question.question(), answer);
     found.decision = judgement.remark.empty();
-  } else if (row.card->kind == Kind::covering && reading != Reading::complete) {
+  } else if (row.metadata->kind == Kind::covering && reading != Reading::complete) {
     const Covering covering = covered(*row.answer, truth.words, answer.words);
     found.decision = covering.missing == 0;
     judgement.surplus = covering.surplus;
@@ -56,15 +56,15 @@ Comparison compared(const Examination& question, const Tape<double>& answer, Rea
 }
 
 Comparison compared_formula(const Examination& question, bool binary32, Judgement& judgement) {
-  const Card& card = *question.row().card;
-  const bool less = card.formula_answers_less || card.kind == Kind::covering;
+  const Metadata& metadata = *question.row().metadata;
+  const bool less = metadata.formula_answers_less || metadata.kind == Kind::covering;
   return compared(question, question.formula(binary32), less ? Reading::less : Reading::complete, binary32, judgement);
 }
 
 /// The decision turns on products so small that formulas that compare products lose them.
 bool products_underflow(const Examination& question, bool binary32) {
   const auto& margin = question.margin();
-  return margin && sgn(*margin) != 0 && question.row().card->margin_degree > 1 &&
+  return margin && sgn(*margin) != 0 && question.row().metadata->margin_degree > 1 &&
          *margin < exact_value(binary32 ? 0x1p-126 : 0x1p-1022);
 }
 
@@ -82,7 +82,7 @@ int touch_reading(const Examination& question, const std::string& said) {
 }
 
 /// The same of a list: all of it, all but what only touches, or neither.
-int covered_reading(const Examination& question, const Tape<double>& answer) {
+int covered_reading(const Examination& question, const EncodedValue<double>& answer) {
   if (!question.open()) return 0;
   const Shape& shape = *question.row().answer;
   if (covered(shape, question.solution().answer.words, answer.words).missing == 0) return 1;
@@ -92,10 +92,10 @@ int covered_reading(const Examination& question, const Tape<double>& answer) {
 /// Of an answer that a checker refuses: whether it is well formed, and on the wrong side by no more than sums of
 /// rounded products of the question's greatest numbers may be off, or about as much as the textbook formula's answer in
 /// that number type. Numbers that are none may have left the range.
-bool may_be_rounding(const Examination& question, const Tape<double>& answer, bool binary32) {
+bool may_be_rounding(const Examination& question, const EncodedValue<double>& answer, bool binary32) {
   constexpr double most_units = 256;
-  const auto excess_of = [&](const Tape<double>& tape) {
-    return question.row().excess(question.question(), tape, question.nearest_truth());
+  const auto excess_of = [&](const EncodedValue<double>& encoded) {
+    return question.row().excess(question.question(), encoded, question.nearest_truth());
   };
   const Excess excess = excess_of(answer);
   if (!excess) return checks_numbers(question.row()) && question.out_of_range(binary32);
@@ -113,26 +113,27 @@ bool lists_too_much(const Judgement& judgement, const Declaration& declaration) 
 /// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
 /// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
 /// right, the number type was good enough, and what is to blame is the choice of another.
-bool rounding_is_to_blame(const Examination& question, const Tape<double>* answer, const Declaration& declaration) {
+bool rounding_is_to_blame(const Examination& question, const EncodedValue<double>* answer,
+                          const Declaration& declaration) {
   const bool binary32 = declaration.binary32;
   if (question.row().excess != nullptr && answer != nullptr && !may_be_rounding(question, *answer, binary32))
     return false;
   if (checks_numbers(question.row())) return question.judge_reference(binary32).verdict == Verdict::rounding;
   if (products_underflow(question, binary32) || beside_a_touch(question, binary32)) return true;
   Judgement formula;
-  return question.doubtful(binary32) &&
+  return question.inconclusive(binary32) &&
          (!compared_formula(question, binary32, formula).decision || lists_too_much(formula, declaration));
 }
 
 /// answer: nullptr where it was a plain true or false.
-Judgement wrong(const Examination& question, const Tape<double>* answer, const Declaration& declaration,
+Judgement wrong(const Examination& question, const EncodedValue<double>* answer, const Declaration& declaration,
                 bool right_for_open_sets) {
   const auto& margin = question.margin();
   Judgement judgement;
   if (right_for_open_sets && declaration.boundary != Declaration::Boundary::closed) {
     judgement.verdict = Verdict::convention;
   } else if (margin &&
-             tolerated(*margin, declaration.tolerance, question.row().card->margin_degree, question.question())) {
+             tolerated(*margin, declaration.tolerance, question.row().metadata->margin_degree, question.question())) {
     judgement.verdict = Verdict::tolerance;
   } else {
     judgement.verdict = rounding_is_to_blame(question, answer, declaration) ? Verdict::rounding : Verdict::algorithm;
@@ -153,11 +154,11 @@ Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const
 }
 
 /// Any number may be left out, unless a checker must see them all.
-Tape<double> read_answer(const Examination& question, const Json& json) {
+EncodedValue<double> read_answer(const Examination& question, const Json& json) {
   const RowFunctions& row = question.row();
-  Tape<double> answer;
-  const bool partial = row.fault == nullptr;
-  const char* const name = row.card->answer;
+  EncodedValue<double> answer;
+  const bool partial = row.defect == nullptr;
+  const char* const name = row.metadata->answer;
   if (!json.is_object()) {
     Json example = example_of(*row.answer);
     if (name[0] != 0) example = Json::object({{name, std::move(example)}});
@@ -177,9 +178,9 @@ Tape<double> read_answer(const Examination& question, const Json& json) {
 }
 
 /// What is listed are tuples of different places in the question's lists, in as many lists as the truth has.
-void require_places(const Examination& question, const Tape<double>& answer) {
+void require_places(const Examination& question, const EncodedValue<double>& answer) {
   const RowFunctions& row = question.row();
-  const std::string field = "answer." + std::string(row.card->answer);
+  const std::string field = "answer." + std::string(row.metadata->answer);
   const Word places = elements_of_lists(*row.question, question.question());
   const std::vector<Listed> lists = listed(*row.answer, answer.words);
   const std::size_t expected = listed(*row.answer, question.solution().answer.words).size();
@@ -201,13 +202,13 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
   try {
     if (json.is_boolean() && has_plain_reading(*row.answer))
       return judgement_of_yes_or_no(question, json.get<bool>(), declaration);
-    const Tape<double> answer = read_answer(question, json);
-    if (row.card->kind == Kind::covering) require_places(question, answer);
+    const EncodedValue<double> answer = read_answer(question, json);
+    if (row.metadata->kind == Kind::covering) require_places(question, answer);
     Judgement judgement;
     Comparison found = compared(question, answer, Reading::partial, declaration.binary32, judgement);
-    const std::string said = outcome_of(*row.answer, answer.words, row.fault == nullptr);
+    const std::string said = outcome_of(*row.answer, answer.words, row.defect == nullptr);
     const int reading =
-        row.card->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
+        row.metadata->kind == Kind::covering ? covered_reading(question, answer) : touch_reading(question, said);
     const bool too_much = lists_too_much(judgement, declaration);
     if (!found.decision || too_much) {
       const Judgement before = std::move(judgement);
@@ -216,7 +217,7 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
       judgement.surplus = before.surplus, judgement.apart = before.apart;
     } else if (!found.finite) {
       judgement = {Verdict::invalid, found.ulps, "NaN or infinity where the truth is finite"};
-    } else if (found.ulps > row.card->ulps) {
+    } else if (found.ulps > row.metadata->ulps) {
       const JudgedNumber worst = worst_number(question, answer, Reading::partial, declaration);
       judgement.verdict = worst.verdict;
       judgement.number = worst.number;
@@ -233,28 +234,29 @@ Judgement judgement_of_answer(const Examination& question, const Json& json, con
 
 }  // namespace
 
-bool checks_numbers(const RowFunctions& row) { return row.fault != nullptr && holds_numbers(*row.answer); }
+bool checks_numbers(const RowFunctions& row) { return row.defect != nullptr && holds_numbers(*row.answer); }
 
 bool is_right_exactly(const Examination& question) {
   const RowFunctions& row = question.row();
   const TrueTape& truth = question.solution().answer;
-  const Tape<Exact>& answer = question.formula_exactly();
+  const EncodedValue<Exact>& answer = question.formula_exactly();
   const auto in_doubles = [&] {
     return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
   };
-  if (row.exact_fault != nullptr) {
+  if (row.exact_defect != nullptr) {
     const auto defined = [](const Exact& number) { return number.defined(); };
     if (!std::all_of(answer.numbers.begin(), answer.numbers.end(), defined)) return false;
     const auto value = [](const Exact& number) { return number.value(); };
-    return row.exact_fault(question.question(), tape_with<mpq_class>(answer, value)).empty();
+    return row.exact_defect(question.question(), tape_with<mpq_class>(answer, value)).empty();
   }
-  if (row.fault != nullptr) {
+  if (row.defect != nullptr) {
     // Numbers may be right, and wrong as soon as they are rounded.
     if (checks_numbers(row) && same_as_truth(*row.answer, truth, answer, Reading::complete)) return true;
-    return row.fault(question.question(), in_doubles()).empty();
+    return row.defect(question.question(), in_doubles()).empty();
   }
-  if (row.card->kind == Kind::covering) return covered(*row.answer, truth.words, in_doubles().words).missing == 0;
-  return same_as_truth(*row.answer, truth, answer, row.card->formula_answers_less ? Reading::less : Reading::complete);
+  if (row.metadata->kind == Kind::covering) return covered(*row.answer, truth.words, in_doubles().words).missing == 0;
+  return same_as_truth(*row.answer, truth, answer,
+                       row.metadata->formula_answers_less ? Reading::less : Reading::complete);
 }
 
 Judgement judgement_of_formula(const Examination& question, bool binary32) {
@@ -265,13 +267,13 @@ Judgement judgement_of_formula(const Examination& question, bool binary32) {
   if (!found.decision) {
     // What running error analysis is sure of, exact arithmetic decides alike, at a far higher price.
     // Numbers that a checker refuses may be off although no comparison was in doubt.
-    const bool rounded = checks_numbers(row) || question.doubtful(binary32);
+    const bool rounded = checks_numbers(row) || question.inconclusive(binary32);
     judgement.verdict = rounded && question.formula_right_exactly() ? Verdict::rounding : Verdict::algorithm;
   } else if (!found.finite) {
     judgement.verdict = Verdict::invalid;
     judgement.remark = "NaN or infinity where the truth is finite";
-  } else if (found.ulps > row.card->ulps) {
-    const Reading reading = row.card->formula_answers_less ? Reading::less : Reading::complete;
+  } else if (found.ulps > row.metadata->ulps) {
+    const Reading reading = row.metadata->formula_answers_less ? Reading::less : Reading::complete;
     const JudgedNumber worst = worst_number(question, question.formula(binary32), reading, {"", {}, binary32});
     judgement.verdict = question.formula_right_exactly() ? worst.verdict : Verdict::algorithm;
     judgement.number = worst.number;
@@ -287,7 +289,7 @@ Judgement judgement_of_robust(const Examination& question, std::size_t environme
   try {
     Judgement judgement;
     judgement.degenerate = question.degenerate();
-    const Tape<double>& answer = question.robust_answer(environment);
+    const EncodedValue<double>& answer = question.robust_answer(environment);
     const Comparison found = compared(question, answer, Reading::complete, false, judgement);
     judgement.ulps = found.ulps;
     judgement.said = outcome_of(*row.answer, answer.words);

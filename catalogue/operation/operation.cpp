@@ -74,8 +74,8 @@ Operation::Operation(RowFunctions functions) : row_(std::move(functions)), famil
 }
 
 const FieldNames& Operation::fields(std::size_t alternative) const {
-  const auto& others = card().other_fields;
-  return alternative == 0 || others.empty() ? card().fields : others[alternative - 1];
+  const auto& others = metadata().other_fields;
+  return alternative == 0 || others.empty() ? metadata().fields : others[alternative - 1];
 }
 
 Question Operation::zeros(std::size_t list_length, std::size_t alternative) const {
@@ -104,12 +104,12 @@ Question Operation::in_binary32(const Question& question) const {
 }
 
 template <class Real>
-Tape<Real> Operation::read(const Json& input, ReadNumber<Real> read_number) const {
+EncodedValue<Real> Operation::read(const Json& input, ReadNumber<Real> read_number) const {
   if (!input.is_object())
     throw InvalidInput("input", expected("an object like " + one_line(example_of(question_)), input));
-  Tape<Real> tape;
-  read_json(question_, input, "", tape, read_number);
-  return tape;
+  EncodedValue<Real> encoded;
+  read_json(question_, input, "", encoded, read_number);
+  return encoded;
 }
 Question Operation::parse(const Json& input) const { return read<double>(input, read_double); }
 Question Operation::parse_any(const Json& input) const { return read<double>(input, read_answer_number); }
@@ -122,12 +122,12 @@ Json Operation::print_hexadecimal(const Question& question) const {
 }
 
 Json Operation::named(Json bare) const {
-  if (card().answer[0] == 0) return bare;
+  if (metadata().answer[0] == 0) return bare;
   Json object = Json::object();
-  object[card().answer] = std::move(bare);
+  object[metadata().answer] = std::move(bare);
   return object;
 }
-Json Operation::answer_json(const Tape<double>& answer) const {
+Json Operation::answer_json(const EncodedValue<double>& answer) const {
   return named(json_of<double>(*row_.answer, answer, [](const double& number) { return written(number); }));
 }
 Json Operation::answer_json(const TrueTape& answer) const {
@@ -152,7 +152,7 @@ std::string Operation::refusal_mismatch(const Question& question, std::size_t en
 }
 
 Json Operation::truth_as_typed(const Json& input) const {
-  const Tape<mpq_class> exact = read<mpq_class>(input, read_exact);
+  const EncodedValue<mpq_class> exact = read<mpq_class>(input, read_exact);
   if (row_.solve_as_typed == nullptr) throw InvalidInput("--as-typed", "an operation whose truth is rational");
   return answer_json(row_.solve_as_typed(exact).answer);
 }
@@ -193,7 +193,7 @@ std::optional<DecisionCount> Operation::count_decisions(int size, std::uint64_t 
 
 Question Operation::map_centre() const {
   if (row_.map_centre != nullptr) return row_.map_centre();
-  Choices simplest = Choices::replayed({});
+  DrawStream simplest = DrawStream::replayed({});
   return draw(simplest, 0);
 }
 

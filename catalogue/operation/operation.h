@@ -23,8 +23,8 @@ class Operation {
   Operation(const Operation&) = delete;
   Operation& operator=(const Operation&) = delete;
 
-  const Card& card() const { return *row_.card; }
-  std::string name() const { return card().name; }
+  const Metadata& metadata() const { return *row_.metadata; }
+  std::string name() const { return metadata().name; }
   const RowFunctions& row() const { return row_; }
   /// The shape of its questions, with the names of the fields, and of its answers.
   const Shape& question_shape() const { return question_; }
@@ -37,14 +37,14 @@ class Operation {
   /// Names of the input families, simplest first. Every name but the last few (drawn from the types alone) is a hard
   /// case of the operation; "x+ulp" is x with one coordinate moved by a few units in the last place.
   const std::vector<std::string>& families() const { return families_.names(); }
-  Question draw(Choices& choices, std::size_t family) const { return families_.draw(choices, family); }
+  Question draw(DrawStream& draws, std::size_t family) const { return families_.draw(draws, family); }
   /// Every number and every word 0; every list of that length; that alternative.
   Question zeros(std::size_t list_length, std::size_t alternative = 0) const;
   /// Lists as long as in exhaustive runs.
-  Question zeros() const { return zeros(card().list_length); }
+  Question zeros() const { return zeros(metadata().list_length); }
   /// One of each alternative; one where there are none.
   std::vector<Question> zeros_of_alternatives(std::size_t list_length) const;
-  std::vector<Question> zeros_of_alternatives() const { return zeros_of_alternatives(card().list_length); }
+  std::vector<Question> zeros_of_alternatives() const { return zeros_of_alternatives(metadata().list_length); }
   /// Every number rounded to the nearest float.
   Question in_binary32(const Question& question) const;
 
@@ -55,7 +55,7 @@ class Operation {
   Json print_hexadecimal(const Question& question) const;
 
   /// An answer as JSON, under its field's name where it is one bare value.
-  Json answer_json(const Tape<double>& answer) const;
+  Json answer_json(const EncodedValue<double>& answer) const;
   Json answer_json(const TrueTape& answer) const;
 
   /// What an answer looks like: {"relation": "on | off", "t?": "number"}.
@@ -72,11 +72,11 @@ class Operation {
   Json truth_as_typed(const Json& input) const;
 
   /// How many configurations such a grid has; empty beyond 2^64.
-  std::optional<std::uint64_t> configurations(int size) const { return configurations(size, card().list_length); }
+  std::optional<std::uint64_t> configurations(int size) const { return configurations(size, metadata().list_length); }
   std::optional<std::uint64_t> configurations(int size, std::size_t list_length) const;
   /// The question of that index. On a plain grid every number runs over 0 .. size - 1 and every word over what it may
   /// be; the first number is the slowest, words are faster than numbers, and one alternative comes after the other.
-  Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, card().list_length); }
+  Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, metadata().list_length); }
   Question on_grid(int size, std::uint64_t index, std::size_t list_length) const;
   /// Configurations `first` <= index < `last` of that grid, decisions alone. Empty where the operation has no such fast
   /// pair of decisions.
@@ -88,7 +88,7 @@ class Operation {
 
  private:
   template <class Real>
-  Tape<Real> read(const Json& input, ReadNumber<Real> read_number) const;
+  EncodedValue<Real> read(const Json& input, ReadNumber<Real> read_number) const;
   Json named(Json bare) const;
 
   RowFunctions row_;

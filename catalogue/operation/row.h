@@ -7,10 +7,10 @@
 #include <variant>
 
 #include "catalogue/families/hard_case.h"
-#include "catalogue/families/plane_choices.h"
+#include "catalogue/families/plane_draws.h"
 #include "catalogue/numbers/ulps.h"
 #include "catalogue/operation/row_functions.h"
-#include "catalogue/shape/tape.h"
+#include "catalogue/shape/encoded_value.h"
 #include "oracle/truth.h"
 
 /// A row of the catalogue is a struct named like its operation, in the file of that name. It holds
@@ -19,7 +19,7 @@
 ///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
 ///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
 ///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
-///   static const Card& card();               names, pages, kind of judgement
+///   static const Metadata& metadata();               names, pages, kind of judgement
 ///   static std::vector<HardCase<Question>> hard_cases();
 ///   struct decision { ... };                 decisions alone (below), or using decision = NoDecision;
 ///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
@@ -134,11 +134,11 @@ struct Hooks {
   /// The answer for open sets, if the truth is a touch.
   std::optional<truth_t<Row>> (*as_open_sets)(const truth_t<Row>& truth, const Question&) = nullptr;
   /// Where many answers are right: what is wrong with one; "" if it is right.
-  std::string (*fault)(const Question&, const answer_t<Row>&) = nullptr;
+  std::string (*defect)(const Question&, const answer_t<Row>&) = nullptr;
   /// The same of an answer in exact numbers, which may be right as long as nothing rounds them; without it such an
   /// answer is right if it is the truth.
-  std::string (*exact_fault)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
-  /// Of an answer with a fault, beside the truth in nearest doubles: how far it is from a right one.
+  std::string (*exact_defect)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
+  /// Of an answer with a defect, beside the truth in nearest doubles: how far it is from a right one.
   Excess (*excess)(const Question&, const answer_t<Row>& answer, const answer_t<Row>& truth) = nullptr;
   /// Repairs random numbers into a valid question (a ring that does not cross itself).
   void (*repair)(Question&) = nullptr;
@@ -156,8 +156,8 @@ struct Hooks {
   /// what its own type does not tell: the points that its indices mean.
   void (*draw)(Drawing&, const Question&, const answer_t<Row>& truth) = nullptr;
   /// Questions of exhaustive runs of that size: how many, and the one of an index (default: a grid of all numbers).
-  std::uint64_t (*world_count)(int size) = nullptr;
-  Question (*world_at)(int size, std::uint64_t index) = nullptr;
+  std::uint64_t (*domain_count)(int size) = nullptr;
+  Question (*domain_at)(int size, std::uint64_t index) = nullptr;
   /// Exact symmetries, asked of robust and oracle.
   Laws laws{};
 };

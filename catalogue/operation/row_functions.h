@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "catalogue/draw/drawing.h"
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/judge/excess.h"
 #include "catalogue/numbers/exact.h"
 #include "catalogue/numbers/tracked.h"
 #include "catalogue/numbers/true_number.h"
-#include "catalogue/operation/card.h"
 #include "catalogue/operation/laws.h"
+#include "catalogue/operation/metadata.h"
 #include "catalogue/shape/shape.h"
 #include "oracle/truth.h"
 #include "robust/kernel/staged.h"
@@ -46,30 +46,31 @@ struct World {
 struct StageFunctions {
   struct One {
     robust::Stage stage;
-    std::optional<Tape<double>> (*ask)(const Question&, std::size_t environment);  ///< empty: it does not know
+    std::optional<EncodedValue<double>> (*ask)(const Question&, std::size_t environment);  ///< empty: it does not know
   };
   std::vector<One> each;  ///< in the order in which they are asked
   robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
 };
 
 /// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three
-/// modules over tapes, and what the row says beside them. Whatever may be nullptr says so.
+/// modules over encoded values, and what the row says beside them. Whatever may be nullptr says so.
 struct RowFunctions {
-  const Card* card;
+  const Metadata* metadata;
   const Shape* question;
   const Shape* answer;
 
   /// The formula of the deck.
-  Tape<double> (*reference)(const Question&);
-  Tape<double> (*reference_in_float)(const Question&);
-  Tape<Exact> (*reference_exactly)(const Question&);
-  Tape<Tracked<double>> (*reference_tracked)(const Question&);  ///< Tracked<double>::doubtful() is not reset
-  Tape<Tracked<float>> (*reference_tracked_in_float)(const Question&);
+  EncodedValue<double> (*reference)(const Question&);
+  EncodedValue<double> (*reference_in_float)(const Question&);
+  EncodedValue<Exact> (*reference_exactly)(const Question&);
+  EncodedValue<Tracked<double>> (*reference_tracked)(
+      const Question&);  ///< Tracked<double>::inconclusive() is not reset
+  EncodedValue<Tracked<float>> (*reference_tracked_in_float)(const Question&);
 
   /// In that floating-point environment (catalogue/judge/environment.h).
-  Tape<double> (*robust)(const Question&, std::size_t environment);
+  EncodedValue<double> (*robust)(const Question&, std::size_t environment);
   Solution (*solve)(const Question&);
-  Solution (*solve_as_typed)(const Tape<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
+  Solution (*solve_as_typed)(const EncodedValue<mpq_class>&);  ///< nullptr: there is no exact answer to decimals
 
   /// Decisions alone; `decision` is the shape of the enumerator, nullptr where robust has no function for it.
   const Shape* decision;
@@ -87,23 +88,23 @@ struct RowFunctions {
   /// Hard cases in the order of the row.
   struct HardCaseName {
     std::string name;
-    bool as_drawn;  ///< as in HardCase
+    bool unscaled;  ///< as in HardCase
   };
   std::vector<HardCaseName> hard_cases;
-  Question (*draw_hard_case)(std::size_t which, Choices&);
+  Question (*draw_hard_case)(std::size_t which, DrawStream&);
 
   // Hooks of the row; nullptr where it has none.
   std::optional<TrueTape> (*as_open_sets)(const TrueTape& truth, const Question&);
-  std::string (*fault)(const Question&, const Tape<double>& answer);
-  std::string (*exact_fault)(const Question&, const Tape<mpq_class>& answer);
-  Excess (*excess)(const Question&, const Tape<double>& answer, const Tape<double>& truth);
+  std::string (*defect)(const Question&, const EncodedValue<double>& answer);
+  std::string (*exact_defect)(const Question&, const EncodedValue<mpq_class>& answer);
+  Excess (*excess)(const Question&, const EncodedValue<double>& answer, const EncodedValue<double>& truth);
   void (*repair)(Question&);
   void (*scale)(Question&, int exponent);
   std::vector<std::uint64_t> (*places)(const Question&);
-  std::vector<mpq_class> (*residuals)(const Question&, const Tape<double>& answer);
+  std::vector<mpq_class> (*residuals)(const Question&, const EncodedValue<double>& answer);
   Question (*map_centre)();
   std::pair<std::size_t, std::size_t> (*map_axes)();
-  void (*draw)(Drawing&, const Question&, const Tape<double>& truth);  ///< the truth in nearest doubles
+  void (*draw)(Drawing&, const Question&, const EncodedValue<double>& truth);  ///< the truth in nearest doubles
   std::optional<World> world;
   Laws laws;
 };

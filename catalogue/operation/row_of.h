@@ -10,7 +10,7 @@
 /// Makes an operation from its row: the one place where its types are forgotten.
 namespace touchstone::catalogue {
 
-/// SplitMix64's output function, as in Choices.
+/// SplitMix64's output function, as in DrawStream.
 inline std::uint64_t scattered(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -54,15 +54,16 @@ template <class Stages, class Asked, robust::Stage stage>
 void add_stage(StageFunctions& found) {
   using Ask = AskStage<Stages, stage>;
   if constexpr (takes<Ask, Asked>) {
-    found.each.push_back({stage, [](const Question& question, std::size_t environment) -> std::optional<Tape<double>> {
-                            const auto answer = asked_in<Ask, Asked>(environment, question);
-                            if constexpr (requires { *answer; }) {
-                              if (!answer) return std::nullopt;
-                              return packed(*answer);
-                            } else {
-                              return packed(answer);
-                            }
-                          }});
+    found.each.push_back(
+        {stage, [](const Question& question, std::size_t environment) -> std::optional<EncodedValue<double>> {
+           const auto answer = asked_in<Ask, Asked>(environment, question);
+           if constexpr (requires { *answer; }) {
+             if (!answer) return std::nullopt;
+             return packed(*answer);
+           } else {
+             return packed(answer);
+           }
+         }});
   }
 }
 
@@ -91,26 +92,26 @@ struct RowOf {
   static auto formula(const Question& question, const Convert& convert) {
     return ask_reference<Row>(unpacked<rebound_t<Asked, Real>>(question, convert));
   }
-  static Tape<double> reference(const Question& question) {
+  static EncodedValue<double> reference(const Question& question) {
     return packed(ask_reference<Row>(unpacked<Asked>(question)));
   }
-  static Tape<double> reference_in_float(const Question& question) {
+  static EncodedValue<double> reference_in_float(const Question& question) {
     return packed(formula<float>(question, [](double number) { return static_cast<float>(number); }));
   }
-  static Tape<Exact> reference_exactly(const Question& question) {
+  static EncodedValue<Exact> reference_exactly(const Question& question) {
     return packed_as<Exact>(formula<Exact>(question, [](double number) { return Exact(exact_value(number)); }));
   }
-  static Tape<Tracked<double>> reference_tracked(const Question& question) {
+  static EncodedValue<Tracked<double>> reference_tracked(const Question& question) {
     using Bounded = Tracked<double>;
     return packed_as<Bounded>(formula<Bounded>(question, [](double number) { return Bounded(number); }));
   }
-  static Tape<Tracked<float>> reference_tracked_in_float(const Question& question) {
+  static EncodedValue<Tracked<float>> reference_tracked_in_float(const Question& question) {
     using Bounded = Tracked<float>;
     return packed_as<Bounded>(
         formula<Bounded>(question, [](double number) { return Bounded(static_cast<float>(number)); }));
   }
 
-  static Tape<double> robust(const Question& question, std::size_t environment) {
+  static EncodedValue<double> robust(const Question& question, std::size_t environment) {
     return packed(
         in_environment(environment, unpacked<Asked>(question), [](const Asked& q) { return ask_robust<Row>(q); }));
   }
@@ -118,7 +119,7 @@ struct RowOf {
     auto truth = ask_oracle<Row>(unpacked<Asked>(question));
     return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin), std::move(truth.certificate)};
   }
-  static Solution solve_as_typed(const Tape<mpq_class>& question) {
+  static Solution solve_as_typed(const EncodedValue<mpq_class>& question) {
     using Typed = rebound_t<Asked, mpq_class>;
     auto truth = ask_oracle<Row>(unpacked<Typed>(question, [](const mpq_class& number) { return number; }));
     return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
@@ -142,8 +143,8 @@ struct RowOf {
     static const std::vector<HardCase<Asked>> all = Row::hard_cases();
     return all;
   }
-  static Question draw_hard_case(std::size_t which, Choices& choices) {
-    return packed(hard_cases()[which].draw(choices));
+  static Question draw_hard_case(std::size_t which, DrawStream& draws) {
+    return packed(hard_cases()[which].draw(draws));
   }
 
   /// The hooks with their types forgotten.
@@ -157,15 +158,16 @@ struct RowOf {
     if (!open) return std::nullopt;
     return packed_as<TrueNumber>(*open);
   }
-  static std::string fault(const Question& question, const Tape<double>& answer) {
-    return hooks().fault(unpacked<Asked>(question), unpacked<Answer>(answer));
+  static std::string defect(const Question& question, const EncodedValue<double>& answer) {
+    return hooks().defect(unpacked<Asked>(question), unpacked<Answer>(answer));
   }
-  static std::string exact_fault(const Question& question, const Tape<mpq_class>& answer) {
+  static std::string exact_defect(const Question& question, const EncodedValue<mpq_class>& answer) {
     using ExactAnswer = rebound_t<Answer, mpq_class>;
     const auto as_it_is = [](const mpq_class& number) { return number; };
-    return hooks().exact_fault(unpacked<Asked>(question), unpacked<ExactAnswer>(answer, as_it_is));
+    return hooks().exact_defect(unpacked<Asked>(question), unpacked<ExactAnswer>(answer, as_it_is));
   }
-  static Excess excess(const Question& question, const Tape<double>& answer, const Tape<double>& truth) {
+  static Excess excess(const Question& question, const EncodedValue<double>& answer,
+                       const EncodedValue<double>& truth) {
     return hooks().excess(unpacked<Asked>(question), unpacked<Answer>(answer), unpacked<Answer>(truth));
   }
   static void repair(Question& question) {
@@ -181,15 +183,15 @@ struct RowOf {
   static std::vector<std::uint64_t> places(const Question& question) {
     return hooks().places(unpacked<Asked>(question));
   }
-  static std::vector<mpq_class> residuals(const Question& question, const Tape<double>& answer) {
+  static std::vector<mpq_class> residuals(const Question& question, const EncodedValue<double>& answer) {
     return hooks().residuals(unpacked<Asked>(question), unpacked<Answer>(answer));
   }
   static Question map_centre() { return packed(hooks().map_centre()); }
-  static void draw(Drawing& drawing, const Question& question, const Tape<double>& truth) {
+  static void draw(Drawing& drawing, const Question& question, const EncodedValue<double>& truth) {
     hooks().draw(drawing, unpacked<Asked>(question), unpacked<Answer>(truth));
   }
-  static std::uint64_t world_count(int size) { return hooks().world_count(size); }
-  static Question world_at(int size, std::uint64_t index) { return packed(hooks().world_at(size, index)); }
+  static std::uint64_t domain_count(int size) { return hooks().domain_count(size); }
+  static Question domain_at(int size, std::uint64_t index) { return packed(hooks().domain_at(size, index)); }
 
   static RowFunctions functions();
 };
@@ -197,8 +199,8 @@ struct RowOf {
 /// The inner loop of an exhaustive run of decisions, numbers counting up like digits.
 template <class Row>
 DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::uint64_t last) {
-  auto asked = zeros<Asked>(Row::card().list_length);
-  auto integers = zeros<rebound_t<Asked, std::int64_t>>(Row::card().list_length);
+  auto asked = zeros<Asked>(Row::metadata().list_length);
+  auto integers = zeros<rebound_t<Asked, std::int64_t>>(Row::metadata().list_length);
   std::vector<double*> numbers;
   std::vector<std::int64_t*> digits;
   for_each_number(asked, [&](double& number) { numbers.push_back(&number); });
@@ -234,7 +236,7 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
 template <class Row>
 RowFunctions RowOf<Row>::functions() {
   RowFunctions f{};
-  f.card = &Row::card();
+  f.metadata = &Row::metadata();
   f.question = &shape_of<Asked>();
   f.answer = &shape_of<Answer>();
   f.reference = reference;
@@ -260,12 +262,12 @@ RowFunctions RowOf<Row>::functions() {
   if constexpr (requires { typename Row::stages; }) f.stages = stage_functions<typename Row::stages, Asked>();
   if constexpr (requires { typename Row::stages::decision; })
     f.decision_stages = stage_functions<typename Row::stages::decision, Asked>();
-  for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back({hard.name, hard.as_drawn});
+  for (const HardCase<Asked>& hard : hard_cases()) f.hard_cases.push_back({hard.name, hard.unscaled});
   f.draw_hard_case = draw_hard_case;
   const auto given = hooks();
   if (given.as_open_sets) f.as_open_sets = as_open_sets;
-  if (given.fault) f.fault = fault;
-  if (given.exact_fault) f.exact_fault = exact_fault;
+  if (given.defect) f.defect = defect;
+  if (given.exact_defect) f.exact_defect = exact_defect;
   if (given.excess) f.excess = excess;
   if (given.repair) f.repair = repair;
   if (given.scale) f.scale = scale;
@@ -275,7 +277,7 @@ RowFunctions RowOf<Row>::functions() {
   f.map_axes = given.map_axes;
   if (given.draw) f.draw = draw;
   f.laws = given.laws;
-  if (given.world_count) f.world = World{world_count, world_at};
+  if (given.domain_count) f.world = World{domain_count, domain_at};
   return f;
 }
 

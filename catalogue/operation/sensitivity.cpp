@@ -35,7 +35,7 @@ std::vector<double> with_one_moved(const Operation& operation, const Question& q
 
 std::vector<Sensitivity> sensitivities(const Operation& operation, const Question& question) {
   const TrueTape truth = operation.row().solve(question).answer;
-  const Tape<double> formula = operation.row().reference(question);
+  const EncodedValue<double> formula = operation.row().reference(question);
   if (!truth.words.empty() || formula.numbers.size() != truth.numbers.size()) return {};
   const std::vector<double> numbers = nearest_of(truth);
   std::vector<double> conditions(numbers.size(), 0);

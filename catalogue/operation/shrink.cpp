@@ -6,9 +6,9 @@ namespace {
 
 class Shrinker {
  public:
-  Shrinker(std::vector<std::uint8_t> choices, const std::function<bool(const std::vector<std::uint8_t>&)>& interesting,
+  Shrinker(std::vector<std::uint8_t> draws, const std::function<bool(const std::vector<std::uint8_t>&)>& interesting,
            int budget)
-      : best_(std::move(choices)), interesting_(interesting), budget_(budget) {}
+      : best_(std::move(draws)), interesting_(interesting), budget_(budget) {}
 
   std::vector<std::uint8_t> run() {
     for (bool better = true; better && budget_ > 0;) {
@@ -65,9 +65,9 @@ class Shrinker {
 
 }  // namespace
 
-std::vector<std::uint8_t> shrunk(std::vector<std::uint8_t> choices,
+std::vector<std::uint8_t> shrunk(std::vector<std::uint8_t> draws,
                                  const std::function<bool(const std::vector<std::uint8_t>&)>& interesting, int budget) {
-  return Shrinker(std::move(choices), interesting, budget).run();
+  return Shrinker(std::move(draws), interesting, budget).run();
 }
 
 }  // namespace touchstone::catalogue

@@ -51,11 +51,12 @@ TrueNumber times(int factor, const TrueNumber& number) { return TrueNumber(mpq_c
 double plus(double a, double b) { return a + b; }
 TrueNumber plus(const TrueNumber& a, const TrueNumber& b) { return a + b; }
 
-/// Changes the numbers of a tape by their meaning.
+/// Changes the numbers of a encoded value by their meaning.
 template <class Real>
 class Changed {
  public:
-  Changed(Tape<Real>& tape, const Shape& shape, const Laws& laws) : tape_(tape), laws_(laws), shape_(shape) {}
+  Changed(EncodedValue<Real>& encoded, const Shape& shape, const Laws& laws)
+      : tape_(encoded), laws_(laws), shape_(shape) {}
 
   void map(const Map& by) {
     map_ = &by;
@@ -159,7 +160,7 @@ class Changed {
   void dimension(std::size_t of_question) { dimension_ = of_question; }
 
  private:
-  Tape<Real>& tape_;
+  EncodedValue<Real>& tape_;
   const Laws& laws_;
   const Shape& shape_;
   const Map* map_ = nullptr;
@@ -178,23 +179,24 @@ std::size_t dimension_of(const Shape& shape, const Question& question) {
 }
 
 template <class Real>
-Tape<Real> mapped(Tape<Real> tape, const Shape& shape, const Laws& laws, const Map& map, std::size_t dimension) {
-  Changed<Real> changed(tape, shape, laws);
+EncodedValue<Real> mapped(EncodedValue<Real> encoded, const Shape& shape, const Laws& laws, const Map& map,
+                          std::size_t dimension) {
+  Changed<Real> changed(encoded, shape, laws);
   changed.dimension(dimension);
   changed.map(map);
-  return tape;
+  return encoded;
 }
 
-/// The parts of a record, each a tape of its own.
+/// The parts of a record, each a encoded value of its own.
 template <class Real>
-std::vector<Tape<Real>> parts_of(const Shape& record, const Tape<Real>& tape) {
+std::vector<EncodedValue<Real>> parts_of(const Shape& record, const EncodedValue<Real>& encoded) {
   struct Collected {
-    Tape<Real> part{};
+    EncodedValue<Real> part{};
     void number(const Shape&, const Cursor<Real>& at) { part.numbers.push_back(*at.number); }
     void word(const Shape&, const Cursor<Real>& at) { part.words.push_back(*at.word); }
   };
-  std::vector<Tape<Real>> parts;
-  Cursor<Real> at(tape);
+  std::vector<EncodedValue<Real>> parts;
+  Cursor<Real> at(encoded);
   for (const Shape::Part& part : record.parts) {
     Collected collected;
     walk_tape(*part.shape, at, collected);
@@ -203,13 +205,13 @@ std::vector<Tape<Real>> parts_of(const Shape& record, const Tape<Real>& tape) {
   return parts;
 }
 template <class Real>
-Tape<Real> joined(const std::vector<Tape<Real>>& parts) {
-  Tape<Real> tape;
-  for (const Tape<Real>& part : parts) {
-    tape.numbers.insert(tape.numbers.end(), part.numbers.begin(), part.numbers.end());
-    tape.words.insert(tape.words.end(), part.words.begin(), part.words.end());
+EncodedValue<Real> joined(const std::vector<EncodedValue<Real>>& parts) {
+  EncodedValue<Real> encoded;
+  for (const EncodedValue<Real>& part : parts) {
+    encoded.numbers.insert(encoded.numbers.end(), part.numbers.begin(), part.numbers.end());
+    encoded.words.insert(encoded.words.end(), part.words.begin(), part.words.end());
   }
-  return tape;
+  return encoded;
 }
 
 Question exchanged(const Shape& shape, const Question& question, const Laws::Exchange& exchange) {
@@ -226,7 +228,8 @@ Question exchanged(const Shape& shape, const Question& question, const Laws::Exc
 }
 
 template <class Real>
-Tape<Real> exchanged(const Shape& shape, const Tape<Real>& answer, const std::vector<Laws::Words>& members) {
+EncodedValue<Real> exchanged(const Shape& shape, const EncodedValue<Real>& answer,
+                             const std::vector<Laws::Words>& members) {
   if (members.empty() || shape.kind != Shape::Kind::record) return answer;
   auto parts = parts_of(shape, answer);
   const auto place = [&shape](const char* name) {
@@ -249,8 +252,8 @@ bool on_lattice(const Question& question) {
 
 /// Places and lengths of rounded answers are not those of the image: they are all made 0.
 template <class Real>
-void forget_lengths(Tape<Real>& tape, const Shape& shape, const Laws& laws) {
-  Changed<Real>(tape, shape, laws).lengths([](const Real&) { return Real(0); });
+void forget_lengths(EncodedValue<Real>& encoded, const Shape& shape, const Laws& laws) {
+  Changed<Real>(encoded, shape, laws).lengths([](const Real&) { return Real(0); });
 }
 
 /// Rounding keeps its relative place as long as no number is subnormal, or may have been before it was rounded, or is
@@ -267,7 +270,7 @@ bool scaled_number(const TrueNumber& n, const TrueNumber& found, int k) {
 
 /// Which numbers of an answer are lengths.
 template <class Real>
-std::vector<bool> lengths_in(const Shape& shape, const Tape<Real>& answer) {
+std::vector<bool> lengths_in(const Shape& shape, const EncodedValue<Real>& answer) {
   struct Marks {
     std::vector<bool> length{};
     void number(const Shape& of, const Cursor<Real>&) { length.push_back(of.meaning != Meaning::number); }
@@ -279,7 +282,7 @@ std::vector<bool> lengths_in(const Shape& shape, const Tape<Real>& answer) {
 }
 
 template <class Real>
-bool scaled(const Shape& shape, const Tape<Real>& answer, const Tape<Real>& found, int k) {
+bool scaled(const Shape& shape, const EncodedValue<Real>& answer, const EncodedValue<Real>& found, int k) {
   if (answer.words != found.words) return false;
   const std::vector<bool> length = lengths_in(shape, answer);
   for (std::size_t i = 0; i < length.size(); ++i) {
@@ -301,7 +304,7 @@ Question times_two_to(const RowFunctions& row, Question question, int k) {
 
 /// Where decisions alone count, no number of an answer does.
 template <class Real>
-bool alike(const Tape<Real>& a, const Tape<Real>& b, Compared compared) {
+bool alike(const EncodedValue<Real>& a, const EncodedValue<Real>& b, Compared compared) {
   return compared == Compared::decisions ? a.words == b.words : a == b;
 }
 
@@ -310,21 +313,21 @@ std::string broken(const Operation& operation, const Question& question, const A
                    Compared compared) {
   const RowFunctions& row = operation.row();
   const Laws& laws = row.laws;
-  Tape<Real> answer;
+  EncodedValue<Real> answer;
   try {
     answer = ask(question);
   } catch (const InvalidInput&) {
     return "";
   }
   for (const Laws::Exchange& exchange : laws.exchanges) {
-    const Tape<Real> found = ask(exchanged(*row.question, question, exchange));
+    const EncodedValue<Real> found = ask(exchanged(*row.question, question, exchange));
     if (!alike(found, exchanged(shape, answer, exchange.members), compared)) return "arguments exchanged";
   }
   if (laws.scales) {
     for (const int k : {1, -29, 300, -300, 1000, -1000}) {
       const Question larger = times_two_to(row, question, k);
       if (times_two_to(row, larger, -k) != question) continue;
-      const Tape<Real> found = ask(larger);
+      const EncodedValue<Real> found = ask(larger);
       if (compared == Compared::decisions ? found.words != answer.words : !scaled(shape, answer, found, k))
         return "times a power of two";
     }
@@ -332,8 +335,8 @@ std::string broken(const Operation& operation, const Question& question, const A
   if (laws.maps == Laws::Maps::none) return "";
   const std::size_t dimension = dimension_of(*row.question, question);
   const auto image_is_wrong = [&](const Map& map, bool rounds) {
-    Tape<Real> found = ask(mapped(question, *row.question, laws, map, dimension)),
-               expected = mapped(answer, shape, laws, map, dimension);
+    EncodedValue<Real> found = ask(mapped(question, *row.question, laws, map, dimension)),
+                       expected = mapped(answer, shape, laws, map, dimension);
     if (rounds && std::is_same_v<Real, double>) {
       forget_lengths(found, shape, laws);
       forget_lengths(expected, shape, laws);
@@ -363,7 +366,7 @@ std::string broken(const Operation& operation, const Question& question, const A
 
 bool declares_laws(const Operation& operation) {
   const Laws& laws = operation.row().laws;
-  return !operation.card().is_implementation() &&
+  return !operation.metadata().is_implementation() &&
          (laws.maps != Laws::Maps::none || laws.scales || !laws.exchanges.empty());
 }
 

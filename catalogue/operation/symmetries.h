@@ -11,12 +11,12 @@ namespace touchstone::catalogue {
 
 /// Answers a question, or throws InvalidInput where it is outside the contract.
 template <class Real>
-using Answering = std::function<Tape<Real>(const Question&)>;
+using Answering = std::function<EncodedValue<Real>(const Question&)>;
 
 /// What of two answers has to be the same.
 enum class Compared {
   everything,  ///< for what answers exactly or rounds correctly
-  decisions,   ///< words alone: numbers that round differently in an image are no fault
+  decisions,   ///< words alone: numbers that round differently in an image are no defect
 };
 
 bool declares_laws(const Operation& operation);

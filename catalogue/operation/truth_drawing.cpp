@@ -87,7 +87,7 @@ Drawing drawing_of(const Examination& question) {
   } else {
     draw_question(drawing, question.operation().question_shape(), question.question());
   }
-  AnswerDrawing(drawing, question).draw(*row.answer, row.card->answer);
+  AnswerDrawing(drawing, question).draw(*row.answer, row.metadata->answer);
   return drawing;
 }
 

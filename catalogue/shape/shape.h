@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/shape/tape.h"
+#include "catalogue/shape/encoded_value.h"
 
 namespace touchstone::catalogue {
 
-/// A type of questions or answers, described at run time: what the numbers and words of a tape mean, in order.
+/// A type of questions or answers, described at run time: what the numbers and words of a encoded value mean, in order.
 struct Shape {
   enum class Kind {
     number,
@@ -142,13 +142,13 @@ Word elements_of_lists(const Shape& shape, const Question& question);
 /// Every number 0, every word 0 (the first alternative), lists of that length.
 void append_zeros(const Shape& shape, std::size_t list_length, Question& question);
 
-/// The same tape over another number type.
+/// The same encoded value over another number type.
 template <class To, class From, class Change>
-Tape<To> tape_with(const Tape<From>& tape, const Change& change) {
-  Tape<To> result;
-  result.words = tape.words;
-  result.numbers.reserve(tape.numbers.size());
-  for (const From& number : tape.numbers) result.numbers.push_back(change(number));
+EncodedValue<To> tape_with(const EncodedValue<From>& encoded, const Change& change) {
+  EncodedValue<To> result;
+  result.words = encoded.words;
+  result.numbers.reserve(encoded.numbers.size());
+  for (const From& number : encoded.numbers) result.numbers.push_back(change(number));
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace {
 std::string longest() {
   const auto& operation = touchstone::fuzz::target().operation();
   if (operation.question_shape().fixed) return "-max_len=80";
-  return operation.card().cost > 10 ? "-max_len=1600" : "-max_len=640";
+  return operation.metadata().cost > 10 ? "-max_len=1600" : "-max_len=640";
 }
 
 }  // namespace

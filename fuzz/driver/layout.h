@@ -10,7 +10,7 @@ namespace touchstone::fuzz {
 /// Which numbers and words of a question are what.
 struct Layout {
   struct Place {
-    std::size_t number, word;  ///< on the tape
+    std::size_t number, word;  ///< on the encoded value
   };
   struct Point {
     std::size_t first, dimension;  ///< its coordinates are numbers first .. first + dimension - 1

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <limits>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/families/numbers.h"
 #include "fuzz/driver/layout.h"
 #include "fuzz/driver/target.h"
@@ -15,7 +15,7 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, st
 namespace touchstone::fuzz {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 
 /// The layout of a question; good until the next call. Where all questions have the same, it is made once.
 const Layout& layout_for(const catalogue::Shape& shape, const Question& question) {
@@ -28,8 +28,8 @@ const Layout& layout_for(const catalogue::Shape& shape, const Question& question
 
 class Mutation {
  public:
-  Mutation(const catalogue::Shape& shape, Question& question, Choices& choices)
-      : question_(question), numbers_(question.numbers), choices_(choices), layout_(layout_for(shape, question)) {}
+  Mutation(const catalogue::Shape& shape, Question& question, DrawStream& draws)
+      : question_(question), numbers_(question.numbers), choices_(draws), layout_(layout_for(shape, question)) {}
 
   void apply() {
     if (!layout_.words.empty() && choices_.below(numbers_.empty() ? 2 : 8) == 0) return change_word();
@@ -154,7 +154,7 @@ class Mutation {
 
   Question& question_;
   std::vector<double>& numbers_;
-  Choices& choices_;
+  DrawStream& choices_;
   const Layout& layout_;
 };
 
@@ -162,18 +162,18 @@ class Mutation {
 
 /// A question of some family. What has become numbers never goes back to one, so that without this families would be
 /// asked seldom.
-void draw_afresh(Choices& choices, std::vector<std::uint8_t>& result) {
-  result.resize(1 + choices.below(48));
-  for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(choices.below(256));
-  result[0] = static_cast<std::uint8_t>(choices.below(target().operation().families().size()));
+void draw_afresh(DrawStream& draws, std::vector<std::uint8_t>& result) {
+  result.resize(1 + draws.below(48));
+  for (std::uint8_t& byte : result) byte = static_cast<std::uint8_t>(draws.below(256));
+  result[0] = static_cast<std::uint8_t>(draws.below(target().operation().families().size()));
 }
 
 bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
-  Choices choices = Choices::seeded(seed);
-  const std::uint64_t kind = choices.below(16);
+  DrawStream draws = DrawStream::seeded(seed);
+  const std::uint64_t kind = draws.below(16);
   if (kind < 2) return false;
   if (kind == 2) {
-    draw_afresh(choices, result);
+    draw_afresh(draws, result);
     return true;
   }
   static thread_local Question question;
@@ -181,7 +181,7 @@ bool mutated(Bytes data, unsigned seed, std::vector<std::uint8_t>& result) {
   for (double& number : question.numbers)
     number = std::isfinite(number) ? number : 0;  // what is refused has descendants that are not
   const catalogue::Shape& shape = target().operation().question_shape();
-  for (std::uint64_t left = 1 + choices.below(3); left > 0; --left) Mutation(shape, question, choices).apply();
+  for (std::uint64_t left = 1 + draws.below(3); left > 0; --left) Mutation(shape, question, draws).apply();
   encode(shape, question, result);
   return true;
 }

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "fuzz/driver/target.h"
 
 // What the fuzz program is without libFuzzer, for any compiler:

@@ -45,8 +45,8 @@ void Target::decode(Bytes data, Question& question) const {
   if (data.empty()) {
     question = operation_.zeros(0);
   } else if (data[0] < operation_.families().size()) {
-    catalogue::Choices choices = catalogue::Choices::replayed(data.subspan(1));
-    question = operation_.draw(choices, data[0]);
+    catalogue::DrawStream draws = catalogue::DrawStream::replayed(data.subspan(1));
+    question = operation_.draw(draws, data[0]);
   } else {
     fuzz::decode(operation_.question_shape(), data.subspan(1), data[0] == finite_numbers_follow, question);
   }
@@ -78,7 +78,7 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
              in_words();
     if (examination.margin()) {
       const std::size_t count = std::min<std::size_t>(question.numbers.size(), 16);
-      report_margin(*examination.margin(), operation_.card().margin_degree, {question.numbers.data(), count},
+      report_margin(*examination.margin(), operation_.metadata().margin_degree, {question.numbers.data(), count},
                     outcome_number(operation_.answer_shape(), examination.solution().answer.words));
     }
     if (hash / 512 % (quick ? 256 : 16) != 0) return "";
@@ -104,10 +104,10 @@ std::vector<std::pair<std::string, std::vector<std::uint8_t>>> Target::seeds() c
   const auto& names = operation_.families();
   for (std::size_t family = 0; family < names.size(); ++family) {
     if (names[family].find('+') != std::string::npos) continue;  // the mutator moves by ulps itself
-    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, names[family].c_str(), 0), true);
-    operation_.draw(choices, family);
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, names[family].c_str(), 0), true);
+    operation_.draw(draws, family);
     std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(family)};
-    bytes.insert(bytes.end(), choices.recorded().begin(), choices.recorded().end());
+    bytes.insert(bytes.end(), draws.recorded().begin(), draws.recorded().end());
     made.emplace_back(names[family], std::move(bytes));
   }
   return made;

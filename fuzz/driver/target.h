@@ -11,7 +11,7 @@
 
 /// One operation of the catalogue, asked by bytes.
 ///
-/// The first byte picks a family of inputs and the rest are its choices; a byte beyond the families means that the rest
+/// The first byte picks a family of inputs and the rest are its draws; a byte beyond the families means that the rest
 /// are the numbers and words themselves in canonical order, each a raw little-endian double, and 0xff that those
 /// numbers which are not finite are made so: refusals tell little, and are exceptions, which cost more than answers.
 /// Bytes that are missing are 0.

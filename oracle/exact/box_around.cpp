@@ -107,7 +107,7 @@ bool square(const Way& a, const Way& b, const Rational& unit) {
 
 }  // namespace
 
-std::string fault_of_box(const std::vector<Point3d>& points, const Obb3<Rational>& box) {
+std::string defect_of_box(const std::vector<Point3d>& points, const Obb3<Rational>& box) {
   const Whole all(points, box);
   const std::array<Way, 3> axes = completed(all.half_axes);
   if (sgn(dot(axes[0], cross(axes[1], axes[2]))) == 0) return "the half axes are linearly dependent";

@@ -11,6 +11,6 @@ namespace touchstone::oracle {
 
 /// What is wrong with a box that is said to be one around points, at least one, in the words of the contract
 /// (reference/volumes/obb_of_points.h); "" if nothing is. In integers.
-std::string fault_of_box(const std::vector<Point3d>& points, const Obb3<Rational>& box);
+std::string defect_of_box(const std::vector<Point3d>& points, const Obb3<Rational>& box);
 
 }  // namespace touchstone::oracle

@@ -71,10 +71,10 @@ Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon) {
 }
 template Truth<IndexLists> convex_partition(const Polygon2<Rational>&);
 
-std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
+std::string convex_partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {
   if (pieces.size() > 2 * reflex_vertices(WholeRing(polygon)) + 1)
     return "more than 2 r + 1 pieces for r reflex vertices";
-  return partition_fault(polygon, pieces);
+  return partition_defect(polygon, pieces);
 }
 
 }  // namespace touchstone::oracle

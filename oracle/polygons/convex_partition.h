@@ -14,6 +14,6 @@ template <Exact Number>
 Truth<IndexLists> convex_partition(const Polygon2<Number>& polygon);
 
 /// What is wrong with a partition of a simple polygon into convex pieces; "" if it is right, ours or not.
-std::string convex_partition_fault(const Polygon2d& polygon, const IndexLists& pieces);
+std::string convex_partition_defect(const Polygon2d& polygon, const IndexLists& pieces);
 
 }  // namespace touchstone::oracle

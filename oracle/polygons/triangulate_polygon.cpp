@@ -23,14 +23,14 @@ Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon) {
 }
 template Truth<IndexLists> triangulate_polygon(const Polygon2<Rational>&);
 
-std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles) {
+std::string triangulate_polygon_defect(const Polygon2d& polygon, const IndexLists& triangles) {
   for (const auto& triangle : triangles) {
     if (triangle.size() != 3) return "not three vertices in a triangle";
   }
   // A vertex in the middle of a side takes half a turn away from the angles of the corners, and so one triangle from
   // the count.
   if (triangles.size() + 2 != polygon.size()) return "not n - 2 triangles";
-  return partition_fault(polygon, triangles);
+  return partition_defect(polygon, triangles);
 }
 
 }  // namespace touchstone::oracle

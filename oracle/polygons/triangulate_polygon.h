@@ -14,6 +14,6 @@ template <Exact Number>
 Truth<IndexLists> triangulate_polygon(const Polygon2<Number>& polygon);
 
 /// What is wrong with a triangulation of a simple polygon; "" if it is right, ours or not.
-std::string triangulate_polygon_fault(const Polygon2d& polygon, const IndexLists& triangles);
+std::string triangulate_polygon_defect(const Polygon2d& polygon, const IndexLists& triangles);
 
 }  // namespace touchstone::oracle

@@ -30,6 +30,6 @@ Truth<IndexLists> cut(WholeRing ring, IndexLists pieces);
 
 /// What is wrong with the claim that these convex counter-clockwise pieces are a simple polygon, cut along diagonals;
 /// "" if it is right.
-std::string partition_fault(const Polygon2d& polygon, const IndexLists& pieces);
+std::string partition_defect(const Polygon2d& polygon, const IndexLists& pieces);
 
 }  // namespace touchstone::oracle

@@ -193,7 +193,7 @@ Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, 
 }
 template Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Rational>>&, SphereMethod);
 
-std::string bounding_sphere_fault(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball) {
+std::string bounding_sphere_defect(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball) {
   const auto& [x, y, z] = ball.center;
   if (!validation::finite(x) || !validation::finite(y) || !validation::finite(z)) return "the center is not finite";
   if (ball.radius != ball.radius || validation::negative(ball.radius)) return "the radius is no number, or negative";

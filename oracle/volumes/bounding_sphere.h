@@ -27,6 +27,6 @@ Truth<Sphere3<Surd>> bounding_sphere(const std::vector<Point3<Number>>& points, 
 
 /// What is wrong with a ball that is said to be the method's, in the words of the contract
 /// (reference/volumes/bounding_sphere.h); "" if it is right, ours or not.
-std::string bounding_sphere_fault(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball);
+std::string bounding_sphere_defect(const std::vector<Point3d>& points, SphereMethod method, const Sphere3d& ball);
 
 }  // namespace touchstone::oracle

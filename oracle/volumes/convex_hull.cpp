@@ -102,7 +102,7 @@ std::string outside(Index p) { return "outside is point " + std::to_string(p); }
 
 /// A ring that turns left about the normal of its plane, which holds all points, with every point on the left of every
 /// edge or on it: as in convex_hull_2d.cpp.
-std::string polygon_fault(const WholeCloud& cloud, const std::vector<Index>& ring) {
+std::string polygon_defect(const WholeCloud& cloud, const std::vector<Index>& ring) {
   const std::size_t n = ring.size();
   if (n < 3) return "fewer than three vertices";
   const Vector3<Integer> normal = cloud.normal(ring[0], ring[1], ring[2]);
@@ -133,7 +133,7 @@ bool is_extreme(const std::vector<Vector3<Integer>>& normals) {
 /// outwards. If every edge is there once in each direction, they have no rim, so they cover all of the boundary, every
 /// part of it as often. Corners that are extreme, and different points, leave no edge of the hull but between two of
 /// them, and it is there once: they cover it once. And what covers the boundary has all extreme points as corners.
-std::string faces_fault(const WholeCloud& cloud, const std::vector<Face>& faces) {
+std::string faces_defect(const WholeCloud& cloud, const std::vector<Face>& faces) {
   std::set<std::pair<Index, Index>> edges;
   std::map<Index, std::vector<Vector3<Integer>>> normals;
   bool inside = false;
@@ -170,7 +170,7 @@ Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points) {
 }
 template Truth<ConvexHull> convex_hull(const std::vector<Point3<Rational>>&);
 
-std::string convex_hull_fault(const std::vector<Point3d>& points, const ConvexHull& hull) {
+std::string convex_hull_defect(const std::vector<Point3d>& points, const ConvexHull& hull) {
   const std::vector<Index> named = named_by(hull);
   if (named.empty()) return "not the fields of its dimension";
   const WholeCloud cloud(points);
@@ -180,8 +180,8 @@ std::string convex_hull_fault(const std::vector<Point3d>& points, const ConvexHu
       if (cloud[named[i]] == cloud[named[k]]) return "one point twice: " + std::to_string(named[i]);
     }
   }
-  if (hull.faces) return faces_fault(cloud, *hull.faces);
-  if (hull.polygon) return polygon_fault(cloud, named);
+  if (hull.faces) return faces_defect(cloud, *hull.faces);
+  if (hull.polygon) return polygon_defect(cloud, named);
   for (Index p = 0; p < cloud.size(); ++p) {
     const Vector3<Integer> v = cloud.between(p, named[0]), w = cloud.between(p, named.back());
     if (named.size() == 1 ? !zero(v) : !zero(cross(v, w)) || sgn(dot(v, w)) > 0) return outside(p);

@@ -20,6 +20,6 @@ template <Exact Number>
 Truth<ConvexHull> convex_hull(const std::vector<Point3<Number>>& points);
 
 /// What is wrong with a hull of these points; "" if it is right, ours or not.
-std::string convex_hull_fault(const std::vector<Point3d>& points, const ConvexHull& hull);
+std::string convex_hull_defect(const std::vector<Point3d>& points, const ConvexHull& hull);
 
 }  // namespace touchstone::oracle

@@ -117,7 +117,7 @@ template Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Rational>>&)
 /// A ring that turns left at every vertex, with every point on the left of every edge or on it: each vertex is then the
 /// one point of a wedge that holds all points, hence extreme, and each edge goes on to the next extreme point. As no
 /// vertex comes twice, it goes round once.
-std::string convex_hull_2d_fault(const std::vector<Point2d>& points, const ConvexHull2& hull) {
+std::string convex_hull_2d_defect(const std::vector<Point2d>& points, const ConvexHull2& hull) {
   const std::vector<Index> ring = named_by(hull);
   if (ring.empty()) return "not the fields of its dimension";
   for (const Index i : ring) {

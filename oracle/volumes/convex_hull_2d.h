@@ -20,6 +20,6 @@ template <Exact Number>
 Truth<ConvexHull2> convex_hull_2d(const std::vector<Point2<Number>>& points);
 
 /// What is wrong with a hull of these points; "" if it is right, ours or not.
-std::string convex_hull_2d_fault(const std::vector<Point2d>& points, const ConvexHull2& hull);
+std::string convex_hull_2d_defect(const std::vector<Point2d>& points, const ConvexHull2& hull);
 
 }  // namespace touchstone::oracle

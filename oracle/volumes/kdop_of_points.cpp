@@ -90,7 +90,7 @@ struct Allowance {
 };
 
 /// Of an upper end; a lower one is one of the opposite normal. `greatest` is the exact one.
-std::string fault_of_end(double end, const Rational& greatest, const Allowance& allowed) {
+std::string defect_of_end(double end, const Rational& greatest, const Allowance& allowed) {
   const Rational largest = exact(std::numeric_limits<double>::max());
   if (end == infinity) return greatest > largest || allowed.reach > largest ? "" : "infinite, which is too far out";
   if (end == -infinity || exact(end) < greatest) return "lost";
@@ -100,11 +100,11 @@ std::string fault_of_end(double end, const Rational& greatest, const Allowance& 
   return "too far out: " + decimal(Rational(exact(end) - greatest)) + ", allowed are " + decimal(allowed.t);
 }
 
-std::string fault_of_slab(const Slabd& slab, const Heights& heights) {
+std::string defect_of_slab(const Slabd& slab, const Heights& heights) {
   if (std::isnan(slab.min) || std::isnan(slab.max)) return "not a number";
   const Allowance allowed(heights);
-  const std::string low = fault_of_end(-slab.min, Rational(-heights.least()), allowed),
-                    high = fault_of_end(slab.max, heights.greatest(), allowed);
+  const std::string low = defect_of_end(-slab.min, Rational(-heights.least()), allowed),
+                    high = defect_of_end(slab.max, heights.greatest(), allowed);
   const auto lost = [](std::size_t point, const std::string& where, const std::string& by) {
     return "points[" + std::to_string(point) + "] is lost " + where + ", by " + by;
   };
@@ -132,16 +132,16 @@ Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Numbe
 template Truth<std::vector<Slab<Rational>>> kdop_of_points(const std::vector<Point3<Rational>>&,
                                                            const std::vector<Vector3<Rational>>&);
 
-std::string kdop_of_points_fault(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals,
-                                 const std::vector<Slabd>& slabs) {
+std::string kdop_of_points_defect(const std::vector<Point3d>& points, const std::vector<Vector3d>& normals,
+                                  const std::vector<Slabd>& slabs) {
   const std::vector<Heights> all = heights(points, normals);
   if (slabs.size() != all.size()) return "not as many slabs as normals";
   std::string too_far;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string fault = fault_of_slab(slabs[i], all[i]);
-    if (fault.empty()) continue;
-    const std::string complaint = "slabs[" + std::to_string(i) + "]: " + fault;
-    if (fault.starts_with("points")) return complaint;
+    const std::string defect = defect_of_slab(slabs[i], all[i]);
+    if (defect.empty()) continue;
+    const std::string complaint = "slabs[" + std::to_string(i) + "]: " + defect;
+    if (defect.starts_with("points")) return complaint;
     if (too_far.empty()) too_far = complaint;
   }
   return too_far;

@@ -182,10 +182,10 @@ Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Number>>& points) {
 }
 template Truth<Obb3<Rational>> obb_of_points(const std::vector<Point3<Rational>>&);
 
-std::string obb_of_points_fault(const std::vector<Point3d>& points, const Obb3<Rational>& box) {
-  return fault_of_box(points, box);
+std::string obb_of_points_defect(const std::vector<Point3d>& points, const Obb3<Rational>& box) {
+  return defect_of_box(points, box);
 }
-std::string obb_of_points_fault(const std::vector<Point3d>& points, const Obb3d& box) {
+std::string obb_of_points_defect(const std::vector<Point3d>& points, const Obb3d& box) {
   const auto& [u, v, w] = box.half_axes;
   const auto finite = [](const auto& p) {
     return validation::finite(p.x) && validation::finite(p.y) && validation::finite(p.z);
@@ -193,7 +193,7 @@ std::string obb_of_points_fault(const std::vector<Point3d>& points, const Obb3d&
   if (!finite(box.center)) return "the center is not finite";
   if (!finite(u) || !finite(v) || !finite(w)) return "a half axis is not finite";
   const auto exactly = [](const Vector3d& a) { return Vector3<Rational>{exact(a.x), exact(a.y), exact(a.z)}; };
-  return fault_of_box(points, {exact(box.center), {exactly(u), exactly(v), exactly(w)}});
+  return defect_of_box(points, {exact(box.center), {exactly(u), exactly(v), exactly(w)}});
 }
 
 }  // namespace touchstone::oracle

@@ -11,8 +11,8 @@ std::vector<Question> valid_questions(const Operation& operation, std::size_t co
   std::vector<Question> questions;
   for (std::uint64_t i = 0; questions.size() < count; ++i) {
     const std::size_t family = i % operation.families().size();
-    Choices choices = Choices::seeded(catalogue::seed_of(1, "arrays", i));
-    Question question = operation.draw(choices, family);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "arrays", i));
+    Question question = operation.draw(draws, family);
     try {
       operation.row().decide(question, 0);
     } catch (const InvalidInput&) {

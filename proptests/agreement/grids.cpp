@@ -42,7 +42,7 @@ std::uint64_t stride(std::uint64_t all, std::uint64_t asked, int size) {
 /// Robust, the oracle and the oracle's second method agree.
 void exhaust(const Operation& operation, const Grid& grid, std::size_t list_length) {
   const std::uint64_t all = operation.configurations(grid.size, list_length).value();
-  const auto most = static_cast<std::uint64_t>(scaled(grid.most / operation.card().cost));
+  const auto most = static_cast<std::uint64_t>(scaled(grid.most / operation.metadata().cost));
   const std::uint64_t asked = std::min(all, most), step = stride(all, asked, grid.size);
   std::uint64_t index = 0, valid = 0;
   for (std::uint64_t number = 0; number < asked; ++number, index += index < all - step ? step : step - all) {
@@ -73,15 +73,15 @@ void exhaust(const Operation& operation, const Grid& grid, std::size_t list_leng
 
 // Without lists no operation has more than 8 numbers: 4^8 = 65536 configurations.
 EACH_OPERATION("every configuration of the numbers -1, 0, 1") {
-  exhaust(operation, {.size = 3, .first = -1, .most = 1 << 16, .every = 16}, operation.card().list_length);
+  exhaust(operation, {.size = 3, .first = -1, .most = 1 << 16, .every = 16}, operation.metadata().list_length);
 }
 EACH_OPERATION("every configuration of the numbers 0, 1, 2, 3") {
-  if (operation.card().is_implementation()) return;  // the questions are the operation's: one grid is enough
-  exhaust(operation, {.size = 4, .first = 0, .most = 1 << 16, .every = 64}, operation.card().list_length);
+  if (operation.metadata().is_implementation()) return;  // the questions are the operation's: one grid is enough
+  exhaust(operation, {.size = 4, .first = 0, .most = 1 << 16, .every = 64}, operation.metadata().list_length);
 }
 EACH_OPERATION("configurations of the numbers -1, 0, 1 with one vertex more") {
-  if (operation.card().is_implementation()) return;
-  if (const std::size_t usual = operation.card().list_length) {
+  if (operation.metadata().is_implementation()) return;
+  if (const std::size_t usual = operation.metadata().list_length) {
     exhaust(operation, {.size = 3, .first = -1, .most = 1 << 15, .every = 64}, usual + 1);
   }
 }

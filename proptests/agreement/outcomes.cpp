@@ -64,11 +64,11 @@ struct Reached {
 Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
   const auto decided_by = told_stages(operation.row()).decided_by;
-  const std::uint64_t cases = operation.card().cost == 1 ? drawn : drawn_dear;
+  const std::uint64_t cases = operation.metadata().cost == 1 ? drawn : drawn_dear;
   std::uint64_t numbers = 0;
   for (std::uint64_t i = 0; i < cases && numbers < most_numbers; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, operation.families()[family].c_str(), i));
-    const catalogue::Question question = operation.draw(choices, family);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, operation.families()[family].c_str(), i));
+    const catalogue::Question question = operation.draw(draws, family);
     numbers += question.numbers.size();
     try {
       reached.outcomes.insert(operation.examine(question)->outcome());
@@ -88,7 +88,7 @@ bool is_hard_case(const Operation& operation, const std::string& family) {
 }  // namespace
 
 EACH_OPERATION("every outcome and stage is reached, and every family asks what it is meant to ask") {
-  if (operation.card().is_implementation()) return;  // families and oracle are those of the operation
+  if (operation.metadata().is_implementation()) return;  // families and oracle are those of the operation
   const std::set<std::string> possible = possible_outcomes(operation);
   std::set<std::string> missing = possible, missing_stages;
   for (const auto& one : told_stages(operation.row()).each) missing_stages.insert(name_of(one.stage));

@@ -97,10 +97,10 @@ EACH_OPERATION("the first number that is not finite is named before any other ru
   property(
       operation.name() + ": refusals are equal",
       [&] {
-        Choices choices = Choices::seeded(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
-        Question question = operation.draw(choices, choices.below(operation.families().size()));
+        DrawStream draws = DrawStream::seeded(*rc::gen::noShrink(rc::gen::arbitrary<std::uint64_t>()));
+        Question question = operation.draw(draws, draws.below(operation.families().size()));
         for (double& number : question.numbers) {
-          switch (choices.below(8)) {
+          switch (draws.below(8)) {
             case 4: number = 0; break;
             case 5: number = -number; break;
             case 6: number = infinity; break;
@@ -115,7 +115,7 @@ EACH_OPERATION("the first number that is not finite is named before any other ru
         for (std::size_t environment = 1; environment < environment_count; ++environment) {
           RC_ASSERT(robust_bits(operation, question, environment) == robust_bits(operation, question, 0));
         }
-        if (bad == question.numbers.end() || choices.below(16) != 0) return;
+        if (bad == question.numbers.end() || draws.below(16) != 0) return;
         const auto first = static_cast<std::size_t>(bad - question.numbers.begin());
         const std::string complaint =
             refused_otherwise(path_of_number(operation, question, first) + ": finite number", operation, question);

@@ -17,7 +17,7 @@ namespace {
 
 /// Of each family; a dear question is asked less often.
 std::uint64_t asked_of(const catalogue::Operation& operation) {
-  return std::max<std::uint64_t>(8, 120 / static_cast<std::uint64_t>(operation.card().cost));
+  return std::max<std::uint64_t>(8, 120 / static_cast<std::uint64_t>(operation.metadata().cost));
 }
 
 /// FNV-1a over everything said.
@@ -40,7 +40,7 @@ AnswerBits typed_bits(const catalogue::Operation& operation, const catalogue::Qu
                       std::size_t environment) {
   AnswerBits bits;
   catalogue::for_each_row([&]<class Row>() {
-    if (&Row::card() == &operation.card()) bits = robust_bits<Row>(question, environment);
+    if (&Row::metadata() == &operation.metadata()) bits = robust_bits<Row>(question, environment);
   });
   return bits;
 }
@@ -50,8 +50,8 @@ void print_digest(const catalogue::Operation& operation, bool each_question) {
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     const std::string& name = operation.families()[family];
     for (std::uint64_t i = 0; i < asked_of(operation); ++i) {
-      catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, name.c_str(), i));
-      const catalogue::Question question = operation.draw(choices, family);
+      catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, name.c_str(), i));
+      const catalogue::Question question = operation.draw(draws, family);
       Digest of_one;
       for (std::size_t environment = 0; environment < environment_count; ++environment) {
         const AnswerBits bits = typed_bits(operation, question, environment);

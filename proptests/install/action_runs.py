@@ -90,7 +90,7 @@ class Runner:
         return code, outputs, (self.scratch / "GITHUB_STEP_SUMMARY").read_text()
 
 
-def faults(source, prefix, scratch):
+def defects(source, prefix, scratch):
     runner = Runner(source, prefix, scratch)
     here = scratch / "work space"
 
@@ -160,7 +160,7 @@ def main():
     if not shutil.which("dpkg-query"):
         return 77
     source, prefix, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-    found = list(faults_of_container(source)) + list(faults(source, prefix, scratch))
+    found = list(faults_of_container(source)) + list(defects(source, prefix, scratch))
     print("\n".join(found))
     return 1 if found else 0
 

@@ -3,7 +3,7 @@
 """Whether the installed package holds what users need, nothing else, and headers that name each other as <touchstone/...>.
 
   package_holds.py SOURCE PREFIX   the package installed below PREFIX from the sources in SOURCE
-  package_holds.py --self-check    listings with one fault each: every fault must be found
+  package_holds.py --self-check    listings with one defect each: every defect must be found
 """
 import pathlib
 import re
@@ -72,7 +72,7 @@ def faults_of_header(file, text, files):
             yield f"{file}: includes <{target}>, which is not installed"
 
 
-def faults(source, prefix):
+def defects(source, prefix):
     files = {p.relative_to(prefix).as_posix() for p in prefix.rglob("*") if p.is_file()}
     yield from faults_of_listing(sorted(files))
     for file in sorted(files):
@@ -109,7 +109,7 @@ def right_listing():
 
 def self_check():
     right = right_listing()
-    wrong = [f"a right listing was blamed: {fault}" for fault in faults_of_listing(right)]
+    wrong = [f"a right listing was blamed: {defect}" for defect in faults_of_listing(right)]
     for file in ("include/touchstone/report/html.h", "include/touchstone/engines/one_hit.h",
                  "include/touchstone/robust/rings/touch.h", "include/geometry/points.h",
                  "include/touchstone/robust/lines/touch.cpp", "share/doc/touchstone/examples/__pycache__/a.pyc"):
@@ -122,7 +122,7 @@ def self_check():
     for text, count in (("#include <touchstone/geometry/points.h>\n#include <vector>\n", 0), ('#include "geometry/points.h"\n', 1),
                         ("#include <touchstone/report/html.h>\n", 1)):
         if len(list(faults_of_header("here.h", text, files))) != count:
-            wrong.append(f"{text.strip()}: another number of faults than {count}")
+            wrong.append(f"{text.strip()}: another number of defects than {count}")
     return wrong
 
 
@@ -130,7 +130,7 @@ def main():
     if sys.argv[1:] == ["--self-check"]:
         found = self_check()
     elif len(sys.argv) == 3:
-        found = list(faults(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))
+        found = list(defects(pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])))
     else:
         sys.exit(__doc__)
     print("\n".join(found))

@@ -45,9 +45,9 @@ class PairLoop {
 /// Closed sets: boxes that touch meet. A box may be flat, a point, equal to another one or inside it. No body at all,
 /// and no command, are valid; no query has no reply.
 /// NaN or infinity: refused by robust and oracle (field "boxes[i].min[k]", "commands[i].insert.max[k]",
-/// "commands[i].box.min[k]" ...: "finite number"); so are min > max ("boxes[i].max[k]" ...: "min <= max") and a body that
-/// is not there, or not any more ("commands[i].move", "commands[i].remove": "index of a body that is there"). The rules
-/// of boxes first, in their order; then of commands, in theirs, a command's body before its box.
+/// "commands[i].box.min[k]" ...: "finite number"); so are min > max ("boxes[i].max[k]" ...: "min <= max") and a body
+/// that is not there, or not any more ("commands[i].move", "commands[i].remove": "index of a body that is there"). The
+/// rules of boxes first, in their order; then of commands, in theirs, a command's body before its box.
 ///
 /// Boxes are compared and not computed with: the double version is always right, as is the one in exact arithmetic.
 template <class Real>

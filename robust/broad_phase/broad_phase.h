@@ -9,8 +9,8 @@
 
 namespace touchstone::robust {
 
-/// Which bodies meet while some come, move and go: to each query, in order, the pairs of bodies i < j that are there and
-/// meet, sorted. Boxes that only touch meet.
+/// Which bodies meet while some come, move and go: to each query, in order, the pairs of bodies i < j that are there
+/// and meet, sorted. Boxes that only touch meet.
 ///
 /// Right for all finite doubles in every floating-point environment. Each query is a sort and sweep
 /// (robust/structures/swept_boxes.h). NaN and infinities throw InvalidInput, which names the field and "finite number";

@@ -172,18 +172,18 @@ std::vector<Outside> outside_of(const Surface& surface, const CubeMap& map, cons
   const std::vector<double> inside = map.inside_of_cells();
   std::vector<Outside> outside;
   Directions found;
-  std::array<std::size_t, Directions::most> doubtful{};
+  std::array<std::size_t, Directions::most> inconclusive{};
   double height = 0;
   for (std::size_t i = 0; i < points.size(); i += Directions::most) {
     const std::size_t count = std::min(Directions::most, points.size() - i);
     directions_of(points.data() + i, count, frame, k, found);
     std::size_t left = 0;
     for (std::size_t j = 0; j < count; ++j) {
-      doubtful[left] = j;
+      inconclusive[left] = j;
       left += !(found.distance[j] < inside[static_cast<std::size_t>(found.cell[j])]);
     }
     for (std::size_t t = 0; t < left; ++t) {
-      const std::size_t j = doubtful[t], cell = static_cast<std::size_t>(found.cell[j]);
+      const std::size_t j = inconclusive[t], cell = static_cast<std::size_t>(found.cell[j]);
       const FramePoint p = framed(frame, points, i + j);
       for (std::size_t l = map.begins[cell]; l < map.begins[cell + 1]; ++l) {
         if (surface.sides.of(surface.facets[static_cast<std::size_t>(map.listed[l])], p, surface.points, height) <= 0)

@@ -20,8 +20,8 @@
 /// out.
 ///
 /// Bounds. They are derived to first order in units of E; each constant leaves a sixth or more of itself for what that
-/// neglects, factors 1 + T and 1 + u: proptests/infrastructure/robust/toy_enclosed.cpp tries formats with T up to 2^-5. An
-/// `error` of another number is carried over times 5/4, which pays for the roundings in computing it too. For double
+/// neglects, factors 1 + T and 1 + u: proptests/infrastructure/robust/toy_enclosed.cpp tries formats with T up to 2^-5.
+/// An `error` of another number is carried over times 5/4, which pays for the roundings in computing it too. For double
 /// all of them are proved, with what they neglect (docs/proofs.md).
 namespace touchstone::robust::kernel {
 

@@ -13,7 +13,7 @@ using EnclosedVectors = Vector3<EnclosedPair>;
 inline EnclosedPair enclosed(Two exactly) { return {exactly, Two(), Two()}; }
 
 /// Sees that nothing underflows or overflows and that everything which is multiplied or divided by is settled; asked
-/// once, at the end, as what is computed after a fault does no harm.
+/// once, at the end, as what is computed after a defect does no harm.
 ///
 /// Numbers of the input are 0 or between 2^-30 and 2^30 in size, so multiples of 2^-82, and polynomials of degree 3 in
 /// them come out with all their tails, as multiples of 2^-246 (robust/kernel/window.h says why). What is multiplied or

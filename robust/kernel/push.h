@@ -8,10 +8,10 @@ namespace touchstone::robust::kernel {
 
 /// A number t is head + tail, off by error at most, less what `along` costs.
 ///
-/// Let g be a bound of the head, and the tail at most 2.4 T g. The product of t's and n's heads is exact. In units of E g
-/// |n|: n's factors are off by 1; the head times n's tail rounds by 1, the tail times n by 2.4, their sum by 3.4; adding
-/// it to what two_sum leaves by 3.4 and u^2 |v|; the ends of the enclosure by 3.4 and u^2 |v| more. Together 14.6, and E
-/// |v| is plenty: an error of 59/4 E g and what t itself is off by is enough.
+/// Let g be a bound of the head, and the tail at most 2.4 T g. The product of t's and n's heads is exact. In units of E
+/// g |n|: n's factors are off by 1; the head times n's tail rounds by 1, the tail times n by 2.4, their sum by 3.4;
+/// adding it to what two_sum leaves by 3.4 and u^2 |v|; the ends of the enclosure by 3.4 and u^2 |v| more. Together
+/// 14.6, and E |v| is plenty: an error of 59/4 E g and what t itself is off by is enough.
 template <class Float>
 struct Share {
   Float head, tail, error;

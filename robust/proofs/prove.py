@@ -3,7 +3,7 @@
 """Proves the filters of robust/kernel and its enclosed numbers with Coq, from the C++ text as it stands.
 
   prove.py [--work DIR]          everything, in a fresh folder (build/proofs unless told)
-  prove.py --looked-at           writes looked_at.txt: every proof was looked at after the last change of its filter
+  prove.py --reviewed           writes reviewed.txt: every proof was reviewed after the last change of its filter
   prove.py --only NAME           the theorems of one filter or part
   prove.py --share               a share of the theorems, for the tests; all filters' texts are compared all the same
   prove.py --mutants [FILTER]    each constant one unit smaller: refused by Coq, or as changed text alone
@@ -12,7 +12,7 @@
 A filter NAME has three theorems: NAME_right about real numbers where nothing overflows, NAME_binary64 about all numbers
 of binary64, NAME_runs that there is such a run; a part NAME of enclosed.h or push.h, and a filter of OF_REALS, has
 NAME_right.
-Refused are: a filter whose text is not the one that looked_at.txt has, a filter without these theorems, a step left
+Refused are: a filter whose text is not the one that reviewed.txt has, a filter without these theorems, a step left
 open, an axiom but those of Coq's real numbers, compiled files beside the sources.
 """
 import argparse
@@ -93,8 +93,8 @@ class Proof:
         return None
 
 
-def looked_at():
-    return dict(line.split() for line in (HERE / "looked_at.txt").read_text(encoding="utf-8").splitlines())
+def reviewed():
+    return dict(line.split() for line in (HERE / "reviewed.txt").read_text(encoding="utf-8").splitlines())
 
 
 def faults(files, filters, folder=HERE):
@@ -105,16 +105,16 @@ def faults(files, filters, folder=HERE):
     for name, text in files.items():
         for found in OPEN.finditer(bare(text)):
             yield f"{name}.v: {found[0]}"
-    seen = looked_at()
+    seen = reviewed()
     theorems = {t for text in files.values() for t in re.findall(r"^Theorem (\w+)", text, re.M)}
     for name, _, digest in filters:
         if seen.get(name) != digest:
-            yield f"{name}: its text has changed. Look at its proof and its comment, then: ./dev proofs --looked-at"
+            yield f"{name}: its text has changed. Look at its proof and its comment, then: ./dev proofs --reviewed"
         for theorem in theorems_of(name):
             if theorem not in theorems:
                 yield f"{name}: no theorem {theorem}"
     for name in set(seen) - {name for name, _, _ in filters}:
-        yield f"{name} is in looked_at.txt, but no filter"
+        yield f"{name} is in reviewed.txt, but no filter"
 
 
 def theorems_of(name):
@@ -248,15 +248,15 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--work", type=pathlib.Path, default=ROOT / "build" / "proofs")
     options.add_argument("--jobs", type=int, default=2)
-    options.add_argument("--looked-at", action="store_true")
+    options.add_argument("--reviewed", action="store_true")
     options.add_argument("--share", action="store_true")
     options.add_argument("--only", metavar="NAME")
     options.add_argument("--self-check", action="store_true")
     options.add_argument("--mutants", nargs="?", const="", metavar="FILTER")
     given = options.parse_args()
-    if given.looked_at:
+    if given.reviewed:
         lines = [f"{name} {digest}\n" for name, _, digest in extract.all_of(ROOT)[1]]
-        (HERE / "looked_at.txt").write_text("".join(lines), encoding="utf-8")
+        (HERE / "reviewed.txt").write_text("".join(lines), encoding="utf-8")
         return 0
     if given.self_check:
         found = self_check()

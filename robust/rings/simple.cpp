@@ -53,8 +53,8 @@ Order order_of(const Polygon2d& ring) {
   return by_x.pairs() <= by_y.pairs() ? std::move(by_x) : std::move(by_y);
 }
 
-/// Pairs of edges whose boxes meet, for the first defect of all. Once one is known whose first edge is f, pairs of later
-/// edges do not matter any more: so those are kept apart and compared with edges up to f alone.
+/// Pairs of edges whose boxes meet, for the first defect of all. Once one is known whose first edge is f, pairs of
+/// later edges do not matter any more: so those are kept apart and compared with edges up to f alone.
 class Pairs {
  public:
   explicit Pairs(const Polygon2d& ring) : ring_(ring), order_(order_of(ring)) {}

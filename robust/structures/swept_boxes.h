@@ -11,9 +11,9 @@ namespace touchstone::robust {
 
 /// Bodies that come, move and go, kept as a plain list and sorted and swept when the pairs are asked for.
 ///
-/// A body has the index that `insert` returned for as long as it is there; no other gets it afterwards. A box that is not
-/// valid throws InvalidInput ("box", "finite number" or "min <= max"), and so does the index of a body that is not there
-/// ("body", "index of a body that is there"); nothing has changed then.
+/// A body has the index that `insert` returned for as long as it is there; no other gets it afterwards. A box that is
+/// not valid throws InvalidInput ("box", "finite number" or "min <= max"), and so does the index of a body that is not
+/// there ("body", "index of a body that is there"); nothing has changed then.
 class SweptBoxes {
  public:
   Index insert(const Aabb3d& box);

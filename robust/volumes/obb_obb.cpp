@@ -11,8 +11,8 @@
 namespace touchstone::robust {
 namespace {
 
-/// An axis: the cross product of two of the six half axes, a's before b's; and the four others. First the normals of a's
-/// faces, then of b's, then of an edge of a and an edge of b.
+/// An axis: the cross product of two of the six half axes, a's before b's; and the four others. First the normals of
+/// a's faces, then of b's, then of an edge of a and an edge of b.
 struct Spanned {
   std::size_t v, w;
   std::array<std::size_t, 4> others;

@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "catalogue/families/box_choices.h"
-#include "catalogue/families/list_choices.h"
+#include "catalogue/families/box_draws.h"
+#include "catalogue/families/list_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/broad_phase/all_pairs.h"
 #include "oracle/volumes/aabb_aabb.h"
@@ -22,32 +22,32 @@ struct all_pairs {
   using Question = std::variant<std::tuple<Spheres>, std::tuple<Boxes>>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "all_pairs",
-                           .chapter = "broad_phase",
-                           .pages = "55-56",
-                           .question = "Which of these balls, or boxes, meet?",
-                           .kind = Kind::covering,
-                           .fields = {"spheres"},
-                           .other_fields = {{"boxes"}},
-                           .answer = "pairs",
-                           .margin_degree = 2,
-                           .list_length = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "all_pairs",
+                                   .chapter = "broad_phase",
+                                   .pages = "55-56",
+                                   .question = "Which of these balls, or boxes, meet?",
+                                   .kind = Kind::covering,
+                                   .fields = {"spheres"},
+                                   .other_fields = {{"boxes"}},
+                                   .answer = "pairs",
+                                   .margin_degree = 2,
+                                   .list_length = 2};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"grid_of_spheres",
-         [](Choices& c) -> Question {
-           return spheres(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return spheres(c, [](DrawStream& d) {
              const double x = small_integer(d, 4), y = small_integer(d, 4), z = small_integer(d, 4);
              return Sphere3d{{x, y, z}, static_cast<double>(d.below(4))};
            });
          }},
         {"grid_of_boxes",
-         [](Choices& c) -> Question {
-           return boxes(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return boxes(c, [](DrawStream& d) {
              const double x = small_integer(d, 4), y = small_integer(d, 4), z = small_integer(d, 4);
              const auto width = [&d] { return static_cast<double>(d.below(4)); };
              const double dx = width(), dy = width(), dz = width();
@@ -55,7 +55,7 @@ struct all_pairs {
            });
          }},
         {"tangent_chain",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            static constexpr std::array<std::array<double, 4>, 6> steps{
                {{3, 4, 0, 5}, {1, 2, 2, 3}, {2, 3, 6, 7}, {4, 4, 7, 9}, {2, 10, 11, 15}, {5, 12, 0, 13}}};
            Spheres chain{{{0, 0, 0}, 1}};
@@ -68,7 +68,7 @@ struct all_pairs {
            return std::tuple(chain);
          }},
         {"touching_boxes",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double low = integer(c, 20);
            Boxes row{{{low, 0, 0}, {low + 1, 1, 1}}};
            while (row.size() < 12 && c.below(5) != 0) {
@@ -79,7 +79,7 @@ struct all_pairs {
            return std::tuple(row);
          }},
         {"coincident",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = integer(c, 30), r = static_cast<double>(c.below(3));
            const Sphere3d one{{x, -x, 0}, r};
            Spheres same(1 + c.below(6), one);
@@ -87,8 +87,8 @@ struct all_pairs {
            return std::tuple(same);
          }},
         {"one_over_all",
-         [](Choices& c) -> Question {
-           Question question = spheres(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           Question question = spheres(c, [](DrawStream& d) {
              const double x = integer(d, 20), y = integer(d, 20);
              return Sphere3d{{x, y, 0}, static_cast<double>(d.below(2))};
            });
@@ -96,15 +96,15 @@ struct all_pairs {
            return question;
          }},
         {"subnormal_radii",
-         [](Choices& c) -> Question {
-           return spheres(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return spheres(c, [](DrawStream& d) {
              const double x = std::ldexp(0x1p53 + 2 * static_cast<double>(d.below(9)), -1074);
              const double z = std::ldexp(static_cast<double>(d.below(6)), -1074);
              return Sphere3d{{x, 0, z}, std::ldexp(static_cast<double>(d.below(6)), -1074)};
            });
          }},
         {"much_rounded",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // One position and one radius just above a power of two, the others far smaller: differences and sums round
            // by all they may.
            const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
@@ -117,7 +117,7 @@ struct all_pairs {
            return std::tuple(two);
          }},
         {"rounded_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto position = [&c] {
              const double x = ordinary(c), y = ordinary(c);
              return Point3d{x, y, ordinary(c)};
@@ -129,14 +129,14 @@ struct all_pairs {
            return std::tuple(Spheres{{p, r}, {q, std::fabs(moved_by_ulps(distance - r, ulps))}});
          }},
         {"few",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Sphere3d one{{integer(c, 8), 0, 0}, 1};
            const std::size_t count = c.below(3);
            if (c.below(2) == 1) return std::tuple(Boxes(count, lattice_box(c)));
            return std::tuple(Spheres(count, one));
          }},
         {"typed_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As typed, in tenths, each touches the next; as doubles they are a hair apart, or overlap.
            static constexpr std::array<std::array<int, 4>, 6> steps{
                {{4, -1, 8, 9}, {3, 4, 0, 5}, {-1, 2, 2, 3}, {2, 3, -6, 7}, {4, -4, 7, 9}, {0, -3, -4, 5}}};
@@ -152,11 +152,11 @@ struct all_pairs {
            return std::tuple(shuffled(chain, c));
          }},
         {"many",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // In a row, in any order: none meets more than its neighbours. The truth asks every pair: seldom so many.
            const std::size_t most = c.below(2) == 1 ? 300 : 80;
            double x = 0;
-           const auto box = [&x](Choices& d) {
+           const auto box = [&x](DrawStream& d) {
              const double from = x + static_cast<double>(d.below(2)), y = static_cast<double>(d.below(2));
              x = from + 2;
              return Aabb3d{{from, y, 0}, {x, y + 1, 2}};
@@ -167,7 +167,7 @@ struct all_pairs {
            for (const Aabb3d& box : row) balls.push_back({{box.min.x + 1, box.min.y, 0}, 1});
            return std::tuple(shuffled(balls, c));
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -201,15 +201,15 @@ struct all_pairs {
   }
 
  private:
-  /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+  /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
   template <class Draw>
-  static Question spheres(Choices& c, const Draw& draw) {
+  static Question spheres(DrawStream& c, const Draw& draw) {
     Spheres list;
     while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
     return std::tuple(list);
   }
   template <class Draw>
-  static Question boxes(Choices& c, const Draw& draw) {
+  static Question boxes(DrawStream& c, const Draw& draw) {
     Boxes list;
     while (list.size() < 24 && c.below(6) != 0) list.push_back(draw(c));
     return std::tuple(list);

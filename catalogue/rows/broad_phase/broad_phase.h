@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/families/program_choices.h"
+#include "catalogue/families/program_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_commands.h"
 #include "oracle/broad_phase/broad_phase.h"
@@ -24,30 +24,30 @@ struct broad_phase {
   using Question = Program;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "broad_phase",
-                           .chapter = "broad_phase",
-                           .pages = "45-47, 55-56",
-                           .question = "Which of these boxes meet, while some come, move and go?",
-                           .kind = Kind::covering,
-                           .fields = {"boxes", "commands"},
-                           .answer = "replies",
-                           .margin_degree = 2,
-                           .list_length = 2,
-                           .longest_vector = 6000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "broad_phase",
+                                   .chapter = "broad_phase",
+                                   .pages = "45-47, 55-56",
+                                   .question = "Which of these boxes meet, while some come, move and go?",
+                                   .kind = Kind::covering,
+                                   .fields = {"boxes", "commands"},
+                                   .answer = "replies",
+                                   .margin_degree = 2,
+                                   .list_length = 2,
+                                   .longest_vector = 6000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"small_grid", [](Choices& c) -> Question { return any_program(c, small_box, 6, 12); }},
-        {"lattice_that_touches", [](Choices& c) -> Question { return any_program(c, cell, 12, 12); }},
+        {"small_grid", [](DrawStream& c) -> Question { return any_program(c, small_box, 6, 12); }},
+        {"lattice_that_touches", [](DrawStream& c) -> Question { return any_program(c, cell, 12, 12); }},
         {"beside_by_ulps",
-         [](Choices& c) -> Question {
-           const auto end = [](Choices& d) { return 1 + static_cast<double>(d.below(4)) * 0x1p-52; };
+         [](DrawStream& c) -> Question {
+           const auto end = [](DrawStream& d) { return 1 + static_cast<double>(d.below(4)) * 0x1p-52; };
            return any_program(
                c,
-               [&end](Choices& d) {
+               [&end](DrawStream& d) {
                  Aabb3d box{{end(d), 0, 0}, {end(d), 1, 1}};
                  if (d.below(2) == 1) std::swap(box.min.x, box.min.y), std::swap(box.max.x, box.max.y);
                  put_in_order(box);
@@ -56,10 +56,10 @@ struct broad_phase {
                6, 8);
          }},
         {"flat_and_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            return any_program(
                c,
-               [](Choices& d) {
+               [](DrawStream& d) {
                  static constexpr std::array ends{0.0, -0.0, 0x1p-1074, -0x1p-1074};
                  const auto end = [&d] { return ends[d.below(4)]; };
                  const double x = end(), y = end(), z = end(), u = end(), v = end();
@@ -70,11 +70,11 @@ struct broad_phase {
                6, 8);
          }},
         {"to_the_ends",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Planes and halves of space, as boxes that reach to the greatest number.
            return any_program(
                c,
-               [](Choices& d) {
+               [](DrawStream& d) {
                  Aabb3d box{{-greatest_number, -greatest_number, -greatest_number},
                             {greatest_number, greatest_number, greatest_number}};
                  double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[d.below(3)];
@@ -86,7 +86,7 @@ struct broad_phase {
                4, 8);
          }},
         {"there_and_back",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Programming p(c);
            const std::size_t bodies = 2 + c.below(3);
            while (p.there().size() < bodies) p.start_with(cell(c));
@@ -100,7 +100,7 @@ struct broad_phase {
            return p.program();
          }},
         {"first_ones_removed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Places in the list of those that are there are no indices any more.
            Programming p(c);
            const std::size_t bodies = 2 + c.below(6);
@@ -112,7 +112,7 @@ struct broad_phase {
            return p.program();
          }},
         {"all_removed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Programming p(c);
            const std::size_t bodies = c.below(4);
            while (p.there().size() < bodies) p.start_with(cell(c));
@@ -122,10 +122,10 @@ struct broad_phase {
            p.ask();
            return p.program();
          }},
-        {"many_bodies", [](Choices& c) -> Question { return any_program(c, wide_box, 80, 4); }, /*as_drawn=*/true},
-        {"long_program", [](Choices& c) -> Question { return any_program(c, small_box, 4, 80); }, /*as_drawn=*/true},
+        {"many_bodies", [](DrawStream& c) -> Question { return any_program(c, wide_box, 80, 4); }, /*unscaled=*/true},
+        {"long_program", [](DrawStream& c) -> Question { return any_program(c, small_box, 4, 80); }, /*unscaled=*/true},
         {"perhaps_not_there",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // An index beyond all others, of a removed body, or a valid one.
            Question question = any_program(c, small_box, 4, 6);
            auto& [boxes, commands] = question;
@@ -177,12 +177,12 @@ struct broad_phase {
 
   /// All programs of up to four commands over three intervals of a small grid; a query is the fifth. Some commands are
   /// of bodies that are not there.
-  static std::uint64_t world_count(int size) {
+  static std::uint64_t domain_count(int size) {
     const std::uint64_t n = intervals(size);
     const std::uint64_t commands = n + 3 * n + 3 + 1;
     return n * n * n * commands * commands * commands * commands;
   }
-  static Question world_at(int size, std::uint64_t index) {
+  static Question domain_at(int size, std::uint64_t index) {
     const std::uint64_t n = intervals(size);
     const auto next = [&index](std::uint64_t of) {
       const std::uint64_t digit = index % of;
@@ -215,8 +215,8 @@ struct broad_phase {
             .map_centre = map_centre,
             .map_axes = map_axes,
             .draw = draw,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::axes, .scales = true}};
   }
 
@@ -228,20 +228,20 @@ struct broad_phase {
     return n * (n + 1) / 2;
   }
 
-  static Aabb3d small_box(Choices& c) {
+  static Aabb3d small_box(DrawStream& c) {
     const double x = small_integer(c, 4), y = small_integer(c, 4), z = small_integer(c, 4);
     const auto width = [&c] { return static_cast<double>(c.below(4)); };
     const double dx = width(), dy = width(), dz = width();
     return {{x, y, z}, {x + dx, y + dy, z + dz}};
   }
-  static Aabb3d wide_box(Choices& c) {
+  static Aabb3d wide_box(DrawStream& c) {
     const double x = integer(c, 6), y = integer(c, 6), z = integer(c, 3);
     const auto width = [&c] { return static_cast<double>(c.below(12)); };
     const double dx = width(), dy = width(), dz = width();
     return {{x, y, z}, {x + dx, y + dy, z + dz}};
   }
   /// Of the lattice of unit boxes.
-  static Aabb3d cell(Choices& c) {
+  static Aabb3d cell(DrawStream& c) {
     const double x = static_cast<double>(c.below(3)), y = static_cast<double>(c.below(3));
     const double z = static_cast<double>(c.below(3));
     return {{x, y, z}, {x + 1, y + 1, z + 1}};

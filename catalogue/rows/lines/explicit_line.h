@@ -16,46 +16,46 @@ struct explicit_line {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "explicit_line",
-                           .chapter = "lines",
-                           .pages = "8",
-                           .question = "Is the point above, on or below the line y = slope x + intercept?",
-                           .kind = Kind::decision,
-                           .fields = {"slope", "intercept", "point"},
-                           .answer = "side"};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "explicit_line",
+                                   .chapter = "lines",
+                                   .pages = "8",
+                                   .question = "Is the point above, on or below the line y = slope x + intercept?",
+                                   .kind = Kind::decision,
+                                   .fields = {"slope", "intercept", "point"},
+                                   .answer = "side"};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double slope = integer(c, 20), intercept = integer(c, 26), x = integer(c, 26);
            return {slope, intercept, {x, slope * x + intercept}};
          }},
         {"beside_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double slope = integer(c, 20), intercept = integer(c, 26), x = integer(c, 26);
            return {slope, intercept, {x, slope * x + intercept + small_integer(c, 1)}};
          }},
         {"flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double intercept = integer(c, 53);
            return {0.0, intercept, {integer(c, 53), c.below(2) == 1 ? intercept : integer(c, 53)}};
          }},
         {"through_origin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double slope = integer(c, 26), x = integer(c, 26);
            return {slope, 0.0, {x, slope * x}};
          }},
         {"rounded_on_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double slope = typed(c), intercept = typed(c), x = typed(c);
            return {slope, intercept, {x, slope * x + intercept}};
          }},
         {"cancelling",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double slope = ordinary(c), x = ordinary(c);
            return {slope, -(slope * x), {x, c.below(2) == 1 ? std::fma(slope, x, -(slope * x)) : 0.0}};
          }},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/rounded_choices.h"
+#include "catalogue/families/rounded_draws.h"
 #include "catalogue/families/ties.h"
 #include "catalogue/operation/row.h"
 #include "oracle/lines/line_line.h"
@@ -15,16 +15,16 @@ struct line_line {
   using stages = ::touchstone::robust::stages::line_line;
   using Question = std::tuple<Line2d, Line2d>;
 
-  static const Card& card() {
-    static const Card card{.name = "line_line",
-                           .chapter = "lines",
-                           .pages = "12",
-                           .question = "Where do the lines through two points each cross?",
-                           .kind = Kind::set,
-                           .fields = {"a", "b"},
-                           .ulps = 15,
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "line_line",
+                                   .chapter = "lines",
+                                   .pages = "12",
+                                   .question = "Where do the lines through two points each cross?",
+                                   .kind = Kind::set,
+                                   .fields = {"a", "b"},
+                                   .ulps = 15,
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   struct decision {
@@ -36,55 +36,55 @@ struct line_line {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"crossing_on_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
            return {{along(p, small_integer(c, 4), u), along(p, 5, u)},
                    {along(p, small_integer(c, 4), v), along(p, 5, v)}};
          }},
         {"beside_a_tie",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [d, q] = quotient_beside_tie(c);
            return {{{0, 0}, {0, d}}, {{2 * d, d + 1}, {2 * d - 1, d + 1 + q}}};
          }},
         {"parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c), q = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, along(p, 1 + static_cast<double>(c.below(8)), v)},
                    {q, along(q, -1 - static_cast<double>(c.below(8)), v)}};
          }},
         {"same",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)},
                    {along(p, small_integer(c, 4), v), along(p, 5, v)}};
          }},
         {"shared_point",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 50);
            return {{p, lattice_point(c, 50)}, {lattice_point(c, 50), p}};
          }},
         {"axis_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
            const Line2d across{p, {p.x + 1 + static_cast<double>(c.below(8)), p.y}};
            return c.below(2) == 1 ? Question{across, {q, {q.x + 1, q.y}}} : Question{across, {q, {q.x, q.y + 1}}};
          }},
         {"zero_length",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            return {{p, p}, {p, along(p, 1, lattice_direction(c))}};
          }},
         {"nearly_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p{ordinary(c), ordinary(c)}, q{ordinary(c), ordinary(c)};
            const Vector2d v{ordinary(c), ordinary(c)};
            return {{p, along(p, 1, v)}, {q, along(q, ordinary(c), v)}};
          }},
         {"past_half_the_bound",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Parallel: the second line is the other side of the triple, turned by 180 degrees.
            const auto [p0, p1, p] = rounded_triple(c, true);
            return {{p0, p1}, {{-p.x, -p.y}, {-p0.x, -p0.y}}};

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/families/long_choices.h"
-#include "catalogue/families/rounded_choices.h"
+#include "catalogue/families/long_draws.h"
+#include "catalogue/families/rounded_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
 #include "oracle/exact/elimination.h"
@@ -19,16 +19,16 @@ struct orientation {
   using stages = ::touchstone::robust::stages::orientation;
   using Question = std::tuple<Point2d, Point2d, Point2d>;
 
-  static const Card& card() {
-    static const Card card{.name = "orientation",
-                           .chapter = "lines",
-                           .pages = "16-17",
-                           .question = "On which side of the directed line p0 -> p1 does p lie?",
-                           .kind = Kind::decision,
-                           .fields = {"p0", "p1", "p"},
-                           .answer = "side",
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "orientation",
+                                   .chapter = "lines",
+                                   .pages = "16-17",
+                                   .question = "On which side of the directed line p0 -> p1 does p lie?",
+                                   .kind = Kind::decision,
+                                   .fields = {"p0", "p1", "p"},
+                                   .answer = "side",
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   static void batch(const double* const* c, std::size_t count, std::uint8_t* sides) {
@@ -38,20 +38,20 @@ struct orientation {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p0 = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {p0, along(p0, small_integer(c), v), along(p0, small_integer(c), v)};
          }},
         {"beside_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p0 = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const Point2d p = along(p0, small_integer(c), v);
            return {p0, along(p0, 1 + static_cast<double>(c.below(8)), v), {p.x, p.y + small_integer(c, 1)}};
          }},
         {"coincident",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 53), q = lattice_point(c, 53);
            switch (c.below(4)) {
              case 0: return {p, p, p};
@@ -61,34 +61,34 @@ struct orientation {
            }
          }},
         {"axis_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 53);
            const double x = integer(c, 53), y = integer(c, 53);
            return c.below(2) == 1 ? Question{p, {p.x, y}, {p.x, x}} : Question{p, {x, p.y}, {y, p.y}};
          }},
         {"rounded_on_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p0{ordinary(c), ordinary(c)}, p1{ordinary(c), ordinary(c)};
            return {p0, p1, along(p0, ordinary(c), p1 - p0)};
          }},
         {"typed_on_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
            return {{0.0, 0.0}, {k * x, k * y}, {x, y}};
          }},
         {"far_ends",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p0 = lattice_point(c);
            const Vector2d v = lattice_direction(c, 8);
            return {p0, along(p0, std::ldexp(1, 18), v), along(p0, -std::ldexp(1, 17), v)};
          }},
         {"long_collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [first, last, between] = long_triple(c);
            return c.below(2) == 1 ? Question{first, between, last} : Question{first, last, between};
          }},
         {"past_half_the_bound",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p0, p1, p] = rounded_triple(c, c.below(2) == 1);
            return c.below(2) == 1 ? Question{p0, p1, p} : Question{p0, p, p1};
          }},

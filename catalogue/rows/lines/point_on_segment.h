@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/long_choices.h"
+#include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/lines/point_on_segment.h"
 #include "reference/lines/point_on_segment.h"
@@ -14,16 +14,16 @@ struct point_on_segment {
   using stages = ::touchstone::robust::stages::point_on_segment;
   using Question = std::tuple<Point2d, Segment2d>;
 
-  static const Card& card() {
-    static const Card card{.name = "point_on_segment",
-                           .chapter = "lines",
-                           .pages = "10-11",
-                           .question = "Does the point lie on the closed segment, and at which t?",
-                           .kind = Kind::set,
-                           .fields = {"point", "segment"},
-                           .ulps = 3,
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "point_on_segment",
+                                   .chapter = "lines",
+                                   .pages = "10-11",
+                                   .question = "Does the point lie on the closed segment, and at which t?",
+                                   .kind = Kind::set,
+                                   .fields = {"point", "segment"},
+                                   .ulps = 3,
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   struct decision {
@@ -35,25 +35,25 @@ struct point_on_segment {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
            return {along(a, k, v), {a, along(a, n, v)}};
          }},
         {"at_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c, 53), b = lattice_point(c, 53);
            return {c.below(2) == 1 ? b : a, {a, b}};
          }},
         {"collinear_beyond",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {along(a, 2 + static_cast<double>(c.below(8)), v), {a, along(a, 1, v)}};
          }},
         {"axis_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c, 50);
            const double length = integer(c, 50), at = c.below(2) == 1 ? length : integer(c, 50);
            const bool upright = c.below(2) == 1;
@@ -61,37 +61,37 @@ struct point_on_segment {
                           : Question{{a.x + at, a.y}, {a, {a.x + length, a.y}}};
          }},
         {"zero_length",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c, 53);
            return {{a.x + small_integer(c, 1), a.y + small_integer(c, 1)}, {a, a}};
          }},
         {"beside_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const Point2d p = along(a, static_cast<double>(c.below(4)), v);
            return {{p.x + small_integer(c, 1), p.y}, {a, along(a, 4, v)}};
          }},
         {"on_long_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c, 45);
            const Vector2d v = lattice_direction(c, 45);
            const double n = 1 + static_cast<double>(c.below(8)), k = static_cast<double>(c.below(9));
            return {along(a, k, v), {a, along(a, n, v)}};
          }},
         {"rounded_on_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Segment2d s{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            const double t = ordinary(c);
            return {along(s.a, t, s.b - s.a), s};
          }},
         {"typed_on_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = typed(c), y = typed(c), k = static_cast<double>(c.below(4));
            return {{x, y}, {{0.0, 0.0}, {k * x, k * y}}};
          }},
         {"on_long_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [first, last, between] = long_triple(c);
            return {between, {first, last}};
          }},

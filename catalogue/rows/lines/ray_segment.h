@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/long_choices.h"
+#include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/lines/ray_segment.h"
 #include "reference/lines/ray_segment.h"
@@ -14,16 +14,16 @@ struct ray_segment {
   using stages = ::touchstone::robust::stages::ray_segment;
   using Question = std::tuple<Ray2d, Segment2d>;
 
-  static const Card& card() {
-    static const Card card{.name = "ray_segment",
-                           .chapter = "lines",
-                           .pages = "2, 14",
-                           .question = "Where does the ray meet the closed segment?",
-                           .kind = Kind::set,
-                           .fields = {"ray", "segment"},
-                           .ulps = 13,
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "ray_segment",
+                                   .chapter = "lines",
+                                   .pages = "2, 14",
+                                   .question = "Where does the ray meet the closed segment?",
+                                   .kind = Kind::set,
+                                   .fields = {"ray", "segment"},
+                                   .ulps = 13,
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   struct decision {
@@ -35,80 +35,80 @@ struct ray_segment {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"crossing_on_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
            return {{along(p, small_integer(c, 4), u), u},
                    {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
          }},
         {"through_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, v}, {along(p, small_integer(c, 4), v), lattice_point(c)}};
          }},
         {"origin_on_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, lattice_direction(c)},
                    {along(p, -static_cast<double>(c.below(4)), v), along(p, static_cast<double>(c.below(4)), v)}};
          }},
         {"collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, v}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
          }},
         {"ends_at_origin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 40);
            const Vector2d v = lattice_direction(c);
            return {{p, v}, {along(p, -1 - static_cast<double>(c.below(4)), v), p}};
          }},
         {"parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector2d v = lattice_direction(c);
            const Point2d q = lattice_point(c);
            return {{lattice_point(c), v}, {q, along(q, small_integer(c), v)}};
          }},
         {"axis_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
            const Vector2d across{c.below(2) == 1 ? -1.0 : 1.0, 0.0};
            return c.below(2) == 1 ? Question{{p, across}, {{q.x, p.y}, {q.x + integer(c, 50), p.y}}}
                                   : Question{{p, across}, {q, {q.x, q.y + integer(c, 50)}}};
          }},
         {"zero_length",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const Point2d q = along(p, small_integer(c, 2), v);
            return {{p, v}, {q, q}};
          }},
         {"zero_direction",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            return {{p, {0, 0}}, {p, lattice_point(c)}};
          }},
         {"through_far_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 45);
            const Vector2d v = lattice_direction(c, 45);
            return {{p, v}, {along(p, small_integer(c), v), lattice_point(c, 45)}};
          }},
         {"nearly_touching",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            return {ray, {along(ray.origin, ordinary(c), ray.direction), {ordinary(c), ordinary(c)}}};
          }},
         {"nearly_collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Ray2d ray{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            return {ray, {along(ray.origin, ordinary(c), ray.direction), along(ray.origin, ordinary(c), ray.direction)}};
          }},
         {"end_on_long_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [first, last, between] = long_triple(c);
            return {{first, Vector2d{-first.x, -first.y}}, {last, along(last, 0.125, long_direction(c))}};
          }},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/long_choices.h"
+#include "catalogue/families/long_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
 #include "oracle/exact/elimination.h"
@@ -16,66 +16,66 @@ struct segment_segment {
   using stages = ::touchstone::robust::stages::segment_segment;
   using Question = std::tuple<Segment2d, Segment2d>;
 
-  static const Card& card() {
-    static const Card card{.name = "segment_segment",
-                           .chapter = "lines",
-                           .pages = "12-13",
-                           .question = "What do the two closed segments have in common?",
-                           .kind = Kind::set,
-                           .fields = {"a", "b"},
-                           .ulps = 15,
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "segment_segment",
+                                   .chapter = "lines",
+                                   .pages = "12-13",
+                                   .question = "What do the two closed segments have in common?",
+                                   .kind = Kind::set,
+                                   .fields = {"a", "b"},
+                                   .ulps = 15,
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"crossing_on_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d u = lattice_direction(c), v = lattice_direction(c);
            return {{along(p, -1 - static_cast<double>(c.below(4)), u), along(p, 1, u)},
                    {along(p, -1 - static_cast<double>(c.below(4)), v), along(p, 1, v)}};
          }},
         {"shared_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 50);
            const Segment2d a{p, lattice_point(c, 50)}, b{lattice_point(c, 50), p};
            return c.below(2) == 1 ? Question{a, {b.b, b.a}} : Question{a, b};
          }},
         {"end_on_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const Segment2d a{p, along(p, 1 + static_cast<double>(c.below(8)), v)};
            return {a, {along(p, static_cast<double>(c.below(9)), v), lattice_point(c)}};
          }},
         {"collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, along(p, small_integer(c), v)}, {along(p, small_integer(c), v), along(p, small_integer(c), v)}};
          }},
         {"collinear_end_to_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const double k = 1 + static_cast<double>(c.below(4));
            return {{p, along(p, k, v)}, {along(p, k, v), along(p, k + small_integer(c, 4), v)}};
          }},
         {"coincident",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Segment2d a{lattice_point(c, 50), lattice_point(c, 50)};
            return {a, c.below(2) == 1 ? Segment2d{a.b, a.a} : a};
          }},
         {"parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c), q = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            return {{p, along(p, 1 + static_cast<double>(c.below(4)), v)}, {q, along(q, small_integer(c, 4), v)}};
          }},
         {"axis_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 50), q = lattice_point(c, 50);
            const double length = integer(c, 50), other = integer(c, 50);
            const Segment2d across{p, {p.x + length, p.y}};
@@ -83,7 +83,7 @@ struct segment_segment {
                                   : Question{across, {q, {q.x, q.y + other}}};
          }},
         {"zero_length",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const Segment2d point{p, p};
@@ -92,25 +92,25 @@ struct segment_segment {
            return c.below(2) == 1 ? Question{other, point} : Question{point, other};
          }},
         {"end_on_long_segment",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c, 45);
            const Vector2d v = lattice_direction(c, 45);
            const Segment2d a{p, along(p, 1 + static_cast<double>(c.below(8)), v)};
            return {a, {along(p, static_cast<double>(c.below(9)), v), lattice_point(c, 45)}};
          }},
         {"nearly_touching",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            return {a, {along(a.a, ordinary(c), a.b - a.a), {ordinary(c), ordinary(c)}}};
          }},
         {"nearly_collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Segment2d a{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}};
            const Vector2d v = a.b - a.a;
            return {a, {along(a.a, ordinary(c), v), along(a.a, ordinary(c), v)}};
          }},
         {"end_on_long_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [first, last, between] = long_triple(c);
            return {{first, last}, {between, along(between, 0.125, long_direction(c))}};
          }},

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/planes/point_ground_plane.h"
 #include "reference/planes/point_ground_plane.h"
@@ -16,46 +16,46 @@ struct point_ground_plane {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "point_ground_plane",
-                           .chapter = "planes",
-                           .pages = "20",
-                           .question = "Is the point above, on or below the ground plane y = 0 (y is up)?",
-                           .kind = Kind::decision,
-                           .fields = {"point"},
-                           .answer = "side"};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "point_ground_plane",
+                                   .chapter = "planes",
+                                   .pages = "20",
+                                   .question = "Is the point above, on or below the ground plane y = 0 (y is up)?",
+                                   .kind = Kind::decision,
+                                   .fields = {"point"},
+                                   .answer = "side"};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_ground",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 53);
            return {{p.x, c.below(2) == 1 ? -0.0 : 0.0, p.z}};
          }},
         {"beside_ground",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 53);
            return {{p.x, small_integer(c, 1), p.z}};
          }},
         {"subnormal_height",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 53);
            return {{p.x, std::ldexp(small_integer(c), -1074), p.z}};
          }},
         {"far_out",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 53);
            return {{std::ldexp(p.x, 970), p.y, std::ldexp(p.z, 970)}};
          }},
         {"huge_height",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 53);
            return {{p.x, std::ldexp(p.y, 970), p.z}};
          }},
         {"difference_of_typed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double a = typed(c), b = typed(c), sum = a + b;  // 0.1 + 0.2 - 0.3
            return {{a, sum - typed(c), b}};
          }},

@@ -3,7 +3,7 @@
 
 #include "catalogue/draw/figures.h"
 #include "catalogue/draw/side_view.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/planes/point_plane.h"
 #include "reference/planes/point_plane.h"
@@ -22,8 +22,8 @@ struct point_plane {
     }
   };
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "point_plane",
         .chapter = "planes",
         .pages = "22",
@@ -33,31 +33,31 @@ struct point_plane {
         .ulps = 13,
         .margin_degree = 2,
         .longest_vector = 2300};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"on_plane", [](Choices& c) -> Question { return over_plane(c, 0); }},
+        {"on_plane", [](DrawStream& c) -> Question { return over_plane(c, 0); }},
         {"beside_plane",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double height = small_integer(c, 1);
            return over_plane(c, height);
          }},
         {"rational_distance",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d n = normal_of_whole_length(c);
            const Point3d p = lattice_point_in_space(c);
            return {{n, integer(c, 30)}, p};
          }},
         {"axis_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double k = 1 + static_cast<double>(c.below(1 << 20)), y = integer(c, 26);
            const Point3d p = lattice_point_in_space(c, 53);
            return {{{0, c.below(2) == 1 ? -k : k, 0}, c.below(2) == 1 ? k * y : -k * y}, {p.x, y, p.z}};
          }},
         {"normal_of_any_size",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double height = small_integer(c, 1);
            const int exponent = static_cast<int>(c.below(2000)) - 1050;
            const auto [plane, p] = over_plane(c, height);
@@ -65,24 +65,24 @@ struct point_plane {
            return {{{sized(plane.normal.x), sized(plane.normal.y), sized(plane.normal.z)}, sized(plane.offset)}, p};
          }},
         {"uneven_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double small = scaled_down(c, 8, 300);
            const Point3d p = lattice_point_in_space(c);
            return {{{1 + static_cast<double>(c.below(8)), small, 0}, small_integer(c)}, p};
          }},
         {"halfway",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double y = 0x1p52 + static_cast<double>(c.below(16));
            return {{{0, std::ldexp(1, static_cast<int>(c.below(4))), 0}, 0.5 + small_integer(c)},
                    {integer(c, 3), y, 0}};
          }},
         {"beside_a_tie",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The height is halfway between two doubles but for one bit, more than 64 digits below the first.
            return {{{0, 1, 0}, beside_half_an_ulp(c, -64, 16)}, {0, 1, 0}};
          }},
         {"root_beside_a_tie",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // x over the root of 2, in binary 53 digits, a half, and twelve zeros; then digits that decide. Found by
            // trying all x.
            static constexpr int roots[]{2827, 17619, 28489, 60223, 73721, 87219, 97213, 103703};
@@ -91,37 +91,37 @@ struct point_plane {
          }},
         {"terms_below_least", terms_below_least},
         {"subnormal_times_huge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));
            const double offset = std::ldexp(huge * small, -531);
            return {{{std::ldexp(huge, 500), 0, 0}, c.below(4) == 3 ? offset : -offset},
                    {std::ldexp(small, -1030), 0, 0}};
          }},
         {"as_wide_as_a_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The terms span about 124 binary digits, from where on their sum does not fit two words.
            const double size = 8 + static_cast<double>(c.below(8));
            const double x = std::ldexp(size, 57 + static_cast<int>(c.below(4))), y = c.below(4) == 3 ? -x : x;
            return {{{x, y, x}, 1}, {x, y, x}};
          }},
         {"beyond_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d n = lattice_normal(c, 3);
            const double x = std::ldexp(1 + static_cast<double>(c.below(8)), 1020), y = c.below(2) == 1 ? -x : x;
            return {{n, std::ldexp(small_integer(c), 1020)}, {x, y, x}};
          }},
         {"rounded_on_plane",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d n{ordinary(c), ordinary(c), ordinary(c)}, p{ordinary(c), ordinary(c), ordinary(c)};
            return valid({n, -dot(n, p)}, p);
          }},
         {"typed_on_plane",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d n{typed(c), typed(c), typed(c)}, p{typed(c), typed(c), typed(c)};
            return valid({n, -dot(n, p)}, p);
          }},
         {"zero_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d n{0.0, c.below(2) == 1 ? -0.0 : 0.0, 0.0};
            return {{n, small_integer(c)}, lattice_point_in_space(c)};
          }},
@@ -153,14 +153,14 @@ struct point_plane {
 
  private:
   /// A lattice point that is `height` over a plane through lattice points, in units of the normal.
-  static Question over_plane(Choices& c, double height) {
+  static Question over_plane(DrawStream& c, double height) {
     const Vector3d n = lattice_normal(c);
     const Point3d foot = lattice_point_in_space(c), p = foot + lattice_across(c, n);
     return {{n, height - dot(n, Vector3d{foot.x, foot.y, foot.z})}, p};
   }
 
   /// Four squares make a normal whose length is their sum (Euler).
-  static Vector3d normal_of_whole_length(Choices& c) {
+  static Vector3d normal_of_whole_length(DrawStream& c) {
     const double m = small_integer(c), n = small_integer(c), p = small_integer(c), q = small_integer(c);
     const Vector3d v{m * m + n * n - p * p - q * q, 2 * (m * q + n * p), 2 * (n * q - m * p)};
     return largest(v) == 0 ? Vector3d{1, 2, 2} : v;

@@ -4,7 +4,7 @@
 #include "catalogue/draw/figures.h"
 #include "catalogue/draw/side_view.h"
 #include "catalogue/families/rings.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/families/ties.h"
 #include "catalogue/operation/row.h"
 #include "oracle/planes/polygon_normal.h"
@@ -20,8 +20,8 @@ struct polygon_normal {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "polygon_normal",
         .chapter = "planes",
         .pages = "21",
@@ -34,73 +34,73 @@ struct polygon_normal {
         .list_length = 4,
         .formula_answers_less = true,
         .longest_vector = 2300};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"triangle",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c), q = lattice_point_in_space(c);
            return {{{p, q, lattice_point_in_space(c)}}};
          }},
         {"within_its_enclosure",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const BesideTie z = beside_tie(c);
            return {{{{0, 0, 0}, {z.t, -z.rest, 0}, {1, z.v, 0}}}};
          }},
         {"parallelogram",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            return {{{p, p + a, p + a + b, p + b}}};
          }},
         {"planar_ring",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            return {lifted(turned(simple_ring(c), c), p, a, b)};
          }},
         {"rational_unit",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c);
            return {lifted(turned(convex_ring(c), c), p, {2, -1, 0}, {2, 0, -1})};  // (1, 2, 2) / 3
          }},
         {"flat_first_corner",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            return {{{p, p + a, p + (2 + static_cast<double>(c.below(4))) * a, p + b}}};
          }},
         {"repeated_vertex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            const std::uint64_t which = c.below(3);
            return {{{p, which == 0 ? p : p + a, which == 1 ? p + a : p + a + b, p + b, which == 2 ? p : p + b}}};
          }},
         {"reflex_first_corner",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            const double far = 2 + static_cast<double>(c.below(8));
            return {{{p + far * a, p + a + b, p + far * b,
                      p}}};  // a dart: p + a + b is beyond or on the line of its neighbours
          }},
         {"figure_of_eight",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            return {{{p, p + a + b, p + a, p + b}}};  // its two halves cancel
          }},
         {"collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c);
            const Vector3d v = lattice_normal(c);
            const double s = small_integer(c), t = small_integer(c);
            return {{{p, p + s * v, p + t * v, p + small_integer(c) * v}}};
          }},
         {"coincident",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 53);
            return {{std::vector<Point3d>(3 + c.below(3), p)}};
          }},
         {"beside_collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c);
            const Vector3d v = lattice_normal(c);
            const double s = small_integer(c), t = small_integer(c);
@@ -108,36 +108,36 @@ struct polygon_normal {
            return {{{p, {q.x + small_integer(c, 1), q.y, q.z}, p + t * v}}};
          }},
         {"not_planar",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question question;
            for (std::uint64_t n = 4 + c.below(5); n > 0; --n)
              std::get<0>(question).vertices.push_back(lattice_point_in_space(c));
            return question;
          }},
         {"far_from_origin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            const auto moved = [](const Point3d& q) { return Point3d{q.x + 1000000.1, q.y + 0.3, q.z - 99.99}; };
            return {{{moved(p), moved(p + a), moved(p + a + b), moved(p + b)}}};
          }},
         {"beside_a_tie",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // An area halfway between two doubles but for a bit far below.
            const double bit = std::ldexp(1, -38 - static_cast<int>(c.below(14))), far = c.below(2) == 1 ? 0x1p-333 : 0;
            return {{{{0, 0, 0}, {1 + 0x1p-26, 0, 0}, {0, 1 + 0x1p-27 + bit, far}}}};
          }},
         {"beyond_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const int up = 400 + static_cast<int>(c.below(560)), down = 400 + static_cast<int>(c.below(600));
            const double n = 1 + static_cast<double>(c.below(8)), m = small_integer(c);
            return {{{{0, 0, 0}, {std::ldexp(n, up), 0, 0}, {0, std::ldexp(n, up), std::ldexp(m, -down)}}}};
          }},
         {"many_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, a, b] = frame(c);
            return {lifted(turned(long_convex_ring(c), c), p, a, b)};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -171,7 +171,7 @@ struct polygon_normal {
     Vector3d a, b;
   };
   /// Small enough for rings of 2^40 to be lifted exactly.
-  static Frame frame(Choices& c) {
+  static Frame frame(DrawStream& c) {
     const Point3d p = lattice_point_in_space(c);
     const Vector3d a = lattice_normal(c, 3);
     const double x = small_integer(c), y = small_integer(c), z = small_integer(c);

@@ -16,25 +16,26 @@ struct convex_partition {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "convex_partition",
-                           .chapter = "polygons",
-                           .pages = "7",
-                           .question = "Which convex pieces, corners at its vertices, make up a simple polygon?",
-                           .kind = Kind::checked,
-                           .fields = {"polygon"},
-                           .answer = "pieces",
-                           .margin_degree = 2,
-                           .cost = 6,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "convex_partition",
+        .chapter = "polygons",
+        .pages = "7",
+        .question = "Which convex pieces, corners at its vertices, make up a simple polygon?",
+        .kind = Kind::checked,
+        .fields = {"polygon"},
+        .answer = "pieces",
+        .margin_degree = 2,
+        .cost = 6,
+        .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() { return simple_ring_cases(); }
   static void repair(Question& question) { untangle(std::get<0>(question)); }
 
-  static std::string fault(const Question& question, const std::vector<std::vector<Index>>& pieces) {
-    return ::touchstone::oracle::convex_partition_fault(std::get<0>(question), pieces);
+  static std::string defect(const Question& question, const std::vector<std::vector<Index>>& pieces) {
+    return ::touchstone::oracle::convex_partition_defect(std::get<0>(question), pieces);
   }
   static Excess excess(const Question& question, const std::vector<std::vector<Index>>& pieces,
                        const std::vector<std::vector<Index>>&) {
@@ -45,7 +46,7 @@ struct convex_partition {
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<convex_partition> hooks() {
-    return {.fault = fault, .excess = excess, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
+    return {.defect = defect, .excess = excess, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
   }
 };
 

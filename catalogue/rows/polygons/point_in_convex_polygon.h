@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "catalogue/families/list_choices.h"
+#include "catalogue/families/list_draws.h"
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -21,46 +21,46 @@ struct point_in_convex_polygon {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "point_in_convex_polygon",
-                           .chapter = "polygons",
-                           .pages = "16-17",
-                           .question = "Does the point lie inside the convex polygon, on an edge, or outside?",
-                           .kind = Kind::decision,
-                           .fields = {"polygon", "point"},
-                           .answer = "location",
-                           .margin_degree = 2,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "point_in_convex_polygon",
+                                   .chapter = "polygons",
+                                   .pages = "16-17",
+                                   .question = "Does the point lie inside the convex polygon, on an edge, or outside?",
+                                   .kind = Kind::decision,
+                                   .fields = {"polygon", "point"},
+                                   .answer = "location",
+                                   .margin_degree = 2,
+                                   .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(convex_ring(c), c);
            return {ring, on_an_edge(ring, c)};
          }},
         {"beside_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(convex_ring(c), c);
            return {ring, beside(on_an_edge(ring, c), c)};
          }},
         {"on_line_of_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(convex_ring(c), c);
            const std::size_t i = c.below(ring.size());
            return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
          }},
         {"beside_least_edge", beside_least_edge},
         {"on_diagonal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(convex_ring(c), c);
            const Point2d a = ring[c.below(ring.size())], b = ring[c.below(ring.size())];
            return {ring, along(a, small_integer(c) / 8, b - a)};
          }},
         {"flat_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = convex_ring(c);
            for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
            for (std::uint64_t more = 1 + c.below(2); more > 0; --more) ring = with_flat_vertex(ring, c);
@@ -68,7 +68,7 @@ struct point_in_convex_polygon {
            return {ring, c.below(2) == 1 ? on_an_edge(ring, c) : beside(ring[c.below(ring.size())], c)};
          }},
         {"needle",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c);
            const Vector2d v = lattice_direction(c, 40);
            const double width = small_integer(c, 1);
@@ -76,7 +76,7 @@ struct point_in_convex_polygon {
            return {turned(ring, c), beside(along(a, static_cast<double>(c.below(5)), v), c)};
          }},
         {"not_quite_convex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = turned(convex_ring(c), c);
            switch (c.below(5)) {
              case 0: break;
@@ -88,13 +88,13 @@ struct point_in_convex_polygon {
            return {ring, beside(ring[0], c)};
          }},
         {"near_a_million",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = convex_ring(c);
            for (Point2d& p : ring.vertices) p = {1e6 + p.x / 10, 1e6 + p.y / 10};
            return {turned(ring, c), on_an_edge(ring, c)};
          }},
         {"rounded_on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question question;
            Polygon2d& ring = std::get<0>(question);
            for (std::uint64_t more = 3 + c.below(6); more > 0; --more)
@@ -106,13 +106,13 @@ struct point_in_convex_polygon {
            return question;
          }},
         {"many_edges",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(long_convex_ring(c), c);
            const std::size_t i = late_index(ring.size(), c);
            const Point2d p = ring[i] + static_cast<double>(c.below(9)) / 8 * (ring.next(i) - ring[i]);
            return {ring, beside(p, c)};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/families/rings.h"
-#include "catalogue/families/rounded_choices.h"
+#include "catalogue/families/rounded_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/walk.h"
@@ -17,76 +17,76 @@ struct point_in_polygon {
   using stages = ::touchstone::robust::stages::point_in_polygon;
   using Question = std::tuple<Polygon2d, Point2d>;
 
-  static const Card& card() {
-    static const Card card{.name = "point_in_polygon",
-                           .chapter = "polygons",
-                           .pages = "14-15",
-                           .question = "Does the point lie inside the polygon, on an edge, or outside?",
-                           .kind = Kind::decision,
-                           .fields = {"polygon", "point"},
-                           .answer = "location",
-                           .margin_degree = 2,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "point_in_polygon",
+                                   .chapter = "polygons",
+                                   .pages = "14-15",
+                                   .question = "Does the point lie inside the polygon, on an edge, or outside?",
+                                   .kind = Kind::decision,
+                                   .fields = {"polygon", "point"},
+                                   .answer = "location",
+                                   .margin_degree = 2,
+                                   .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"ray_through_vertex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(simple_ring(c), c);
            return {ring, level_with(any_vertex(ring, c), c)};
          }},
         {"ray_through_two_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = turned(simple_ring(c), c);
            const double y = any_vertex(ring, c).y;
            ring.vertices[c.below(ring.size())].y = y;
            return {ring, level_with({0, y}, c)};
          }},
         {"ray_along_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = turned(simple_ring(c), c);
            ring.vertices[0].y = ring[1].y;
            if (c.below(3) == 2) ring.vertices[2].y = ring[1].y;
            return {ring, level_with(ring[0], c)};
          }},
         {"on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(simple_ring(c), c);
            return {ring, on_an_edge(ring, c)};
          }},
         {"on_line_of_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(simple_ring(c), c);
            const std::size_t i = c.below(ring.size());
            return {ring, along(ring[i], small_integer(c), ring.next(i) - ring[i])};
          }},
         {"beside_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(simple_ring(c), c);
            return {ring, beside(on_an_edge(ring, c), c)};
          }},
         {"self_crossing",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring;
            for (std::uint64_t more = 4 + c.below(9); more > 0; --more) ring.vertices.push_back(lattice_point(c));
            return {ring, lattice_point(c)};
          }},
         {"at_crossing",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c), w = lattice_direction(c);
            const double s = small_integer(c), t = small_integer(c);
            return {turned({{along(p, 2, v), along(p, s, v), along(p, -1, w), along(p, t, w)}}, c), p};
          }},
         {"spike",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = with_spike(simple_ring(c), c);
            return {turned(ring, c), c.below(2) == 1 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
          }},
         {"more_vertices",  // than needed: repeated ones and flat ones
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = simple_ring(c);
            for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
              ring = c.below(2) == 1 ? with_flat_vertex(ring, c) : with_repeated_vertex(ring, c);
@@ -95,7 +95,7 @@ struct point_in_polygon {
                    c.below(2) == 1 ? level_with(any_vertex(ring, c), c) : beside(any_vertex(ring, c), c)};
          }},
         {"collinear_ring",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            const int most = c.below(4) == 3 ? 0 : 8;  // 0: all in one point
@@ -105,12 +105,12 @@ struct point_in_polygon {
            return {ring, along(a, small_integer(c, most + 1), v)};
          }},
         {"comb_or_star",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = turned(c.below(2) == 1 ? star_ring(c) : comb_ring(c), c);
            return {ring, beside(any_vertex(ring, c), c)};
          }},
         {"needle",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d a = lattice_point(c);
            const Vector2d v = lattice_direction(c, 40);
            const double width = small_integer(c, 1);
@@ -118,13 +118,13 @@ struct point_in_polygon {
            return {turned(ring, c), beside(along(a, static_cast<double>(c.below(5)), v), c)};
          }},
         {"near_a_million",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = simple_ring(c);
            for (Point2d& p : ring.vertices) p = {1e6 + p.x / 10, 1e6 + p.y / 10};
            return {turned(ring, c), on_an_edge(ring, c)};
          }},
         {"rounded_on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring;
            for (std::uint64_t more = 3 + c.below(6); more > 0; --more)
              ring.vertices.push_back({ordinary(c), ordinary(c)});
@@ -132,7 +132,7 @@ struct point_in_polygon {
            return {ring, along(ring[i], static_cast<double>(c.below(1 << 20)) * 0x1p-20, ring.next(i) - ring[i])};
          }},
         {"hair_beside_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The ends seen from the point need more bits than a double has, and so they turn to the wrong side as often
            // as not.
            const auto sized = [&c](std::uint64_t size) { return static_cast<double>(size + c.below(size)); };
@@ -145,7 +145,7 @@ struct point_in_polygon {
                    {beside.x, beside.y + off}};
          }},
         {"level_and_in_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Level with the last of the first sixteen vertices, which robust takes together, and in line with some edge
            // of a saw.
            const std::uint64_t teeth = 2 + c.below(3), length = 5 + c.below(8);
@@ -158,7 +158,7 @@ struct point_in_polygon {
            return {ring, {in_line.x + 3 * (level.y - in_line.y), level.y}};
          }},
         {"beside_edge_from_afar",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The sixteenth vertex, where robust's second part begins, is far from all others, and the point near the
            // end of its edge.
            Polygon2d ring = wave(18 + c.below(14), c);
@@ -172,20 +172,20 @@ struct point_in_polygon {
          }},
         {"beside_least_edge", beside_least_edge},
         {"minus_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Level with the point, by either zero; the sizes keep it from every lattice.
            const double x = c.below(2) == 1 ? 1 : -1, least = std::ldexp(1 + static_cast<double>(c.below(4)), -1074);
            return {turned({{{0, -0.0}, {x, c.below(2) == 1 ? -least : least}, {-x, -1e300}}}, c),
                    {small_integer(c, 1), c.below(2) == 1 ? -0.0 : 0.0}};
          }},
         {"many_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const bool very_many = c.one_in(64);
            const Polygon2d ring = wave(very_many ? 1000 - c.below(800) : 16 + c.below(16), c);
            return {ring, c.below(3) == 2 ? on_an_edge(ring, c) : beside(any_vertex(ring, c), c)};
          }},
         {"past_half_the_bound",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [point, a, b] = rounded_triple(c, c.below(2) == 1);
            // The third vertex is in the filter's sums twice: (1 + size)^2 times the bound of the edge alone.
            const double size = std::ldexp(1, -3 - static_cast<int>(c.below(8)));
@@ -193,7 +193,7 @@ struct point_in_polygon {
            return {c.below(2) == 1 ? Polygon2d{{a, b, third}} : Polygon2d{{b, a, third}}, point};
          }},
         {"computed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = with_flat_runs(simple_ring(c), c);
            ring.vertices.push_back(on_an_edge(ring, c));
            compute(ring.vertices, c);
@@ -229,14 +229,14 @@ struct point_in_polygon {
   }
 
  private:
-  static Point2d any_vertex(const Polygon2d& ring, Choices& c) { return ring[c.below(ring.size())]; }
+  static Point2d any_vertex(const Polygon2d& ring, DrawStream& c) { return ring[c.below(ring.size())]; }
   /// At the same height; mostly on the left, where the ray meets what is there.
-  static Point2d level_with(const Point2d& p, Choices& c) {
+  static Point2d level_with(const Point2d& p, DrawStream& c) {
     const double size = std::fabs(integer(c, 24));
     return {c.one_in(4) ? p.x + size : p.x - size, p.y};
   }
-  /// Up and down from left to right, and back in two long edges; long with few choices.
-  static Polygon2d wave(std::size_t vertices, Choices& c) {
+  /// Up and down from left to right, and back in two long edges; long with few draws.
+  static Polygon2d wave(std::size_t vertices, DrawStream& c) {
     const std::uint64_t step = 1 + c.below(97), height = 2 + c.below(61);
     Polygon2d ring;
     for (std::uint64_t i = 0; i + 1 < vertices; ++i) {

@@ -16,21 +16,21 @@ struct polygon_convexity {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "polygon_convexity",
-                           .chapter = "polygons",
-                           .pages = "4-6",
-                           .question = "Is the polygon convex, strictly so, and which way round does it go?",
-                           .kind = Kind::decision,
-                           .fields = {"polygon"},
-                           .margin_degree = 2,
-                           .cost = 3,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "polygon_convexity",
+                                   .chapter = "polygons",
+                                   .pages = "4-6",
+                                   .question = "Is the polygon convex, strictly so, and which way round does it go?",
+                                   .kind = Kind::decision,
+                                   .fields = {"polygon"},
+                                   .margin_degree = 2,
+                                   .cost = 3,
+                                   .list_length = 4};
+    return metadata;
   }
 
   /// The vertex `later` places after vertex i comes again, or a point of the edge there, between vertex i and the next.
-  static Polygon2d pinched(Polygon2d ring, Choices& c, bool at_vertex) {
+  static Polygon2d pinched(Polygon2d ring, DrawStream& c, bool at_vertex) {
     const std::size_t i = c.below(ring.size()), k = (i + 2 + c.below(ring.size() - 2)) % ring.size();
     for (Point2d& p : ring.vertices) p = {2 * p.x, 2 * p.y};
     const Point2d p = ring[k], q = ring.next(k);
@@ -41,30 +41,30 @@ struct polygon_convexity {
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"convex", [](Choices& c) -> Question { return turned(convex_ring(c), c); }},
+        {"convex", [](DrawStream& c) -> Question { return turned(convex_ring(c), c); }},
         {"concave",
-         [](Choices& c) -> Question { return c.below(2) == 0 ? turned(star_ring(c), c) : turned(comb_ring(c), c); }},
+         [](DrawStream& c) -> Question { return c.below(2) == 0 ? turned(star_ring(c), c) : turned(comb_ring(c), c); }},
         {"flat_vertex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = with_flat_vertex(simple_ring(c), c);
            return turned(c.below(2) == 0 ? ring : with_flat_vertex(ring, c), c);
          }},
         {"flat_on_the_left",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The first vertices from the left are on one line, and the middle one may come first.
            const double height = 2 + static_cast<double>(c.below(20)), width = 2 + std::fabs(integer(c, 20)),
                         dent = static_cast<double>(c.below(2));
            return turned({{{0, 1}, {0, 0}, {width, 0}, {width - dent, 1}, {width, height}, {0, height}}}, c);
          }},
         {"nearly_flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The cross product at the second vertex is -1, 0 or 1, of products far beyond 2^53.
            const Point2d p = lattice_point(c, 40);
            const double x = std::fabs(integer(c, 40)) + 1, y = integer(c, 40), off = small_integer(c, 1);
            return turned({{p, {p.x + x, p.y + y}, {p.x + 2 * x, p.y + 2 * y + off}, {p.x + x, p.y + 0x1p42}}}, c);
          }},
         {"all_on_a_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
            Polygon2d ring;
@@ -72,19 +72,20 @@ struct polygon_convexity {
              ring.vertices.push_back(along(p, small_integer(c), v));
            return ring;
          }},
-        {"repeated_vertex", [](Choices& c) -> Question { return turned(with_repeated_vertex(simple_ring(c), c), c); }},
-        {"spike", [](Choices& c) -> Question { return turned(with_spike(simple_ring(c), c), c); }},
-        {"vertex_on_edge", [](Choices& c) -> Question { return turned(pinched(simple_ring(c), c, false), c); }},
-        {"vertex_on_vertex", [](Choices& c) -> Question { return turned(pinched(simple_ring(c), c, true), c); }},
+        {"repeated_vertex",
+         [](DrawStream& c) -> Question { return turned(with_repeated_vertex(simple_ring(c), c), c); }},
+        {"spike", [](DrawStream& c) -> Question { return turned(with_spike(simple_ring(c), c), c); }},
+        {"vertex_on_edge", [](DrawStream& c) -> Question { return turned(pinched(simple_ring(c), c, false), c); }},
+        {"vertex_on_vertex", [](DrawStream& c) -> Question { return turned(pinched(simple_ring(c), c, true), c); }},
         {"crossing",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = simple_ring(c);
            const std::size_t i = c.below(ring.size());
            std::swap(ring.vertices[i], ring.vertices[(i + 1 + c.below(ring.size() - 1)) % ring.size()]);
            return ring;
          }},
         {"many_times_round",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Every second vertex, going on until the first comes: each turn is to one side.
            const Polygon2d once = convex_ring(c);
            const std::size_t step = 1 + c.below(2), rounds = 1 + c.below(3);
@@ -93,19 +94,19 @@ struct polygon_convexity {
            return turned(ring, c);
          }},
         {"typed_flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = typed(c), y = typed(c), far = typed(c);
            return turned({{{0, 0}, {x, y}, {2 * x, 2 * y}, {3 * x, 3 * y}, {far, -far}}}, c);
          }},
         {"far_from_origin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = convex_ring(c);
            for (Point2d& p : ring.vertices) p = {1e6 + 0.1 * p.x, 1e6 + 0.1 * p.y};
            return turned(c.below(2) == 0 ? ring : with_flat_vertex(ring, c), c);
          }},
-        {"flat_runs", [](Choices& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); }},
+        {"flat_runs", [](DrawStream& c) -> Question { return turned(with_flat_runs(simple_ring(c), c), c); }},
         {"computed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Polygon2d ring = c.below(2) == 0 ? convex_ring(c) : simple_ring(c);
            ring = with_flat_runs(ring, c);
            compute(ring.vertices, c);

@@ -10,9 +10,9 @@ namespace touchstone::catalogue::rows {
 struct polygon_convexity_interior_angles : polygon_convexity {
   static auto reference(const auto&... q) { return ::touchstone::reference::polygon_convexity_interior_angles(q...); }
 
-  static const Card& card() {
-    static const Card card = [] {
-      Card other = polygon_convexity::card();
+  static const Metadata& metadata() {
+    static const Metadata metadata = [] {
+      Metadata other = polygon_convexity::metadata();
       other.name = "polygon_convexity_interior_angles";
       other.pages = "6";
       other.question = "Is the polygon convex, by its interior angles?";
@@ -20,7 +20,7 @@ struct polygon_convexity_interior_angles : polygon_convexity {
       other.cost = 3;  // its exact arithmetic has thousands of digits
       return other;
     }();
-    return card;
+    return metadata;
   }
 };
 

@@ -18,39 +18,40 @@ struct polygon_polygon {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "polygon_polygon",
-                           .chapter = "polygons",
-                           .pages = "18-19",
-                           .question = "Do the two simple polygons, as closed solids, overlap, only touch, or neither?",
-                           .kind = Kind::decision,
-                           .fields = {"a", "b"},
-                           .answer = "contact",
-                           .margin_degree = 2,
-                           .cost = 5,
-                           .list_length = 3};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "polygon_polygon",
+        .chapter = "polygons",
+        .pages = "18-19",
+        .question = "Do the two simple polygons, as closed solids, overlap, only touch, or neither?",
+        .kind = Kind::decision,
+        .fields = {"a", "b"},
+        .answer = "contact",
+        .margin_degree = 2,
+        .cost = 5,
+        .list_length = 3};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"coincident",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = simple_ring(c);
            return {ring, turned(ring, c)};
          }},
         {"shared_vertex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a = simple_ring(c), b = simple_ring(c);
            return {a, with_vertex_at(b, a[c.below(a.size())], c)};
          }},
         {"vertex_on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a = simple_ring(c), flat = with_flat_vertex(a, c), b = simple_ring(c);
            return {a, with_vertex_at(b, flat[c.below(flat.size())], c)};
          }},
         {"corner_in_corner",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Only one of the corners that meet begins in the other; or they meet in the last vertex of both.
            const bool last = c.below(2) == 1;
            const Polygon2d a = last ? Polygon2d{{{0, 0}, {3, 1}, {0, 3}}} : Polygon2d{{{1, 1}, {1, 2}, {4, 2}}},
@@ -58,7 +59,7 @@ struct polygon_polygon {
            return c.below(2) == 1 ? Question{b, turned(a, c)} : Question{a, turned(b, c)};
          }},
         {"common_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a = simple_ring(c);
            const std::size_t i = c.below(a.size());
            const Vector2d along = a.next(i) - a[i], out{along.y, -along.x};
@@ -67,14 +68,14 @@ struct polygon_polygon {
            return {a, turned({{p, p + depth * out, q + depth * out, q}}, c)};
          }},
         {"inscribed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d outer = turned(convex_ring(c), c);
            Polygon2d inner;
            for (std::size_t i = 0; i < outer.size(); ++i) inner.vertices.push_back(with_flat_middle(outer, i));
            return c.below(2) == 1 ? Question{turned(inner, c), outer} : Question{outer, turned(inner, c)};
          }},
         {"nested_sharing_a_vertex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d outer = convex_ring(c);
            const std::size_t i = c.below(outer.size());
            Polygon2d inner = outer;
@@ -82,7 +83,7 @@ struct polygon_polygon {
            return {outer, turned(inner, c)};
          }},
         {"nested",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d star = star_ring(c);
            Polygon2d around = star;
            Point2d centre{0, 0};
@@ -91,7 +92,7 @@ struct polygon_polygon {
            return {turned(around, c), star};
          }},
         {"in_a_bay",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double depth = 2 + static_cast<double>(c.below(6)), width = 2 + static_cast<double>(c.below(6));
            const Polygon2d bay{{{-1, -1},
                                 {width + 1, -1},
@@ -106,28 +107,28 @@ struct polygon_polygon {
            return {turned(bay, c), turned({{{x, y}, {x + s, y}, {x + s, y + 2 * s}, {x, y + 2 * s}}}, c)};
          }},
         {"apart",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a = simple_ring(c);
            return {turned(a, c), simple_ring(c)};
          }},
         {"spike",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a = simple_ring(c), spoilt = with_spike(a, c);
            return c.below(2) == 1 ? Question{spoilt, a} : Question{a, spoilt};
          }},
         {"repeated_vertex",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a = simple_ring(c), spoilt = with_repeated_vertex(a, c);
            return c.below(2) == 1 ? Question{spoilt, a} : Question{a, spoilt};
          }},
         {"rounded_vertex_on_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d a{{{ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}};
            const Point2d p = along(a[0], ordinary(c), a[1] - a[0]);
            return {a, {{p, {ordinary(c), ordinary(c)}, {ordinary(c), ordinary(c)}}}};
          }},
         {"computed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A vertex of b on an edge of a, but for rounding.
            Polygon2d a = with_flat_runs(simple_ring(c), c);
            const Point2d p = on_an_edge(a, c);
@@ -157,7 +158,7 @@ struct polygon_polygon {
 
  private:
   /// The ring moved so that one of its vertices is p.
-  static Polygon2d with_vertex_at(Polygon2d ring, const Point2d& p, Choices& c) {
+  static Polygon2d with_vertex_at(Polygon2d ring, const Point2d& p, DrawStream& c) {
     const Vector2d by = p - ring[c.below(ring.size())];
     for (Point2d& vertex : ring.vertices) vertex = vertex + by;
     return ring;

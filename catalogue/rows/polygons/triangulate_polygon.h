@@ -16,25 +16,25 @@ struct triangulate_polygon {
 
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "triangulate_polygon",
-                           .chapter = "polygons",
-                           .pages = "7",
-                           .question = "Which triangles, corners at its vertices, make up a simple polygon?",
-                           .kind = Kind::checked,
-                           .fields = {"polygon"},
-                           .answer = "triangles",
-                           .margin_degree = 2,
-                           .cost = 6,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "triangulate_polygon",
+                                   .chapter = "polygons",
+                                   .pages = "7",
+                                   .question = "Which triangles, corners at its vertices, make up a simple polygon?",
+                                   .kind = Kind::checked,
+                                   .fields = {"polygon"},
+                                   .answer = "triangles",
+                                   .margin_degree = 2,
+                                   .cost = 6,
+                                   .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() { return simple_ring_cases(); }
   static void repair(Question& question) { untangle(std::get<0>(question)); }
 
-  static std::string fault(const Question& question, const std::vector<std::vector<Index>>& triangles) {
-    return ::touchstone::oracle::triangulate_polygon_fault(std::get<0>(question), triangles);
+  static std::string defect(const Question& question, const std::vector<std::vector<Index>>& triangles) {
+    return ::touchstone::oracle::triangulate_polygon_defect(std::get<0>(question), triangles);
   }
   static Excess excess(const Question& question, const std::vector<std::vector<Index>>& pieces,
                        const std::vector<std::vector<Index>>&) {
@@ -45,7 +45,7 @@ struct triangulate_polygon {
   static Question map_centre() { return {{{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}}; }
 
   static Hooks<triangulate_polygon> hooks() {
-    return {.fault = fault, .excess = excess, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
+    return {.defect = defect, .excess = excess, .repair = repair, .map_centre = map_centre, .draw = draw_pieces};
   }
 };
 

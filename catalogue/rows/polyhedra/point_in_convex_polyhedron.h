@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/mesh_choices.h"
+#include "catalogue/families/mesh_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -17,41 +17,42 @@ struct point_in_convex_polyhedron {
   using Question = std::tuple<Meshd, Point3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "point_in_convex_polyhedron",
-                           .chapter = "polyhedra",
-                           .pages = "53",
-                           .question = "Does the point lie inside the convex polyhedron, on a face, or outside?",
-                           .kind = Kind::decision,
-                           .fields = {"mesh", "point"},
-                           .answer = "location",
-                           .margin_degree = 2,
-                           .cost = 69,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "point_in_convex_polyhedron",
+        .chapter = "polyhedra",
+        .pages = "53",
+        .question = "Does the point lie inside the convex polyhedron, on a face, or outside?",
+        .kind = Kind::decision,
+        .fields = {"mesh", "point"},
+        .answer = "location",
+        .margin_degree = 2,
+        .cost = 69,
+        .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_face_plane",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_polyhedron(c);
            return {mesh, on_a_face_plane(mesh, c)};
          }},
         {"between_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_polyhedron(c);
            return {mesh, between_vertices(mesh, c)};
          }},
         {"near_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_polyhedron(c);
            const Point3d p = on_a_face_plane(mesh, c);
            const double x = small_integer(c, 1), y = small_integer(c, 1);
            return {mesh, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
          }},
         {"flat_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Meshd mesh = lattice_polyhedron(c);
            for (std::uint64_t left = 1 + c.below(3); left > 0; --left) {
              for (Point3d& p : mesh.vertices) p = {6 * p.x, 6 * p.y, 6 * p.z};
@@ -60,7 +61,7 @@ struct point_in_convex_polyhedron {
            return {mesh, on_a_face_plane(mesh, c)};
          }},
         {"mapped",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question question;
            auto& [mesh, point] = question;
            mesh = lattice_polyhedron(c);
@@ -69,7 +70,7 @@ struct point_in_convex_polyhedron {
            return question;
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Each axis by its own power of two: past the lattice, past the filter's guard, below its absolute term.
            Question question;
            auto& [mesh, point] = question;
@@ -83,7 +84,7 @@ struct point_in_convex_polyhedron {
            return question;
          }},
         {"rounded_on_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto number = [&c] { return ordinary(c); };
            Question question;
            auto& [mesh, point] = question;
@@ -98,26 +99,26 @@ struct point_in_convex_polyhedron {
            return question;
          }},
         {"broken",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_polyhedron(c);
            const Point3d point = between_vertices(mesh, c);
            return {broken(mesh, c), point};
          }},
         {"named_mesh",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd& mesh = named_mesh(c);
            return {mesh, c.below(4) == 3 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c)};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
         {"beside_named_mesh",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd& mesh = named_mesh(c);
            const Point3d p = on_a_face_plane(mesh, c);
            const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
            const int x = ulps(), y = ulps(), z = ulps();
            return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -125,8 +126,8 @@ struct point_in_convex_polyhedron {
 
   /// Tetrahedra of size 12 and a point that runs over the numbers from 0 in thirds of 12, so that many lie on faces,
   /// edges and corners: the vertex opposite the corner at the origin, and the point.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
     Meshd mesh{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {4 * x, 4 * y, 4 * (z + 1)}}, {}};
@@ -145,8 +146,8 @@ struct point_in_convex_polyhedron {
     return {.as_open_sets = outside_if_on_boundary<Question>,
             .repair = repair,
             .map_centre = map_centre,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/mesh_choices.h"
-#include "catalogue/families/solid_choices.h"
+#include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -18,18 +18,19 @@ struct point_in_polyhedron {
   using Question = std::tuple<Meshd, Point3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "point_in_polyhedron",
-                           .chapter = "polyhedra",
-                           .pages = "14-15, 53",
-                           .question = "Does the point lie inside the solid of a closed mesh, on a face, or outside?",
-                           .kind = Kind::decision,
-                           .fields = {"mesh", "point"},
-                           .answer = "location",
-                           .margin_degree = 2,
-                           .cost = 69,
-                           .list_length = 5};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "point_in_polyhedron",
+        .chapter = "polyhedra",
+        .pages = "14-15, 53",
+        .question = "Does the point lie inside the solid of a closed mesh, on a face, or outside?",
+        .kind = Kind::decision,
+        .fields = {"mesh", "point"},
+        .answer = "location",
+        .margin_degree = 2,
+        .cost = 69,
+        .list_length = 5};
+    return metadata;
   }
 
   /// Mesh and point, both moved or mapped.
@@ -44,12 +45,12 @@ struct point_in_polyhedron {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_solid(c);
            return {mesh, on_a_face_plane(mesh, c)};
          }},
         {"ray_through",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Before or behind a vertex, an edge, a face, along an axis.
            const Meshd mesh = lattice_solid(c);
            const Point3d p = on_a_face_plane(mesh, c);
@@ -61,25 +62,25 @@ struct point_in_polyhedron {
            }
          }},
         {"near_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_solid(c);
            const Point3d p = on_a_face_plane(mesh, c);
            const double x = small_integer(c, 1), y = small_integer(c, 1);
            return {mesh, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
          }},
         {"between_vertices",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_solid(c);
            return {mesh, between_vertices(mesh, c)};
          }},
         {"tetrahedra",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = tetrahedra_together(c);
            const Point3d p = c.below(2) == 0 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
            return {mesh, {p.x + 4 * small_integer(c, 2), p.y, p.z}};
          }},
         {"needless_faces",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Meshd mesh = lattice_solid(c);
            for (std::uint64_t left = 1 + c.below(3); left > 0; --left) {
              for (Point3d& p : mesh.vertices) p = {6 * p.x, 6 * p.y, 6 * p.z};
@@ -90,7 +91,7 @@ struct point_in_polyhedron {
            return {mesh, {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2}};
          }},
         {"mapped",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question question;
            auto& [mesh, point] = question;
            mesh = lattice_solid(c);
@@ -99,7 +100,7 @@ struct point_in_polyhedron {
            return question;
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Each axis by its own power of two: past any lattice, past the filters' guards, below their absolute
            // terms, to both ends of the range.
            const Meshd mesh = lattice_solid(c);
@@ -112,7 +113,7 @@ struct point_in_polyhedron {
            });
          }},
         {"rounded_on_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto number = [&c] { return ordinary(c); };
            Question question;
            auto& [mesh, point] = question;
@@ -127,27 +128,27 @@ struct point_in_polyhedron {
            return question;
          }},
         {"opened",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd mesh = lattice_solid(c);
            const Point3d point = between_vertices(mesh, c);
            return {opened(mesh, c), point};
          }},
         {"named_solid",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd& mesh = named_solid(c);
            const Point3d p = c.below(3) == 2 ? between_vertices(mesh, c) : on_a_face_plane(mesh, c);
            return {mesh, c.below(2) == 0 ? p : Point3d{p.x / 2, p.y, p.z}};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
         {"beside_named_solid",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd& mesh = named_solid(c);
            const Point3d p = on_a_face_plane(mesh, c);
            const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
            const int x = ulps(), y = ulps(), z = ulps();
            return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -155,8 +156,8 @@ struct point_in_polyhedron {
 
   /// Tetrahedra of size 12 with a dent, or a spike, in the face away from the origin, and a point: both run over the
   /// numbers from 0 in thirds of 12.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
     return {dented_tetrahedron(12, {4 * x, 4 * y, 4 * z}), {4 * u, 4 * v, 4 * w}};
@@ -169,8 +170,8 @@ struct point_in_polyhedron {
     return {.as_open_sets = outside_if_on_boundary<Question>,
             .repair = repair,
             .map_centre = map_centre,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/mesh_choices.h"
-#include "catalogue/families/solid_choices.h"
+#include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_complexity.h"
@@ -17,37 +17,38 @@ struct polyhedron_complexity {
   using Question = std::tuple<Meshd>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "polyhedron_complexity",
-                           .chapter = "polyhedra",
-                           .pages = "26",
-                           .question = "How many vertices, edges, faces and parts has the mesh, and is it a surface?",
-                           .kind = Kind::measure,
-                           .fields = {"mesh"},
-                           .margin_degree = 0,
-                           .cost = 30,
-                           .list_length = 5};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "polyhedron_complexity",
+        .chapter = "polyhedra",
+        .pages = "26",
+        .question = "How many vertices, edges, faces and parts has the mesh, and is it a surface?",
+        .kind = Kind::measure,
+        .fields = {"mesh"},
+        .margin_degree = 0,
+        .cost = 30,
+        .list_length = 5};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
-    return {{"solid", [](Choices& c) -> Question { return {lattice_solid(c)}; }},
-            {"convex", [](Choices& c) -> Question { return {lattice_polyhedron(c)}; }},
-            {"sheets_at_a_vertex", [](Choices& c) -> Question { return {sheets_at_a_vertex(c)}; }},
-            {"tetrahedra", [](Choices& c) -> Question { return {tetrahedra_together(c)}; }},
+    return {{"solid", [](DrawStream& c) -> Question { return {lattice_solid(c)}; }},
+            {"convex", [](DrawStream& c) -> Question { return {lattice_polyhedron(c)}; }},
+            {"sheets_at_a_vertex", [](DrawStream& c) -> Question { return {sheets_at_a_vertex(c)}; }},
+            {"tetrahedra", [](DrawStream& c) -> Question { return {tetrahedra_together(c)}; }},
             {"needless_faces",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                const Meshd mesh = lattice_solid(c);
                return {with_needless_faces(mesh, c)};
              }},
             {"with_a_rim",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                Meshd mesh = c.below(2) == 0 ? lattice_polyhedron(c) : sheets_at_a_vertex(c);
                for (std::uint64_t left = 1 + c.below(4); left > 0 && mesh.faces.size() > 4; --left)
                  mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(c.below(mesh.faces.size())));
                return {mesh};
              }},
-            {"opened", [](Choices& c) -> Question {
+            {"opened", [](DrawStream& c) -> Question {
                const Meshd mesh = lattice_solid(c);
                return {opened(mesh, c)};
              }}};
@@ -56,8 +57,8 @@ struct polyhedron_complexity {
   static void repair(Question& question) { make_solid(std::get<0>(question)); }
 
   /// Six triangles over five vertices, each one of so many, in either direction.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     std::vector<Face> triangles;
     for (Index a = 0; a < 3; ++a) {
@@ -74,8 +75,8 @@ struct polyhedron_complexity {
 
   static Hooks<polyhedron_complexity> hooks() {
     return {.repair = repair,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 };

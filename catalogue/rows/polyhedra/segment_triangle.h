@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/triangle_choices.h"
+#include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/segment_triangle.h"
@@ -15,17 +15,18 @@ struct segment_triangle {
   using stages = ::touchstone::robust::stages::segment_triangle;
   using Question = std::tuple<Segment3d, Triangle3d>;
 
-  static const Card& card() {
-    static const Card card{.name = "segment_triangle",
-                           .chapter = "polyhedra",
-                           .pages = "54",
-                           .question = "What do the closed segment and the closed triangle in space have in common?",
-                           .kind = Kind::set,
-                           .fields = {"segment", "triangle"},
-                           .ulps = 36,
-                           .margin_degree = 2,
-                           .cost = 3};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "segment_triangle",
+        .chapter = "polyhedra",
+        .pages = "54",
+        .question = "What do the closed segment and the closed triangle in space have in common?",
+        .kind = Kind::set,
+        .fields = {"segment", "triangle"},
+        .ulps = 36,
+        .margin_degree = 2,
+        .cost = 3};
+    return metadata;
   }
 
   struct decision {
@@ -38,45 +39,45 @@ struct segment_triangle {
     return {
         {"crossing", crossing},
         {"small_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = small_lattice_point(c), q = small_lattice_point(c), a = small_lattice_point(c),
                          b = small_lattice_point(c);
            return {{p, q}, {a, b, small_lattice_point(c)}};
          }},
         {"through_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane edge = LatticePlane::of(c);  // along u, through the origin; v across
            const double i = small_integer(c, 3), j = small_integer(c, 3);
            const Triangle3d t{edge.at(i, 0), edge.at(j, 0), lattice_point_in_space(c)};
            return {segment_through(c, edge.origin, edge.v), t};
          }},
         {"along_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane edge = LatticePlane::of(c);
            const double i = small_integer(c), j = small_integer(c), k = small_integer(c), l = small_integer(c);
            return {{edge.at(i, 0), edge.at(j, 0)}, {edge.at(k, 0), edge.at(l, 0), lattice_point_in_space(c)}};
          }},
         {"coplanar",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            const Point3d p = plane.point(c), q = plane.point(c);
            return {{p, q}, plane.triangle(c)};
          }},
         {"parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            const Vector3d off = lattice_normal(c);
            const Point3d p = plane.point(c) + off, q = plane.point(c) + off;
            return {{p, q}, plane.triangle(c)};
          }},
         {"zero_length",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            const Point3d p = plane.point(c);
            return {{p, p}, plane.triangle(c)};
          }},
         {"no_area",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane line = LatticePlane::of(c);
            const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
            const Triangle3d t{line.at(i, 0), line.at(j, 0), line.at(k, 0)};
@@ -84,13 +85,13 @@ struct segment_triangle {
            return {segment_through(c, line.origin, way), t};
          }},
         {"triangle_is_point",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LatticePlane line = LatticePlane::of(c);
            const Point3d p = line.at(0, small_integer(c, 1));
            return {segment_through(c, line.origin, line.u), {p, p, p}};
          }},
         {"needle",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Thousands of millions long, a few units wide, around its middle.
            const double length = std::ldexp(1, 30 + static_cast<int>(c.below(12)));
            const double y = small_integer(c, 3), z = small_integer(c, 3);
@@ -99,27 +100,27 @@ struct segment_triangle {
            return {segment_through(c, {x, 0, 0}, lattice_normal(c, 4)), t};
          }},
         {"end_rounded_onto",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = ordinary_point_in_space(c), a = ordinary_point_in_space(c), b = ordinary_point_in_space(c),
                          d = ordinary_point_in_space(c);
            const double s = ordinary(c), t = ordinary(c);
            return {{p, a + (s * (b - a) + t * (d - a))}, {a, b, d}};
          }},
         {"long_coplanar",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LongPlane plane = LongPlane::of(c);
            const Point3d p = plane.point(c), q = plane.point(c), a = plane.point(c), b = plane.point(c);
            return {{p, q}, {a, b, plane.point(c)}};
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question question = crossing(c);
            auto& [s, t] = question;
            stretch(c, s.a, s.b, t.a, t.b, t.c);
            return question;
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Differences overflow, and products of what does not.
            const auto number = [&c] {
              const double n = small_integer(c, 1);
@@ -169,7 +170,7 @@ struct segment_triangle {
 
  private:
   /// A triangle around a point, or beside it, and a segment through the point.
-  static Question crossing(Choices& c) {
+  static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c);
     const Triangle3d t = plane.triangle(c);
     return {segment_through(c, plane.origin, lattice_normal(c)), t};

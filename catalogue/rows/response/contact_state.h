@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/contact_choices.h"
+#include "catalogue/families/contact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/contact_state.h"
 #include "reference/response/contact_state.h"
@@ -15,37 +15,38 @@ struct contact_state {
   using Question = std::tuple<MovingBodyd, MovingBodyd, Point3d, Vector3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "contact_state",
-                           .chapter = "response",
-                           .pages = "74",
-                           .question = "Do two turning bodies part at the point where they touch, rest, or collide?",
-                           .kind = Kind::decision,
-                           .fields = {"a", "b", "point", "normal"},
-                           .answer = "state",
-                           .margin_degree = 2,
-                           .longest_vector = 6000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "contact_state",
+        .chapter = "response",
+        .pages = "74",
+        .question = "Do two turning bodies part at the point where they touch, rest, or collide?",
+        .kind = Kind::decision,
+        .fields = {"a", "b", "point", "normal"},
+        .answer = "state",
+        .margin_degree = 2,
+        .longest_vector = 6000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
-    return {{"on_lattice", [](Choices& c) -> Question { return asked(lattice_meeting(c)); }},
-            {"resting", [](Choices& c) -> Question { return asked(resting_meeting(c)); }},
-            {"beside_rest", [](Choices& c) -> Question { return asked(meeting_beside_rest(c)); }},
-            {"rolling", [](Choices& c) -> Question { return asked(rolling(c)); }},
-            {"of_one_body", [](Choices& c) -> Question { return asked(of_one_body(c)); }},
-            {"terms_below_least", [](Choices& c) -> Question { return asked(meeting_below_least(c)); }},
-            {"far_units", [](Choices& c) -> Question { return asked(meeting_in_far_units(c)); }},
-            {"as_wide_as_lattices", [](Choices& c) -> Question { return asked(as_wide_as_lattices(c)); }},
-            {"across_the_range", [](Choices& c) -> Question { return asked(across_the_range(c)); }},
-            {"typed_rest", [](Choices& c) -> Question { return asked(typed_rest(c)); }},
+    return {{"on_lattice", [](DrawStream& c) -> Question { return asked(lattice_meeting(c)); }},
+            {"resting", [](DrawStream& c) -> Question { return asked(resting_meeting(c)); }},
+            {"beside_rest", [](DrawStream& c) -> Question { return asked(meeting_beside_rest(c)); }},
+            {"rolling", [](DrawStream& c) -> Question { return asked(rolling(c)); }},
+            {"of_one_body", [](DrawStream& c) -> Question { return asked(of_one_body(c)); }},
+            {"terms_below_least", [](DrawStream& c) -> Question { return asked(meeting_below_least(c)); }},
+            {"far_units", [](DrawStream& c) -> Question { return asked(meeting_in_far_units(c)); }},
+            {"as_wide_as_lattices", [](DrawStream& c) -> Question { return asked(as_wide_as_lattices(c)); }},
+            {"across_the_range", [](DrawStream& c) -> Question { return asked(across_the_range(c)); }},
+            {"typed_rest", [](DrawStream& c) -> Question { return asked(typed_rest(c)); }},
             {"without_a_normal",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                Meeting m = lattice_meeting(c);
                m.normal = zero_vector(c);
                return asked(m);
              }},
-            {"in_a_plane", [](Choices& c) -> Question {
+            {"in_a_plane", [](DrawStream& c) -> Question {
                const std::uint64_t which = c.below(3);
                return asked(in_a_plane(which == 0 ? lattice_meeting(c, 6) : which == 1 ? rolling(c) : typed_rest(c)));
              }}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/bounce_choices.h"
+#include "catalogue/families/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/damped_reflection.h"
 #include "reference/response/damped_reflection.h"
@@ -15,8 +15,8 @@ struct damped_reflection {
   using Question = std::tuple<Vector3d, Vector3d, double>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "damped_reflection",
         .chapter = "response",
         .pages = "71",
@@ -27,7 +27,7 @@ struct damped_reflection {
         .ulps = 15,
         .margin_degree = 0,
         .longest_vector = 3000};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -62,7 +62,7 @@ struct damped_reflection {
   }
 
  private:
-  static double usual(Choices& c) {
+  static double usual(DrawStream& c) {
     switch (c.below(4)) {
       case 0: return 0.8;
       case 1: return small_integer(c, 2);
@@ -70,17 +70,17 @@ struct damped_reflection {
       default: return typed(c);
     }
   }
-  static double one(Choices&) { return 1; }
+  static double one(DrawStream&) { return 1; }
   /// 1 + k is 0, or all its digits are cancelled but the last.
-  static double near_minus_one(Choices& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
-  static double any_size(Choices& c) {
+  static double near_minus_one(DrawStream& c) { return moved_by_ulps(-1, static_cast<int>(small_integer(c, 3))); }
+  static double any_size(DrawStream& c) {
     const int exponent = static_cast<int>(c.below(1200)) - 600;
     return std::ldexp(ordinary(c), exponent);
   }
 
   template <auto draw, auto draw_k>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+    return {name, [](DrawStream& c) -> Question {
               const Bounce b = draw(c);
               return {b.velocity, b.normal, draw_k(c)};
             }};

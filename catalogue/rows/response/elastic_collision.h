@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/impact_choices.h"
+#include "catalogue/families/impact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/elastic_collision.h"
 #include "reference/response/elastic_collision.h"
@@ -16,8 +16,8 @@ struct elastic_collision {
   using Question = std::tuple<Massesd, Velocitiesd, Vector3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "elastic_collision",
         .chapter = "response",
         .pages = "69",
@@ -28,7 +28,7 @@ struct elastic_collision {
         .ulps = 19,
         .margin_degree = 0,
         .longest_vector = 4500};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -71,7 +71,7 @@ struct elastic_collision {
  private:
   template <auto draw>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+    return {name, [](DrawStream& c) -> Question {
               const Impact i = draw(c);
               return {i.masses, i.velocities, i.normal};
             }};

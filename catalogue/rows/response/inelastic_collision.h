@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/impact_choices.h"
+#include "catalogue/families/impact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/inelastic_collision.h"
 #include "reference/response/inelastic_collision.h"
@@ -15,18 +15,18 @@ struct inelastic_collision {
   using Question = std::tuple<Massesd, Velocitiesd>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "inelastic_collision",
-                           .chapter = "response",
-                           .pages = "70",
-                           .question = "Which velocity have two bodies after they met and stuck together?",
-                           .kind = Kind::measure,
-                           .fields = {"masses", "velocities"},
-                           .answer = "velocity",
-                           .ulps = 5,
-                           .margin_degree = 0,
-                           .longest_vector = 3000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "inelastic_collision",
+                                   .chapter = "response",
+                                   .pages = "70",
+                                   .question = "Which velocity have two bodies after they met and stuck together?",
+                                   .kind = Kind::measure,
+                                   .fields = {"masses", "velocities"},
+                                   .answer = "velocity",
+                                   .ulps = 5,
+                                   .margin_degree = 0,
+                                   .longest_vector = 3000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -54,14 +54,14 @@ struct inelastic_collision {
 
  private:
   /// The sum is 0 or small, but for a number in one component.
-  static Impact opposite_momenta(Choices& c) {
+  static Impact opposite_momenta(DrawStream& c) {
     const Massesd m = lattice_masses(c);
     const Vector3d v = lattice_velocity(c, 20);
     return {m, {m.second * v, -m.first * v + Vector3d{0, small_integer(c), 0}}, {0, 1, 0}};
   }
   /// Masses h and h + 1: 2 q + 2 (h + 1) / (2 h + 1) is 2 q + 1, an odd number of 54 digits, and 1 / (2 h + 1) more or,
   /// exchanged, less.
-  static Impact mean_beside_a_tie(Choices& c) {
+  static Impact mean_beside_a_tie(DrawStream& c) {
     const double h = static_cast<double>((std::uint64_t{1} << 50) + c.below(std::uint64_t{1} << 51)),
                  q = 0x1p53 + 2 * static_cast<double>(1 + c.below(std::uint64_t{1} << 51));
     const Velocitiesd v{{q, -q, 1}, {q + 2, -q - 2, 0}};
@@ -70,7 +70,7 @@ struct inelastic_collision {
 
   template <auto draw>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+    return {name, [](DrawStream& c) -> Question {
               const Impact i = draw(c);
               return {i.masses, i.velocities};
             }};

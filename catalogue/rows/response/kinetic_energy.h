@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/body_choices.h"
+#include "catalogue/families/body_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/kinetic_energy.h"
 #include "reference/response/kinetic_energy.h"
@@ -15,19 +15,19 @@ struct kinetic_energy {
   using Question = std::tuple<Bodies>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "kinetic_energy",
-                           .chapter = "response",
-                           .pages = "66",
-                           .question = "Which kinetic energy have these bodies together?",
-                           .kind = Kind::measure,
-                           .fields = {"bodies"},
-                           .answer = "energy",
-                           .ulps = 56,
-                           .margin_degree = 0,
-                           .list_length = 2,
-                           .longest_vector = 3000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "kinetic_energy",
+                                   .chapter = "response",
+                                   .pages = "66",
+                                   .question = "Which kinetic energy have these bodies together?",
+                                   .kind = Kind::measure,
+                                   .fields = {"bodies"},
+                                   .answer = "energy",
+                                   .ulps = 56,
+                                   .margin_degree = 0,
+                                   .list_length = 2,
+                                   .longest_vector = 3000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -38,7 +38,7 @@ struct kinetic_energy {
             hard<bodies_at_end_of_range>("at_end_of_range"),
             hard<sum_beside_a_tie>("beside_a_tie"),
             hard<bodies_without_a_mass>("without_a_mass"),
-            {"many_bodies", [](Choices& c) -> Question { return {many_bodies(c)}; }, /*as_drawn=*/true}};
+            {"many_bodies", [](DrawStream& c) -> Question { return {many_bodies(c)}; }, /*unscaled=*/true}};
   }
 
   static void scale(Question& question, int k) {
@@ -57,7 +57,7 @@ struct kinetic_energy {
 
  private:
   /// An integer of 53 digits, and a half, or one unit in the last place less; and perhaps something beyond all digits.
-  static Bodies sum_beside_a_tie(Choices& c) {
+  static Bodies sum_beside_a_tie(DrawStream& c) {
     const double whole = 0x1p52 + static_cast<double>(c.below(std::uint64_t{1} << 51));
     Bodies list{{2 * whole, {0, -1, 0}}, {c.below(2) == 1 ? 1 - 0x1p-53 : 1, {1, 0, 0}}};
     if (c.below(2) == 1) list.push_back({1, {0, 0, std::ldexp(1, -static_cast<int>(c.below(200)))}});
@@ -66,7 +66,7 @@ struct kinetic_energy {
 
   template <auto draw>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question { return {draw(c)}; }};
+    return {name, [](DrawStream& c) -> Question { return {draw(c)}; }};
   }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/body_choices.h"
+#include "catalogue/families/body_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/momentum.h"
 #include "reference/response/momentum.h"
@@ -15,19 +15,19 @@ struct momentum {
   using Question = std::tuple<Bodies>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "momentum",
-                           .chapter = "response",
-                           .pages = "65",
-                           .question = "Which momentum have these bodies together?",
-                           .kind = Kind::measure,
-                           .fields = {"bodies"},
-                           .answer = "momentum",
-                           .ulps = 16,
-                           .margin_degree = 0,
-                           .list_length = 2,
-                           .longest_vector = 3000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "momentum",
+                                   .chapter = "response",
+                                   .pages = "65",
+                                   .question = "Which momentum have these bodies together?",
+                                   .kind = Kind::measure,
+                                   .fields = {"bodies"},
+                                   .answer = "momentum",
+                                   .ulps = 16,
+                                   .margin_degree = 0,
+                                   .list_length = 2,
+                                   .longest_vector = 3000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -38,7 +38,7 @@ struct momentum {
             hard<bodies_at_end_of_range>("at_end_of_range"),
             hard<sum_beside_a_tie>("beside_a_tie"),
             hard<bodies_without_a_mass>("without_a_mass"),
-            {"many_bodies", [](Choices& c) -> Question { return {many_bodies(c)}; }, /*as_drawn=*/true}};
+            {"many_bodies", [](DrawStream& c) -> Question { return {many_bodies(c)}; }, /*unscaled=*/true}};
   }
 
   /// Velocities: masses keep theirs, so that momentum goes with the velocities.
@@ -60,7 +60,7 @@ struct momentum {
   }
 
  private:
-  static Bodies sum_beside_a_tie(Choices& c) {
+  static Bodies sum_beside_a_tie(DrawStream& c) {
     const BesideTie x = beside_tie(c);
     const double z = integer(c, 20);
     return {{x.t, {x.v, -x.v, z}}, {1, {x.rest, -x.rest, -z}}};
@@ -68,7 +68,7 @@ struct momentum {
 
   template <auto draw>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question { return {draw(c)}; }};
+    return {name, [](DrawStream& c) -> Question { return {draw(c)}; }};
   }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/bounce_choices.h"
+#include "catalogue/families/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/penalty_force.h"
 #include "reference/response/penalty_force.h"
@@ -15,31 +15,32 @@ struct penalty_force {
   using Question = std::tuple<Point3d, Vector3d, Plane3d, double, double>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "penalty_force",
-                           .chapter = "response",
-                           .pages = "72-73",
-                           .question = "With which force do a spring and a damper act on a particle behind a plane?",
-                           .kind = Kind::measure,
-                           .fields = {"point", "velocity", "plane", "stiffness", "damping"},
-                           .answer = "force",
-                           .ulps = 22,
-                           .margin_degree = 2,
-                           .longest_vector = 4000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "penalty_force",
+        .chapter = "response",
+        .pages = "72-73",
+        .question = "With which force do a spring and a damper act on a particle behind a plane?",
+        .kind = Kind::measure,
+        .fields = {"point", "velocity", "plane", "stiffness", "damping"},
+        .answer = "force",
+        .ulps = 22,
+        .margin_degree = 2,
+        .longest_vector = 4000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
-    return {{"behind", [](Choices& c) -> Question { return usual(c, -scaled_up(c, 8, 40)); }},
-            {"beside_plane", [](Choices& c) -> Question { return usual(c, small_integer(c, 1)); }},
+    return {{"behind", [](DrawStream& c) -> Question { return usual(c, -scaled_up(c, 8, 40)); }},
+            {"beside_plane", [](DrawStream& c) -> Question { return usual(c, small_integer(c, 1)); }},
             {"along_the_plane",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                Question q = usual(c, -1);
                std::get<1>(q) = lattice_across(c, std::get<2>(q).normal);
                return q;
              }},
             {"balanced",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                // The damper holds what the spring pulls, or nearly.
                const double depth = 1 + static_cast<double>(c.below(1 << 20)),
                             part = 1 + static_cast<double>(c.below(64));
@@ -50,7 +51,7 @@ struct penalty_force {
                return q;
              }},
             {"stretched_normal",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                const auto [p, v, plane, k, d] = usual(c, -1 - small_integer(c, 1));
                const int unit = static_cast<int>(c.below(2000)) - 1050;
                const auto& n = plane.normal;
@@ -58,39 +59,39 @@ struct penalty_force {
                return {p, v, {stretched, std::ldexp(plane.offset, unit)}, k, d};
              }},
             {"products_at_the_end",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                const Bounce b = products_at_the_end(c);
                const Vector3d p = ordinary_vector(c);
                const double offset = at_the_end(c, -500), k = ordinary(c), size = at_the_end(c, 500);
                return {{p.x, p.y, p.z}, b.velocity, {b.normal, offset}, k, c.below(2) == 1 ? size : k};
              }},
             {"terms_below_least",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                const auto [plane, p] = terms_below_least(c);
                const Vector3d v = lattice_velocity(c, 4);
                return {p, v, plane, 1, small_integer(c)};
              }},
             {"at_end_of_range",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                const Vector3d p = at_the_end_of_range(c), v = at_the_end_of_range(c), n = lattice_normal(c, 3);
                const double k = std::ldexp(1, -static_cast<int>(c.below(4)));
                return {{p.x, p.y, p.z}, v, {n, small_integer(c)}, k, small_integer(c)};
              }},
             {"beside_a_tie",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                // depth times stiffness and the damper's rest make an odd number of 54 digits, and a little.
                const BesideTie tie = beside_tie(c);
                const Vector3d n{0, std::ldexp(1, static_cast<int>(c.below(4))), 0};
                return {{integer(c, 20), -tie.v, 0}, {0, -tie.rest, 0}, {n, 0}, tie.t, 1};
              }},
             {"typed_on_plane",
-             [](Choices& c) -> Question {
+             [](DrawStream& c) -> Question {
                // As typed the point is on the plane.
                const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
                const double stiffness = typed(c);
                return {{k / 10, m / 10, 0}, {0, -1, 0}, {{1, 1, 0}, -(k + m) / 10}, stiffness, 0.1};
              }},
-            {"without_a_normal", [](Choices& c) -> Question {
+            {"without_a_normal", [](DrawStream& c) -> Question {
                Question q = usual(c, -1);
                std::get<2>(q).normal = zero_vector(c);
                return q;
@@ -116,7 +117,7 @@ struct penalty_force {
 
  private:
   /// A lattice point over a plane by that height, in units of the normal.
-  static Question usual(Choices& c, double height) {
+  static Question usual(DrawStream& c, double height) {
     const Vector3d n = lattice_normal(c, 16), v = lattice_velocity(c, 20);
     const Point3d foot = lattice_point_in_space(c, 20), p = foot + lattice_across(c, n);
     const double stiffness = 1 + static_cast<double>(c.below(1 << 10)), damping = small_integer(c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/bounce_choices.h"
+#include "catalogue/families/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/reflect_plane.h"
 #include "reference/response/reflect_plane.h"
@@ -15,18 +15,19 @@ struct reflect_plane {
   using Question = std::tuple<Vector3d, Vector3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "reflect_plane",
-                           .chapter = "response",
-                           .pages = "68",
-                           .question = "Which velocity has a body after it has bounced off a plane with that normal?",
-                           .kind = Kind::measure,
-                           .fields = {"velocity", "normal"},
-                           .answer = "velocity",
-                           .ulps = 14,
-                           .margin_degree = 0,
-                           .longest_vector = 3000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "reflect_plane",
+        .chapter = "response",
+        .pages = "68",
+        .question = "Which velocity has a body after it has bounced off a plane with that normal?",
+        .kind = Kind::measure,
+        .fields = {"velocity", "normal"},
+        .answer = "velocity",
+        .ulps = 14,
+        .margin_degree = 0,
+        .longest_vector = 3000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -52,7 +53,7 @@ struct reflect_plane {
  private:
   template <auto draw>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+    return {name, [](DrawStream& c) -> Question {
               const Bounce b = draw(c);
               return {b.velocity, b.normal};
             }};

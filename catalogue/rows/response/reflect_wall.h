@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/box_choices.h"
+#include "catalogue/families/box_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/reflect_wall.h"
 #include "reference/response/reflect_wall.h"
@@ -14,23 +14,24 @@ struct reflect_wall {
   using Question = std::tuple<Vector3d, Axis>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "reflect_wall",
-                           .chapter = "response",
-                           .pages = "67",
-                           .question = "Which velocity has a body after it has bounced off a wall across an axis?",
-                           .kind = Kind::measure,
-                           .fields = {"velocity", "axis"},
-                           .answer = "velocity",
-                           .margin_degree = 0};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "reflect_wall",
+        .chapter = "response",
+        .pages = "67",
+        .question = "Which velocity has a body after it has bounced off a wall across an axis?",
+        .kind = Kind::measure,
+        .fields = {"velocity", "axis"},
+        .answer = "velocity",
+        .margin_degree = 0};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"on_lattice", [](Choices& c) -> Question { return bounce(lattice_velocity(c), c); }},
+        {"on_lattice", [](DrawStream& c) -> Question { return bounce(lattice_velocity(c), c); }},
         {"along_the_wall",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d v = lattice_velocity(c);
            const double zero = c.below(2) == 1 ? -0.0 : 0.0;
            switch (c.below(3)) {
@@ -40,7 +41,7 @@ struct reflect_wall {
            }
          }},
         {"straight",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double speed = integer(c, 53);
            switch (c.below(3)) {
              case 0: return {{speed, 0, 0}, Axis::x};
@@ -49,7 +50,7 @@ struct reflect_wall {
            }
          }},
         {"least_and_greatest",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto end = [&c] {
              const double size = c.below(2) == 1 ? 0x1.fffffffffffffp+1023 : 0x1p-1074;
              return c.below(2) == 1 ? -size : size;
@@ -77,11 +78,11 @@ struct reflect_wall {
   }
 
  private:
-  static Vector3d lattice_velocity(Choices& c) {
+  static Vector3d lattice_velocity(DrawStream& c) {
     const Point3d p = lattice_point_of_box(c, 40);
     return {p.x, p.y, p.z};
   }
-  static Question bounce(const Vector3d& velocity, Choices& c) { return {velocity, static_cast<Axis>(c.below(3))}; }
+  static Question bounce(const Vector3d& velocity, DrawStream& c) { return {velocity, static_cast<Axis>(c.below(3))}; }
 };
 
 }  // namespace touchstone::catalogue::rows

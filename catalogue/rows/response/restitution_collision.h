@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/impact_choices.h"
+#include "catalogue/families/impact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/restitution_collision.h"
 #include "reference/response/restitution_collision.h"
@@ -16,8 +16,8 @@ struct restitution_collision {
   using Question = std::tuple<Massesd, Velocitiesd, Vector3d, double>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "restitution_collision",
         .chapter = "response",
         .pages = "70",
@@ -29,7 +29,7 @@ struct restitution_collision {
         .margin_degree = 0,
         .cost = 2,
         .longest_vector = 4500};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -83,18 +83,18 @@ struct restitution_collision {
   }
 
  private:
-  static double usual(Choices& c) {
+  static double usual(DrawStream& c) {
     return c.below(2) == 1 ? static_cast<double>(c.below(17)) / 16 : 0.1 * static_cast<double>(c.below(11));
   }
-  static double one(Choices&) { return 1; }
-  static double at_an_end(Choices& c) {
+  static double one(DrawStream&) { return 1; }
+  static double at_an_end(DrawStream& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-60, 0x1.fffffffffffffp-1, 0x1p-900};
     return ends[c.below(7)];
   }
 
   template <auto draw, auto draw_e>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+    return {name, [](DrawStream& c) -> Question {
               const Impact i = draw(c);
               return {i.masses, i.velocities, i.normal, draw_e(c)};
             }};

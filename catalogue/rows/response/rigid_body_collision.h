@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/rigid_choices.h"
+#include "catalogue/families/rigid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/rigid_body_collision.h"
@@ -17,18 +17,18 @@ struct rigid_body_collision {
   using Question = std::tuple<RigidBodyd, RigidBodyd, Point3d, Vector3d, double>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "rigid_body_collision",
-                           .chapter = "response",
-                           .pages = "74",
-                           .question = "How do two turning bodies move after they collided at a point?",
-                           .kind = Kind::measure,
-                           .fields = {"a", "b", "point", "normal", "e"},
-                           .ulps = 183,
-                           .margin_degree = 0,
-                           .cost = 7,
-                           .longest_vector = 9000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "rigid_body_collision",
+                                   .chapter = "response",
+                                   .pages = "74",
+                                   .question = "How do two turning bodies move after they collided at a point?",
+                                   .kind = Kind::measure,
+                                   .fields = {"a", "b", "point", "normal", "e"},
+                                   .ulps = 183,
+                                   .margin_degree = 0,
+                                   .cost = 7,
+                                   .longest_vector = 9000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -78,8 +78,8 @@ struct rigid_body_collision {
 
   /// Two bodies of one mass, one of them tilted, and nine numbers that change. All others are such that they are valid
   /// where the grid begins at -1, too.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 9); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 9); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     const double xy = digit();
     RigidBodyd a{2, {{4, xy, 0}, {xy, 4, 0}, {0, 0, 4}}, {0, 0, 1}, {0, 0, 0}, {0, 0, 0}};
@@ -112,22 +112,22 @@ struct rigid_body_collision {
             .map_centre = map_centre,
             .map_axes = map_axes,
             .draw = draw,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.scales = true}};
   }
 
  private:
-  static double usual(Choices& c) { return static_cast<double>(c.below(17)) / 16; }
-  static double one(Choices&) { return 1; }
-  static double at_an_end(Choices& c) {
+  static double usual(DrawStream& c) { return static_cast<double>(c.below(17)) / 16; }
+  static double one(DrawStream&) { return 1; }
+  static double at_an_end(DrawStream& c) {
     constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-30, 0x1.fffffffffffffp-1, 0x1p-900, 0.1};
     return ends[c.below(8)];
   }
 
   template <auto draw, auto draw_e>
   static HardCase<Question> hard(const char* name) {
-    return {name, [](Choices& c) -> Question {
+    return {name, [](DrawStream& c) -> Question {
               const RigidMeeting r = draw(c);
               return {r.a, r.b, r.point, r.normal, draw_e(c)};
             }};

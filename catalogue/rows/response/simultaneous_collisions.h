@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/simultaneous_choices.h"
+#include "catalogue/families/simultaneous_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/simultaneous_collisions.h"
 #include "reference/response/simultaneous_collisions.h"
@@ -15,18 +15,19 @@ struct simultaneous_collisions {
   using Question = std::tuple<std::vector<PointBodyd>, std::vector<BodyContactd>, double>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "simultaneous_collisions",
-                           .chapter = "response",
-                           .pages = "74",
-                           .question = "Which velocities have bodies after all their contacts were resolved at once?",
-                           .kind = Kind::measure,
-                           .fields = {"bodies", "contacts", "e"},
-                           .ulps = 84,
-                           .margin_degree = 0,
-                           .cost = 11,
-                           .longest_vector = 6000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "simultaneous_collisions",
+        .chapter = "response",
+        .pages = "74",
+        .question = "Which velocities have bodies after all their contacts were resolved at once?",
+        .kind = Kind::measure,
+        .fields = {"bodies", "contacts", "e"},
+        .ulps = 84,
+        .margin_degree = 0,
+        .cost = 11,
+        .longest_vector = 6000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -45,7 +46,7 @@ struct simultaneous_collisions {
             hard<contact_beside_a_tie>("beside_a_tie"),
             hard<refused_contacts>("refused"),
             hard<planar_net>("in_a_plane"),
-            hard<many_contacts>("many_contacts", /*as_drawn=*/true)};
+            hard<many_contacts>("many_contacts", /*unscaled=*/true)};
   }
 
   /// e has no unit: it keeps its value.
@@ -110,11 +111,11 @@ struct simultaneous_collisions {
   /// Three bodies of inverse mass 0, 1 or 2 that move along one axis or lie still, each pair in a contact along one of
   /// four normals; e is 0, 1/2 or 1.
   static constexpr std::uint64_t masses = 3, normals = 4, restitutions = 3;
-  static std::uint64_t world_count(int size) {
+  static std::uint64_t domain_count(int size) {
     const auto n = static_cast<std::uint64_t>(size);
     return masses * masses * masses * n * n * n * normals * normals * normals * restitutions;
   }
-  static Question world_at(int size, std::uint64_t index) {
+  static Question domain_at(int size, std::uint64_t index) {
     const auto next = [&index](std::uint64_t of) {
       const std::uint64_t digit = index % of;
       index /= of;
@@ -136,20 +137,20 @@ struct simultaneous_collisions {
             .scale = scale,
             .map_centre = map_centre,
             .draw = draw,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 
  private:
   template <auto draw>
-  static HardCase<Question> hard(const char* name, bool as_drawn = false) {
+  static HardCase<Question> hard(const char* name, bool unscaled = false) {
     return {name,
-            [](Choices& c) -> Question {
+            [](DrawStream& c) -> Question {
               Touching t = draw(c);
               return {std::move(t.bodies), std::move(t.contacts), t.e};
             },
-            as_drawn};
+            unscaled};
   }
 };
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/box_choices.h"
+#include "catalogue/families/box_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -20,27 +20,27 @@ struct swept_aabb_aabb {
   using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "swept_aabb_aabb",
-                           .chapter = "sweeps",
-                           .pages = "45-47, 51",
-                           .question = "When in a step does a moving axis-aligned box first meet one at rest?",
-                           .kind = Kind::measure,
-                           .fields = {"a", "b", "velocity"},
-                           .ulps = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "swept_aabb_aabb",
+                                   .chapter = "sweeps",
+                                   .pages = "45-47, 51",
+                                   .question = "When in a step does a moving axis-aligned box first meet one at rest?",
+                                   .kind = Kind::measure,
+                                   .fields = {"a", "b", "velocity"},
+                                   .ulps = 2};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"head_on",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            const double gap = 1 + static_cast<double>(c.below(8)), speed = gap + small_integer(c);
            return turned(a, beside(a, overlapping(a, c), gap), {speed, 0, 0}, c);
          }},
         {"corner_passes_corner",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // a reaches b on x when it leaves it on y, both at n / d.
            const Aabb3d a = lattice_box(c);
            const double d = 1 + static_cast<double>(c.below(6)), n = static_cast<double>(c.below(6)),
@@ -50,7 +50,7 @@ struct swept_aabb_aabb {
            return turned(a, b, {d * x, d * y, small_integer(c, 1)}, c);
          }},
         {"enters_twice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // On x and on y at n / d.
            const Aabb3d a = lattice_box(c);
            const double d = 1 + static_cast<double>(c.below(6)), n = static_cast<double>(c.below(6)),
@@ -60,19 +60,19 @@ struct swept_aabb_aabb {
            return turned(a, b, {d * x, d * y, 0}, c);
          }},
         {"contact_at_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            const double gap = 1 + static_cast<double>(c.below(8)), y = small_integer(c, 1), z = small_integer(c, 1);
            return turned(a, beside(a, overlapping(a, c), gap), {gap, y, z}, c);
          }},
         {"touching_at_start",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            const double x = small_integer(c), y = small_integer(c, 2), z = small_integer(c, 2);
            return turned(a, beside(a, overlapping(a, c), 0), {x, y, z}, c);
          }},
         {"along_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // One side of a stays in the plane of a side of b, or just off it.
            const Aabb3d a = lattice_box(c);
            Aabb3d b = overlapping(a, c);
@@ -81,13 +81,13 @@ struct swept_aabb_aabb {
            return turned(a, b, {gap + small_integer(c, 3), 0, 0}, c);
          }},
         {"at_rest",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            const double gap = small_integer(c, 2);
            return turned(a, beside(a, overlapping(a, c), gap), {0, 0, 0}, c);
          }},
         {"flat_and_points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            Aabb3d b = overlapping(a, c), flat = a;
            flat.max.x = flat.min.x;
@@ -98,13 +98,13 @@ struct swept_aabb_aabb {
            return turned(flat, beside(flat, b, gap), {x, y, small_integer(c, 1)}, c);
          }},
         {"one_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            const double x = small_integer(c), y = small_integer(c), z = small_integer(c);
            return turned(a, within(a, c), {x, y, z}, c);
          }},
         {"rounded_corner_pass",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As corner_passes_corner, as far as doubles can tell: t is an ordinary number, and the ways are rounded.
            const double t = (1 + std::fabs(ordinary(c))) / 4, x = 1 + std::fabs(ordinary(c)),
                         y = 1 + std::fabs(ordinary(c)), d = std::ldexp(ordinary(c), -54),
@@ -113,12 +113,12 @@ struct swept_aabb_aabb {
            return InPlane{{{-1, e}, {d, 1}}, {{t * x, -1}, {2, moved_by_ulps(t * y, ulps)}}, {x, y}};
          }},
         {"entries_nearly_equal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double t = std::fabs(ordinary(c)), x = 1 + std::fabs(ordinary(c)), y = 1 + std::fabs(ordinary(c));
            return InPlane{{{-1, -1}, {0, 0}}, {{t * x, t * y}, {2, 2}}, {x, y}};
          }},
         {"beside_a_tie",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The way is the velocity times an odd integer of 54 digits, and one more or less, all in units of 2^-k:
            // beside a tie by far less than enclosures can tell.
            __extension__ using Wide = __int128;
@@ -131,7 +131,7 @@ struct swept_aabb_aabb {
                {{-0x1p60, 0}, {-low, 1}}, {{high, 0}, {0x1p90, 1}}, {static_cast<double>(speed) * 0x1p54, 0}};
          }},
         {"least_beside_greatest",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double least = std::ldexp(small_integer(c), -1074),
                         greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
            const double v = c.below(2) == 1 ? greatest : 4, y = c.below(2) == 1 ? least : 1;
@@ -139,18 +139,18 @@ struct swept_aabb_aabb {
            return InPlane{{{from, -1}, {from, least}}, {{0, 0}, {1, 1}}, {v, y}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double p = zero(), q = zero(), r = zero(), s = zero(), v = c.below(2) == 1 ? 1 : zero();
            return InPlane{{{-1, -1}, {p, q}}, {{r, s}, {1, 1}}, {v, small_integer(c, 1)}};
          }},
         {"typed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double gap = std::fabs(catalogue::typed(c)), x = catalogue::typed(c), y = catalogue::typed(c);
            return InPlane{{{-1, -1}, {0, 0}}, {{gap, -0.3}, {gap + 1, 0.1}}, {x, y}};
          }},
         {"wide",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d by = fractions(c);
            const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z);
            const double gap = static_cast<double>(c.below(8)) / 4, x = gap + small_integer(c, 2), y = small_integer(c);
@@ -167,8 +167,8 @@ struct swept_aabb_aabb {
 
   /// a is the square from (0, 0) to (2, 2); b's least corner, its extents, which may be 0, and the velocity run over a
   /// grid.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     const double low = std::floor(size / 2.0), x = digit() - low, y = digit() - low, dx = digit(), dy = digit();
     const double u = 2 * (digit() - low), v = 2 * (digit() - low);
@@ -194,8 +194,8 @@ struct swept_aabb_aabb {
             .repair = repair,
             .map_centre = map_centre,
             .draw = draw,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::axes, .scales = true}};
   }
 
@@ -206,7 +206,7 @@ struct swept_aabb_aabb {
   }
 
   /// In space, or the same without z; the axes in another order, or mirrored; the boxes exchanged.
-  static Question turned(Aabb3d a, Aabb3d b, Vector3d v, Choices& c) {
+  static Question turned(Aabb3d a, Aabb3d b, Vector3d v, DrawStream& c) {
     if (c.below(2) == 1) {
       const auto next = [](auto& p) { p = {p.z, p.x, p.y}; };
       for (Aabb3d* box : {&a, &b}) next(box->min), next(box->max);

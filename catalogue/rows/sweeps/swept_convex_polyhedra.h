@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/mesh_choices.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -21,48 +21,48 @@ struct swept_convex_polyhedra {
   using Question = std::tuple<Meshd, Meshd, Vector3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "swept_convex_polyhedra",
-                           .chapter = "sweeps",
-                           .pages = "51, 54",
-                           .question = "When in a step does a moving convex polyhedron first meet one at rest?",
-                           .kind = Kind::measure,
-                           .fields = {"a", "b", "velocity"},
-                           .ulps = 32,
-                           .cost = 248,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "swept_convex_polyhedra",
+                                   .chapter = "sweeps",
+                                   .pages = "51, 54",
+                                   .question = "When in a step does a moving convex polyhedron first meet one at rest?",
+                                   .kind = Kind::measure,
+                                   .fields = {"a", "b", "velocity"},
+                                   .ulps = 32,
+                                   .cost = 248,
+                                   .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Everything in multiples of 12: features pass in one line, or in one plane.
            const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
            const Vector3d apart = 12.0 * lattice_normal(c, 2), velocity = 12.0 * lattice_normal(c, 2);
            return {a, shifted(b, apart), velocity};
          }},
         {"feature_to_feature",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double n = static_cast<double>(c.below(4)), d = 1 + static_cast<double>(c.below(4));
            return aimed(c, n, d);
          }},
-        {"contact_at_end", [](Choices& c) -> Question { return aimed(c, 1, 1); }},
+        {"contact_at_end", [](DrawStream& c) -> Question { return aimed(c, 1, 1); }},
         {"touching_at_start",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double d = small_integer(c, 2);
            return aimed(c, 0, d);
          }},
         {"one_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Meshd a = lattice_polyhedron(c);
            const Meshd b = lattice_polyhedron(c);
            for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
            return {a, b, lattice_normal(c, 8)};
          }},
         {"mapped",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            auto [a, b, velocity] = aimed(c, 1, 2);
            Meshd all = together(a, b);
            Point3d v{velocity.x, velocity.y, velocity.z};
@@ -70,7 +70,7 @@ struct swept_convex_polyhedra {
            return parted(all, a, b, {v.x, v.y, v.z});
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Each axis by its own power of two: past the filter's guards, and below them.
            auto [a, b, velocity] = aimed(c, 1, 2);
            static constexpr int exponents[] = {0, 60, 255, -170, 300, -300};
@@ -81,7 +81,7 @@ struct swept_convex_polyhedra {
            return {a, b, velocity};
          }},
         {"rounded",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Meshd a = ordinary_tetrahedron(c), b = ordinary_tetrahedron(c);
            const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
            // A corner of b to which one of a gets at the end, as far as doubles can tell; or anywhere.
@@ -90,13 +90,13 @@ struct swept_convex_polyhedra {
            return {a, b, v};
          }},
         {"broken",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            auto [a, b, velocity] = aimed(c, 1, 1);
            if (c.below(2) == 0) return {broken(a, c), b, velocity};
            return {a, broken(b, c), velocity};
          }},
         {"named_mesh",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Meshd& a = named_mesh(c);
            const Point3d p = on_a_face_plane(a, c);
            const Vector3d w = 12.0 * lattice_normal(c, 3);
@@ -105,9 +105,9 @@ struct swept_convex_polyhedra {
            const Point3d to = p + 2.0 * w;
            return {a, shifted(b, {to.x, to.y, to.z}), static_cast<double>(1 + c.below(4)) * w};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
         {"named_mesh_at_rest",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Meshd a{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
            make_tetrahedron(a);
            const Meshd& b = named_mesh(c);
@@ -116,7 +116,7 @@ struct swept_convex_polyhedra {
            const Point3d from = p + -2.0 * w;
            return {shifted(a, {from.x, from.y, from.z}), b, static_cast<double>(1 + c.below(4)) * w};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -125,8 +125,8 @@ struct swept_convex_polyhedra {
   }
 
   /// A tetrahedron of size 4 beside another, its top and its velocity on a grid.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 6); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
     Meshd a{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2 * x, 2 * y, 2 * (z + 1)}}, {}};
@@ -155,8 +155,8 @@ struct swept_convex_polyhedra {
             .repair = repair,
             .map_centre = map_centre,
             .draw = draw,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 
@@ -168,14 +168,14 @@ struct swept_convex_polyhedra {
 
   /// Two lattice polyhedra, a point on or beside the surface of each, and a velocity with which one comes to the other
   /// at n / d.
-  static Question aimed(Choices& c, double n, double d) {
+  static Question aimed(DrawStream& c, double n, double d) {
     const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
     const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
     const Vector3d w = lattice_normal(c, 4);
     return {a, shifted(b, (p - q) + n * w), d * w};
   }
 
-  static Meshd ordinary_tetrahedron(Choices& c) {
+  static Meshd ordinary_tetrahedron(DrawStream& c) {
     Meshd mesh;
     for (int i = 0; i < 4; ++i) {
       const double x = ordinary(c), y = ordinary(c), z = ordinary(c);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/sweeps/swept_sphere_plane.h"
@@ -17,59 +17,60 @@ struct swept_sphere_plane {
   using Question = std::tuple<Sphere3d, Vector3d, Plane3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "swept_sphere_plane",
-                           .chapter = "sweeps",
-                           .pages = "22-23, 51",
-                           .question = "When in a step does a moving ball first have a common point with a plane?",
-                           .kind = Kind::measure,
-                           .fields = {"sphere", "velocity", "plane"},
-                           .ulps = 20,
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "swept_sphere_plane",
+        .chapter = "sweeps",
+        .pages = "22-23, 51",
+        .question = "When in a step does a moving ball first have a common point with a plane?",
+        .kind = Kind::measure,
+        .fields = {"sphere", "velocity", "plane"},
+        .ulps = 20,
+        .margin_degree = 2};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"approach",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double radius = static_cast<double>(c.below(6)), gap = 1 + static_cast<double>(c.below(8));
            return of_whole_length(c, radius + gap, radius, gap + small_integer(c));
          }},
         {"touching_at_start",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double radius = static_cast<double>(c.below(6));
            return of_whole_length(c, radius, radius, small_integer(c));
          }},
         {"contact_at_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double radius = static_cast<double>(c.below(6)), gap = 1 + static_cast<double>(c.below(8));
            return of_whole_length(c, radius + gap, radius, gap);
          }},
         {"overlaps_at_start",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double radius = 1 + static_cast<double>(c.below(6));
            const double aside = small_integer(c);
            return of_whole_length(c, static_cast<double>(c.below(static_cast<std::uint64_t>(radius))), radius, aside);
          }},
         {"along_plane",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double radius = static_cast<double>(c.below(6)), off = small_integer(c, 1);
            return of_whole_length(c, radius + off, radius, 0);
          }},
         {"points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double height = static_cast<double>(c.below(4));
            return of_whole_length(c, height, 0, small_integer(c, 6));
          }},
         {"irrational",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d n = lattice_normal(c, 10), v = lattice_normal(c, 10);
            const Point3d p = lattice_point_in_space(c, 10);
            return {{p, static_cast<double>(c.below(12))}, v, {n, integer(c, 10)}};
          }},
         {"rounded_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A touch at the start or at the end, as far as doubles can tell.
            const auto number = [&c] { return ordinary(c); };
            const double nx = number(), ny = number(), x = number(), y = number(), z = number(), d = number();
@@ -80,7 +81,7 @@ struct swept_sphere_plane {
            return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, v, {n, d}};
          }},
         {"beside_a_tie",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As in swept_aabb_aabb: the height is the fall times an odd integer of 54 digits, and one more or less.
            __extension__ using Wide = __int128;
            const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
@@ -91,7 +92,7 @@ struct swept_sphere_plane {
            return {{{0, high, 0}, 0}, {0, -static_cast<double>(fall) * 0x1p54, 0}, {{0, 1, 0}, low}};
          }},
         {"uneven_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Past the guards of the squared length, or with parts that count for nothing.
            const int k = static_cast<int>(c.below(2000)) - 1050, m = static_cast<int>(c.below(600)) - 300;
            const double x = small_integer(c), y = small_integer(c), d = small_integer(c), r = small_integer(c, 2);
@@ -99,14 +100,14 @@ struct swept_sphere_plane {
            return {{{x, y, 0}, std::fabs(r)}, {-2 * x, small_integer(c), 0}, {n, std::ldexp(d, k)}};
          }},
         {"normal_of_few_digits",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Its square is subnormal, and off by more than nothing; the ball touches the plane at the start.
            const int k = static_cast<int>(c.below(24)) - 540;
            const double n = std::ldexp(5 + static_cast<double>(c.below(3)), k), x = 1 + static_cast<double>(c.below(6));
            return {{{x, 0, 0}, x}, {small_integer(c), 0, 0}, {{n, 0, 0}, 0}};
          }},
         {"least_beside_greatest",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double least = std::ldexp(small_integer(c), -1074),
                         greatest = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
            const double d = c.below(2) == 1 ? least : -greatest, y = c.below(2) == 1 ? greatest : 4;
@@ -114,12 +115,12 @@ struct swept_sphere_plane {
            return {{{0, y, least}, r}, {0, -y, least}, {{0, 1, c.below(2) == 1 ? 1.0 : least}, d}};
          }},
         {"starts_below_least",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [plane, start] = terms_below_least(c);
            return {{start, 0}, {small_integer(c, 1), 1, -1}, plane};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double x = zero(), y = zero(), r = zero(), v = zero(), n = zero(), d = zero();
            return {{{x, c.below(2) == 1 ? 1 : y, 0}, r}, {v, small_integer(c, 1), 0}, {{n, 1, 0}, d}};
@@ -163,7 +164,7 @@ struct swept_sphere_plane {
  private:
   /// Height of the center, radius and fall of a step in units of the length of a normal that is a whole number; the
   /// plane goes through a lattice point; seen from either side.
-  static Question of_whole_length(Choices& c, double height, double radius, double fall) {
+  static Question of_whole_length(DrawStream& c, double height, double radius, double fall) {
     const auto [n, length] = whole_normal(c);
     const Point3d foot = lattice_point_in_space(c, 10);
     const Vector3d aside = lattice_across(c, n), drift = lattice_across(c, n);

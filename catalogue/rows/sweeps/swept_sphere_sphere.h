@@ -4,7 +4,7 @@
 #include <array>
 
 #include "catalogue/draw/motions.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/sweeps/swept_sphere_sphere.h"
@@ -18,16 +18,16 @@ struct swept_sphere_sphere {
   using stages = ::touchstone::robust::stages::swept_sphere_sphere;
   using Question = std::tuple<Sphere3d, Sphere3d, Vector3d, Vector3d>;
 
-  static const Card& card() {
-    static const Card card{.name = "swept_sphere_sphere",
-                           .chapter = "sweeps",
-                           .pages = "23, 51",
-                           .question = "When in a step do two moving balls first have a common point?",
-                           .kind = Kind::measure,
-                           .fields = {"a", "b", "velocity_a", "velocity_b"},
-                           .ulps = 30,
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "swept_sphere_sphere",
+                                   .chapter = "sweeps",
+                                   .pages = "23, 51",
+                                   .question = "When in a step do two moving balls first have a common point?",
+                                   .kind = Kind::measure,
+                                   .fields = {"a", "b", "velocity_a", "velocity_b"},
+                                   .ulps = 30,
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   struct decision {
@@ -40,7 +40,7 @@ struct swept_sphere_sphere {
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A line at the distance of the radii from the origin, by a Pythagorean triple.
            static constexpr std::array<std::array<double, 3>, 4> triples{
                {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}}};
@@ -52,46 +52,46 @@ struct swept_sphere_sphere {
            return common_motion(p, -f * along, r * s, c);
          }},
         {"touching_at_start",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, r] = hypotenuse(c);
            return common_motion(p, lattice_normal(c, 4), r, c);
          }},
         {"contact_at_end",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [p, r] = hypotenuse(c);
            const Vector3d v = lattice_normal(c, 4);
            return common_motion(p - v, v, r, c);
          }},
         {"head_on",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double gap = 1 + static_cast<double>(c.below(8)), speed = 1 + static_cast<double>(c.below(16)),
                         reach = static_cast<double>(c.below(6));
            return common_motion({-gap - reach, 0, 0}, {speed, 0, 0}, reach, c);
          }},
         {"aimed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d p = lattice_normal(c, 6), v = (-1 - static_cast<double>(c.below(2))) * p;
            const double x = small_integer(c, 2), y = small_integer(c, 2);
            const Vector3d aside{x, y, small_integer(c, 2)};
            return common_motion(p, v + aside, static_cast<double>(c.below(12)), c);
          }},
         {"same_velocity",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d p = lattice_normal(c, 4);
            return common_motion(p, {0, 0, 0}, static_cast<double>(c.below(16)), c);
          }},
         {"points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d p = lattice_normal(c, 8);
            return common_motion(p, -static_cast<double>(c.below(3)) * p, 0, c);
          }},
         {"one_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 6);
            return common_motion(p, v, 64 + static_cast<double>(c.below(8)), c);
          }},
         {"fast",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Velocities that cancel but for a little.
            const Vector3d p = lattice_normal(c, 4), v = lattice_normal(c, 3);
            Question question = common_motion(p, v, static_cast<double>(c.below(6)), c);
@@ -101,7 +101,7 @@ struct swept_sphere_sphere {
            return question;
          }},
         {"rounded_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto tenth = [&c] { return small_integer(c, 40) / 10; };
            const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
            const Vector3d p{x, y, z}, v{vx, vy, vz};
@@ -117,7 +117,7 @@ struct swept_sphere_sphere {
            return {{{x, y, z}, moved_by_ulps(reach, static_cast<int>(c.below(3)) - 1)}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
          }},
         {"rounded_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The reach is the distance at the start or at the end, rounded.
            const auto tenth = [&c] { return small_integer(c, 40) / 10; };
            const double x = tenth(), y = tenth(), z = tenth(), vx = tenth(), vy = tenth(), vz = tenth();
@@ -125,7 +125,7 @@ struct swept_sphere_sphere {
            return {{{x, y, z}, std::sqrt(dot(touch, touch))}, {{0, 0, 0}, 0}, v, {0, 0, 0}};
          }},
         {"least_beside_greatest",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double tiny = std::ldexp(small_integer(c), -1074),
                         huge = std::ldexp(1 + small_integer(c, 1) / 4, 1022);
            const Vector3d v = c.below(2) == 1 ? Vector3d{-huge, 0, 0} : Vector3d{-4, tiny, 0};
@@ -135,13 +135,13 @@ struct swept_sphere_sphere {
                    {0, 0, 0}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double x = zero(), r = zero(), s = zero(), v = zero();
            return {{{x, small_integer(c, 1), 0}, r}, {{0, 0, 0}, s}, {v, small_integer(c, 1), 0}, {0, 0, 0}};
          }},
         {"one_stands",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The other comes from just beside it, or from afar, mostly fast.
            const Point3d at = lattice_point_in_space(c, 3);
            const Vector3d p = lattice_normal(c, 6), aside = lattice_normal(c, 2);
@@ -182,7 +182,7 @@ struct swept_sphere_sphere {
 
  private:
   /// A vector of whole length, and that length.
-  static std::pair<Vector3d, double> hypotenuse(Choices& c) {
+  static std::pair<Vector3d, double> hypotenuse(DrawStream& c) {
     static constexpr std::array<std::array<double, 4>, 5> quadruples{
         {{1, 2, 2, 3}, {3, 4, 0, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {4, 4, 7, 9}}};
     const auto [x, y, z, r] = quadruples[c.below(5)];
@@ -192,7 +192,7 @@ struct swept_sphere_sphere {
 
   /// p, v and reach are what b sees of a: both moved by one lattice vector, both with one more velocity, the reach
   /// dealt out.
-  static Question common_motion(const Vector3d& p, const Vector3d& v, double reach, Choices& c) {
+  static Question common_motion(const Vector3d& p, const Vector3d& v, double reach, DrawStream& c) {
     const Point3d at = lattice_point_in_space(c, 6);
     const double x = small_integer(c, 2), y = small_integer(c, 2);
     const Vector3d common{x, y, small_integer(c, 2)};

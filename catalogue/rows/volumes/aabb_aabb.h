@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/box_choices.h"
+#include "catalogue/families/box_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/aabb_aabb.h"
@@ -18,24 +18,24 @@ struct aabb_aabb {
   using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "aabb_aabb",
-                           .chapter = "volumes",
-                           .pages = "45-47",
-                           .question = "Do the two axis-aligned boxes overlap, only touch, or neither?",
-                           .kind = Kind::decision,
-                           .fields = {"a", "b"},
-                           .answer = "contact"};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "aabb_aabb",
+                                   .chapter = "volumes",
+                                   .pages = "45-47",
+                                   .question = "Do the two axis-aligned boxes overlap, only touch, or neither?",
+                                   .kind = Kind::decision,
+                                   .fields = {"a", "b"},
+                                   .answer = "contact"};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"shared_face", [](Choices& c) -> Question { return beside_each_other(c, 1); }},
-        {"shared_edge", [](Choices& c) -> Question { return beside_each_other(c, 2); }},
-        {"shared_corner", [](Choices& c) -> Question { return beside_each_other(c, 3); }},
+        {"shared_face", [](DrawStream& c) -> Question { return beside_each_other(c, 1); }},
+        {"shared_edge", [](DrawStream& c) -> Question { return beside_each_other(c, 2); }},
+        {"shared_corner", [](DrawStream& c) -> Question { return beside_each_other(c, 3); }},
         {"apart_on_one_axis",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            Aabb3d b = overlapping(a, c);
            const double gap = 1 + static_cast<double>(c.below(4));
@@ -47,12 +47,12 @@ struct aabb_aabb {
            return seen(a, b, c);
          }},
         {"nested",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            return seen(a, within(a, c), c);
          }},
         {"flat_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d a = lattice_box(c);
            Aabb3d b = overlapping(a, c);
            b.max.x = b.min.x;
@@ -60,44 +60,44 @@ struct aabb_aabb {
            return seen(a, b, c);
          }},
         {"both_flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Aabb3d a = lattice_box(c), b = overlapping(a, c);
            a.max.x = a.min.x;
            b.min.x = b.max.x = a.min.x + small_integer(c, 1);
            return seen(a, b, c);
          }},
         {"points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_of_box(c);
            const Point3d q = c.below(2) == 1 ? lattice_point_of_box(c) : p;
            return seen({p, p}, {q, q}, c);
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
            const double p = least(), q = least(), r = least(), s = least();
            return InPlane{{{std::min(p, q), 0}, {std::max(p, q), 1}}, {{std::min(r, s), -1}, {std::max(r, s), 1}}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double z0 = zero(), z1 = zero(), z2 = zero(), z3 = zero();
            return InPlane{{{-1, z0}, {z1, 1}}, {{z2, z3}, {1, 1}}};
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double huge = 0x1.fffffffffffffp+1023;
            const double x = c.below(2) == 1 ? huge : 0x1p1000, y = small_integer(c);
            return InPlane{{{-huge, -huge}, {x, y}}, {{c.below(2) == 1 ? x : -x, y}, {huge, huge}}};
          }},
         {"typed_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As typed the one ends where the other begins.
            const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
            return InPlane{{{0, 0}, {k / 10 + m / 10, 1}}, {{(k + m) / 10, 0}, {2, 1}}};
          }},
         {"wide",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d by = fractions(c);
            const Aabb3d a = shifted(lattice_box(c, 12), by.x, by.y, by.z), other = overlapping(a, c);
            const double gap = std::ldexp(small_integer(c, 1), -20);
@@ -126,12 +126,12 @@ struct aabb_aabb {
 
  private:
   /// In space, or the same without z.
-  static Question seen(const Aabb3d& a, const Aabb3d& b, Choices& c) {
+  static Question seen(const Aabb3d& a, const Aabb3d& b, DrawStream& c) {
     if (c.below(2) == 0) return InSpace{a, b};
     return InPlane{without_z(a), without_z(b)};
   }
   /// b begins where a ends along the first `axes` axes and overlaps it along the others.
-  static Question beside_each_other(Choices& c, int axes) {
+  static Question beside_each_other(DrawStream& c, int axes) {
     const Aabb3d a = lattice_box(c);
     Aabb3d b = overlapping(a, c);
     b = shifted(b, a.max.x - b.min.x, axes > 1 ? a.max.y - b.min.y : 0, axes > 2 ? a.max.z - b.min.z : 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/box_choices.h"
+#include "catalogue/families/box_draws.h"
 #include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/aabb_of_points.h"
@@ -20,25 +20,25 @@ struct aabb_of_points {
   using Question = std::variant<std::tuple<InPlane>, std::tuple<InSpace>>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "aabb_of_points",
-                           .chapter = "volumes",
-                           .pages = "28-30",
-                           .question = "Which is the least axis-aligned box that holds all the points?",
-                           .kind = Kind::measure,
-                           .fields = {"points"},
-                           .answer = "aabb",
-                           .margin_degree = 0,
-                           .list_length = 3};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "aabb_of_points",
+                                   .chapter = "volumes",
+                                   .pages = "28-30",
+                                   .question = "Which is the least axis-aligned box that holds all the points?",
+                                   .kind = Kind::measure,
+                                   .fields = {"points"},
+                                   .answer = "aabb",
+                                   .margin_degree = 0,
+                                   .list_length = 3};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"on_lattice", [](Choices& c) -> Question { return seen(lattice_points(c), c); }},
-        {"one_point", [](Choices& c) -> Question { return seen({lattice_point_of_box(c)}, c); }},
+        {"on_lattice", [](DrawStream& c) -> Question { return seen(lattice_points(c), c); }},
+        {"one_point", [](DrawStream& c) -> Question { return seen({lattice_point_of_box(c)}, c); }},
         {"flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            InSpace points = lattice_points(c);
            const std::uint64_t axes = c.below(3);
            for (Point3d& p : points) {
@@ -49,7 +49,7 @@ struct aabb_of_points {
            return seen(points, c);
          }},
         {"in_order",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The first point and the last are the ends on each axis.
            InSpace points = lattice_points(c);
            const auto sort = [&](double Point3d::*axis) {
@@ -63,24 +63,24 @@ struct aabb_of_points {
            return seen(points, c);
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
-           return seen(points_of(c, [](Choices& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
+         [](DrawStream& c) -> Question {
+           return seen(points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; }), c);
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Where subnormals are read as zero all of these are equal.
            const double shift = small_integer(c, 4);
-           return seen(points_of(c, [shift](Choices& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
+           return seen(points_of(c, [shift](DrawStream& d) { return (shift + small_integer(d, 4)) * 0x1p-1074; }), c);
          }},
         {"beside_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double sign = c.below(2) == 1 ? -1 : 1;
-           return seen(points_of(c, [sign](Choices& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
+           return seen(points_of(c, [sign](DrawStream& d) { return sign * moved_by_ulps(0x1p-1022, ulps(d)); }), c);
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            return seen(points_of(c,
-                                 [](Choices& d) {
+                                 [](DrawStream& d) {
                                    static constexpr double ends[]{0x1.fffffffffffffp+1023, 0x1p1023, 1, 0x1p-1074};
                                    const double size = ends[d.below(4)];
                                    return d.below(2) == 1 ? -size : size;
@@ -88,16 +88,17 @@ struct aabb_of_points {
                        c);
          }},
         {"an_ulp_apart",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double size = typed(c);
-           return seen(points_of(c, [size](Choices& d) { return moved_by_ulps(size, ulps(d)); }), c);
+           return seen(points_of(c, [size](DrawStream& d) { return moved_by_ulps(size, ulps(d)); }), c);
          }},
         {"few",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const std::size_t count = c.below(3);
            return seen(InSpace(count, lattice_point_of_box(c)), c);
          }},
-        {"many_points", [](Choices& c) -> Question { return seen(many_points_and_one_far(c), c); }, /*as_drawn=*/true},
+        {"many_points", [](DrawStream& c) -> Question { return seen(many_points_and_one_far(c), c); },
+         /*unscaled=*/true},
     };
   }
 
@@ -109,18 +110,18 @@ struct aabb_of_points {
   }
 
  private:
-  static int ulps(Choices& c) { return static_cast<int>(small_integer(c, 4)); }
+  static int ulps(DrawStream& c) { return static_cast<int>(small_integer(c, 4)); }
 
   /// In space, or the same without z.
-  static Question seen(const InSpace& points, Choices& c) {
+  static Question seen(const InSpace& points, DrawStream& c) {
     if (c.below(2) == 0 && !points.empty()) return std::tuple(points);  // an empty list is read as one of the plane
     InPlane seen;
     for (const Point3d& p : points) seen.push_back({p.x, p.y});
     return std::tuple(seen);
   }
-  /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+  /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
   template <class Draw>
-  static InSpace points_of(Choices& c, const Draw& number) {
+  static InSpace points_of(DrawStream& c, const Draw& number) {
     InSpace points;
     do {
       const double x = number(c), y = number(c), z = number(c);
@@ -128,8 +129,8 @@ struct aabb_of_points {
     } while (points.size() < 24 && c.below(6) != 0);
     return points;
   }
-  static InSpace lattice_points(Choices& c) {
-    return points_of(c, [](Choices& d) { return integer(d, 53); });
+  static InSpace lattice_points(DrawStream& c) {
+    return points_of(c, [](DrawStream& d) { return integer(d, 53); });
   }
 };
 

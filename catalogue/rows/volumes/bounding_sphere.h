@@ -37,25 +37,25 @@ struct bounding_sphere {
     return engine.bounding_sphere(q...);
   }
 
-  static const Card& card() {
-    static const Card card{.name = "bounding_sphere",
-                           .chapter = "volumes",
-                           .pages = "31-34",
-                           .question = "Which ball, found by that method, contains all of the points?",
-                           .kind = Kind::checked,
-                           .fields = {"points", "method"},
-                           .answer = "sphere",
-                           .margin_degree = 0,
-                           .cost = 6,
-                           .list_length = 4,
-                           .longest_vector = 6000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "bounding_sphere",
+                                   .chapter = "volumes",
+                                   .pages = "31-34",
+                                   .question = "Which ball, found by that method, contains all of the points?",
+                                   .kind = Kind::checked,
+                                   .fields = {"points", "method"},
+                                   .answer = "sphere",
+                                   .margin_degree = 0,
+                                   .cost = 6,
+                                   .list_length = 4,
+                                   .longest_vector = 6000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_a_sphere",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Ways of length 3 k around a lattice point, by the quadruples 1, 2, 2 and 3, 0, 0.
            static constexpr std::array<std::array<double, 3>, 2> steps{{{1, 2, 2}, {3, 0, 0}}};
            const Point3d center = lattice_point_in_space(c, 20);
@@ -69,13 +69,13 @@ struct bounding_sphere {
            });
          }},
         {"on_a_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 20);
            const Vector3d v = lattice_normal(c, 12);
            return many(c, [&] { return p + small_integer(c) * v; });
          }},
         {"on_a_plane",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 20);
            const Vector3d v = lattice_normal(c, 12), w = lattice_normal(c, 12);
            return many(c, [&] {
@@ -84,7 +84,7 @@ struct bounding_sphere {
            });
          }},
         {"corners_of_a_box",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c, 20);
            const auto width = [&c] { return static_cast<double>(c.below(8)); };
            const double dx = width(), dy = width(), dz = width();
@@ -94,13 +94,13 @@ struct bounding_sphere {
            });
          }},
         {"equal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = any_finite(c), y = any_finite(c);
            const Point3d p{x, y, any_finite(c)};
            return many(c, [&p] { return p; });
          }},
         {"far_from_the_origin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The points differ in their last places, so that the center of their ball is no double.
            const double far = std::ldexp(1, static_cast<int>(c.below(40)));
            return many(c, [&] {
@@ -110,7 +110,7 @@ struct bounding_sphere {
            });
          }},
         {"one_far_away",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // One point at a distance beside which the others are nothing, or just something.
            const double far = std::ldexp(1, static_cast<int>(c.below(1000)));
            Question question = many(c, [&c] { return lattice_point_in_space(c, 3); });
@@ -118,14 +118,14 @@ struct bounding_sphere {
            return question;
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            return many(c, [&c] {
              const double x = small_integer(c) * 0x1p-1074, y = small_integer(c) * 0x1p-1074;
              return Point3d{x, y, c.below(2) == 1 ? -0.0 : 0x1p-1074};
            });
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            return many(c, [&c] {
              const auto end = [&c] {
@@ -137,7 +137,7 @@ struct bounding_sphere {
            });
          }},
         {"rounded_on_a_sphere",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Beside the unit sphere, by roundings.
            return many(c, [&c] {
              const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
@@ -146,11 +146,11 @@ struct bounding_sphere {
            });
          }},
         {"many_points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const std::vector<Point3d> points = many_points_and_one_far(c);
            return {points, drawn_method(c)};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -159,9 +159,9 @@ struct bounding_sphere {
     if (std::get<0>(question).empty()) std::get<0>(question).push_back({1, 2, 3});
   }
 
-  static std::string fault(const Question& question, const Sphere3d& sphere) {
+  static std::string defect(const Question& question, const Sphere3d& sphere) {
     const auto& [points, method] = question;
-    return ::touchstone::oracle::bounding_sphere_fault(points, method_of(method), sphere);
+    return ::touchstone::oracle::bounding_sphere_defect(points, method_of(method), sphere);
   }
   static Excess excess(const Question& question, const Sphere3d& sphere, const Sphere3d& right) {
     return excess_of_ball(std::get<0>(question), sphere, right);
@@ -171,13 +171,13 @@ struct bounding_sphere {
   static Question map_centre() { return {{{1, 2, 2}, {-2, -1, 2}, {2, -2, 1}, {-1, 2, -2}}, std::nullopt}; }
 
   static Hooks<bounding_sphere> hooks() {
-    return {.fault = fault, .excess = excess, .repair = repair, .map_centre = map_centre, .laws = {.scales = true}};
+    return {.defect = defect, .excess = excess, .repair = repair, .map_centre = map_centre, .laws = {.scales = true}};
   }
 
  private:
   /// Some points, and a method.
   template <class Draw>
-  static Question many(Choices& c, const Draw& draw) {
+  static Question many(DrawStream& c, const Draw& draw) {
     Question question;
     auto& [points, method] = question;
     const std::size_t length = 1 + c.below(9);
@@ -185,7 +185,7 @@ struct bounding_sphere {
     method = drawn_method(c);
     return question;
   }
-  static Method drawn_method(Choices& c) {
+  static Method drawn_method(DrawStream& c) {
     const std::uint64_t word = c.below(5);
     return word == 0 ? Method() : static_cast<SphereMethod>(4 - word);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/box_choices.h"
+#include "catalogue/families/box_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/closest_point_on_aabb.h"
 #include "reference/volumes/closest_point_on_aabb.h"
@@ -18,32 +18,32 @@ struct closest_point_on_aabb {
   using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "closest_point_on_aabb",
-                           .chapter = "volumes",
-                           .pages = "48-50",
-                           .question = "Which point of an axis-aligned box is nearest to the point?",
-                           .kind = Kind::measure,
-                           .fields = {"point", "aabb"},
-                           .answer = "point",
-                           .margin_degree = 0};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "closest_point_on_aabb",
+                                   .chapter = "volumes",
+                                   .pages = "48-50",
+                                   .question = "Which point of an axis-aligned box is nearest to the point?",
+                                   .kind = Kind::measure,
+                                   .fields = {"point", "aabb"},
+                                   .answer = "point",
+                                   .margin_degree = 0};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"beyond",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d box = lattice_box(c);
            return seen(around(box, c), box, c);
          }},
         {"inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d box = lattice_box(c);
            return seen(within(box, c).min, box, c);
          }},
         {"flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_of_box(c);
            Aabb3d box = lattice_box(c);
            box.max.x = box.min.x = p.x + small_integer(c, 1);
@@ -52,26 +52,26 @@ struct closest_point_on_aabb {
            return seen(p, box, c);
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto least = [&c] { return small_integer(c, 3) * 0x1p-1074; };
            const double p = least(), q = least(), x = least(), y = least();
            return InPlane{{x, y}, {{std::min(p, q), std::min(p, q)}, {std::max(p, q), 1}}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double x = zero(), y = zero(), z0 = zero(), z1 = zero();
            return InPlane{{x, y}, {{z0, -1}, {z1, zero()}}};
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            const double x = c.below(2) == 1 ? greatest : -greatest, y = c.below(2) == 1 ? 0x1p1000 : 0x1p-1000;
            const double end = c.below(2) == 1 ? -greatest : -0x1p1023;
            return InPlane{{x, y}, {{end, -y}, {greatest, small_integer(c)}}};
          }},
         {"wide",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d by = fractions(c);
            const Aabb3d box = shifted(lattice_box(c, 12), by.x, by.y, by.z);
            const Point3d p = around(box, c);
@@ -97,7 +97,7 @@ struct closest_point_on_aabb {
 
  private:
   /// On each axis below the box, in it, at an end or above: faces, edges and corners.
-  static Point3d around(const Aabb3d& box, Choices& c) {
+  static Point3d around(const Aabb3d& box, DrawStream& c) {
     const auto coordinate = [&c](double min, double max) {
       const auto far = static_cast<double>(c.below(8));
       switch (c.below(3)) {
@@ -111,7 +111,7 @@ struct closest_point_on_aabb {
   }
 
   /// In space, or the same without z.
-  static Question seen(const Point3d& point, const Aabb3d& box, Choices& c) {
+  static Question seen(const Point3d& point, const Aabb3d& box, DrawStream& c) {
     if (c.below(2) == 0) return InSpace{point, box};
     return InPlane{{point.x, point.y}, without_z(box)};
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/families/cloud_choices.h"
+#include "catalogue/families/cloud_draws.h"
 #include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/convex_hull.h"
@@ -18,17 +18,18 @@ struct convex_hull {
   using Question = std::tuple<Points>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "convex_hull",
-                           .chapter = "volumes",
-                           .pages = "35-42",
-                           .question = "Which triangles, corners at some of these points, bound their convex hull?",
-                           .kind = Kind::checked,
-                           .fields = {"points"},
-                           .margin_degree = 3,
-                           .cost = 19,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "convex_hull",
+        .chapter = "volumes",
+        .pages = "35-42",
+        .question = "Which triangles, corners at some of these points, bound their convex hull?",
+        .kind = Kind::checked,
+        .fields = {"points"},
+        .margin_degree = 3,
+        .cost = 19,
+        .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
@@ -36,12 +37,12 @@ struct convex_hull {
     for (const Cloud& cloud : all_clouds()) cases.push_back({cloud.name, nullptr});
     draw_each(cases, std::make_index_sequence<cloud_count>());
     cases.push_back(
-        {"many_points", [](Choices& c) -> Question { return many_points_and_one_far(c); }, /*as_drawn=*/true});
+        {"many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); }, /*unscaled=*/true});
     return cases;
   }
 
-  static std::string fault(const Question& question, const ConvexHull& hull) {
-    return ::touchstone::oracle::convex_hull_fault(std::get<0>(question), hull);
+  static std::string defect(const Question& question, const ConvexHull& hull) {
+    return ::touchstone::oracle::convex_hull_defect(std::get<0>(question), hull);
   }
   static Excess excess(const Question& question, const ConvexHull& hull, const ConvexHull&) {
     return excess_of_hull(std::get<0>(question), hull);
@@ -64,11 +65,11 @@ struct convex_hull {
     for (std::uint64_t i = 1; i <= chosen; ++i) count = count * (of + i - 1) / i;
     return count;
   }
-  static std::uint64_t world_count(int size) {
+  static std::uint64_t domain_count(int size) {
     const auto n = static_cast<std::uint64_t>(size);
     return multisets(n * n * n, chosen);
   }
-  static Question world_at(int size, std::uint64_t index) {
+  static Question domain_at(int size, std::uint64_t index) {
     const auto n = static_cast<std::uint64_t>(size);
     Points points;
     std::uint64_t first = 0;  // the least place on the grid that the next one may have
@@ -88,18 +89,18 @@ struct convex_hull {
   static Question map_centre() { return {{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}, {4, 4, 4}}}; }
 
   static Hooks<convex_hull> hooks() {
-    return {.fault = fault,
+    return {.defect = defect,
             .excess = excess,
             .map_centre = map_centre,
             .draw = draw,
-            .world_count = world_count,
-            .world_at = world_at};
+            .domain_count = domain_count,
+            .domain_at = domain_at};
   }
 
  private:
   template <std::size_t... i>
   static void draw_each(std::vector<HardCase<Question>>& cases, std::index_sequence<i...>) {
-    ((cases[i].draw = [](Choices& c) -> Question { return all_clouds()[i].draw(c); }), ...);
+    ((cases[i].draw = [](DrawStream& c) -> Question { return all_clouds()[i].draw(c); }), ...);
   }
 };
 

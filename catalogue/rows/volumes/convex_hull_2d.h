@@ -4,8 +4,8 @@
 #include <array>
 
 #include "catalogue/draw/figures.h"
-#include "catalogue/families/list_choices.h"
-#include "catalogue/families/long_choices.h"
+#include "catalogue/families/list_draws.h"
+#include "catalogue/families/long_draws.h"
 #include "catalogue/families/many_points.h"
 #include "catalogue/families/rings.h"
 #include "catalogue/operation/row.h"
@@ -22,75 +22,76 @@ struct convex_hull_2d {
   using Question = std::tuple<Points>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "convex_hull_2d",
-                           .chapter = "volumes",
-                           .pages = "35-42",
-                           .question = "Which of these points of the plane are the corners of their convex hull?",
-                           .kind = Kind::checked,
-                           .fields = {"points"},
-                           .margin_degree = 2,
-                           .cost = 3,
-                           .list_length = 4};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "convex_hull_2d",
+        .chapter = "volumes",
+        .pages = "35-42",
+        .question = "Which of these points of the plane are the corners of their convex hull?",
+        .kind = Kind::checked,
+        .fields = {"points"},
+        .margin_degree = 2,
+        .cost = 3,
+        .list_length = 4};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"few",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points{lattice_point(c)};
            for (std::uint64_t more = c.below(3); more > 0; --more) points.push_back(lattice_point(c));
            return points;
          }},
         {"all_equal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            Points points(1 + c.below(6), p);
            if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
            return points;
          }},
         {"collinear",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
-           return one_by_one(c, 12, [&](Choices& d) { return along(p, small_integer(d), v); });
+           return one_by_one(c, 12, [&](DrawStream& d) { return along(p, small_integer(d), v); });
          }},
         {"one_beside_a_line",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point2d p = lattice_point(c);
            const Vector2d v = lattice_direction(c);
-           Points points = one_by_one(c, 12, [&](Choices& d) { return along(p, small_integer(d), v); });
+           Points points = one_by_one(c, 12, [&](DrawStream& d) { return along(p, small_integer(d), v); });
            points.push_back(beside(points[0], c));
            return points;
          }},
         {"small_grid",
-         [](Choices& c) -> Question {
-           return one_by_one(c, 24, [](Choices& d) { return Point2d{small_integer(d, 2), small_integer(d, 2)}; });
+         [](DrawStream& c) -> Question {
+           return one_by_one(c, 24, [](DrawStream& d) { return Point2d{small_integer(d, 2), small_integer(d, 2)}; });
          }},
         {"on_a_circle",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            static constexpr std::array<Vector2d, 5> of_65{{{16, 63}, {25, 60}, {33, 56}, {39, 52}, {65, 0}}};
-           return one_by_one(c, 24, [](Choices& d) {
+           return one_by_one(c, 24, [](DrawStream& d) {
              const Vector2d v = of_65[d.below(5)];
              const double x = d.below(2) == 1 ? -v.x : v.x, y = d.below(2) == 1 ? -v.y : v.y;
              return d.below(2) == 1 ? Point2d{x, y} : Point2d{y, x};
            });
          }},
         {"points_inside_edges",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Polygon2d ring = with_flat_runs(convex_ring(c), c);
            return shuffled(ring.vertices, c);
          }},
         {"points_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points = convex_ring(c).vertices;
            for (Point2d& p : points) p = {2 * p.x, 2 * p.y};
            for (std::uint64_t more = c.below(12); more > 0; --more) points.push_back(middle(points, c));
            return shuffled(points, c);
          }},
         {"repeated",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points = convex_ring(c).vertices;
            for (std::uint64_t more = 1 + c.below(6); more > 0; --more) {
              const Point2d again = points[c.below(points.size())];
@@ -99,7 +100,7 @@ struct convex_hull_2d {
            return shuffled(points, c);
          }},
         {"many",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const int most = 1 + static_cast<int>(c.below(64));
            Points points;
            for (std::uint64_t left = 32 + c.below(64); left > 0; --left) {
@@ -109,7 +110,7 @@ struct convex_hull_2d {
            return points;
          }},
         {"many_inside_two_edges",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Nothing is left out but what lies strictly inside: most points lie on the diagonals of a square.
            Points points{{-64, -64}, {64, 64}, {-64, 64}, {64, -64}};
            for (std::uint64_t left = 28 + c.below(20); left > 0; --left) {
@@ -119,8 +120,8 @@ struct convex_hull_2d {
            return shuffled(points, c);
          }},
         {"tiny_beside_huge",
-         [](Choices& c) -> Question {
-           return one_by_one(c, 12, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return one_by_one(c, 12, [](DrawStream& d) {
              static constexpr std::array<int, 5> exponents{0, 60, -60, 1000, -1074};
              const Point2d p = lattice_point(d, 10);
              const int k = exponents[d.below(5)];
@@ -128,35 +129,35 @@ struct convex_hull_2d {
            });
          }},
         {"beside_least_edge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [ring, point] = beside_least_edge(c);
            Points points = ring.vertices;
            points.push_back(point);
            return shuffled(points, c);
          }},
         {"long_lines",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const LongTriple one = long_triple(c), other = long_triple(c);
            return shuffled(Points{one.first, one.last, one.between, other.first, other.last, other.between}, c);
          }},
         {"computed",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points = with_flat_runs(convex_ring(c), c).vertices;
            compute(points, c);
            return shuffled(points, c);
          }},
         {"many_points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points;
            for (const Point3d& p : many_points_and_one_far(c)) points.push_back({p.x, p.y});
            return points;
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
-  static std::string fault(const Question& question, const ConvexHull2& hull) {
-    return ::touchstone::oracle::convex_hull_2d_fault(std::get<0>(question), hull);
+  static std::string defect(const Question& question, const ConvexHull2& hull) {
+    return ::touchstone::oracle::convex_hull_2d_defect(std::get<0>(question), hull);
   }
   static Excess excess(const Question& question, const ConvexHull2& hull, const ConvexHull2&) {
     return excess_of_hull(std::get<0>(question), hull);
@@ -175,12 +176,12 @@ struct convex_hull_2d {
   static Question map_centre() { return {{{12, 12}, {24, 24}, {0, 24}, {0.5, 0.5}}}; }
 
   static Hooks<convex_hull_2d> hooks() {
-    return {.fault = fault, .excess = excess, .map_centre = map_centre, .draw = draw};
+    return {.defect = defect, .excess = excess, .map_centre = map_centre, .draw = draw};
   }
 
  private:
   /// Of two points: exact where both are even.
-  static Point2d middle(const Points& points, Choices& c) {
+  static Point2d middle(const Points& points, DrawStream& c) {
     const Point2d p = points[c.below(points.size())], q = points[c.below(points.size())];
     return {p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/kdop_choices.h"
+#include "catalogue/families/kdop_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/kdop_kdop.h"
@@ -16,8 +16,8 @@ struct kdop_kdop {
   using Question = std::tuple<Kdop3d, Kdop3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "kdop_kdop",
         .chapter = "volumes",
         .pages = "43",
@@ -26,58 +26,59 @@ struct kdop_kdop {
         .fields = {"a", "b"},
         .answer = "contact",
         .list_length = 1};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"side_by_side", [](Choices& c) -> Question { return pair_of(c, [](Choices& d) { return beside(d, 0); }); }},
+        {"side_by_side",
+         [](DrawStream& c) -> Question { return pair_of(c, [](DrawStream& d) { return beside(d, 0); }); }},
         {"a_gap",
-         [](Choices& c) -> Question {
-           return pair_of(c, [](Choices& d) { return beside(d, static_cast<double>(d.below(3))); });
+         [](DrawStream& c) -> Question {
+           return pair_of(c, [](DrawStream& d) { return beside(d, static_cast<double>(d.below(3))); });
          }},
-        {"overlapping", [](Choices& c) -> Question { return pair_of(c, overlap); }},
+        {"overlapping", [](DrawStream& c) -> Question { return pair_of(c, overlap); }},
         {"flat_within",
-         [](Choices& c) -> Question {
-           return pair_of(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return pair_of(c, [](DrawStream& d) {
              auto [s, t] = overlap(d);
              if (d.below(2) == 1) t.min = t.max = s.min + 1 + static_cast<double>(d.below(3));
              return d.below(2) == 1 ? Pair{t, s} : Pair{s, t};
            });
          }},
         {"both_flat",
-         [](Choices& c) -> Question {
-           return pair_of(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return pair_of(c, [](DrawStream& d) {
              const double s = integer(d, 53), t = d.below(4) == 3 ? s + small_integer(d, 1) : s;
              return Pair{{s, s}, {t, t}};
            });
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
-           return pair_of(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return pair_of(c, [](DrawStream& d) {
              const auto least = [&d] { return small_integer(d, 3) * 0x1p-1074; };
              const double p = least(), q = least(), r = least(), s = least();
              return Pair{{std::min(p, q), std::max(p, q)}, {std::min(r, s), std::max(r, s)}};
            });
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
-           return pair_of(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return pair_of(c, [](DrawStream& d) {
              const auto zero = [&d] { return d.below(2) == 1 ? -0.0 : 0.0; };
              const double p = zero(), q = zero(), width = static_cast<double>(d.below(2));
              return Pair{{-width, p}, {q, 1}};
            });
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
-           return pair_of(c, [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           return pair_of(c, [](DrawStream& d) {
              constexpr double huge = 0x1.fffffffffffffp+1023;
              const double x = d.below(2) == 1 ? huge : 0x1p1000;
              return Pair{{-huge, x}, {d.below(2) == 1 ? x : -x, huge}};
            });
          }},
         {"other_normals",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            auto [a, b] = pair_of(c, overlap);
            Vector3d& n = b.normals[c.below(b.normals.size())];
            switch (c.below(6)) {
@@ -91,8 +92,8 @@ struct kdop_kdop {
            return {a, b};
          }},
         {"not_valid",
-         [](Choices& c) -> Question {
-           auto [a, b] = pair_of(c, [](Choices& d) { return beside(d, 1); });
+         [](DrawStream& c) -> Question {
+           auto [a, b] = pair_of(c, [](DrawStream& d) { return beside(d, 1); });
            const std::size_t i = c.below(a.slabs.size());
            switch (c.below(4)) {
              case 0: break;
@@ -103,7 +104,7 @@ struct kdop_kdop {
            return {a, b};
          }},
         {"many_slabs",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // All of them overlap but for one, perhaps.
            Kdop3d a{many_normals(c), {}}, b{a.normals, {}};
            while (a.slabs.size() < a.normals.size()) {
@@ -114,7 +115,7 @@ struct kdop_kdop {
            std::tie(a.slabs[place], b.slabs[place]) = beside(c, static_cast<double>(c.below(3)));
            return {a, b};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -151,11 +152,11 @@ struct kdop_kdop {
  private:
   using Pair = std::pair<Slabd, Slabd>;
 
-  /// Pairs of slabs one after another. slabs(choices)
+  /// Pairs of slabs one after another. slabs(draws)
   template <class DrawSlabs>
-  static Question pair_of(Choices& c, const DrawSlabs& slabs) {
+  static Question pair_of(DrawStream& c, const DrawSlabs& slabs) {
     Kdop3d b;
-    const Kdop3d a = kdop_of(c, kdop_normal, [&](Choices& d, const Vector3d& n) {
+    const Kdop3d a = kdop_of(c, kdop_normal, [&](DrawStream& d, const Vector3d& n) {
       const auto [s, t] = slabs(d);
       b.normals.push_back(n), b.slabs.push_back(t);
       return s;
@@ -163,15 +164,15 @@ struct kdop_kdop {
     return {a, b};
   }
 
-  static double width(Choices& c) { return 1 + static_cast<double>(c.below(8)); }
+  static double width(DrawStream& c) { return 1 + static_cast<double>(c.below(8)); }
   /// One ends where the other begins, or with a gap; every other pair overlaps.
-  static Pair beside(Choices& c, double gap) {
+  static Pair beside(DrawStream& c, double gap) {
     if (c.below(2) == 1) return overlap(c);
     const double from = integer(c, 50), s = width(c), t = width(c);
     const Slabd first{from, from + s}, second{from + s + gap, from + s + gap + t};
     return c.below(2) == 1 ? Pair{second, first} : Pair{first, second};
   }
-  static Pair overlap(Choices& c) {
+  static Pair overlap(DrawStream& c) {
     const double from = integer(c, 50), s = 1 + width(c), t = 1 + width(c), into = 1 + static_cast<double>(c.below(2));
     return {{from, from + s}, {from + s - into, from + s - into + t}};
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/kdop_choices.h"
+#include "catalogue/families/kdop_draws.h"
 #include "catalogue/families/many_points.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/kdop_of_points.h"
@@ -18,30 +18,31 @@ struct kdop_of_points {
   using Question = std::tuple<Points, Normals>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "kdop_of_points",
-                           .chapter = "volumes",
-                           .pages = "43",
-                           .question = "Which slabs of these normals are the narrowest that hold all the points?",
-                           .kind = Kind::checked,
-                           .fields = {"points", "normals"},
-                           .answer = "slabs",
-                           .margin_degree = 0,
-                           .cost = 4,
-                           .list_length = 1,
-                           .longest_vector = 6000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "kdop_of_points",
+        .chapter = "volumes",
+        .pages = "43",
+        .question = "Which slabs of these normals are the narrowest that hold all the points?",
+        .kind = Kind::checked,
+        .fields = {"points", "normals"},
+        .answer = "slabs",
+        .margin_degree = 0,
+        .cost = 4,
+        .list_length = 1,
+        .longest_vector = 6000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_lattice",
-         [](Choices& c) -> Question {
-           Points points = points_of(c, [](Choices& d) { return integer(d, 30); });
+         [](DrawStream& c) -> Question {
+           Points points = points_of(c, [](DrawStream& d) { return integer(d, 30); });
            return {points, normals_of(c, kdop_normal)};
          }},
         {"across_the_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // All points are on one plane, or an integer beside it.
            const Vector3d n = lattice_normal(c);
            const Point3d from = lattice_point_in_space(c);
@@ -54,26 +55,26 @@ struct kdop_of_points {
            return {points, {n}};
          }},
         {"rounded",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points = points_of(c, ordinary);
            return {points, normals_of(c, usual_normal)};
          }},
         {"turned",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points = points_of(c, ordinary);
            return {points, normals_of(c, drawn_normal<ordinary>)};
          }},
         {"of_unit_length",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Points points = points_of(c, typed);
-           return {points, normals_of(c, [](Choices& d) {
+           return {points, normals_of(c, [](DrawStream& d) {
                      const Vector3d n = usual_normal(d);
                      const double length = std::sqrt(dot(n, n));
                      return Vector3d{n.x / length, n.y / length, n.z / length};
                    })};
          }},
         {"nearly_equal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Which of them is outermost is told by the last digits alone.
            const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
            const auto moved = [&c](double number) { return moved_by_ulps(number, ulps(c)); };
@@ -85,7 +86,7 @@ struct kdop_of_points {
            return {points, normals_of(c, kdop_normal)};
          }},
         {"cancelling",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Sums of which little is left beside the products, or nothing.
            Points points;
            do {
@@ -97,7 +98,7 @@ struct kdop_of_points {
            return {points, {{1, -1, c.below(2) == 1 ? 1.0 : 0x1p-60}}};
          }},
         {"as_wide_as_a_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The terms span about 124 binary digits, from where on their sum does not fit two words.
            const int exponent = 57 + static_cast<int>(c.below(4));
            const double x = std::ldexp(8 + static_cast<double>(c.below(8)), exponent);
@@ -105,24 +106,24 @@ struct kdop_of_points {
            return {{{x, y, small_integer(c, 2)}, {x, y, small_integer(c, 2)}}, {{x, sign * x, 1}}};
          }},
         {"below_least",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Products of about the least subnormal number, or half of it.
            const int k = static_cast<int>(c.below(1000)) - 500;
-           const auto number = [k](Choices& d) { return std::ldexp(small_integer(d), -1077 - k); };
+           const auto number = [k](DrawStream& d) { return std::ldexp(small_integer(d), -1077 - k); };
            Points points = points_of(c, number);
-           const auto part = [k](Choices& d) { return std::ldexp(1 + static_cast<double>(d.below(4)), k); };
-           return {points, normals_of(c, [part](Choices& d) {
+           const auto part = [k](DrawStream& d) { return std::ldexp(1 + static_cast<double>(d.below(4)), k); };
+           return {points, normals_of(c, [part](DrawStream& d) {
                      const double x = part(d), y = part(d);
                      return Vector3d{x, y, d.below(2) == 1 ? part(d) : 0.0};
                    })};
          }},
         {"beyond_range",
-         [](Choices& c) -> Question {
-           Points points = points_of(c, [](Choices& d) { return std::ldexp(small_integer(d), 1020); });
+         [](DrawStream& c) -> Question {
+           Points points = points_of(c, [](DrawStream& d) { return std::ldexp(small_integer(d), 1020); });
            return {points, normals_of(c, kdop_normal)};
          }},
         {"at_the_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The greatest double, and more by half a unit in its last place, or by a hair.
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            Points points;
@@ -134,34 +135,34 @@ struct kdop_of_points {
            return {points, {{1, 1, 0}}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
-           Points points = points_of(c, [](Choices& d) { return d.below(2) == 1 ? -0.0 : 0.0; });
+         [](DrawStream& c) -> Question {
+           Points points = points_of(c, [](DrawStream& d) { return d.below(2) == 1 ? -0.0 : 0.0; });
            return {points, normals_of(c, kdop_normal)};
          }},
         {"few",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Point3d p = lattice_point_in_space(c);
            const Vector3d n = c.below(4) == 3 ? Vector3d{0.0, -0.0, 0.0} : kdop_normal(c);
            const std::size_t points = c.below(3), normals = c.below(3);
            return {Points(points, p), Normals(normals, n)};
          }},
         {"many_points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Points points = many_points_and_one_far(c);
            return {points, normals_of(c, usual_normal)};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
         {"many_normals",
-         [](Choices& c) -> Question {
-           const Points points = points_of(c, [](Choices& d) { return integer(d, 8); });
+         [](DrawStream& c) -> Question {
+           const Points points = points_of(c, [](DrawStream& d) { return integer(d, 8); });
            return {points, many_normals(c)};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
-  static std::string fault(const Question& question, const std::vector<Slabd>& slabs) {
-    return ::touchstone::oracle::kdop_of_points_fault(std::get<0>(question), std::get<1>(question), slabs);
+  static std::string defect(const Question& question, const std::vector<Slabd>& slabs) {
+    return ::touchstone::oracle::kdop_of_points_defect(std::get<0>(question), std::get<1>(question), slabs);
   }
   static Excess excess(const Question& question, const std::vector<Slabd>& slabs, const std::vector<Slabd>&) {
     return excess_of_slabs(std::get<0>(question), std::get<1>(question), slabs);
@@ -177,21 +178,21 @@ struct kdop_of_points {
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
   static Hooks<kdop_of_points> hooks() {
-    return {.fault = fault, .excess = excess, .scale = scale, .map_centre = map_centre, .map_axes = map_axes};
+    return {.defect = defect, .excess = excess, .scale = scale, .map_centre = map_centre, .map_axes = map_axes};
   }
 
  private:
-  static int ulps(Choices& c) { return static_cast<int>(small_integer(c, 4)); }
+  static int ulps(DrawStream& c) { return static_cast<int>(small_integer(c, 4)); }
 
-  template <double (*number)(Choices&)>
-  static Vector3d drawn_normal(Choices& c) {
+  template <double (*number)(DrawStream&)>
+  static Vector3d drawn_normal(DrawStream& c) {
     const double x = number(c), y = number(c), z = number(c);
     return {x, y, z == 0 ? 1 : z};
   }
 
-  /// One after another ("one more?"), so that the choices of one can be cut out and leave the others as they are.
+  /// One after another ("one more?"), so that the draws of one can be cut out and leave the others as they are.
   template <class Draw>
-  static Points points_of(Choices& c, const Draw& number) {
+  static Points points_of(DrawStream& c, const Draw& number) {
     Points points;
     do {
       const double x = number(c), y = number(c), z = number(c);
@@ -200,7 +201,7 @@ struct kdop_of_points {
     return points;
   }
   template <class Draw>
-  static Normals normals_of(Choices& c, const Draw& normal) {
+  static Normals normals_of(DrawStream& c, const Draw& normal) {
     Normals normals;
     do {
       normals.push_back(normal(c));

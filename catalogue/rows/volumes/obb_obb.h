@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/obb_choices.h"
+#include "catalogue/families/obb_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -17,29 +17,29 @@ struct obb_obb {
   using Question = std::tuple<Obb3d, Obb3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "obb_obb",
-                           .chapter = "volumes",
-                           .pages = "27",
-                           .question = "Do the two oriented boxes overlap, only touch, or neither?",
-                           .kind = Kind::decision,
-                           .fields = {"a", "b"},
-                           .answer = "contact",
-                           .margin_degree = 2,
-                           .cost = 10};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "obb_obb",
+                                   .chapter = "volumes",
+                                   .pages = "27",
+                                   .question = "Do the two oriented boxes overlap, only touch, or neither?",
+                                   .kind = Kind::decision,
+                                   .fields = {"a", "b"},
+                                   .answer = "contact",
+                                   .margin_degree = 2,
+                                   .cost = 10};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
-        {"touching", [](Choices& c) -> Question { return touching_obbs(c, lattice_half_axes); }},
+        {"touching", [](DrawStream& c) -> Question { return touching_obbs(c, lattice_half_axes); }},
         {"orthogonal_touching",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            return touching_obbs(
-               c, [](Choices& d) { return d.below(2) == 1 ? turned_half_axes(d) : straight_half_axes(d); });
+               c, [](DrawStream& d) { return d.below(2) == 1 ? turned_half_axes(d) : straight_half_axes(d); });
          }},
         {"crossing_edges",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // What only an axis of two edges decides.
            Question q{lattice_obb(c), {{}, lattice_half_axes(c)}};
            auto& [a, b] = q;
@@ -49,32 +49,32 @@ struct obb_obb {
            return q;
          }},
         {"near_touch",
-         [](Choices& c) -> Question {
-           Question q = touching_obbs(c, [](Choices& d) { return skew_half_axes(d, 20); });
+         [](DrawStream& c) -> Question {
+           Question q = touching_obbs(c, [](DrawStream& d) { return skew_half_axes(d, 20); });
            step(std::get<1>(q).center, c);
            return q;
          }},
         {"nearly_dependent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question q = touching_obbs(c, slanted_half_axes);
            step(std::get<1>(q).center, c);
            return q;
          }},
         {"parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The same half axes in any order, of any length: side by side, nested, the same box.
            const Obb3d a = lattice_obb(c);
            return {a, alike(a, c)};
          }},
         {"nearly_parallel",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d a = lattice_obb(c);
            Obb3d b = alike(a, c);
            for (Vector3d* axis : each_of(b.half_axes)) step(*axis, c);
            return {a, b};
          }},
         {"ridges",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // One roof upside down on another: the ridges cross at an angle of a few times the least number, or are one.
            const auto least = [&c] { return std::ldexp(small_integer(c, 2), -1074); };
            const auto slope = [&c] { return static_cast<double>(1 + c.below(3)); };
@@ -83,21 +83,21 @@ struct obb_obb {
            return {{{0, 0, 0}, roof}, {{0, 0, 2 + q + s + z}, other}};
          }},
         {"dependent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d u = lattice_normal(c), v = lattice_normal(c);
            const double r = small_integer(c), s = small_integer(c);
            const Obb3d flat{lattice_point_in_space(c, 20), {u, r * u + s * v, v}}, other = lattice_obb(c);
            return c.below(2) == 1 ? Question{flat, other} : Question{other, flat};
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Question q = touching_obbs(c, lattice_half_axes);
            const Stretch stretch(c);
            stretch(std::get<0>(q)), stretch(std::get<1>(q));
            return q;
          }},
         {"long_and_thin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d a = long_and_thin_obb(c);
            const double r = small_integer(c, 6);
            switch (c.below(3)) {
@@ -107,8 +107,8 @@ struct obb_obb {
            }
          }},
         {"rounded_touch",
-         [](Choices& c) -> Question {
-           const auto any = [](Choices& d) {
+         [](DrawStream& c) -> Question {
+           const auto any = [](DrawStream& d) {
              HalfAxes3d h{};
              for (Vector3d* axis : each_of(h)) {
                const double x = ordinary(d), y = ordinary(d);
@@ -119,7 +119,7 @@ struct obb_obb {
            return touching_obbs(c, any);
          }},
         {"terms_below_least",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Products of three coordinates are a few times the least number, or less.
            Question q = touching_obbs(c, lattice_half_axes);
            auto& [a, b] = q;
@@ -133,7 +133,7 @@ struct obb_obb {
            return q;
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The way from one center to the other is beyond the range.
            const auto part = [&c] { return std::ldexp(static_cast<double>(4 + c.below(4)), 1021); };
            const double x = part(), y = part(), r = part(), far = small_integer(c, 1), s = x + (y - r);
@@ -141,7 +141,7 @@ struct obb_obb {
                    {{y, 0, 0}, {{s, 0, 0}, {0, y, 0}, {far * y, 0, 1}}}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const Obb3d a{{zero(), zero(), zero()}, {{1, zero(), zero()}, {zero(), -1, zero()}, {zero(), zero(), 1}}};
            const double x = small_integer(c, 2), y = small_integer(c, 2);
@@ -149,20 +149,20 @@ struct obb_obb {
                    {{x == 0 ? zero() : x, y, zero()}, {{zero(), 1, zero()}, {1, zero(), zero()}, {zero(), zero(), 1}}}};
          }},
         {"typed_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As typed they touch.
            const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
            return {{{0, 0, 0}, {{3 * k / 10, 4 * k / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}},
                    {{3 * (k + m) / 10, 4 * (k + m) / 10, 0}, {{3 * m / 10, 4 * m / 10, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}}};
          }},
-        {"beams_on_edge", [](Choices& c) -> Question { return beams_on_edge(c); }},
+        {"beams_on_edge", [](DrawStream& c) -> Question { return beams_on_edge(c); }},
         {"apart_by_face_of_a",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const std::size_t third = c.below(3);
            return apart_on_one_axis(third == 0 ? 1 : 0, third == 2 ? 1 : 2, c);
          }},
         {"apart_by_face_of_b",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const std::size_t third = c.below(3);
            return apart_on_one_axis(third == 0 ? 4 : 3, third == 2 ? 4 : 5, c);
          }},
@@ -186,8 +186,8 @@ struct obb_obb {
 
   /// a is a cube: every two boxes are images of such under an affine map. The center of b is three times as far from
   /// that of a as the numbers say, so that the boxes part.
-  static std::uint64_t world_count(int size) { return configurations_of_digits(size, 12); }
-  static Question world_at(int size, std::uint64_t index) {
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 12); }
+  static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
     Obb3d b{};
     for (double* x : {&b.center.x, &b.center.y, &b.center.z}) *x = 3 * digit();
@@ -202,17 +202,17 @@ struct obb_obb {
     return {.as_open_sets = disjoint_if_touching<Question>,
             .map_centre = map_centre,
             .map_axes = map_axes,
-            .world_count = world_count,
-            .world_at = world_at,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
             .laws = {.maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1}}}};
   }
 
  private:
   template <std::size_t i, std::size_t j>
   static HardCase<Question> apart(const char* name) {
-    return {name, [](Choices& c) -> Question { return apart_on_one_axis(i, j, c); }};
+    return {name, [](DrawStream& c) -> Question { return apart_on_one_axis(i, j, c); }};
   }
-  static Question touching_obbs(Choices& c, HalfAxes3d (*half_axes)(Choices&)) {
+  static Question touching_obbs(DrawStream& c, HalfAxes3d (*half_axes)(DrawStream&)) {
     Question q{{lattice_point_in_space(c, 20), half_axes(c)}, {{}, half_axes(c)}};
     const std::size_t i = c.below(6), j = c.below(5);
     bring_to_touch(std::get<0>(q), std::get<1>(q), i, j < i ? j : j + 1, c);
@@ -221,7 +221,7 @@ struct obb_obb {
 
   /// By the least integers, perhaps not at all.
   template <class T>
-  static void step(T& v, Choices& c) {
+  static void step(T& v, DrawStream& c) {
     const double x = small_integer(c, 1), y = small_integer(c, 1);
     v = {v.x + x, v.y + y, v.z + small_integer(c, 1)};
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/cloud_choices.h"
+#include "catalogue/families/cloud_draws.h"
 #include "catalogue/families/many_points.h"
-#include "catalogue/families/obb_choices.h"
+#include "catalogue/families/obb_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/obb_of_points.h"
 #include "reference/volumes/obb_of_points.h"
@@ -49,25 +49,25 @@ struct obb_of_points {
     return engine.obb_of_points(q...);
   }
 
-  static const Card& card() {
-    static const Card card{.name = "obb_of_points",
-                           .chapter = "volumes",
-                           .pages = "27",
-                           .question = "Which oriented box contains all of the points?",
-                           .kind = Kind::checked,
-                           .fields = {"points"},
-                           .answer = "obb",
-                           .margin_degree = 0,
-                           .cost = 7,
-                           .list_length = 3,
-                           .longest_vector = 4000};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "obb_of_points",
+                                   .chapter = "volumes",
+                                   .pages = "27",
+                                   .question = "Which oriented box contains all of the points?",
+                                   .kind = Kind::checked,
+                                   .fields = {"points"},
+                                   .answer = "obb",
+                                   .margin_degree = 0,
+                                   .cost = 7,
+                                   .list_length = 3,
+                                   .longest_vector = 4000};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     std::vector<HardCase<Question>> cases{
         {"in_a_box",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box = lattice_obb(c);
            return many(c, [&] {
              const double r = small_integer(c, 2), s = small_integer(c, 2);
@@ -75,7 +75,7 @@ struct obb_of_points {
            });
          }},
         {"long_and_thin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Each axis of its own size: of two that differ by more than a double's digits the shorter is lost in the
            // rounding of the longer.
            Obb3d box{{0, 0, 0}, turned_half_axes(c)};
@@ -86,7 +86,7 @@ struct obb_of_points {
            });
          }},
         {"far_from_the_origin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The points differ in their last places, so that the center of their box is no double.
            const double far = std::ldexp(1, static_cast<int>(c.below(40)));
            return many(c, [&] {
@@ -96,7 +96,7 @@ struct obb_of_points {
            });
          }},
         {"least_normal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Flat sets of sizes at which the thickness of a box becomes subnormal, and of which robust's guard says so.
            const int exponent = -850 - static_cast<int>(c.below(224));
            const Vector3d v = lattice_normal(c, 8), w = lattice_normal(c, 8);
@@ -107,7 +107,7 @@ struct obb_of_points {
            });
          }},
         {"lost_beside_huge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // All is huge and equal but for numbers that are next to nothing beside it.
            const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - static_cast<int>(c.below(200)));
            return many(c, [&] {
@@ -116,7 +116,7 @@ struct obb_of_points {
            });
          }},
         {"across_the_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The half axes of a box along its diagonal are beyond the range.
            double end = -0x1.fffffffffffffp+1023;
            return many(c, [&] {
@@ -126,7 +126,7 @@ struct obb_of_points {
            });
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            return many(c, [&c] {
              const auto end = [&c] {
@@ -138,7 +138,7 @@ struct obb_of_points {
            });
          }},
         {"rounded",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            return many(c, [&c] {
              const double x = ordinary(c), y = ordinary(c);
              return Point3d{x, y, ordinary(c)};
@@ -148,18 +148,18 @@ struct obb_of_points {
     for (std::size_t i = 0; i < clouds; ++i) cases.push_back({all_clouds()[i].name, nullptr});
     draw_each(&cases[cases.size() - clouds], std::make_index_sequence<clouds>());
     cases.push_back(
-        {"many_points", [](Choices& c) -> Question { return many_points_and_one_far(c); }, /*as_drawn=*/true});
+        {"many_points", [](DrawStream& c) -> Question { return many_points_and_one_far(c); }, /*unscaled=*/true});
     return cases;
   }
 
-  static std::string fault(const Question& question, const Obb3d& box) {
-    return ::touchstone::oracle::obb_of_points_fault(std::get<0>(question), box);
+  static std::string defect(const Question& question, const Obb3d& box) {
+    return ::touchstone::oracle::obb_of_points_defect(std::get<0>(question), box);
   }
   static Excess excess(const Question& question, const Obb3d& box, const Obb3d&) {
     return excess_of_box(std::get<0>(question), box);
   }
-  static std::string exact_fault(const Question& question, const Obb3<mpq_class>& box) {
-    return ::touchstone::oracle::obb_of_points_fault(std::get<0>(question), box);
+  static std::string exact_defect(const Question& question, const Obb3<mpq_class>& box) {
+    return ::touchstone::oracle::obb_of_points_defect(std::get<0>(question), box);
   }
 
   /// The corners of a turned box and a point on one of its faces; moves that.
@@ -170,8 +170,11 @@ struct obb_of_points {
   static std::pair<std::size_t, std::size_t> map_axes() { return {24, 25}; }
 
   static Hooks<obb_of_points> hooks() {
-    return {
-        .fault = fault, .exact_fault = exact_fault, .excess = excess, .map_centre = map_centre, .map_axes = map_axes};
+    return {.defect = defect,
+            .exact_defect = exact_defect,
+            .excess = excess,
+            .map_centre = map_centre,
+            .map_axes = map_axes};
   }
 
  private:
@@ -179,10 +182,10 @@ struct obb_of_points {
 
   template <std::size_t... i>
   static void draw_each(HardCase<Question>* cases, std::index_sequence<i...>) {
-    ((cases[i].draw = [](Choices& c) -> Question { return all_clouds()[i].draw(c); }), ...);
+    ((cases[i].draw = [](DrawStream& c) -> Question { return all_clouds()[i].draw(c); }), ...);
   }
   template <class Draw>
-  static Question many(Choices& c, const Draw& draw) {
+  static Question many(DrawStream& c, const Draw& draw) {
     Points points;
     const std::size_t length = 1 + c.below(9);
     while (points.size() < length) points.push_back(draw());

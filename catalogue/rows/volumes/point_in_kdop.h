@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/kdop_choices.h"
+#include "catalogue/families/kdop_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/point_in_kdop.h"
@@ -16,44 +16,44 @@ struct point_in_kdop {
   using Question = std::tuple<Kdop3d, Point3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "point_in_kdop",
-                           .chapter = "volumes",
-                           .pages = "43",
-                           .question = "Does the point lie inside the k-DOP, at the end of a slab, or outside?",
-                           .kind = Kind::decision,
-                           .fields = {"kdop", "point"},
-                           .answer = "location",
-                           .margin_degree = 2,
-                           .list_length = 1};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "point_in_kdop",
+                                   .chapter = "volumes",
+                                   .pages = "43",
+                                   .question = "Does the point lie inside the k-DOP, at the end of a slab, or outside?",
+                                   .kind = Kind::decision,
+                                   .fields = {"kdop", "point"},
+                                   .answer = "location",
+                                   .margin_degree = 2,
+                                   .list_length = 1};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"around",
-         [](Choices& c) -> Question {
-           return on_lattice(c, kdop_normal, [](Choices& d, double value) {
+         [](DrawStream& c) -> Question {
+           return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
              const double below = static_cast<double>(d.below(8)), above = static_cast<double>(d.below(8));
              return Slabd{value - below, value + above};
            });
          }},
         {"beside_an_end",
-         [](Choices& c) -> Question {
-           return on_lattice(c, kdop_normal, [](Choices& d, double value) {
+         [](DrawStream& c) -> Question {
+           return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
              const double end = value + small_integer(d, 1), other = 1 + static_cast<double>(d.below(8));
              return d.below(2) == 1 ? Slabd{end, end + other} : Slabd{end - other, end};
            });
          }},
         {"flat_slab",
-         [](Choices& c) -> Question {
-           return on_lattice(c, kdop_normal, [](Choices& d, double value) {
+         [](DrawStream& c) -> Question {
+           return on_lattice(c, kdop_normal, [](DrawStream& d, double value) {
              const double end = d.below(6) == 5 ? value + small_integer(d, 1) : value;
              return d.below(2) == 1 ? Slabd{end, end} : Slabd{value - 1, value + 1};
            });
          }},
         {"no_solid",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The same slab of one direction and its opposite, which have nothing in common unless they touch.
            const Vector3d n = lattice_normal(c);
            const Point3d p = lattice_point_in_space(c);
@@ -61,7 +61,7 @@ struct point_in_kdop {
            return {{{n, {-n.x, -n.y, -n.z}}, {{value - 4, value}, {-value - 4 - gap, -value - gap}}}, p};
          }},
         {"normals_of_any_size",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
            for (std::size_t i = 0; i < kdop.normals.size(); ++i) {
              const int exponent = static_cast<int>(c.below(2000)) - 1050;
@@ -72,20 +72,20 @@ struct point_in_kdop {
            return {kdop, p};
          }},
         {"terms_below_least",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto [plane, p] = terms_below_least(c);
            const double end = -plane.offset;
            return {{{plane.normal}, {c.below(2) == 1 ? Slabd{end, 1} : Slabd{-1, end}}}, p};
          }},
         {"subnormal_times_huge",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double huge = 1 + static_cast<double>(c.below(8)), small = 1 + static_cast<double>(c.below(64));
            const double end = std::ldexp(huge * small, -531);
            const Vector3d n{std::ldexp(huge, 500), 0, 0};
            return {{{n}, {c.below(2) == 1 ? Slabd{end, 2 * end} : Slabd{-end, end}}}, {std::ldexp(small, -1030), 0, 0}};
          }},
         {"as_wide_as_a_lattice",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The terms span about 124 binary digits, from where on their sum does not fit two words.
            const double size = 8 + static_cast<double>(c.below(8));
            const double x = std::ldexp(size, 57 + static_cast<int>(c.below(4)));
@@ -93,21 +93,22 @@ struct point_in_kdop {
            return {{{{x, -x, 1}}, {c.below(2) == 1 ? Slabd{end, x} : Slabd{-1, end}}}, {x, x, small_integer(c, 1)}};
          }},
         {"beyond_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            const double x = std::ldexp(1 + static_cast<double>(c.below(8)), 1020), y = c.below(2) == 1 ? -x : x;
            const Point3d p{x, y, x};
            return {kdop_of(c, usual_normal,
-                           [](Choices& d, const Vector3d&) {
+                           [](DrawStream& d, const Vector3d&) {
                              const double end = std::ldexp(small_integer(d), 1020);
                              return d.below(2) == 1 ? Slabd{end, greatest} : Slabd{-greatest, end};
                            }),
                    p};
          }},
-        {"rounded_end", [](Choices& c) -> Question { return rounded(c, [](Choices& d) { return ordinary(d); }); }},
-        {"typed_end", [](Choices& c) -> Question { return rounded(c, typed); }},
+        {"rounded_end",
+         [](DrawStream& c) -> Question { return rounded(c, [](DrawStream& d) { return ordinary(d); }); }},
+        {"typed_end", [](DrawStream& c) -> Question { return rounded(c, typed); }},
         {"not_valid",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            auto [kdop, p] = on_lattice(c, kdop_normal, at_an_end);
            const std::size_t i = c.below(kdop.slabs.size());
            switch (c.below(5)) {
@@ -120,7 +121,7 @@ struct point_in_kdop {
            return {kdop, p};
          }},
         {"many_slabs",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The point is within all of them but for one, perhaps.
            const Point3d p = lattice_point_in_space(c);
            Kdop3d kdop{many_normals(c), {}};
@@ -133,7 +134,7 @@ struct point_in_kdop {
            kdop.slabs[place] = c.below(2) == 1 ? Slabd{end, end + 8} : Slabd{end - 8, end};
            return {kdop, p};
          },
-         /*as_drawn=*/true},
+         /*unscaled=*/true},
     };
   }
 
@@ -160,29 +161,29 @@ struct point_in_kdop {
   }
 
  private:
-  static Slabd at_an_end(Choices& c, double value) {
+  static Slabd at_an_end(DrawStream& c, double value) {
     const double other = static_cast<double>(c.below(4));
     return c.below(2) == 1 ? Slabd{value, value + other} : Slabd{value - other, value};
   }
 
-  /// A lattice point, and slabs that are drawn by N . P. slab(choices, N . P)
+  /// A lattice point, and slabs that are drawn by N . P. slab(draws, N . P)
   template <class DrawNormal, class DrawSlab>
-  static Question on_lattice(Choices& c, const DrawNormal& normal, const DrawSlab& slab) {
+  static Question on_lattice(DrawStream& c, const DrawNormal& normal, const DrawSlab& slab) {
     const Point3d p = lattice_point_in_space(c);
-    return {kdop_of(c, normal, [&](Choices& d, const Vector3d& n) { return slab(d, product(n, p)); }), p};
+    return {kdop_of(c, normal, [&](DrawStream& d, const Vector3d& n) { return slab(d, product(n, p)); }), p};
   }
 
   /// Ends that are N . P as computed.
   template <class DrawNumber>
-  static Question rounded(Choices& c, const DrawNumber& number) {
-    const auto drawn = [&](Choices& d) {
+  static Question rounded(DrawStream& c, const DrawNumber& number) {
+    const auto drawn = [&](DrawStream& d) {
       const double x = number(d), y = number(d), z = number(d);
       return Vector3d{x, y, z == 0 ? 1 : z};
     };
     const Vector3d p = drawn(c);
     const Point3d point{p.x, p.y, p.z};
     return {kdop_of(c, drawn,
-                    [&](Choices& d, const Vector3d& n) {
+                    [&](DrawStream& d, const Vector3d& n) {
                       const double value = product(n, point);
                       return d.below(2) == 1 ? Slabd{value, value + 1} : Slabd{value - 1, value};
                     }),

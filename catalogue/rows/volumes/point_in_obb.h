@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/obb_choices.h"
+#include "catalogue/families/obb_draws.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/point_in_obb.h"
@@ -16,54 +16,55 @@ struct point_in_obb {
   using Question = std::tuple<Obb3d, Point3d>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "point_in_obb",
-                           .chapter = "volumes",
-                           .pages = "27",
-                           .question = "Does the point lie inside the oriented box, on its boundary, or outside?",
-                           .kind = Kind::decision,
-                           .fields = {"obb", "point"},
-                           .answer = "location",
-                           .margin_degree = 2,
-                           .cost = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "point_in_obb",
+        .chapter = "volumes",
+        .pages = "27",
+        .question = "Does the point lie inside the oriented box, on its boundary, or outside?",
+        .kind = Kind::decision,
+        .fields = {"obb", "point"},
+        .answer = "location",
+        .margin_degree = 2,
+        .cost = 2};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"on_boundary",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box = lattice_obb(c);
            return {box, on_obb(box, c)};
          }},
         {"on_orthogonal_box",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box{lattice_point_in_space(c, 20),
                            c.below(2) == 1 ? turned_half_axes(c) : straight_half_axes(c)};
            return {box, on_obb(box, c)};
          }},
         {"around",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box = lattice_obb(c);
            const double r = small_integer(c, 3), s = small_integer(c, 3);
            return {box, halves_along(box, r, s, small_integer(c, 3))};
          }},
         {"near_boundary",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box{lattice_point_in_space(c, 20), skew_half_axes(c, 24)};
            const Point3d p = on_obb(box, c);
            const double x = small_integer(c, 1), y = small_integer(c, 1);
            return {box, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
          }},
         {"nearly_dependent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box{lattice_point_in_space(c, 20), slanted_half_axes(c)};
            const Point3d p = on_obb(box, c);
            const double x = small_integer(c, 1), y = small_integer(c, 1);
            return {box, {p.x + x, p.y + y, p.z + small_integer(c, 1)}};
          }},
         {"dependent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Vector3d u = lattice_normal(c), v = lattice_normal(c);
            const double r = small_integer(c), s = small_integer(c);
            const Vector3d w = r * u + s * v;
@@ -71,7 +72,7 @@ struct point_in_obb {
            return {box, lattice_point_in_space(c, 20)};
          }},
         {"stretched",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Obb3d box = lattice_obb(c);
            Point3d p = on_obb(box, c);
            const Stretch stretch(c);
@@ -79,7 +80,7 @@ struct point_in_obb {
            return {box, p};
          }},
         {"long_and_thin",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Obb3d box = long_and_thin_obb(c);
            const double r = small_integer(c, 3);
            switch (c.below(3)) {
@@ -89,7 +90,7 @@ struct point_in_obb {
            }
          }},
         {"rounded_on_face",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            Obb3d box{};
            for (Vector3d* axis : each_of(box.half_axes)) {
              const double x = ordinary(c), y = ordinary(c);
@@ -100,7 +101,7 @@ struct point_in_obb {
            return {box, halves_along(box, 2, s, t)};
          }},
         {"terms_below_least",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Products of three coordinates are a few times the least number, or less.
            Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
            Point3d p = on_obb(box, c);
@@ -111,21 +112,21 @@ struct point_in_obb {
            return {box, p};
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // The point's way from the center is beyond the range.
            const auto part = [&c] { return std::ldexp(static_cast<double>(4 + c.below(4)), 1021); };
            const double x = part(), y = part(), r = part(), far = small_integer(c, 1);
            return {{{-x, 0, 0}, {{r, 0, 0}, {far * x, y, 0}, {0, 0, 1}}}, {r - x, far * r, small_integer(c, 1)}};
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            Obb3d box{{zero(), zero(), zero()}, {{1, zero(), zero()}, {zero(), -1, zero()}, {zero(), zero(), 1}}};
            const double x = small_integer(c, 1);
            return {box, {x == 0 ? zero() : x, zero(), zero()}};
          }},
         {"typed_boundary",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As typed the point is on a face.
            const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
            return {{{k / 10, 0, 0}, {{m / 10, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, {(k + m) / 10, 0.5, 0.5}};

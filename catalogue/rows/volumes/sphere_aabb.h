@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/box_choices.h"
+#include "catalogue/families/box_draws.h"
 #include "catalogue/families/whole_steps.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -19,8 +19,8 @@ struct sphere_aabb {
   using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{
+  static const Metadata& metadata() {
+    static const Metadata metadata{
         .name = "sphere_aabb",
         .chapter = "volumes",
         .pages = "48-50",
@@ -29,23 +29,23 @@ struct sphere_aabb {
         .fields = {"sphere", "aabb"},
         .answer = "contact",
         .margin_degree = 2};
-    return card;
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            return beyond(step, step.length, c);
          }},
         {"beside_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            return beyond(step, std::max(step.length + small_integer(c, 1), 0.0), c);
          }},
         {"point_ball",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // In the box, on its boundary, or beside it.
            const Aabb3d box = lattice_box(c);
            const Point3d p = within(box, c).min;
@@ -53,14 +53,14 @@ struct sphere_aabb {
            return seen({{p.x + aside, p.y, p.z}, r}, box, c.below(2) == 1);
          }},
         {"center_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Aabb3d box = lattice_box(c);
            const Point3d p = within(box, c).max;
            const auto r = static_cast<double>(c.below(4));
            return seen({p, r}, box, c.below(2) == 1);
          }},
         {"flat",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A rectangle, a segment or a point: beside the ball, tangent to it or in it.
            const Step step = whole_step(c);
            auto [ball, box] = in_space(step, std::max(step.length + small_integer(c, 1), 0.0), c);
@@ -70,7 +70,7 @@ struct sphere_aabb {
            return seen(ball, box, step.in_plane);
          }},
         {"long_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A multiple of 3, 4, 5 whose squares do not fit a double.
            const double w = 0x1p49 + static_cast<double>(c.below(std::uint64_t{1} << 49));
            const double side = c.below(2) == 1 ? -1 : 1, less = small_integer(c, 1);
@@ -78,7 +78,7 @@ struct sphere_aabb {
            return seen({{3 * w, side < 0 ? -1 - 4 * w : 4 * w, 0}, 5 * w + less}, box, c.below(2) == 1);
          }},
         {"far_below",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Tangent to a face, the radius as large as the lattice just holds beside the box, or larger; the box aside
            // by a hair, or the ball.
            const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
@@ -88,7 +88,7 @@ struct sphere_aabb {
            return seen({{-larger, 0, 0}, larger}, {{off, hair - 1, -1}, {1, hair, 1}}, c.below(2) == 1);
          }},
         {"rounded_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = ordinary(c), y = ordinary(c), z = ordinary(c), dx = ordinary(c), dy = ordinary(c);
            const Point3d corner{x, y, z};
            const Vector3d way{std::fabs(dx), std::fabs(dy), c.below(2) == 1 ? std::fabs(ordinary(c)) : 0.0};
@@ -96,7 +96,7 @@ struct sphere_aabb {
            return seen({corner + way, std::fabs(r)}, {{x - 1, y - 1, z - 1}, corner}, c.below(2) == 1);
          }},
         {"much_rounded",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A difference just above a power of two less a small number, and a radius like it: both round by all they
            // may.
            const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
@@ -107,7 +107,7 @@ struct sphere_aabb {
                        c.below(2) == 1);
          }},
         {"squares_underflow",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            const double r = std::max(step.length + small_integer(c, 1), 0.0);
            Question question = beyond(step, r, c);
@@ -116,7 +116,7 @@ struct sphere_aabb {
            return question;
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Beside the least normal number, and at the origin.
            const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
            const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
@@ -124,14 +124,14 @@ struct sphere_aabb {
            return seen({{from + x, y, 0}, r}, {{from - s, -t, -0.0}, {from, s, t}}, c.below(2) == 1);
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double x = zero(), y = zero(), r = zero(), z0 = zero(), z1 = zero();
            const double more = static_cast<double>(c.below(2)), end = c.below(2) == 1 ? zero() : 1.0, top = zero();
            return seen({{x, y, z0}, more == 0 ? r : more}, {{z1, z0, -1}, {end, 1, top}}, c.below(2) == 1);
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            const double r = c.below(2) == 1 ? greatest : std::ldexp(1 + static_cast<double>(c.below(2)), 1022);
            const double x = c.below(2) == 1 ? -greatest : -0x1p1023, y = c.below(2) == 1 ? 0.0 : 0x1p1022;
@@ -139,14 +139,14 @@ struct sphere_aabb {
            return seen({{x, y, 0}, r}, {{aside, -end, -end}, {end, end, end}}, c.below(2) == 1);
          }},
         {"typed_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As typed the ball reaches the corner.
            const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
            return seen({{(m + 3 * k) / 10, (m + 4 * k) / 10, 0}, 5 * k / 10}, {{-1, -1, -1}, {m / 10, m / 10, 1}},
                        c.below(2) == 1);
          }},
         {"wide",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            const double r = std::max(step.length + std::ldexp(small_integer(c, 1), -20), 0.0);
            auto [ball, box] = in_space(step, r, c);
@@ -182,7 +182,7 @@ struct sphere_aabb {
  private:
   /// A ball whose center is beyond a box by a step: beyond a face, an edge or a corner, as the step has one, two or
   /// three coordinates that are not 0.
-  static InSpace in_space(const Step& step, double radius, Choices& c) {
+  static InSpace in_space(const Step& step, double radius, DrawStream& c) {
     const Aabb3d box = lattice_box(c);
     const Point3d inside = within(box, c).min;
     const auto coordinate = [&c](double way, double min, double max, double beside) {
@@ -194,7 +194,7 @@ struct sphere_aabb {
                  z = coordinate(step.way.z, box.min.z, box.max.z, inside.z);
     return {{{x, y, z}, radius}, box};
   }
-  static Question beyond(const Step& step, double radius, Choices& c) {
+  static Question beyond(const Step& step, double radius, DrawStream& c) {
     const auto [ball, box] = in_space(step, radius, c);
     return seen(ball, box, step.in_plane);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/families/whole_steps.h"
 #include "catalogue/operation/open_sets.h"
 #include "catalogue/operation/row.h"
@@ -19,63 +19,63 @@ struct sphere_sphere {
   using Question = std::variant<InPlane, InSpace>;
   using decision = NoDecision;
 
-  static const Card& card() {
-    static const Card card{.name = "sphere_sphere",
-                           .chapter = "volumes",
-                           .pages = "44",
-                           .question = "Do the two balls, or discs, overlap, only touch, or neither?",
-                           .kind = Kind::decision,
-                           .fields = {"a", "b"},
-                           .answer = "contact",
-                           .margin_degree = 2};
-    return card;
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "sphere_sphere",
+                                   .chapter = "volumes",
+                                   .pages = "44",
+                                   .question = "Do the two balls, or discs, overlap, only touch, or neither?",
+                                   .kind = Kind::decision,
+                                   .fields = {"a", "b"},
+                                   .answer = "contact",
+                                   .margin_degree = 2};
+    return metadata;
   }
 
   static std::vector<HardCase<Question>> hard_cases() {
     return {
         {"tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            const double r = part_of(step.length, c);
            return apart_by(step, r, step.length - r, c);
          }},
         {"beside_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            const double r = part_of(step.length, c);
            return apart_by(step, r, std::fabs(step.length - r + small_integer(c, 1)), c);
          }},
         {"tangent_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            const double r = static_cast<double>(c.below(8));
            return apart_by(step, r, r + step.length + small_integer(c, 1), c);
          }},
         {"concentric",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double r = static_cast<double>(c.below(4));
            const double s = static_cast<double>(c.below(4));
            return apart_by({{0, 0, 0}, 0, c.below(2) == 1}, r, s, c);
          }},
         {"point_inside",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            return apart_by(step, 0, step.length + small_integer(c, 3), c);
          }},
         {"points",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const double x = small_integer(c, 1), y = small_integer(c, 1);
            return apart_by({{x, y, 0}, 0, c.below(2) == 1}, 0, 0, c);
          }},
         {"long_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A multiple of 3, 4, 5 whose squares do not fit a double.
            const double w = 0x1p49 + static_cast<double>(c.below(std::uint64_t{1} << 49)), r = part_of(5 * w, c);
            const Step step{{3 * w, c.below(2) == 1 ? -4 * w : 4 * w, 0}, 5 * w, c.below(2) == 1};
            return seen({{0, 0, 0}, r}, {at(step), 5 * w - r}, step.in_plane, c);
          }},
         {"far_below",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Tangent balls, one of them as large as the lattice just holds beside the other, or larger; or aside by a
            // hair.
            const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
@@ -85,7 +85,7 @@ struct sphere_sphere {
            return seen({{-larger, 0, 0}, larger}, {{m, hair, 0}, s}, c);
          }},
         {"rounded_tangent",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto position = [&c] {
              const double x = ordinary(c), y = ordinary(c);
              return Point3d{x, y, ordinary(c)};
@@ -99,7 +99,7 @@ struct sphere_sphere {
            return seen({p, r}, {q, std::fabs(moved_by_ulps(distance - r, ulps))}, plane, c);
          }},
         {"much_rounded",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // One position and one radius just above a power of two, the others far smaller: differences and sums round
            // by all they may.
            const auto large = [&c] { return 1 + static_cast<double>(c.below(3)) * 0x1p-52; };
@@ -111,7 +111,7 @@ struct sphere_sphere {
                        {{std::ldexp(sign * y, e), 0, 0}, std::ldexp(r, e)}, c);
          }},
         {"subnormal",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // Beside the least normal number, and at the origin.
            const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
            const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
@@ -119,21 +119,21 @@ struct sphere_sphere {
            return seen({{from, 0, 0}, r}, {{from + x, y, 0}, s}, c);
          }},
         {"least_radius",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // A point, or a ball as small as can be, in another: only one of them has an interior.
            const double r = std::ldexp(static_cast<double>(c.below(3)), -1074), x = small_integer(c, 2);
            const double s = 1 + static_cast<double>(c.below(2));
            return seen({{x, 0, 0}, r}, {{0, 0, 0}, s}, c);
          }},
         {"either_zero",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            const auto zero = [&c] { return c.below(2) == 1 ? -0.0 : 0.0; };
            const double x = zero(), y = zero(), r = zero(), s = zero();
            const double more = static_cast<double>(c.below(2)), aside = small_integer(c, 1);
            return seen({{x, 0, 0}, r}, {{aside == 0 ? y : aside, 0, 0}, more == 0 ? s : more}, c);
          }},
         {"whole_range",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            constexpr double greatest = 0x1.fffffffffffffp+1023;
            const auto half = [&c] { return std::ldexp(1 + static_cast<double>(c.below(2)), 1022); };
            const double r = half(), s = c.below(2) == 1 ? half() : greatest;
@@ -142,7 +142,7 @@ struct sphere_sphere {
            return seen({{x, 0, 0}, r}, {{y, aside, 0}, s}, c);
          }},
         {"typed_touch",
-         [](Choices& c) -> Question {
+         [](DrawStream& c) -> Question {
            // As typed they touch.
            const double k = 1 + static_cast<double>(c.below(9)), m = 1 + static_cast<double>(c.below(9));
            const double scale = 1 + static_cast<double>(c.below(2));
@@ -175,26 +175,26 @@ struct sphere_sphere {
 
  private:
   /// From nothing to all of a whole length.
-  static double part_of(double length, Choices& c) {
+  static double part_of(double length, DrawStream& c) {
     return static_cast<double>(c.below(static_cast<std::uint64_t>(length) + 1));
   }
 
   static Point3d at(const Step& step) { return {step.way.x, step.way.y, step.way.z}; }
 
   /// From a lattice point.
-  static Question apart_by(const Step& step, double r, double s, Choices& c) {
+  static Question apart_by(const Step& step, double r, double s, DrawStream& c) {
     Point3d p = lattice_point_in_space(c);
     if (step.in_plane) p.z = 0;
     return seen({p, std::fabs(r)}, {p + step.way, std::fabs(s)}, step.in_plane, c);
   }
 
   /// In space, or the same without z; in either order.
-  static Question seen(const Sphere3d& a, const Sphere3d& b, bool in_plane, Choices& c) {
+  static Question seen(const Sphere3d& a, const Sphere3d& b, bool in_plane, DrawStream& c) {
     if (c.below(2) == 1) return in_order(b, a, in_plane);
     return in_order(a, b, in_plane);
   }
   /// Centers with z = 0: either.
-  static Question seen(const Sphere3d& a, const Sphere3d& b, Choices& c) {
+  static Question seen(const Sphere3d& a, const Sphere3d& b, DrawStream& c) {
     const bool in_plane = c.below(2) == 1;
     return seen(a, b, in_plane, c);
   }

@@ -35,8 +35,8 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 TEST_CASE("numbers: every double reads back bit by bit from its decimal and from its hexadecimal string") {
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < 50000; ++i) {
-    Choices choices = Choices::seeded(seed_of(1, "read back", i));
-    const double value = i % 3 == 0 ? any_finite(choices) : i % 3 == 1 ? mixed_exponent(choices) : ordinary(choices);
+    DrawStream draws = DrawStream::seeded(seed_of(1, "read back", i));
+    const double value = i % 3 == 0 ? any_finite(draws) : i % 3 == 1 ? mixed_exponent(draws) : ordinary(draws);
     if (bits(as_double(decimal(value))) != bits(value)) ++wrong;
     if (bits(as_double('"' + hexadecimal(value) + '"')) != bits(value)) ++wrong;
     if (as_exact('"' + hexadecimal(value) + '"') != exact_value(value)) ++wrong;
@@ -51,10 +51,10 @@ TEST_CASE("numbers: every double reads back bit by bit from its decimal and from
 TEST_CASE("numbers: a decimal is read as exactly what was typed, and as the double nearest to it") {
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < 30000; ++i) {
-    Choices choices = Choices::seeded(seed_of(2, "typed", i));
-    const auto digits = static_cast<unsigned long>(choices.below(std::uint64_t{1} << (1 + choices.below(63))));
-    const long exponent = static_cast<long>(choices.below(640)) - 340;
-    const bool negative = choices.below(2) == 1;
+    DrawStream draws = DrawStream::seeded(seed_of(2, "typed", i));
+    const auto digits = static_cast<unsigned long>(draws.below(std::uint64_t{1} << (1 + draws.below(63))));
+    const long exponent = static_cast<long>(draws.below(640)) - 340;
+    const bool negative = draws.below(2) == 1;
     mpz_class power;
     mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::labs(exponent)));
     mpq_class expected = exponent < 0 ? mpq_class(mpz_class(digits), power) : mpq_class(mpz_class(digits) * power);

@@ -43,7 +43,7 @@ void for_each_value(Json& value, const std::string& path, const std::function<vo
 
 /// No list is empty: an element shows what it holds.
 Json simplest(const Operation& operation) {
-  Question question = operation.zeros(std::max<std::size_t>(operation.card().list_length, 1));
+  Question question = operation.zeros(std::max<std::size_t>(operation.metadata().list_length, 1));
   for (double& number : question.numbers) number = 1.5;
   return operation.print(question);
 }
@@ -96,7 +96,7 @@ EACH_OPERATION("an answer reads back, infinities too") {
   never(
       operation, "answers read back",
       [&](const Question& question) -> std::string {
-        catalogue::Tape<double> answer, again;
+        catalogue::EncodedValue<double> answer, again;
         try {
           answer = operation.row().robust(question, 0);
         } catch (const InvalidInput&) {
@@ -126,7 +126,7 @@ EACH_OPERATION("a missing field is named") {
       value = before, ++fields;
     }
   });
-  CHECK(fields >= operation.card().fields.size() - optional_fields(operation));
+  CHECK(fields >= operation.metadata().fields.size() - optional_fields(operation));
 }
 
 EACH_OPERATION("a field that is not known is named") {
@@ -155,7 +155,7 @@ EACH_OPERATION("an array of another size, and what is no array, is refused by it
   };
   // Where the same field is read in the plane and in space, what is of neither size is refused as either.
   const bool ambiguous =
-      operation.question_shape().kind == catalogue::Shape::Kind::choice && operation.card().other_fields.empty();
+      operation.question_shape().kind == catalogue::Shape::Kind::choice && operation.metadata().other_fields.empty();
   const auto refused = [&](const Json& document, const std::string& path) {
     // The only arrays of three vectors that are no lists; a and b of triangle_triangle are triangles too.
     if (path.ends_with("half_axes") || path.ends_with("inertia") || path.ends_with("triangle") ||

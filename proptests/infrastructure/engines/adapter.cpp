@@ -140,7 +140,7 @@ TEST_CASE("adapter: above the table stand the operations found, the overloads no
   REQUIRE(all.left_out == std::vector<std::string>{"sphere_sphere(Sphere3<double> a, Sphere3<double> b)",
                                                    "aabb_aabb(Aabb3<double> a, Aabb3<double> b)"});
   std::size_t operations = 0;
-  for (const Operation* operation : all_operations()) operations += operation->card().is_implementation() ? 0 : 1;
+  for (const Operation* operation : all_operations()) operations += operation->metadata().is_implementation() ? 0 : 1;
   const std::string text = program::operations_found(all);
   REQUIRE_THAT(text, StartsWith("planar 2 has 2 of " + std::to_string(operations) +
                                 " operations: sphere_sphere, aabb_aabb\nNo overload found: "
@@ -151,7 +151,7 @@ TEST_CASE("adapter: above the table stand the operations found, the overloads no
   // What is short enough is named.
   Served most = all;
   for (const Operation* operation : all_operations())
-    if (!operation->card().is_implementation() && operation->name() != "orientation")
+    if (!operation->metadata().is_implementation() && operation->name() != "orientation")
       most.hello.operations.insert(operation->name());
   for (const std::string& name : most.hello.operations)
     most.operations.emplace(name, ServedOperation{*find_operation(name), QuestionText(*find_operation(name)), nullptr});

@@ -81,7 +81,7 @@ TEST_CASE("documented: docs/engines.md lists what every operation is given and a
     const std::string row = "|`" + operation->name() + "`|" + inputs + "`|`" + operation->answer_description().dump();
     INFO(row);
     const bool listed = page.find(without(row, " ") + "`|") != std::string::npos;
-    CHECK(listed != operation->card().is_implementation());
+    CHECK(listed != operation->metadata().is_implementation());
   }
 }
 
@@ -121,7 +121,7 @@ SegmentSegment<double> segment_segment(Segment2<double> a, Segment2<double> b); 
   for (const std::string& section : sections) CHECK_THAT(page, ContainsSubstring(section));
   for (const Operation* operation : all_operations()) {
     const bool listed = page.find("\n### `" + operation->name() + "`\n") != std::string::npos;
-    CHECK(listed != operation->card().is_implementation());
+    CHECK(listed != operation->metadata().is_implementation());
   }
 }
 

@@ -32,8 +32,8 @@ Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
     if (!asking.family.empty() && asking.family != operation.families()[family]) continue;
     Cell cell;
     for (std::uint64_t i = 0; i < asking.each; ++i) {
-      Choices choices = case_choices(operation, family, 1, i);
-      Question question = operation.draw(choices, family);
+      DrawStream draws = case_choices(operation, family, 1, i);
+      Question question = operation.draw(draws, family);
       question = fitted(operation, question, tally.declaration);
       if (asking.ordinary_only && range_of(question) == Range::extreme) continue;
       try {

@@ -61,16 +61,16 @@ struct Run {
 };
 
 template <class Float>
-Float number(Choices& choices) {
-  switch (choices.below(5)) {
-    case 0: return static_cast<Float>(small_integer(choices));
-    case 1: return static_cast<Float>(typed(choices));
-    case 2: return static_cast<Float>(ordinary(choices));
+Float number(DrawStream& draws) {
+  switch (draws.below(5)) {
+    case 0: return static_cast<Float>(small_integer(draws));
+    case 1: return static_cast<Float>(typed(draws));
+    case 2: return static_cast<Float>(ordinary(draws));
     case 3:
       return std::ldexp(
-          static_cast<Float>(1 + choices.below(16)),
-          static_cast<int>(choices.below(sizeof(Float) == 8 ? 1900 : 240)) - (sizeof(Float) == 8 ? 1000 : 130));
-    default: return std::numeric_limits<Float>::denorm_min() * static_cast<Float>(choices.below(1000));
+          static_cast<Float>(1 + draws.below(16)),
+          static_cast<int>(draws.below(sizeof(Float) == 8 ? 1900 : 240)) - (sizeof(Float) == 8 ? 1000 : 130));
+    default: return std::numeric_limits<Float>::denorm_min() * static_cast<Float>(draws.below(1000));
   }
 }
 
@@ -78,13 +78,13 @@ template <class Float>
 void hold_random_formulas(std::uint64_t formulas) {
   std::uint64_t promised = 0, exact_steps = 0, steps = 0;
   for (std::uint64_t i = 0; i < formulas; ++i) {
-    Choices choices = Choices::seeded(seed_of(sizeof(Float), "formulas", i));
+    DrawStream draws = DrawStream::seeded(seed_of(sizeof(Float), "formulas", i));
     Run<Float> run;
     Tracked<Float>::out_of_range() = false;
-    for (int k = 0; k < 3; ++k) run.start(number<Float>(choices));
+    for (int k = 0; k < 3; ++k) run.start(number<Float>(draws));
     for (int k = 0; k < 6; ++k) {
-      const std::size_t n = run.plain.size(), a = choices.below(n), b = choices.below(n);
-      run.apply(choices.below(4), a, b);
+      const std::size_t n = run.plain.size(), a = draws.below(n), b = draws.below(n);
+      run.apply(draws.below(4), a, b);
       INFO("formula " << i << ", step " << k);
       if (!run.same_value(n)) FAIL("another value than the plain computation's");
       ++steps;
@@ -130,19 +130,19 @@ void hold_roots_and_arc_cosines(std::uint64_t each) {
   };
   std::uint64_t roots = 0, angles = 0, angles_near_ends = 0;
   for (std::uint64_t i = 0; i < each; ++i) {
-    Choices choices = Choices::seeded(seed_of(sizeof(Float), "roots", i));
-    const Float x = number<Float>(choices), y = number<Float>(choices);
+    DrawStream draws = DrawStream::seeded(seed_of(sizeof(Float), "roots", i));
+    const Float x = number<Float>(draws), y = number<Float>(draws);
     roots += holds(root, T(std::fabs(x)), Exact(exact_value(std::fabs(x))));
     roots += holds(root, T(x) * T(y), Exact(exact_value(x)) * Exact(exact_value(y)));
     const Float less = std::nextafter(x, Float(0));
     roots += holds(root, T(x) * T(x) - T(x) * T(less), Exact(exact_value(x) * (exact_value(x) - exact_value(less))));
     if (x == 0 || y == 0) continue;
     const Float small = std::fmin(std::fabs(x), std::fabs(y)), large = std::fmax(std::fabs(x), std::fabs(y));
-    const Float sign = choices.below(2) == 0 ? Float(1) : Float(-1);
+    const Float sign = draws.below(2) == 0 ? Float(1) : Float(-1);
     angles += holds(arc_cosine, T(sign * small) / T(large), Exact(exact_value(sign * small) / exact_value(large)));
     // Beside an end: n / (n + k) for a large n, rounded; and exact numbers there.
-    const Float n = std::ldexp(Float(1), static_cast<int>(choices.below(std::numeric_limits<Float>::digits))),
-                k = static_cast<Float>(choices.below(4));
+    const Float n = std::ldexp(Float(1), static_cast<int>(draws.below(std::numeric_limits<Float>::digits))),
+                k = static_cast<Float>(draws.below(4));
     angles_near_ends += holds(arc_cosine, T(sign * n) / T(n + k), Exact(exact_value(sign * n) / exact_value(n + k)));
     const Float beside = sign - sign * k * std::numeric_limits<Float>::epsilon() / 2;
     angles_near_ends += holds(arc_cosine, T(beside), Exact(exact_value(beside)));
@@ -244,18 +244,18 @@ TEST_CASE("Tracked: bounds of roots and arc cosines are no larger than they must
 TEST_CASE(
     "Tracked: whether there is an arc cosine is in doubt beside 1 where the argument was rounded, and nowhere else") {
   using T = Tracked<double>;
-  const auto doubtful = [](const T& argument) {
-    T::doubtful() = false;
+  const auto inconclusive = [](const T& argument) {
+    T::inconclusive() = false;
     acos(argument);
-    return T::doubtful();
+    return T::inconclusive();
   };
-  CHECK(doubtful(T(0.1) * T(10.0)));
-  CHECK(doubtful(T(-0.1) * T(10.0)));
-  CHECK_FALSE(doubtful(T(0.1) * T(9.0)));
-  CHECK_FALSE(doubtful(T(1.0)));
-  CHECK_FALSE(doubtful(T(3.0)));  // undefined, certainly
-  CHECK_FALSE(doubtful(T(3.0) / T(3.0)));
-  T::doubtful() = false;
+  CHECK(inconclusive(T(0.1) * T(10.0)));
+  CHECK(inconclusive(T(-0.1) * T(10.0)));
+  CHECK_FALSE(inconclusive(T(0.1) * T(9.0)));
+  CHECK_FALSE(inconclusive(T(1.0)));
+  CHECK_FALSE(inconclusive(T(3.0)));  // undefined, certainly
+  CHECK_FALSE(inconclusive(T(3.0) / T(3.0)));
+  T::inconclusive() = false;
 }
 
 TEST_CASE("Tracked: overflow, and bits lost below the least normal number, are noticed, and nothing else") {
@@ -299,25 +299,25 @@ TEST_CASE("Tracked: overflow, and bits lost below the least normal number, are n
 
 TEST_CASE("Tracked: a comparison that the bound cannot decide is in doubt, no other") {
   using T = Tracked<double>;
-  const auto doubtful = [](const auto& comparison) {
-    T::doubtful() = false;
+  const auto inconclusive = [](const auto& comparison) {
+    T::inconclusive() = false;
     comparison();
-    return T::doubtful();
+    return T::inconclusive();
   };
   const T ten_tenths = T(0.1) * T(10.0);  // 1 + 2^-54 rounded to 1
-  CHECK(doubtful([&] { return ten_tenths == T(1.0); }));
-  CHECK(doubtful([&] { return ten_tenths < T(1.0); }));
-  CHECK(doubtful([&] { return ten_tenths >= T(1.0); }));
-  CHECK_FALSE(doubtful([&] { return ten_tenths > T(0.5); }));
-  CHECK_FALSE(doubtful([&] { return ten_tenths != T(2.0); }));
-  CHECK_FALSE(doubtful([&] { return T(1.0) == T(1.0); }));           // both exact
-  CHECK_FALSE(doubtful([&] { return T(0.0) / T(0.0) <= T(1.0); }));  // undefined in exact arithmetic too
-  CHECK_FALSE(doubtful([&] { return T(1.0) / T(0.0) <= T(1.0); }));
-  CHECK_FALSE(doubtful([&] { return T(3.0) * (T(1.0) / T(0.0)) + T(0.1) * T(0.1) > T(1.0); }));
-  CHECK(doubtful([&] { return T(1.0) / (ten_tenths - T(1.0)) > T(1.0); }));  // the divisor is 0 by rounding
-  CHECK(doubtful([&] { return T(1e308) * T(10.0) > T(0.0); }));
+  CHECK(inconclusive([&] { return ten_tenths == T(1.0); }));
+  CHECK(inconclusive([&] { return ten_tenths < T(1.0); }));
+  CHECK(inconclusive([&] { return ten_tenths >= T(1.0); }));
+  CHECK_FALSE(inconclusive([&] { return ten_tenths > T(0.5); }));
+  CHECK_FALSE(inconclusive([&] { return ten_tenths != T(2.0); }));
+  CHECK_FALSE(inconclusive([&] { return T(1.0) == T(1.0); }));           // both exact
+  CHECK_FALSE(inconclusive([&] { return T(0.0) / T(0.0) <= T(1.0); }));  // undefined in exact arithmetic too
+  CHECK_FALSE(inconclusive([&] { return T(1.0) / T(0.0) <= T(1.0); }));
+  CHECK_FALSE(inconclusive([&] { return T(3.0) * (T(1.0) / T(0.0)) + T(0.1) * T(0.1) > T(1.0); }));
+  CHECK(inconclusive([&] { return T(1.0) / (ten_tenths - T(1.0)) > T(1.0); }));  // the divisor is 0 by rounding
+  CHECK(inconclusive([&] { return T(1e308) * T(10.0) > T(0.0); }));
   CHECK((T(0.0) / T(0.0)).value() != 0);
-  T::doubtful() = false;
+  T::inconclusive() = false;
 }
 
 TEST_CASE("Exact: x / 0 is undefined, and so is what is computed from it; every comparison with it is false") {

@@ -105,7 +105,7 @@ EACH_OPERATION("what is no answer is invalid, with a remark that names the place
   const auto examination = operation.examine(operation.map_centre());
   const Json right = parse_line(one_line(examination->rounded_truth()));
   const Json description = operation.answer_description();
-  const bool partial = operation.row().fault == nullptr;
+  const bool partial = operation.row().defect == nullptr;
   std::vector<Spoilt> all;
   spoil(right, Json::json_pointer(), "answer", all);
   std::size_t malformed = 0;

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
@@ -51,39 +51,39 @@ mpq_class ulp_by_mpfr(const mpq_class& truth, bool binary32) {
 
 /// A rational of one of many kinds: any quotient, ties between two numbers of the format (subnormal ones too), and such
 /// a tie or such a number and a little more or less, from below the range to beyond it.
-mpq_class drawn(Choices& choices, bool binary32) {
+mpq_class drawn(DrawStream& draws, bool binary32) {
   const long digits = binary32 ? 24 : 53, low = binary32 ? -149 : -1074, high = binary32 ? 104 : 971;
-  const bool quotient = choices.below(3) == 0;
-  const std::uint64_t kind = choices.below(4);
+  const bool quotient = draws.below(3) == 0;
+  const std::uint64_t kind = draws.below(4);
   mpz_class size(static_cast<unsigned long>(
-      choices.below(std::uint64_t{1} << (1 + choices.below(static_cast<std::uint64_t>(digits))))));
+      draws.below(std::uint64_t{1} << (1 + draws.below(static_cast<std::uint64_t>(digits))))));
   if (kind != 0) size |= mpz_class(1) << static_cast<mp_bitcnt_t>(digits - 1);
   if (kind == 3) size = (mpz_class(1) << static_cast<mp_bitcnt_t>(digits)) - 1;
   long exponent = 0;
-  switch (choices.below(4)) {
+  switch (draws.below(4)) {
     case 0: exponent = low; break;
     case 1: exponent = high; break;
-    case 2: exponent = low - 60 + static_cast<long>(choices.below(130)); break;
-    default: exponent = low + static_cast<long>(choices.below(static_cast<std::uint64_t>(high - low + 4)));
+    case 2: exponent = low - 60 + static_cast<long>(draws.below(130)); break;
+    default: exponent = low + static_cast<long>(draws.below(static_cast<std::uint64_t>(high - low + 4)));
   }
   mpq_class result(size);
   if (quotient) {
-    result /= mpq_class(static_cast<unsigned long>(1 + choices.below(std::uint64_t{1} << (1 + choices.below(62)))));
-  } else if (choices.below(2) == 1) {
+    result /= mpq_class(static_cast<unsigned long>(1 + draws.below(std::uint64_t{1} << (1 + draws.below(62)))));
+  } else if (draws.below(2) == 1) {
     result += mpq_class(1, 2);
   }
-  if (choices.below(3) == 0) result += power_of_two(-1 - static_cast<long>(choices.below(200)));
-  if (choices.below(3) == 0) result -= power_of_two(-1 - static_cast<long>(choices.below(200)));
+  if (draws.below(3) == 0) result += power_of_two(-1 - static_cast<long>(draws.below(200)));
+  if (draws.below(3) == 0) result -= power_of_two(-1 - static_cast<long>(draws.below(200)));
   result *= power_of_two(exponent);
-  if (choices.below(2) == 1) result = -result;
+  if (draws.below(2) == 1) result = -result;
   return result;
 }
 
 void hold_against_mpfr(bool binary32) {
   std::uint64_t wrong = 0, ties = 0, subnormal = 0, beyond = 0, zero = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
-    Choices choices = Choices::seeded(seed_of(1, binary32 ? "nearest32" : "nearest64", i));
-    const mpq_class truth = drawn(choices, binary32);
+    DrawStream draws = DrawStream::seeded(seed_of(1, binary32 ? "nearest32" : "nearest64", i));
+    const mpq_class truth = drawn(draws, binary32);
     const double expected = by_mpfr(truth, binary32), found = nearest(truth, binary32);
     if (found != expected) {
       if (wrong++ == 0) UNSCOPED_INFO(truth << " rounds to " << expected << ", not to " << found);
@@ -98,7 +98,7 @@ void hold_against_mpfr(bool binary32) {
     zero += expected == 0;
     subnormal += expected != 0 && std::fabs(expected) < (binary32 ? 0x1p-126 : 0x1p-1022);
     // Another number a few units away: the distance is exact up to its own rounding.
-    const double answered = expected + static_cast<double>(static_cast<int>(choices.below(9)) - 4) * ulp.get_d();
+    const double answered = expected + static_cast<double>(static_cast<int>(draws.below(9)) - 4) * ulp.get_d();
     const double distance = distance_in_ulps(answered, truth, binary32);
     if (answered == expected) {
       wrong += distance != 0;

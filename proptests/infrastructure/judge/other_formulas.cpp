@@ -11,7 +11,7 @@
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
 
-/// Other sensible formulas than the textbook's are as good: what they are off by is `inexact`, and nobody's fault.
+/// Other sensible formulas than the textbook's are as good: what they are off by is `inexact`, and nobody's defect.
 namespace touchstone::proptests::other_formulas_tests {
 namespace {
 
@@ -44,7 +44,7 @@ void as_good(const Formula& formula, const Asking& asking = {.each = 200}, bool 
     INFO(one_line(question.operation().print_hexadecimal(question.question()))
          << ": " << exact << ", got " << answered);
     if (judgement.verdict == Verdict::algorithm || (judgement.verdict == Verdict::rounding && !no_digit))
-      FAIL(Row::card().name << ": " << name_of(judgement.verdict));
+      FAIL(Row::metadata().name << ": " << name_of(judgement.verdict));
   });
   CHECK((inexact > 0) == rounds);
 }

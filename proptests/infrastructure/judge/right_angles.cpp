@@ -4,7 +4,7 @@
 
 #include "audit/easy_questions.h"
 #include "audit/engines/protocol.h"
-#include "catalogue/families/obb_choices.h"
+#include "catalogue/families/obb_draws.h"
 #include "catalogue/rows/volumes/obb_obb.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/judge/foreign_formulas.h"
@@ -57,8 +57,8 @@ std::pair<std::uint64_t, std::uint64_t> wrong_of_clear(bool skew_boxes) {
 
 TEST_CASE("right angles: the half axes of a box are made square, and those that are stay what they are") {
   for (std::uint64_t i = 0; i < 2000; ++i) {
-    Choices choices = Choices::seeded(seed_of(1, "right angles", i));
-    const HalfAxes<double> drawn = catalogue::lattice_half_axes(choices), turned = at_right_angles(drawn);
+    DrawStream draws = DrawStream::seeded(seed_of(1, "right angles", i));
+    const HalfAxes<double> drawn = catalogue::lattice_half_axes(draws), turned = at_right_angles(drawn);
     const auto& [u, v, w] = drawn;
     INFO(i << ": " << u.x << ' ' << u.y << ' ' << u.z << ", " << v.x << ' ' << v.y << ' ' << v.z << ", " << w.x << ' '
            << w.y << ' ' << w.z);

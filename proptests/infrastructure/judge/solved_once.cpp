@@ -58,7 +58,7 @@ RowFunctions counting() {
   };
   row.robust = [](const Question& q, std::size_t e) { return add(counts.robust[e], q), counted_row().robust(q, e); };
   row.decide = [](const Question& q, std::size_t e) { return add(counts.decided[e], q), counted_row().decide(q, e); };
-  row.draw = [](Drawing& drawing, const Question& q, const Tape<double>& truth) {
+  row.draw = [](Drawing& drawing, const Question& q, const EncodedValue<double>& truth) {
     add(counts.drawn, q);
     counted_row().draw(drawing, q, truth);
   };
@@ -75,7 +75,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("solved once: a finding in table, JSON, gate, JUnit, SARIF and its card with figure and certificate") {
+TEST_CASE("solved once: a finding in table, JSON, gate, JUnit, SARIF and its metadata with figure and certificate") {
   counts = {.marked = true};
   Cell cell;
   count(cell, {operation(), to_the_left, "on"}, {Verdict::algorithm}, Json{{"side", "left"}});
@@ -182,19 +182,19 @@ TEST_CASE("interrogation: says which of its aspects is broken") {
     CHECK(said(aspect).empty());
 
   const auto original = row;
-  row.robust = [](const Question&, std::size_t) { return Tape<double>{{}, {static_cast<Word>(Side::on)}}; };
+  row.robust = [](const Question&, std::size_t) { return EncodedValue<double>{{}, {static_cast<Word>(Side::on)}}; };
   CHECK(said(Aspect::robust) == "robust");
   CHECK(said(Aspect::stages) == "stage 0");
   row.robust = [](const Question& q, std::size_t e) {
-    return e == 0 ? counted_row().robust(q, e) : Tape<double>{{}, {static_cast<Word>(Side::on)}};
+    return e == 0 ? counted_row().robust(q, e) : EncodedValue<double>{{}, {static_cast<Word>(Side::on)}};
   };
   CHECK(said(Aspect::robust) == "robust");
-  row.robust = [](const Question&, std::size_t) -> Tape<double> { throw InvalidInput("p", "another rule"); };
+  row.robust = [](const Question&, std::size_t) -> EncodedValue<double> { throw InvalidInput("p", "another rule"); };
   CHECK(said(Aspect::robust) == "robust");
   CHECK(said(Aspect::robust, {{0, 0, 1, 0, 0, HUGE_VAL}, {}}) == "refusal");
 
   row = original;
-  row.reference = [](const Question&) { return Tape<double>{{}, {static_cast<Word>(Side::on)}}; };
+  row.reference = [](const Question&) { return EncodedValue<double>{{}, {static_cast<Word>(Side::on)}}; };
   CHECK(said(Aspect::promise) == "promise");
   row = original;
   row.solve = [](const Question& q) {
@@ -205,7 +205,7 @@ TEST_CASE("interrogation: says which of its aspects is broken") {
   CHECK(said(Aspect::certificate) == "certificate");
   row = original;
   row.robust = [](const Question& q, std::size_t e) {
-    return q == to_the_left ? counted_row().robust(q, e) : Tape<double>{{}, {static_cast<Word>(Side::on)}};
+    return q == to_the_left ? counted_row().robust(q, e) : EncodedValue<double>{{}, {static_cast<Word>(Side::on)}};
   };
   CHECK(said(Aspect::laws_of_robust) == "law of robust");
   row = original;

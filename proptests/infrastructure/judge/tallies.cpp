@@ -222,18 +222,18 @@ TEST_CASE("tallies: refused cases add up, and cells of one shard or cut into oth
 TEST_CASE("tallies: merging cells in any order gives the same cell") {
   std::array<Cell, 3> parts;
   for (std::uint64_t i = 0; i < 60; ++i) {
-    Choices choices = Choices::seeded(seed_of(1, "cells", i));
+    DrawStream draws = DrawStream::seeded(seed_of(1, "cells", i));
     Judgement judgement;
-    judgement.verdict = static_cast<Verdict>(choices.below(verdict_count));
-    const double x = static_cast<double>(choices.below(5)), y = static_cast<double>(choices.below(5));
-    const double size = choices.below(2) == 1 ? 1e200 : 1;
-    Cell& part = parts[choices.below(3)];
-    judgement.ulps = static_cast<double>(choices.below(100));
-    judgement.touch_reading = static_cast<int>(choices.below(3)) - 1;
-    judgement.said = choices.below(2) == 1 ? "right" : "on";
-    judgement.out_of_range = choices.below(2) == 1;
-    judgement.degenerate = choices.below(2) == 1;
-    const std::string truth = choices.below(2) == 1 ? "left" : "on";
+    judgement.verdict = static_cast<Verdict>(draws.below(verdict_count));
+    const double x = static_cast<double>(draws.below(5)), y = static_cast<double>(draws.below(5));
+    const double size = draws.below(2) == 1 ? 1e200 : 1;
+    Cell& part = parts[draws.below(3)];
+    judgement.ulps = static_cast<double>(draws.below(100));
+    judgement.touch_reading = static_cast<int>(draws.below(3)) - 1;
+    judgement.said = draws.below(2) == 1 ? "right" : "on";
+    judgement.out_of_range = draws.below(2) == 1;
+    judgement.degenerate = draws.below(2) == 1;
+    const std::string truth = draws.below(2) == 1 ? "left" : "on";
     count(part, {*find_operation("orientation"), {{x * size, y, 0, 1, 2, 5}}, truth, i}, judgement);
   }
   std::array<int, 3> order{0, 1, 2};

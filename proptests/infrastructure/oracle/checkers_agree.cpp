@@ -11,7 +11,7 @@
 namespace touchstone::proptests::checkers_agree_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using nlohmann::json;
 
 const char* const script = "proptests/infrastructure/oracle/checkers_agree.py ";
@@ -53,10 +53,10 @@ std::vector<json::json_pointer> some_of(std::vector<json::json_pointer> places) 
 }
 
 /// An exact value near to, or made from, the one that stands there.
-std::string altered(Choices& choices, const std::string& text) {
+std::string altered(DrawStream& draws, const std::string& text) {
   const mpq_class value(text);
   const mpq_class near_one = 1 + mpq_class(1, mpz_class(1) << 50);
-  switch (choices.below(7)) {
+  switch (draws.below(7)) {
     case 0: return mpq_class(value + 1).get_str();
     case 1: return mpq_class(-value).get_str();
     case 2: return mpq_class(value * 2).get_str();
@@ -83,7 +83,7 @@ TEST_CASE(
     "certificates: both checkers name the first number that is not finite, in the order of the operation's shapes") {
   std::vector<std::string> lines, verdicts;
   for (const catalogue::Operation* operation : catalogue::all_operations()) {
-    if (operation->card().is_implementation()) continue;
+    if (operation->metadata().is_implementation()) continue;
     for (catalogue::Question question : operation->zeros_of_alternatives()) {
       const std::size_t count = question.numbers.size();
       for (std::size_t first = 0; first < count; ++first) {
@@ -262,7 +262,7 @@ TEST_CASE("certificates: both checkers accept what the oracle claims") {
 
 TEST_CASE("certificates: both checkers refuse another truth, for the same reason") {
   Shown shown;
-  Choices choices = Choices::seeded(catalogue::seed_of(1, "other truths", 0));
+  DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "other truths", 0));
   for (const json& claim : drawn_claims("other truths", 3)) {
     // Of a grown ball a claim proves that it holds every point and is not too large; so may be another.
     if (claim["certificate"]["kind"] == "lower_bound") continue;
@@ -276,14 +276,14 @@ TEST_CASE("certificates: both checkers refuse another truth, for the same reason
       }
       if (claim[place].is_number_unsigned()) {  // a place in a list
         json broken = claim;
-        broken[place] = claim[place].get<unsigned>() + 1 + choices.below(3);
+        broken[place] = claim[place].get<unsigned>() + 1 + draws.below(3);
         CAPTURE(broken.dump());
         CHECK(!shown.accepts(broken));
       }
       if (!claim[place].is_string()) continue;
       const std::string value = claim[place];
       if (value.find_first_not_of("-0123456789/") != std::string::npos) continue;
-      const std::string other = altered(choices, value);
+      const std::string other = altered(draws, value);
       // An enclosure proves what the number rounds to, and no more than 2^-60 of a last place, which is 2^-1134 for the
       // smallest.
       const mpq_class gap = abs(mpq_class(mpq_class(other) - mpq_class(value)));

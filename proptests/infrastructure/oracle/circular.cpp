@@ -16,7 +16,7 @@
 namespace touchstone::proptests::circular_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using oracle::Enclosure;
 using oracle::Integer;
 using oracle::Rational;
@@ -55,10 +55,10 @@ std::uint64_t nearest_bits(const Rational& value) {
 
 TEST_CASE(
     "cosine and sine: what is enclosed with few bits is what is enclosed with many, for doubles and for rationals") {
-  Choices choices = Choices::seeded(20240604);
+  DrawStream draws = DrawStream::seeded(20240604);
   int wrong = 0;
   for (int i = 0; i < 1500; ++i) {
-    double u = choices.below(2) == 0 ? catalogue::ordinary(choices) : catalogue::mixed_exponent(choices);
+    double u = draws.below(2) == 0 ? catalogue::ordinary(draws) : catalogue::mixed_exponent(draws);
     if (u == 0) u = 1;
     const Rational third(oracle::exact(u) / 3);
     wrong += !enclosed(u) + !enclosed(third);
@@ -95,11 +95,11 @@ TEST_CASE("parametric_circle: what cancels in one coordinate only is still found
 }
 
 TEST_CASE("quarter turns: what is left is less than 0.8") {
-  Choices choices = Choices::seeded(20240605);
+  DrawStream draws = DrawStream::seeded(20240605);
   const int bits = 2200;
   const Rational half_pi = oracle::scaled(pi(bits), -bits - 1);
   for (int i = 0; i < 2000; ++i) {
-    const double u = choices.below(2) == 0 ? catalogue::any_finite(choices) : 100 * catalogue::ordinary(choices);
+    const double u = draws.below(2) == 0 ? catalogue::any_finite(draws) : 100 * catalogue::ordinary(draws);
     const Rational rest(oracle::exact(u) - Rational(oracle::quarter_turns(u)) * half_pi);
     CHECK(abs(rest) < Rational(4, 5));
   }
@@ -110,10 +110,10 @@ TEST_CASE("certificates: no enclosure of a sine or cosine is accepted that leave
   mpfr_init2(angle, 53), mpfr_inits2(2600, sine, cosine, static_cast<mpfr_ptr>(nullptr));
   int accepted_wrongly = 0, accepted = 0;
   for (std::uint64_t i = 0; i < 1500; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, "sharp enclosures", i));
-    const double u = choices.below(2) == 0 ? catalogue::ordinary(choices) * 100 : catalogue::mixed_exponent(choices);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "sharp enclosures", i));
+    const double u = draws.below(2) == 0 ? catalogue::ordinary(draws) * 100 : catalogue::mixed_exponent(draws);
     if (u == 0) continue;
-    const auto bits = static_cast<unsigned long>(4 + choices.below(200));
+    const auto bits = static_cast<unsigned long>(4 + draws.below(200));
     mpfr_set_d(angle, u, MPFR_RNDN);
     mpfr_sin_cos(sine, cosine, angle, MPFR_RNDN);
     nlohmann::json claim{{"op", "parametric_circle"}, {"truth", {{"point", {"1", "1"}}}}};

@@ -22,11 +22,11 @@ namespace touchstone::proptests {
 inline std::vector<nlohmann::json> drawn_claims(const char* stream, std::uint64_t each) {
   std::vector<nlohmann::json> claims;
   for (const catalogue::Operation* operation : catalogue::all_operations()) {
-    if (operation->card().is_implementation()) continue;
+    if (operation->metadata().is_implementation()) continue;
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < each; ++i) {
-        catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(family, stream, i));
-        const catalogue::Question question = operation->draw(choices, family);
+        catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(family, stream, i));
+        const catalogue::Question question = operation->draw(draws, family);
         try {
           const auto examination = operation->examine(question);
           auto claim = catalogue::claim_of(*examination);

@@ -12,7 +12,7 @@
 namespace touchstone::proptests::many_elements_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using oracle::Rational;
 
 template <class Work>
@@ -24,13 +24,13 @@ double seconds_of(const Work& work) {
 
 /// Some close together, most far from one another, along all axes and across them.
 template <class Solid>
-std::vector<Solid> solids(Choices& choices, std::size_t count) {
+std::vector<Solid> solids(DrawStream& draws, std::size_t count) {
   std::vector<Solid> all;
   for (std::size_t i = 0; i < count; ++i) {
-    const double apart = choices.below(2) == 0 ? 4 : 4000;
-    const auto at = [&] { return apart * catalogue::small_integer(choices) / 8; };
-    const Point3d p{at(), at(), choices.below(3) == 0 ? 0 : at()};
-    const double size = static_cast<double>(choices.below(5)) / 4;
+    const double apart = draws.below(2) == 0 ? 4 : 4000;
+    const auto at = [&] { return apart * catalogue::small_integer(draws) / 8; };
+    const Point3d p{at(), at(), draws.below(3) == 0 ? 0 : at()};
+    const double size = static_cast<double>(draws.below(5)) / 4;
     if constexpr (std::is_same_v<Solid, Sphere3d>) all.push_back({p, size});
     else all.push_back({p, {p.x + size, p.y + size, p.z + 1}});
   }
@@ -55,10 +55,10 @@ void check_as_two_by_two(const std::vector<Solid>& all) {
 }
 
 /// A symmetric matrix of full rank or less, as contacts have them: products of rows of few small integers.
-oracle::Complementary problem(Choices& choices, std::size_t contacts, std::size_t rank) {
+oracle::Complementary problem(DrawStream& draws, std::size_t contacts, std::size_t rank) {
   std::vector<std::vector<int>> rows(contacts);
   for (auto& row : rows) {
-    for (std::size_t k = 0; k < rank; ++k) row.push_back(static_cast<int>(catalogue::small_integer(choices, 2)));
+    for (std::size_t k = 0; k < rank; ++k) row.push_back(static_cast<int>(catalogue::small_integer(draws, 2)));
   }
   oracle::Complementary made;
   for (const auto& row : rows) {
@@ -69,7 +69,7 @@ oracle::Complementary problem(Choices& choices, std::size_t contacts, std::size_
       products.push_back(sum);
     }
     made.matrix.push_back(products);
-    made.constants.push_back(static_cast<int>(catalogue::small_integer(choices, 3)));
+    made.constants.push_back(static_cast<int>(catalogue::small_integer(draws, 3)));
   }
   return made;
 }
@@ -78,18 +78,18 @@ oracle::Complementary problem(Choices& choices, std::size_t contacts, std::size_
 
 TEST_CASE("many elements: the pairs of many solids and their margin are those of each two alone") {
   for (std::uint64_t i = 0; i < 60; ++i) {
-    Choices choices = Choices::seeded(i);
-    check_as_two_by_two(solids<Sphere3d>(choices, 12));
-    check_as_two_by_two(solids<Aabb3d>(choices, 12));
+    DrawStream draws = DrawStream::seeded(i);
+    check_as_two_by_two(solids<Sphere3d>(draws, 12));
+    check_as_two_by_two(solids<Aabb3d>(draws, 12));
   }
 }
 
 TEST_CASE("many elements: pivots on the diagonal find the impulses of Lemke's method, or nothing") {
   int found = 0, left = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    Choices choices = Choices::seeded(i);
-    const std::size_t contacts = 1 + choices.below(6);
-    const oracle::Complementary asked = problem(choices, contacts, contacts + 1 - choices.below(3));
+    DrawStream draws = DrawStream::seeded(i);
+    const std::size_t contacts = 1 + draws.below(6);
+    const oracle::Complementary asked = problem(draws, contacts, contacts + 1 - draws.below(3));
     const auto single = oracle::single_complement(asked);
     const oracle::Complement all = oracle::lemke(asked);
     ++(single ? found : left);

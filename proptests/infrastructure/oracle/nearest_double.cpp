@@ -15,7 +15,7 @@
 namespace touchstone::proptests::nearest_double_tests {
 namespace {
 
-using catalogue::Choices, catalogue::Environment, catalogue::environment_count;
+using catalogue::DrawStream, catalogue::Environment, catalogue::environment_count;
 using oracle::Integer;
 using oracle::Rational;
 
@@ -37,22 +37,22 @@ std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 Rational times_power(const Rational& value, int exponent) { return oracle::scaled(value, exponent); }
 
 /// A double, halfway between two, close to halfway, a quotient, or far outside of the range.
-Rational drawn(Choices& choices) {
-  const double some = choices.below(2) == 0 ? catalogue::any_finite(choices) : catalogue::mixed_exponent(choices);
+Rational drawn(DrawStream& draws) {
+  const double some = draws.below(2) == 0 ? catalogue::any_finite(draws) : catalogue::mixed_exponent(draws);
   const Rational value = oracle::exact(some), ulp = times_power(Rational(1), oracle::ulp_exponent(value));
-  switch (choices.below(7)) {
+  switch (draws.below(7)) {
     case 0: return value;
     case 1: return Rational(value + ulp / 2);
-    case 2: return Rational(value + ulp / 2 + times_power(ulp, -static_cast<int>(choices.below(200))));
-    case 3: return Rational(value + ulp / 2 - times_power(ulp, -static_cast<int>(choices.below(200))));
-    case 4: return Rational(value + ulp * Rational(1, 1 + static_cast<long>(choices.below(1000))));
+    case 2: return Rational(value + ulp / 2 + times_power(ulp, -static_cast<int>(draws.below(200))));
+    case 3: return Rational(value + ulp / 2 - times_power(ulp, -static_cast<int>(draws.below(200))));
+    case 4: return Rational(value + ulp * Rational(1, 1 + static_cast<long>(draws.below(1000))));
     case 5: {  // around 2^1024 - 2^970, from where on the nearest is infinite
       const Rational end(times_power(Rational(1), 1024) - times_power(Rational(1), 970));
-      return Rational(end + times_power(Rational(static_cast<long>(choices.below(7)) - 3), 969));
+      return Rational(end + times_power(Rational(static_cast<long>(draws.below(7)) - 3), 969));
     }
     default:
-      return times_power(Rational(value / (1 + static_cast<long>(choices.below(1000)))),
-                         static_cast<int>(choices.below(200)) - 100);
+      return times_power(Rational(value / (1 + static_cast<long>(draws.below(1000)))),
+                         static_cast<int>(draws.below(200)) - 100);
   }
 }
 
@@ -72,10 +72,10 @@ bool margin_is_tight(const Rational& value) {
 }  // namespace
 
 TEST_CASE("nearest double: rounds as MPFR does, in every floating-point environment") {
-  Choices choices = Choices::seeded(20240602);
+  DrawStream draws = DrawStream::seeded(20240602);
   int wrong = 0, halfway = 0, subnormal = 0, infinite = 0;
   for (int i = 0; i < 60000; ++i) {
-    const Rational value = drawn(choices);
+    const Rational value = drawn(draws);
     const double expected = by_mpfr(value);
     std::uint64_t found = 0;
     {
@@ -108,10 +108,10 @@ TEST_CASE("nearest double: zero is +0, a value too small keeps its sign, ties at
 }
 
 TEST_CASE("rounding margin: the rounding stays within it and changes beyond it") {
-  Choices choices = Choices::seeded(20240603);
+  DrawStream draws = DrawStream::seeded(20240603);
   int wrong = 0, asked = 0;
   for (int i = 0; i < 30000; ++i) {
-    const Rational value = drawn(choices);
+    const Rational value = drawn(draws);
     if (oracle::rounding_margin(value) == 0) continue;
     ++asked, wrong += !margin_is_tight(value);
   }

@@ -76,8 +76,8 @@ TEST_CASE("quadratic programs: CGAL finds the velocities of simultaneous_collisi
   std::size_t possible = 0, impossible = 0;
   for (const auto& family : Row::hard_cases()) {
     for (std::uint64_t i = 0; i < 40; ++i) {
-      catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, family.name.c_str(), i));
-      const Row::Question question = family.draw(choices);
+      catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, family.name.c_str(), i));
+      const Row::Question question = family.draw(draws);
       const auto found = [&]() -> std::optional<SimultaneousVelocities<Rational>> {
         try {
           return catalogue::ask_oracle<Row>(question).answer;

@@ -18,7 +18,7 @@
 namespace touchstone::proptests::rationals_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using oracle::Rational;
 using Segment = Segment2<Rational>;
 using Line = Line2<Rational>;
@@ -117,8 +117,8 @@ TEST_CASE("rationals: the truth for doubles and for the rationals that they are 
     int different = 0;
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < 40; ++i) {
-        Choices choices = Choices::seeded(catalogue::seed_of(i, "rationals", family));
-        const catalogue::Question question = operation->draw(choices, family);
+        DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "rationals", family));
+        const catalogue::Question question = operation->draw(draws, family);
         const auto exactly =
             catalogue::tape_with<Rational>(question, [](double number) { return oracle::exact(number); });
         const std::string by_doubles = said([&] { return row.solve(question); }),
@@ -143,9 +143,9 @@ TEMPLATE_TEST_CASE("rationals: a third of every length is a third of every point
   const catalogue::Operation& operation = catalogue::operation_of_row<TestType>();
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     for (std::uint64_t i = 0; i < 20; ++i) {
-      Choices choices = Choices::seeded(catalogue::seed_of(i, "thirds", family));
+      DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "thirds", family));
       const auto question =
-          exactly<TestType>(catalogue::unpacked<typename TestType::Question>(operation.draw(choices, family)));
+          exactly<TestType>(catalogue::unpacked<typename TestType::Question>(operation.draw(draws, family)));
       const auto smaller =
           catalogue::converted<Rational>(question, [&](const Rational& n) { return Rational(n * third); });
       try {
@@ -168,19 +168,19 @@ TEMPLATE_TEST_CASE(
   const typename TestType::Question shape{};
   int different = 0;
   for (std::uint64_t i = 0; i < 3000; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(i, "words", 0));
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "words", 0));
     // Few values, so that points coincide and lie on one line; near the most that so many bits hold, or anywhere
     // within.
-    const unsigned long bits = 58 + choices.below(8);
+    const unsigned long bits = 58 + draws.below(8);
     std::array<mpz_class, 4> values;
     for (mpz_class& value : values) {
       value = (mpz_class(1) << bits) - 1;
-      value -= choices.below(3) != 0 ? mpz_class(static_cast<unsigned long>(choices.below(4)))
-                                     : mpz_class(static_cast<unsigned long>(choices.any_bits() >> 2)) % value;
+      value -= draws.below(3) != 0 ? mpz_class(static_cast<unsigned long>(draws.below(4)))
+                                   : mpz_class(static_cast<unsigned long>(draws.any_bits() >> 2)) % value;
     }
     const auto question = catalogue::converted<Rational>(shape, [&](double) {
-      const mpz_class& value = values[choices.below(4)];
-      return Rational(choices.below(2) == 0 ? value : mpz_class(-value));
+      const mpz_class& value = values[draws.below(4)];
+      return Rational(draws.below(2) == 0 ? value : mpz_class(-value));
     });
     const auto larger =
         catalogue::converted<Rational>(question, [&](const Rational& n) { return Rational(n * factor); });

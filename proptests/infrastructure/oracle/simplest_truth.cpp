@@ -12,7 +12,7 @@ const char* const script = "proptests/infrastructure/oracle/simplest_truth.py ";
 std::vector<std::string> listed_operations() {
   std::vector<std::string> lines;
   for (const catalogue::Operation* operation : catalogue::all_operations()) {
-    if (operation->card().is_implementation()) continue;
+    if (operation->metadata().is_implementation()) continue;
     lines.push_back(nlohmann::json{{"name", operation->name()}, {"words", operation->words()}}.dump());
   }
   return lines;

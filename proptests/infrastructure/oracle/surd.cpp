@@ -19,7 +19,7 @@
 namespace touchstone::proptests::surd_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using oracle::Integer, oracle::Rational, oracle::Surd, oracle::surd_of;
 
 constexpr int digits = 6000;
@@ -67,16 +67,16 @@ class Mpfr {
 
 bool alike(const Mpfr& a, const Mpfr& b) { return Mpfr(mpfr_sub, a, b).negligible(); }
 
-Integer random_integer(Choices& choices, int most_bits) {
+Integer random_integer(DrawStream& draws, int most_bits) {
   Integer n = 0;
-  for (auto left = 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(most_bits))); left > 0; left -= 32)
-    n = (n << 32) + static_cast<unsigned long>(choices.below(std::uint64_t{1} << 32));
+  for (auto left = 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits))); left > 0; left -= 32)
+    n = (n << 32) + static_cast<unsigned long>(draws.below(std::uint64_t{1} << 32));
   return n;
 }
 
-Rational small_fraction(Choices& choices, int most) {
-  const double n = catalogue::small_integer(choices, most);
-  Rational q(static_cast<long>(n), 1 + static_cast<long>(choices.below(12)));
+Rational small_fraction(DrawStream& draws, int most) {
+  const double n = catalogue::small_integer(draws, most);
+  Rational q(static_cast<long>(n), 1 + static_cast<long>(draws.below(12)));
   q.canonicalize();
   return q;
 }
@@ -86,33 +86,33 @@ struct Parts {
   Surd surd() const { return Surd(p, q, r); }
 };
 
-Parts small(Choices& choices) {
-  const Rational p = small_fraction(choices, 30), q = small_fraction(choices, 30);
-  return {p, q, abs(small_fraction(choices, 60))};
+Parts small(DrawStream& draws) {
+  const Rational p = small_fraction(draws, 30), q = small_fraction(draws, 30);
+  return {p, q, abs(small_fraction(draws, 60))};
 }
 
 /// (a +- sqrt(s)) / d 2^e: small numbers and large ones, squares, and roots that nearly cancel a.
-Parts large(Choices& choices) {
-  Integer a = choices.below(3) == 0 ? Integer(static_cast<long>(choices.below(10))) : random_integer(choices, 300);
-  Integer s = choices.below(4) == 0 ? Integer(static_cast<long>(choices.below(31))) : random_integer(choices, 400);
-  const Integer d = random_integer(choices, 200) + 1;
-  if (choices.below(4) == 0) s = s * s;
-  if (choices.below(3) == 0) s = abs(Integer(a * a + static_cast<long>(catalogue::small_integer(choices, 2))));
-  if (choices.below(2) == 1) a = -a;
+Parts large(DrawStream& draws) {
+  Integer a = draws.below(3) == 0 ? Integer(static_cast<long>(draws.below(10))) : random_integer(draws, 300);
+  Integer s = draws.below(4) == 0 ? Integer(static_cast<long>(draws.below(31))) : random_integer(draws, 400);
+  const Integer d = random_integer(draws, 200) + 1;
+  if (draws.below(4) == 0) s = s * s;
+  if (draws.below(3) == 0) s = abs(Integer(a * a + static_cast<long>(catalogue::small_integer(draws, 2))));
+  if (draws.below(2) == 1) a = -a;
   const int e =
-      choices.below(3) == 0 ? static_cast<int>(choices.below(2400)) - 1250 : static_cast<int>(choices.below(120)) - 60;
-  Rational p(a, d), q(choices.below(2) == 1 ? -1 : 1, d);
+      draws.below(3) == 0 ? static_cast<int>(draws.below(2400)) - 1250 : static_cast<int>(draws.below(120)) - 60;
+  Rational p(a, d), q(draws.below(2) == 1 ? -1 : 1, d);
   p.canonicalize(), q.canonicalize();
   return {oracle::scaled(p, e), oracle::scaled(q, e), Rational(s)};
 }
 
-/// Asks `check(choices)` that many times.
+/// Asks `check(draws)` that many times.
 template <class Check>
 void cases(const char* name, int count, const Check& check) {
   int wrong = 0;
   for (int i = 0; i < count; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, name, static_cast<std::uint64_t>(i)));
-    if (!check(choices) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, name, static_cast<std::uint64_t>(i)));
+    if (!check(draws) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
   }
   CHECK(wrong == 0);
 }
@@ -184,11 +184,11 @@ TEST_CASE("surds: their order, for different radicands too, by hand") {
 
 TEST_CASE("surds: parts, signs, order and arithmetic are MPFR's, and keep the laws of numbers") {
   int mixed = 0, equal = 0;
-  cases("surds", 6000, [&](Choices& choices) {
-    const Parts of_x = small(choices);
-    Parts of_y = small(choices);
-    if (choices.below(2) == 1) of_y.r = of_x.r;
-    if (choices.below(8) == 0) of_y = of_x;
+  cases("surds", 6000, [&](DrawStream& draws) {
+    const Parts of_x = small(draws);
+    Parts of_y = small(draws);
+    if (draws.below(2) == 1) of_y.r = of_x.r;
+    if (draws.below(8) == 0) of_y = of_x;
     const Surd x = of_x.surd(), y = of_y.surd();
     const Mpfr x_is(of_x.p, of_x.q, of_x.r), y_is(of_y.p, of_y.q, of_y.r), difference(mpfr_sub, x_is, y_is);
     const int order = x < y ? -1 : x > y ? 1 : 0;
@@ -212,10 +212,10 @@ TEST_CASE("surds: parts, signs, order and arithmetic are MPFR's, and keep the la
 }
 
 TEST_CASE("surds: a factor taken out of the root gives the same number and text, and its text is read back") {
-  cases("canonical surds", 6000, [](Choices& choices) {
-    const auto [p, q, r] = choices.below(2) == 1 ? small(choices) : large(choices);
+  cases("canonical surds", 6000, [](DrawStream& draws) {
+    const auto [p, q, r] = draws.below(2) == 1 ? small(draws) : large(draws);
     const Surd x(p, q, r);
-    const Rational k(1 + static_cast<long>(choices.below(400)), 1 + static_cast<long>(choices.below(400)));
+    const Rational k(1 + static_cast<long>(draws.below(400)), 1 + static_cast<long>(draws.below(400)));
     Rational factor = k;
     factor.canonicalize();
     const Surd same(p, Rational(q * factor), Rational(r / (factor * factor)));
@@ -274,10 +274,10 @@ TEST_CASE("surds: enclosures hold the number and are as narrow as they are asked
   CHECK(thousand.high == 32);
   CHECK(rational.low == Rational(1, 3));
   CHECK(rational.high == Rational(1, 3));
-  cases("enclosures", 6000, [](Choices& choices) {
-    const Parts parts = choices.below(2) == 1 ? small(choices) : large(choices);
+  cases("enclosures", 6000, [](DrawStream& draws) {
+    const Parts parts = draws.below(2) == 1 ? small(draws) : large(draws);
     const Surd x = parts.surd();
-    const int bits = static_cast<int>(choices.below(400)) - 100;
+    const int bits = static_cast<int>(draws.below(400)) - 100;
     const auto [low, high] = x.enclosure(bits);
     return Surd(low) <= x && x <= Surd(high) && Rational(high - low) <= power_of_two(-bits) &&
            mpfr_cmp_q(Mpfr(x).value(), low.get_mpq_t()) * (x == Surd(low) ? 0 : 1) >= 0 &&
@@ -287,8 +287,8 @@ TEST_CASE("surds: enclosures hold the number and are as narrow as they are asked
 
 TEST_CASE("surds: the nearest double and float are MPFR's") {
   int subnormal = 0, infinite = 0, zero = 0;
-  cases("nearest", 20000, [&](Choices& choices) {
-    const Parts parts = large(choices);
+  cases("nearest", 20000, [&](DrawStream& draws) {
+    const Parts parts = large(draws);
     const Surd x = parts.surd();
     if (sgn(x) == 0) return same_bits(oracle::nearest_double(x), 0.0) && same_bits(oracle::nearest_float(x), 0.0F);
     const Mpfr exact(parts.p, parts.q, parts.r);

@@ -11,7 +11,7 @@
 namespace touchstone::proptests::tampered_claims_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 using nlohmann::json;
 
 /// The true claims of every file, by operation. The test program runs in the source folder.
@@ -91,13 +91,13 @@ TEST_CASE("certificates: written claims made malformed are refused, and of alter
 
 TEST_CASE("certificates: drawn claims made malformed are refused, and of altered ones both checkers say the same") {
   Verdicts verdicts;
-  Choices choices = Choices::seeded(catalogue::seed_of(1, "tampered", 0));
+  DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "tampered", 0));
   const auto by_operation = tamperings(written_claims());
   for (const json& claim : drawn_claims("tampered", 2)) {
     const Tampering& tampering = by_operation.at(claim["op"]);
     const auto places = Tampering::places(claim);
     for (int i = 0; i < 2; ++i) {
-      const auto& place = places[choices.below(places.size())];
+      const auto& place = places[draws.below(places.size())];
       for (const json& changed : Tampering::malformed(claim, place)) {
         if (verdicts.add(claim, place, changed)) FAIL_CHECK(changed.dump());
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdint>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "oracle/lines/orientation.h"
 #include "oracle/lines/ray_segment.h"
 #include "oracle/lines/segment_segment.h"
@@ -11,7 +11,7 @@ namespace touchstone::proptests::two_truths_tests {
 namespace {
 
 using namespace oracle;
-using catalogue::Choices;
+using catalogue::DrawStream;
 
 /// Every pair of segments with all ends on a side x side grid of integers.
 long differences(int side, long (&seen)[3]) {
@@ -34,14 +34,14 @@ long differences(int side, long (&seen)[3]) {
 }
 
 /// A whole number just within, or anywhere within, so many bits; beyond 53 of them the last ones are 0.
-double within_bits(Choices& choices, int bits) {
+double within_bits(DrawStream& draws, int bits) {
   const std::int64_t most = (std::int64_t{1} << (bits < 53 ? bits : 53)) - 1;
-  const std::int64_t less = choices.below(2) == 0 ? static_cast<std::int64_t>(choices.below(3))
-                                                  : static_cast<std::int64_t>(choices.any_bits() >> 1) % most;
+  const std::int64_t less = draws.below(2) == 0 ? static_cast<std::int64_t>(draws.below(3))
+                                                : static_cast<std::int64_t>(draws.any_bits() >> 1) % most;
   const auto size = static_cast<double>(most - less);
   const double scaled =
-      bits > 53 && choices.below(2) == 0 ? size * static_cast<double>(std::int64_t{1} << (bits - 53)) : size;
-  return choices.below(2) == 0 ? scaled : -scaled;
+      bits > 53 && draws.below(2) == 0 ? size * static_cast<double>(std::int64_t{1} << (bits - 53)) : size;
+  return draws.below(2) == 0 ? scaled : -scaled;
 }
 
 }  // namespace
@@ -56,16 +56,16 @@ TEST_CASE("segment_segment: linear program and elimination agree on the whole 3x
 }
 
 TEST_CASE("segment_segment, orientation: both truths agree where the integers stop to fit a word or two") {
-  Choices choices = Choices::seeded(20240606);
+  DrawStream draws = DrawStream::seeded(20240606);
   int different = 0, seen[3] = {};
   for (const int bits : {26, 27, 28, 29, 52, 53, 54, 59, 60, 61, 62, 63, 64, 100}) {
     for (int i = 0; i < 1500; ++i) {
       const auto point = [&] {
-        const double x = within_bits(choices, bits);
-        return Point2d{x, within_bits(choices, bits)};
+        const double x = within_bits(draws, bits);
+        return Point2d{x, within_bits(draws, bits)};
       };
       Segment2d a{point(), point()}, b{point(), point()};
-      const auto form = choices.below(6);
+      const auto form = draws.below(6);
       if (form == 0) b = {a.b, a.a};
       if (form == 1) b.a = a.b;
       if (form == 2) b.b = b.a = a.a;

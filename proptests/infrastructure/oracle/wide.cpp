@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "oracle/exact/linear_program.h"
 #include "proptests/catch.h"
 
@@ -11,16 +11,16 @@ namespace touchstone::proptests::wide_tests {
 namespace {
 
 using namespace oracle;
-using catalogue::Choices;
+using catalogue::DrawStream;
 
 /// At most so many bits, often at one end of them or next to a power of two.
-Int128 drawn(Choices& choices, int bits) {
-  const auto size = static_cast<int>(choices.below(static_cast<std::uint64_t>(bits) + 1));
+Int128 drawn(DrawStream& draws, int bits) {
+  const auto size = static_cast<int>(draws.below(static_cast<std::uint64_t>(bits) + 1));
   const UnsignedInt128 mask = (UnsignedInt128{1} << size) - 1;
-  const UnsignedInt128 any = UnsignedInt128{choices.any_bits()} << 64 | choices.any_bits();
-  const auto form = choices.below(3);
+  const UnsignedInt128 any = UnsignedInt128{draws.any_bits()} << 64 | draws.any_bits();
+  const auto form = draws.below(3);
   const UnsignedInt128 value = form == 0 ? any & mask : form == 1 ? mask : (mask >> 1) + 1;
-  return choices.below(2) == 0 ? static_cast<Int128>(value) : -static_cast<Int128>(value);
+  return draws.below(2) == 0 ? static_cast<Int128>(value) : -static_cast<Int128>(value);
 }
 
 template <class Value>
@@ -33,10 +33,10 @@ int sign_of_difference(const Wide& a, const Wide& b) { return a < b ? -1 : b < a
 }  // namespace
 
 TEST_CASE("wide integers: products, differences, orders and exact quotients are GMP's") {
-  Choices choices = Choices::seeded(20240607);
+  DrawStream draws = DrawStream::seeded(20240607);
   int wrong = 0;
   for (int i = 0; i < 100000; ++i) {
-    const Int128 a = drawn(choices, 126), b = drawn(choices, 126), c = drawn(choices, 126), d = drawn(choices, 126);
+    const Int128 a = drawn(draws, 126), b = drawn(draws, 126), c = drawn(draws, 126), d = drawn(draws, 126);
     const Integer p(integer(a) * integer(b)), q(integer(c) * integer(d)), difference(p - q);
     wrong += integer(product(a, b)) != p || integer(product(a, b) - product(c, d)) != difference;
     wrong += sign_of_difference(product(a, b), product(c, d)) != sgn(difference);
@@ -49,14 +49,14 @@ TEST_CASE("wide integers: products, differences, orders and exact quotients are 
 }
 
 TEST_CASE("linear program: 128-bit integers give what GMP's give, up to the size that they are used for") {
-  Choices choices = Choices::seeded(20240608);
+  DrawStream draws = DrawStream::seeded(20240608);
   using Row = LinearProgram<Integer>::Row;
   int different = 0, feasible = 0, infeasible = 0;
   for (int i = 0; i < 20000; ++i) {
     LinearProgram<Int128> words(2, {LinearProgram<Int128>::Row::equal, LinearProgram<Int128>::Row::equal,
                                     LinearProgram<Int128>::Row::at_most, LinearProgram<Int128>::Row::at_most});
     LinearProgram<Integer> wholes(2, {Row::equal, Row::equal, Row::at_most, Row::at_most});
-    const int bits = choices.below(2) == 0 ? 62 : 3;
+    const int bits = draws.below(2) == 0 ? 62 : 3;
     const auto set = [&](int row, int column, Int128 value) {
       if (column < 2) {
         words.set_coefficient(row, column, value), wholes.set_coefficient(row, column, integer(value));
@@ -65,7 +65,7 @@ TEST_CASE("linear program: 128-bit integers give what GMP's give, up to the size
       }
     };
     for (int row = 0; row < 2; ++row) {
-      for (int column = 0; column < 3; ++column) set(row, column, drawn(choices, bits));
+      for (int column = 0; column < 3; ++column) set(row, column, drawn(draws, bits));
     }
     set(2, 1, 1), set(2, 2, 1), set(3, 0, 1), set(3, 2, 1);
     const bool found = words.feasible();

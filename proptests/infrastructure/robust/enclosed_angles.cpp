@@ -12,7 +12,7 @@ namespace touchstone::proptests::enclosed_angles_tests {
 namespace {
 
 using namespace robust::kernel;
-using catalogue::Choices;
+using catalogue::DrawStream;
 
 class Truth {
  public:
@@ -50,17 +50,17 @@ struct Count {
 };
 
 /// An angle of any size, near a multiple of a step or of a quarter turn, or anywhere.
-double drawn_angle(Choices& choices) {
-  const double x = catalogue::ordinary(choices);
-  switch (choices.below(5)) {
+double drawn_angle(DrawStream& draws) {
+  const double x = catalogue::ordinary(draws);
+  switch (draws.below(5)) {
     case 0: return x;
     case 1: return x * 8;
-    case 2: return std::ldexp(x, static_cast<int>(choices.below(21)));
+    case 2: return std::ldexp(x, static_cast<int>(draws.below(21)));
     case 3:
-      return static_cast<double>(choices.below(2000)) / 512 + std::ldexp(x, -10 - static_cast<int>(choices.below(20)));
+      return static_cast<double>(draws.below(2000)) / 512 + std::ldexp(x, -10 - static_cast<int>(draws.below(20)));
     default:
-      return static_cast<double>(choices.below(40)) * 0x1.921fb54442d18p-1 +
-             std::ldexp(x, -static_cast<int>(choices.below(20)));
+      return static_cast<double>(draws.below(40)) * 0x1.921fb54442d18p-1 +
+             std::ldexp(x, -static_cast<int>(draws.below(20)));
   }
 }
 
@@ -70,8 +70,8 @@ TEST_CASE("enclosed angles: sine and cosine are MPFR's") {
   Truth truth;
   Count sines, cosines;
   for (std::uint64_t i = 0; i < 100000; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, "enclosed sine and cosine", i));
-    const double u = drawn_angle(choices);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "enclosed sine and cosine", i));
+    const double u = drawn_angle(draws);
     const auto said = enclosed_cosine_sine(u);
     sines.asked += 1, cosines.asked += 1;
     if (!said) continue;
@@ -90,9 +90,9 @@ TEST_CASE("enclosed angles: the angle of a vector is MPFR's") {
   Truth truth;
   Count angles;
   for (std::uint64_t i = 0; i < 100000; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, "enclosed angle", i));
-    double x = catalogue::ordinary(choices), y = catalogue::ordinary(choices);
-    if (choices.below(2) == 1) x = std::ldexp(x, static_cast<int>(choices.below(60)) - 30);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "enclosed angle", i));
+    double x = catalogue::ordinary(draws), y = catalogue::ordinary(draws);
+    if (draws.below(2) == 1) x = std::ldexp(x, static_cast<int>(draws.below(60)) - 30);
     if (x == 0 || y == 0) continue;
     angles.asked += 1;
     const auto said = enclosed_angle({x, 0, 0}, {y, 0, 0});

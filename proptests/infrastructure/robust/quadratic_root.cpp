@@ -16,7 +16,7 @@
 namespace touchstone::proptests::quadratic_root_tests {
 namespace {
 
-using catalogue::Choices, catalogue::Environment, catalogue::environment_count;
+using catalogue::DrawStream, catalogue::Environment, catalogue::environment_count;
 namespace kernel = robust::kernel;
 using kernel::UInt128;
 
@@ -49,43 +49,43 @@ double by_mpfr(const Root& root) {
   return result;
 }
 
-mpz_class random_integer(Choices& choices, int most_bits) {
+mpz_class random_integer(DrawStream& draws, int most_bits) {
   mpz_class n = 0;
-  const int bits = 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(most_bits)));
+  const int bits = 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits)));
   for (int left = bits; left > 0; left -= 32)
-    n = (n << 32) + static_cast<unsigned long>(choices.below(std::uint64_t{1} << 32));
+    n = (n << 32) + static_cast<unsigned long>(draws.below(std::uint64_t{1} << 32));
   return n >> static_cast<unsigned long>((32 - bits % 32) % 32);
 }
 
 /// Small and large parts; squares; roots that nearly or just cancel n; roots beside a double or beside the middle
 /// between two; results everywhere in the range and beyond.
-Root drawn(Choices& choices) {
+Root drawn(DrawStream& draws) {
   Root root;
   const auto integer = [&](int bits) {
-    return choices.below(3) == 0 ? mpz_class(static_cast<long>(choices.below(30))) : random_integer(choices, bits);
+    return draws.below(3) == 0 ? mpz_class(static_cast<long>(draws.below(30))) : random_integer(draws, bits);
   };
   root.n = integer(300), root.square = integer(400), root.d = integer(200) + 1;
-  switch (choices.below(4)) {
+  switch (draws.below(4)) {
     case 0: root.square = root.square * root.square; break;
     case 1:
-      root.square = abs(mpz_class(root.n * root.n + static_cast<long>(catalogue::small_integer(choices, 2))));
+      root.square = abs(mpz_class(root.n * root.n + static_cast<long>(catalogue::small_integer(draws, 2))));
       break;
     case 2: {
       // 54 digits, the last one set or not, times d; what is taken off comes back as a root, or a little more or less.
-      const mpz_class m = random_integer(choices, 200), off = m * static_cast<long>(choices.below(3));
-      root.d = mpz_class(1) << static_cast<unsigned long>(choices.below(600));
-      root.n = random_integer(choices, 54) * root.d * m - off;
-      root.square = abs(mpz_class(off * off + static_cast<long>(catalogue::small_integer(choices, 2))));
+      const mpz_class m = random_integer(draws, 200), off = m * static_cast<long>(draws.below(3));
+      root.d = mpz_class(1) << static_cast<unsigned long>(draws.below(600));
+      root.n = random_integer(draws, 54) * root.d * m - off;
+      root.square = abs(mpz_class(off * off + static_cast<long>(catalogue::small_integer(draws, 2))));
       root.d *= m + (m == 0 ? 1 : 0);
       break;
     }
     default: break;
   }
-  if (choices.below(2) == 1) root.n = -root.n;
-  if (choices.below(2) == 1) root.d = -root.d;
-  root.sign = choices.below(2) == 1 ? 1 : -1;
-  root.exponent = choices.below(3) == 0 ? static_cast<long>(choices.below(120)) - 60
-                                        : static_cast<long>(choices.below(2600)) - 1300;
+  if (draws.below(2) == 1) root.n = -root.n;
+  if (draws.below(2) == 1) root.d = -root.d;
+  root.sign = draws.below(2) == 1 ? 1 : -1;
+  root.exponent =
+      draws.below(3) == 0 ? static_cast<long>(draws.below(120)) - 60 : static_cast<long>(draws.below(2600)) - 1300;
   return root;
 }
 
@@ -94,8 +94,8 @@ void cases(const char* name, int usual, const Check& check) {
   const auto wanted = static_cast<std::uint64_t>(scaled(usual));
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < wanted; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, name, i));
-    if (!check(choices, i) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, name, i));
+    if (!check(draws, i) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
   }
   CHECK(wrong == 0);
 }
@@ -109,8 +109,8 @@ mpz_class integer_of(UInt128 n) {
 
 TEST_CASE("quadratic roots: rounded as MPFR's, in every floating-point environment") {
   int zero = 0, below = 0, subnormal = 0, infinite = 0;
-  cases("quadratic roots", 60000, [&](Choices& choices, std::uint64_t i) {
-    const Root root = drawn(choices);
+  cases("quadratic roots", 60000, [&](DrawStream& draws, std::uint64_t i) {
+    const Root root = drawn(draws);
     const double expected = by_mpfr(root);
     double found = 0;
     {
@@ -228,17 +228,15 @@ TEST_CASE("quadratic roots: products of 128 bits are compared in all their 256")
   CHECK(compare_products(half - 1, half + 1, all, 1) == 0);
   CHECK(compare_products(2, 3, 7, 1) == -1);
   int equal = 0;
-  cases("products", 100000, [&](Choices& choices, std::uint64_t) {
+  cases("products", 100000, [&](DrawStream& draws, std::uint64_t) {
     const auto number = [&] {
-      const auto part = [&] {
-        return choices.below(4) == 0 ? ~std::uint64_t{0} - choices.below(2) : choices.any_bits();
-      };
+      const auto part = [&] { return draws.below(4) == 0 ? ~std::uint64_t{0} - draws.below(2) : draws.any_bits(); };
       const UInt128 high = part(), low = part();
-      return (high << 64 | low) >> choices.below(128);
+      return (high << 64 | low) >> draws.below(128);
     };
     const UInt128 a = number(), b = number();
     UInt128 c = number(), d = number();
-    switch (choices.below(3)) {
+    switch (draws.below(3)) {
       case 0: c = b, d = a; break;
       case 1: c = a + 1 == 0 ? a : a + 1, d = b == 0 ? b : b - 1; break;
       default: break;

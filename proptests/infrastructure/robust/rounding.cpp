@@ -7,12 +7,12 @@
 #include "proptests/property.h"
 #include "robust/lines/line_point_at.h"
 
-// Correct rounding against MPFR. Numbers are built from choices whose exponents fall everywhere: normal, subnormal,
+// Correct rounding against MPFR. Numbers are built from draws whose exponents fall everywhere: normal, subnormal,
 // below, beyond; every second quotient is built next to a double or next to the middle between two.
 namespace touchstone::proptests::rounding_tests {
 namespace {
 
-using catalogue::Choices;
+using catalogue::DrawStream;
 namespace kernel = robust::kernel;
 
 /// MPFR's result as a double: its exponent range set to that of binary64, subnormals rounded once.
@@ -40,25 +40,24 @@ class Mpfr {
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
-mpz_class random_integer(Choices& choices, int bits) {
+mpz_class random_integer(DrawStream& draws, int bits) {
   mpz_class n = 0;
   for (int left = bits; left > 0; left -= 32)
-    n = (n << 32) + static_cast<unsigned long>(choices.below(std::uint64_t{1} << 32));
+    n = (n << 32) + static_cast<unsigned long>(draws.below(std::uint64_t{1} << 32));
   return n >> static_cast<unsigned long>((32 - bits % 32) % 32);
 }
 
 /// A numerator and a denominator whose quotient is a double, the middle between two, or a little more or less than
 /// that, or anything.
-std::pair<mpz_class, mpz_class> fraction(Choices& choices, int most_bits) {
-  mpz_class d = random_integer(choices, 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(most_bits)))) + 1,
-            n;
-  if (choices.below(2) == 0) {
-    n = random_integer(choices, 1 + static_cast<int>(choices.below(static_cast<std::uint64_t>(most_bits))));
+std::pair<mpz_class, mpz_class> fraction(DrawStream& draws, int most_bits) {
+  mpz_class d = random_integer(draws, 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits)))) + 1, n;
+  if (draws.below(2) == 0) {
+    n = random_integer(draws, 1 + static_cast<int>(draws.below(static_cast<std::uint64_t>(most_bits))));
   } else {
     // 54 bits: the last one set is a middle. One more or less than a multiple of d is just beside it.
-    n = random_integer(choices, 54) * d + catalogue::small_integer(choices, 2);
+    n = random_integer(draws, 54) * d + catalogue::small_integer(draws, 2);
   }
-  return {choices.below(2) == 0 ? n : mpz_class(-n), d};
+  return {draws.below(2) == 0 ? n : mpz_class(-n), d};
 }
 
 mpq_class times_power(const mpz_class& n, const mpz_class& d, long exponent) {
@@ -73,12 +72,12 @@ mpq_class times_power(const mpz_class& n, const mpz_class& d, long exponent) {
 }
 
 /// Mostly where the result is near one end of the range, or in the subnormals.
-long exponent_of(Choices& choices) {
-  switch (choices.below(4)) {
-    case 0: return static_cast<long>(choices.below(200)) - 1180;
-    case 1: return static_cast<long>(choices.below(120)) + 920;
-    case 2: return static_cast<long>(choices.below(5000)) - 2500;
-    default: return static_cast<long>(choices.below(100)) - 50;
+long exponent_of(DrawStream& draws) {
+  switch (draws.below(4)) {
+    case 0: return static_cast<long>(draws.below(200)) - 1180;
+    case 1: return static_cast<long>(draws.below(120)) + 920;
+    case 2: return static_cast<long>(draws.below(5000)) - 2500;
+    default: return static_cast<long>(draws.below(100)) - 50;
   }
 }
 
@@ -87,8 +86,8 @@ void cases(const char* name, std::uint64_t count, const Check& check) {
   const auto wanted = static_cast<std::uint64_t>(scaled(static_cast<int>(count)));
   std::uint64_t wrong = 0;
   for (std::uint64_t i = 0; i < wanted; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, name, i));
-    if (!check(choices) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, name, i));
+    if (!check(draws) && wrong++ == 0) UNSCOPED_INFO(name << ": case " << i << " is wrong");
   }
   CHECK(wrong == 0);
 }
@@ -104,9 +103,9 @@ kernel::Int128 wide(const mpz_class& n) {
 
 TEST_CASE("rounding: a million quotients of integers of any size are MPFR's") {
   Mpfr mpfr;
-  cases("quotients", 1000000, [&](Choices& choices) {
-    const auto [n, d] = fraction(choices, 200);
-    const long exponent = exponent_of(choices);
+  cases("quotients", 1000000, [&](DrawStream& draws) {
+    const auto [n, d] = fraction(draws, 200);
+    const long exponent = exponent_of(draws);
     const mpq_class q = times_power(n, d, exponent);
     return same_bits(kernel::round_quotient(n, d, exponent),
                      mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); }));
@@ -115,9 +114,9 @@ TEST_CASE("rounding: a million quotients of integers of any size are MPFR's") {
 
 TEST_CASE("rounding: a million quotients of 128-bit integers are MPFR's") {
   Mpfr mpfr;
-  cases("short quotients", 1000000, [&](Choices& choices) {
-    const auto [n, d] = fraction(choices, 70);
-    const long exponent = exponent_of(choices);
+  cases("short quotients", 1000000, [&](DrawStream& draws) {
+    const auto [n, d] = fraction(draws, 70);
+    const long exponent = exponent_of(draws);
     const mpq_class q = times_power(n, d, exponent);
     return same_bits(kernel::round_quotient(wide(n), wide(d), exponent),
                      mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); }));
@@ -126,15 +125,15 @@ TEST_CASE("rounding: a million quotients of 128-bit integers are MPFR's") {
 
 TEST_CASE("rounding: quotients of 192 by 128 bits are MPFR's, whatever remainder follows a tie") {
   Mpfr mpfr;
-  cases("long quotients", 400000, [&](Choices& choices) {
-    const mpz_class d = random_integer(choices, 65 + static_cast<int>(choices.below(62))) + 1;
+  cases("long quotients", 400000, [&](DrawStream& draws) {
+    const mpz_class d = random_integer(draws, 65 + static_cast<int>(draws.below(62))) + 1;
     // 54 bits, the last one set or not; what follows them is below a thousandth of a unit, so that the 64 bits of a
     // quotient end in a tie and only the remainder tells, or anything.
-    mpz_class n = random_integer(choices, 54) * d, rest = random_integer(choices, 130) % d;
-    if (choices.below(4) != 0) rest >>= 10 + choices.below(10);
-    n += choices.below(8) == 0 ? mpz_class(0) : rest;
-    if (choices.below(2) == 1) n = -n;
-    const long exponent = exponent_of(choices);
+    mpz_class n = random_integer(draws, 54) * d, rest = random_integer(draws, 130) % d;
+    if (draws.below(4) != 0) rest >>= 10 + draws.below(10);
+    n += draws.below(8) == 0 ? mpz_class(0) : rest;
+    if (draws.below(2) == 1) n = -n;
+    const long exponent = exponent_of(draws);
     const mpq_class q = times_power(n, d, exponent);
     const mpz_class size = abs(n);
     kernel::Int192 limbs{};
@@ -147,12 +146,12 @@ TEST_CASE("rounding: quotients of 192 by 128 bits are MPFR's, whatever remainder
 
 TEST_CASE("rounding: integers times powers of two are MPFR's, in 128 bits and in any size") {
   Mpfr mpfr;
-  cases("scaled integers", 500000, [&](Choices& choices) {
-    mpz_class n = random_integer(choices, 1 + static_cast<int>(choices.below(124)));
-    if (choices.below(3) == 0)
-      n = (random_integer(choices, 54) << 60) + static_cast<long>(catalogue::small_integer(choices, 2));
-    if (choices.below(2) == 1) n = -n;
-    const long exponent = exponent_of(choices);
+  cases("scaled integers", 500000, [&](DrawStream& draws) {
+    mpz_class n = random_integer(draws, 1 + static_cast<int>(draws.below(124)));
+    if (draws.below(3) == 0)
+      n = (random_integer(draws, 54) << 60) + static_cast<long>(catalogue::small_integer(draws, 2));
+    if (draws.below(2) == 1) n = -n;
+    const long exponent = exponent_of(draws);
     const mpq_class q = times_power(n, 1, exponent);
     const double expected = mpfr([&](mpfr_t r) { return mpfr_set_q(r, q.get_mpq_t(), MPFR_RNDN); });
     return same_bits(kernel::round_scaled(n, exponent), expected) &&
@@ -164,15 +163,15 @@ TEST_CASE("rounding: square roots of fractions are MPFR's") {
   Mpfr mpfr;
   mpfr_t exact;
   mpfr_init2(exact, 2400);
-  cases("square roots", 300000, [&](Choices& choices) {
-    auto [n, d] = fraction(choices, 120);
+  cases("square roots", 300000, [&](DrawStream& draws) {
+    auto [n, d] = fraction(draws, 120);
     n = abs(n);
-    if (choices.below(2) == 1) {
+    if (draws.below(2) == 1) {
       // The square of a double, of a middle, or just beside it.
-      const mpz_class root = random_integer(choices, 54);
-      n = root * root * d + static_cast<long>(std::fabs(catalogue::small_integer(choices, 1)));
+      const mpz_class root = random_integer(draws, 54);
+      n = root * root * d + static_cast<long>(std::fabs(catalogue::small_integer(draws, 1)));
     }
-    const long exponent = exponent_of(choices);
+    const long exponent = exponent_of(draws);
     // A root has two exact neighbours that MPFR cannot miss: q lies between two squares, so 2400 bits of the quotient
     // are enough.
     const mpq_class q = times_power(n, d, exponent);
@@ -193,11 +192,11 @@ TEST_CASE("rounding: points of a line are MPFR's fused multiply-add") {
   Mpfr mpfr;
   mpfr_t a, b, c;
   mpfr_inits2(53, a, b, c, static_cast<mpfr_ptr>(nullptr));
-  cases("fused multiply-add", 1000000, [&](Choices& choices) {
-    const bool wild = choices.below(2) == 1;
-    const auto number = [&] { return wild ? catalogue::any_finite(choices) : catalogue::mixed_exponent(choices); };
+  cases("fused multiply-add", 1000000, [&](DrawStream& draws) {
+    const bool wild = draws.below(2) == 1;
+    const auto number = [&] { return wild ? catalogue::any_finite(draws) : catalogue::mixed_exponent(draws); };
     const double origin = number(), direction = number(),
-                 t = choices.below(2) == 1 ? catalogue::ordinary(choices) : number();
+                 t = draws.below(2) == 1 ? catalogue::ordinary(draws) : number();
     const double computed = robust::line_point_at({{origin, 0}, {direction, 1}}, t).x;
     // The range of the operands is wider than MPFR's present one: they are set before it is narrowed.
     const auto low = mpfr_get_emin(), high = mpfr_get_emax();

@@ -57,9 +57,9 @@ TEST_CASE("sine and cosine: within their error of MPFR's, at any size and sign o
   };
   int wrong = 0, wide = 0;
   for (std::uint64_t i = 0; i < 4000; ++i) {
-    catalogue::Choices choices = catalogue::Choices::seeded(catalogue::seed_of(1, "sine and cosine", i));
-    const double u = choices.below(2) == 1 ? catalogue::ordinary(choices) * 8 : catalogue::any_finite(choices);
-    const unsigned long bits = 32 + choices.below(300);
+    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, "sine and cosine", i));
+    const double u = draws.below(2) == 1 ? catalogue::ordinary(draws) * 8 : catalogue::any_finite(draws);
+    const unsigned long bits = 32 + draws.below(300);
     const kernel::SineCosine found = kernel::sine_cosine(u, bits);
     mpfr_set_d(angle, u, MPFR_RNDN);
     mpfr_sin_cos(sine, cosine, angle, MPFR_RNDN);

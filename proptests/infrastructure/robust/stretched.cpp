@@ -3,7 +3,7 @@
 #include <bit>
 #include <cmath>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "catalogue/judge/environment.h"
 #include "geometry/invalid_input.h"
 #include "proptests/property.h"
@@ -20,7 +20,7 @@
 namespace touchstone::proptests::stretched_tests {
 namespace {
 
-using catalogue::Choices, catalogue::environment_count, catalogue::environment_name, catalogue::in_environment;
+using catalogue::DrawStream, catalogue::environment_count, catalogue::environment_name, catalogue::in_environment;
 
 /// Powers of two for the numbers along x and along y.
 struct Stretch {
@@ -35,11 +35,11 @@ int changed_decisions(const char* name, const Ask& ask) {
   const auto cases = static_cast<std::uint64_t>(scaled(4000));
   int changed = 0;
   for (std::uint64_t i = 0; i < cases; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, name, i));
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, name, i));
     std::array<double, N> small;
-    for (double& number : small) number = static_cast<double>(choices.below(17)) - 8;
+    for (double& number : small) number = static_cast<double>(draws.below(17)) - 8;
     const int expected = ask(small);
-    const Stretch by = stretches[choices.below(std::size(stretches))];
+    const Stretch by = stretches[draws.below(std::size(stretches))];
     std::array<double, N> stretched = small;
     for (std::size_t k = 0; k < N; ++k) stretched[k] = std::ldexp(small[k], k % 2 == 0 ? by.x : by.y);
     for (std::size_t environment = 0; environment < environment_count; ++environment) {
@@ -71,14 +71,14 @@ TEST_CASE("stretched: the side of a line and what lies on a segment") {
 TEST_CASE("stretched: a huge vector and one of the least, in any directions") {
   int changed = 0;
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scaled(4000)); ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, "stretched vectors", i));
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "stretched vectors", i));
     std::array<double, 4> n;
-    for (double& number : n) number = static_cast<double>(choices.below(17)) - 8;
+    for (double& number : n) number = static_cast<double>(draws.below(17)) - 8;
     const auto ask = [](const std::array<double, 4>& q) {
       return static_cast<int>(robust::orientation({0, 0}, {q[0], q[1]}, {q[2], q[3]}));
     };
     const int expected = ask(n);
-    const Stretch by = stretches[choices.below(std::size(stretches))];  // the one vector and the other
+    const Stretch by = stretches[draws.below(std::size(stretches))];  // the one vector and the other
     const std::array<double, 4> stretched{std::ldexp(n[0], by.x), std::ldexp(n[1], by.x), std::ldexp(n[2], by.y),
                                           std::ldexp(n[3], by.y)};
     for (std::size_t environment = 0; environment < environment_count; ++environment)
@@ -115,14 +115,14 @@ TEST_CASE("stretched: above or below a line, where the slope outweighs what is t
   // x times 2^k, m times 2^l, y and b times 2^(k + l).
   int changed = 0;
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(scaled(4000)); ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(1, "stretched height", i));
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "stretched height", i));
     std::array<double, 4> n;
-    for (double& number : n) number = static_cast<double>(choices.below(17)) - 8;
+    for (double& number : n) number = static_cast<double>(draws.below(17)) - 8;
     const auto ask = [](const std::array<double, 4>& q) {
       return static_cast<int>(robust::explicit_line(q[0], q[1], {q[2], q[3]}));
     };
     const int expected = ask(n);
-    const Stretch by = stretches[choices.below(8)];  // x and m
+    const Stretch by = stretches[draws.below(8)];  // x and m
     const std::array<double, 4> stretched{std::ldexp(n[0], by.y), std::ldexp(n[1], by.x + by.y), std::ldexp(n[2], by.x),
                                           std::ldexp(n[3], by.x + by.y)};
     for (std::size_t environment = 0; environment < environment_count; ++environment)

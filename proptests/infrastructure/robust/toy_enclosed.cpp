@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/robust/narrow_float.h"
 #include "robust/kernel/enclosed.h"
@@ -14,7 +14,7 @@ namespace touchstone::proptests::toy_enclosed_tests {
 namespace {
 
 using namespace robust::kernel;
-using catalogue::Choices;
+using catalogue::DrawStream;
 
 /// How far from the middle of its enclosure the truth lies, in units of the error: above 1 it is missed.
 struct Count {
@@ -41,10 +41,10 @@ struct Count {
 
 /// p digits, four binades, both signs.
 template <int p>
-Narrow<p> drawn(Choices& choices) {
-  const auto digits = static_cast<double>((std::uint64_t{1} << (p - 1)) + choices.below(std::uint64_t{1} << (p - 1)));
-  const double x = std::ldexp(digits, static_cast<int>(choices.below(4)) - p);
-  return Narrow<p>(choices.below(2) == 0 ? x : -x);
+Narrow<p> drawn(DrawStream& draws) {
+  const auto digits = static_cast<double>((std::uint64_t{1} << (p - 1)) + draws.below(std::uint64_t{1} << (p - 1)));
+  const double x = std::ldexp(digits, static_cast<int>(draws.below(4)) - p);
+  return Narrow<p>(draws.below(2) == 0 ? x : -x);
 }
 
 /// A difference of two numbers, now and then nearly cancelled, and what it is.
@@ -54,10 +54,10 @@ struct Difference {
   double exact;
 };
 template <int p>
-Difference<p> drawn_difference(Choices& choices) {
-  const Narrow<p> a = drawn<p>(choices);
-  Narrow<p> b = drawn<p>(choices);
-  if (choices.below(8) == 0) b = Narrow<p>(a.value() + std::ldexp(b.value(), -p / 2));
+Difference<p> drawn_difference(DrawStream& draws) {
+  const Narrow<p> a = drawn<p>(draws);
+  Narrow<p> b = drawn<p>(draws);
+  if (draws.below(8) == 0) b = Narrow<p>(a.value() + std::ldexp(b.value(), -p / 2));
   return {factor(difference(a, b)), a.value() - b.value()};
 }
 
@@ -68,9 +68,9 @@ struct Determinant {
   double exact;
 };
 template <int p>
-Determinant<p> drawn_determinant(Choices& choices) {
-  const auto a = drawn_difference<p>(choices), b = drawn_difference<p>(choices), c = drawn_difference<p>(choices),
-             d = drawn_difference<p>(choices);
+Determinant<p> drawn_determinant(DrawStream& draws) {
+  const auto a = drawn_difference<p>(draws), b = drawn_difference<p>(draws), c = drawn_difference<p>(draws),
+             d = drawn_difference<p>(draws);
   Sum sum(product(a.computed, b.computed));
   sum -= product(c.computed, d.computed);
   return {sum.value(), a.exact * b.exact - c.exact * d.exact};
@@ -78,11 +78,11 @@ Determinant<p> drawn_determinant(Choices& choices) {
 
 /// No truth is missed; and the constants are no worse than they are said to be: `share` of one would be too small.
 template <int p>
-void for_draws(const char* stream, double share, const std::function<void(Choices&, Count&)>& draw) {
+void for_draws(const char* stream, double share, const std::function<void(DrawStream&, Count&)>& draw) {
   Count count;
   for (std::uint64_t i = 0; i < 60000; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(p, stream, i));
-    draw(choices, count);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(p, stream, i));
+    draw(draws, count);
   }
   INFO(p << " digits: " << count.asked << " asked, " << count.found << " found, farthest " << count.farthest);
   CHECK(count.missed == 0);
@@ -93,30 +93,30 @@ void for_draws(const char* stream, double share, const std::function<void(Choice
 
 template <int p>
 void sums() {
-  for_draws<p>("sums", 1 / 8.0, [](Choices& choices, Count& count) {
-    const auto d = drawn_determinant<p>(choices);
+  for_draws<p>("sums", 1 / 8.0, [](DrawStream& draws, Count& count) {
+    const auto d = drawn_determinant<p>(draws);
     count.add(d.computed, d.exact);
   });
 }
 
 template <int p>
 void quotients() {
-  for_draws<p>("quotients", 1 / 32.0, [](Choices& choices, Count& count) {
-    const auto n = drawn_determinant<p>(choices), d = drawn_determinant<p>(choices);
+  for_draws<p>("quotients", 1 / 32.0, [](DrawStream& draws, Count& count) {
+    const auto n = drawn_determinant<p>(draws), d = drawn_determinant<p>(draws);
     if (!d.computed.settled() || d.computed.high.value() == 0) return;
     const auto t = n.computed / Divisor(d.computed);
     const mpq_class exact = mpq_class(n.exact) / d.exact;
     count.add(t, exact);
-    const auto v = drawn_difference<p>(choices);
-    const Narrow<p> start = drawn<p>(choices);
+    const auto v = drawn_difference<p>(draws);
+    const Narrow<p> start = drawn<p>(draws);
     count.add(along(start, t, v.computed), start.value() + exact * v.exact);
   });
 }
 
 template <int p>
 void polynomials() {
-  for_draws<p>("polynomials", 1 / 32.0, [](Choices& choices, Count& count) {
-    const auto x = drawn_determinant<p>(choices), y = drawn_determinant<p>(choices), z = drawn_determinant<p>(choices);
+  for_draws<p>("polynomials", 1 / 32.0, [](DrawStream& draws, Count& count) {
+    const auto x = drawn_determinant<p>(draws), y = drawn_determinant<p>(draws), z = drawn_determinant<p>(draws);
     if (!x.computed.settled() || !y.computed.settled() || !z.computed.settled()) return;
     count.add(x.computed * x.computed - y.computed * z.computed,
               mpq_class(x.exact) * x.exact - mpq_class(y.exact) * z.exact);
@@ -131,8 +131,8 @@ mpq_class root_of(const mpq_class& x) {
 
 template <int p>
 void roots() {
-  for_draws<p>("roots", 1 / 32.0, [](Choices& choices, Count& count) {
-    const auto x = drawn_determinant<p>(choices);
+  for_draws<p>("roots", 1 / 32.0, [](DrawStream& draws, Count& count) {
+    const auto x = drawn_determinant<p>(draws);
     if (!x.computed.settled() || x.exact <= 0) return;
     count.add(square_root(x.computed), root_of(x.exact));
   });

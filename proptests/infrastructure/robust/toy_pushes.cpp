@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmpxx.h>
 
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/robust/narrow_float.h"
 #include "robust/kernel/along_normal.h"
@@ -13,14 +13,14 @@ namespace touchstone::proptests::toy_pushes_tests {
 namespace {
 
 using namespace robust::kernel;
-using catalogue::Choices;
+using catalogue::DrawStream;
 
 /// p digits, `binades` of them, both signs.
 template <int p>
-Narrow<p> drawn(Choices& choices, std::uint64_t binades = 6) {
-  const auto digits = static_cast<double>((std::uint64_t{1} << (p - 1)) + choices.below(std::uint64_t{1} << (p - 1)));
-  const double x = std::ldexp(digits, static_cast<int>(choices.below(binades)) - p);
-  return Narrow<p>(choices.below(2) == 0 ? x : -x);
+Narrow<p> drawn(DrawStream& draws, std::uint64_t binades = 6) {
+  const auto digits = static_cast<double>((std::uint64_t{1} << (p - 1)) + draws.below(std::uint64_t{1} << (p - 1)));
+  const double x = std::ldexp(digits, static_cast<int>(draws.below(binades)) - p);
+  return Narrow<p>(draws.below(2) == 0 ? x : -x);
 }
 
 template <int p>
@@ -44,18 +44,18 @@ struct Count {
 };
 
 template <int p>
-void push_one(Choices& choices, Count<p>& count) {
+void push_one(DrawStream& draws, Count<p>& count) {
   using Float = Narrow<p>;
   std::array<Float, 3> v, w, n;
-  for (int i = 0; i < 3; ++i) v[i] = drawn<p>(choices), w[i] = drawn<p>(choices), n[i] = drawn<p>(choices);
-  if (choices.below(4) == 0) w = v, w[0] = Float(v[0].value() + std::ldexp(w[1].value(), -p / 2));
+  for (int i = 0; i < 3; ++i) v[i] = drawn<p>(draws), w[i] = drawn<p>(draws), n[i] = drawn<p>(draws);
+  if (draws.below(4) == 0) w = v, w[0] = Float(v[0].value() + std::ldexp(w[1].value(), -p / 2));
   // Nearly across: rounded, so that not all digits cancel.
-  if (choices.below(3) == 0) {
+  if (draws.below(3) == 0) {
     const double rest = (v[0].value() - w[0].value()) * n[0].value() + (v[1].value() - w[1].value()) * n[1].value();
     w[2] = Float(v[2].value() + rest / n[2].value());
   }
-  const Float m = Float(std::fabs(drawn<p>(choices).value())), l = Float(std::fabs(drawn<p>(choices).value())),
-              e = Float(std::ldexp(std::fabs(drawn<p>(choices).value()), -6));
+  const Float m = Float(std::fabs(drawn<p>(draws).value())), l = Float(std::fabs(drawn<p>(draws).value())),
+              e = Float(std::ldexp(std::fabs(drawn<p>(draws).value()), -6));
   const auto term = [&](int i) { return product(factor(difference(v[i], w[i])), factor(n[i])); };
   const auto square_term = [&](int i) { return product(factor(n[i]), factor(n[i])); };
   Sum approach(term(0)), square(square_term(0));
@@ -82,20 +82,20 @@ void push_one(Choices& choices, Count<p>& count) {
 
 /// A t that is exact; a quarter of the points nearly 0, which mostly are not found.
 template <int p>
-void step_one(Choices& choices, Count<p>& count) {
+void step_one(DrawStream& draws, Count<p>& count) {
   using Float = Narrow<p>;
-  const Float t = drawn<p>(choices), n = drawn<p>(choices);
-  const Float v = choices.below(4) == 0 ? Float(-(t.value() * n.value())) : drawn<p>(choices);
+  const Float t = drawn<p>(draws), n = drawn<p>(draws);
+  const Float v = draws.below(4) == 0 ? Float(-(t.value() * n.value())) : drawn<p>(draws);
   count.judge(v.value() + mpq_class(t.value()) * n.value(), v, share(t), n);
 }
 
 /// No truth is missed; and the constant is not idle: a thirty-second of it would be too small.
 template <int p>
-void pushes(void (*one)(Choices&, Count<p>&)) {
+void pushes(void (*one)(DrawStream&, Count<p>&)) {
   Count<p> count;
   for (std::uint64_t i = 0; i < 60000; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(p, "pushes", i));
-    one(choices, count);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(p, "pushes", i));
+    one(draws, count);
   }
   INFO(p << " digits: " << count.asked << " asked, " << count.found << " found, farthest " << count.farthest);
   CHECK(count.missed == 0);

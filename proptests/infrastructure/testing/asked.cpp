@@ -22,7 +22,7 @@ TEST_CASE("asked: a question is its arguments, and says where it comes from") {
   CHECK(question.family() == "collinear");
   CHECK(catalogue::packed(question.arguments()) == question.drawn.question);
   CHECK(std::apply([](Point2d a, Point2d b, Point2d c) { return robust::orientation(a, b, c); }, question) == Side::on);
-  CHECK(replayed(*question.drawn.operation, question.drawn.family, question.drawn.choices).question ==
+  CHECK(replayed(*question.drawn.operation, question.drawn.family, question.drawn.draws).question ==
         question.drawn.question);
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("fuzzed_data: bytes are questions, one after the other; past their end
   const Operation& operation = operation_of<Orientation>();
   const std::uint8_t bytes[] = {1, 7, 3, 9, 200, 14, 5, 77, 31, 8, 2, 250, 6, 1, 0, 4, 19, 3, 8, 66, 2, 1, 9, 40};
   FuzzedData data(bytes, sizeof bytes);
-  Choices same = Choices::replayed(bytes);
+  DrawStream same = DrawStream::replayed(bytes);
   for (int i = 0; i < 3; ++i) {
     const std::size_t family = same.below(operation.families().size());
     const catalogue::Question expected = operation.draw(same, family);
@@ -151,7 +151,7 @@ TEST_CASE("fuzzed_data: a question outside the contract is none") {
   for (unsigned i = 0; i < 256; ++i) {
     const std::uint8_t bytes[] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i * 7), 3, 1, 2, 5, 1, 1, 0};
     FuzzedData data(bytes, sizeof bytes);
-    Choices same = Choices::replayed(bytes);
+    DrawStream same = DrawStream::replayed(bytes);
     const std::size_t family = same.below(operation.families().size());
     const Drawn drawn{&operation, family, {}, operation.draw(same, family)};
     const auto question = data.question<operations::interior_angles>();

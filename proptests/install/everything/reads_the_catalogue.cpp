@@ -6,6 +6,6 @@
 int main() {
   const auto* operation = touchstone::catalogue::find_operation("orientation");
   if (operation == nullptr) return 1;
-  std::printf("%s, deck p. %s\n", operation->card().name, operation->card().pages);
+  std::printf("%s, deck p. %s\n", operation->metadata().name, operation->metadata().pages);
   return 0;
 }

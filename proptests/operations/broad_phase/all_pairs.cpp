@@ -306,13 +306,13 @@ TEST_CASE("all_pairs: the formula in double is right of every pair beyond the bo
       const bool kept = std::visit(
           [&](const auto& arguments) {
             const auto& solids = std::get<0>(arguments);
-            const auto doubtful = [&](const IndexPair& p) { return !certain(solids[p.i], solids[p.j]); };
+            const auto inconclusive = [&](const IndexPair& p) { return !certain(solids[p.i], solids[p.j]); };
             Pairs differing;
             for (const auto& [one, other] : {std::pair(&truth, &answer), {&answer, &truth}}) {
               std::copy_if(one->begin(), one->end(), std::back_inserter(differing),
                            [&other = *other](const IndexPair& p) { return !lists(other, p.i, p.j); });
             }
-            return std::all_of(differing.begin(), differing.end(), doubtful);
+            return std::all_of(differing.begin(), differing.end(), inconclusive);
           },
           asked);
       return kept ? "" : "the reference in double breaks its contract";

@@ -70,8 +70,8 @@ TEST_CASE("line_point_at: families draw products that overflow in sums that do n
     const auto family = static_cast<std::size_t>(std::find(families.begin(), families.end(), name) - families.begin());
     int drawn = 0, overflowing = 0, last = 0;
     for (std::uint64_t i = 0; i < 2000; ++i) {
-      Choices choices = Choices::seeded(i);
-      const Question question = operation.draw(choices, family);
+      DrawStream draws = DrawStream::seeded(i);
+      const Question question = operation.draw(draws, family);
       const double dx = question.numbers[2], t = question.numbers[4];
       const Rational sum = catalogue::exact_value(question.numbers[0]) + product(dx, t);
       ++drawn;

@@ -69,7 +69,7 @@ TEST_CASE("point_in_convex_polygon: refused exactly where the polygon is not con
       return convex ? "refused" : "";
     }
   };
-  never(*catalogue::find_operation(Row::card().name), "refused as not convex", complaint, 8);
+  never(*catalogue::find_operation(Row::metadata().name), "refused as not convex", complaint, 8);
 }
 
 TEST_CASE("point_in_convex_polygon: p. 16's side tests worked by hand") {
@@ -105,7 +105,7 @@ TEST_CASE("point_in_convex_polygon: rounding, huge, subnormal and negative zero"
   example<Row>({{{{-0.0, 0.0}, {2, -0.0}, {0.0, 2}}}, {-0.0, 1}}, boundary);
 }
 
-TEST_CASE("point_in_convex_polygon: what is not convex is refused by its first vertex that is at fault") {
+TEST_CASE("point_in_convex_polygon: what is not convex is refused by its first vertex that is at defect") {
   const std::string repeated = "different from the next vertex", flat = "convex: vertices on one line have no inside",
                     reflex = "convex: the ring must not turn against its direction";
   refused<Row>({{{{0, 0}, {1, 1}, {2, 2}}}, {0, 0}}, "polygon", flat);

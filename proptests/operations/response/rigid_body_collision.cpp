@@ -106,7 +106,7 @@ TEST_CASE(
     return true;
   });
   law<Row>("the same normal", any_normal_of_the_plane<3>);
-  exact_law<Row>("observers", [](const auto& ask, const auto& asked) {
+  exact_law<Row>("galilean_invariance", [](const auto& ask, const auto& asked) {
     const auto& [a, b, p, n, e] = asked;
     const Motion3 shift{Rational(7, 3), Rational(-11), Rational(13, 5)};
     const ExactMotions motions = ask(asked), seen = ask(std::tuple(with_velocity(a, a.velocity + shift),

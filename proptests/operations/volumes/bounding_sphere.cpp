@@ -35,8 +35,8 @@ Sphere3<Surd> ball(const Rational& x, const Rational& y, const Rational& z, cons
 }
 Surd root(const Rational& square) { return sqrt(Surd(square)); }
 
-std::string fault(const Points& points, SphereMethod method, const Sphere3d& ball) {
-  return Row::fault({points, method}, ball);
+std::string defect(const Points& points, SphereMethod method, const Sphere3d& ball) {
+  return Row::defect({points, method}, ball);
 }
 
 /// The oracle answers exactly this; robust is right by the checker, and so is the reference, unless it gets another
@@ -167,23 +167,23 @@ TEST_CASE("bounding_sphere: huge, subnormal and beside one another") {
 TEST_CASE("bounding_sphere: the checker says which point is lost, and by how much") {
   const Points pair{{-1, 0, 0}, {1, 0, 0}};
   for (const SphereMethod method : {box, centroid, ritter, smallest}) {
-    CHECK(fault(pair, method, {{0, 0, 0}, 1}).empty());
-    CHECK(fault(pair, method, {{0, 0, 0}, 1 + 0x1p-52}).empty());
-    CHECK(fault(pair, method, {{0x1p-60, 0, 0}, 1}) ==
+    CHECK(defect(pair, method, {{0, 0, 0}, 1}).empty());
+    CHECK(defect(pair, method, {{0, 0, 0}, 1 + 0x1p-52}).empty());
+    CHECK(defect(pair, method, {{0x1p-60, 0, 0}, 1}) ==
           "point 0 is outside by 8.67e-19, 0.00391 units in the last place of the radius");
-    CHECK(fault(pair, method, {{0, 0, 0}, 1 - 0x1p-53}) ==
+    CHECK(defect(pair, method, {{0, 0, 0}, 1 - 0x1p-53}) ==
           "point 0 is outside by 1.11e-16, 1 units in the last place of the radius");
-    CHECK(fault(pair, method, {{0, 0, 0}, 0}) == "point 0 is outside by 1");
-    CHECK(fault(pair, method, {{0, 0, 0}, 1.6}).find("the radius is too large, by 0.") == 0);
-    CHECK(fault(pair, method, {{0, 0, 0}, infinity}) == "the radius is infinite, and a finite one is large enough");
-    CHECK(fault(pair, method, {{0, 0, 0}, not_a_number}) == "the radius is no number, or negative");
-    CHECK(fault(pair, method, {{0, 0, 0}, -1}) == "the radius is no number, or negative");
-    CHECK(fault(pair, method, {{0, infinity, 0}, 1}) == "the center is not finite");
+    CHECK(defect(pair, method, {{0, 0, 0}, 0}) == "point 0 is outside by 1");
+    CHECK(defect(pair, method, {{0, 0, 0}, 1.6}).find("the radius is too large, by 0.") == 0);
+    CHECK(defect(pair, method, {{0, 0, 0}, infinity}) == "the radius is infinite, and a finite one is large enough");
+    CHECK(defect(pair, method, {{0, 0, 0}, not_a_number}) == "the radius is no number, or negative");
+    CHECK(defect(pair, method, {{0, 0, 0}, -1}) == "the radius is no number, or negative");
+    CHECK(defect(pair, method, {{0, infinity, 0}, 1}) == "the center is not finite");
   }
   // Another ball of that radius, or nearly, is as good: what it holds is asked, not where it is.
-  CHECK(fault(pair, smallest, {{0, 0x1p-53, 0}, 1 + 0x1p-52}).empty());
-  CHECK(!fault(pair, smallest, {{0, 0, 0}, 1 + 0x1p-48}).empty());
-  CHECK(fault(pair, ritter, {{0, 0, 0}, 1.5}).empty());
+  CHECK(defect(pair, smallest, {{0, 0x1p-53, 0}, 1 + 0x1p-52}).empty());
+  CHECK(!defect(pair, smallest, {{0, 0, 0}, 1 + 0x1p-48}).empty());
+  CHECK(defect(pair, ritter, {{0, 0, 0}, 1.5}).empty());
 }
 
 TEST_CASE("bounding_sphere: no point is refused by the field") {

@@ -191,7 +191,7 @@ TEST_CASE("convex_hull: margins by hand") {
 }
 
 TEST_CASE("convex_hull: the checkers say the same of altered answers") {
-  hull_checkers_agree<Row>([](catalogue::Choices& c, ConvexHull& hull, Index count) {
+  hull_checkers_agree<Row>([](catalogue::DrawStream& c, ConvexHull& hull, Index count) {
     if (hull.point) hull.point = static_cast<Index>(c.below(count));
     if (hull.segment && c.below(2) == 1) hull.segment->i = static_cast<Index>(c.below(count));
     if (hull.polygon && c.below(2) == 1) std::reverse(hull.polygon->begin(), hull.polygon->end());
@@ -226,7 +226,7 @@ TEST_CASE("convex_hull: the formula in double is right beyond the margins of its
         const auto asked = typed<Row>(question);
         if (!beyond_margins(std::get<0>(asked))) return "";
         ++beyond;
-        return Row::fault(asked, catalogue::ask_reference<Row>(asked));
+        return Row::defect(asked, catalogue::ask_reference<Row>(asked));
       },
       48);
   CHECK(beyond > 100);
@@ -246,7 +246,7 @@ TEST_CASE("convex_hull: thousands of points, by the definition") {
         const Points tenths = scaled_points(points, 0.1);
         const ConvexHull rounded = robust::convex_hull(tenths);
         CHECK(rounded.faces == faces_looking_far_from(count + 1, tenths));
-        if (count == 1000 && bits == 14) CHECK(Row::fault({tenths}, rounded) == "");
+        if (count == 1000 && bits == 14) CHECK(Row::defect({tenths}, rounded) == "");
       }
     }
   }
@@ -257,7 +257,7 @@ TEST_CASE("convex_hull: clouds that other programs stumbled over") {
   if (clouds.empty()) WARN("skipped: no clouds below TOUCHSTONE_DATA or ../shared/data");
   for (const auto& [name, points] : clouds) {
     INFO(name);
-    CHECK(Row::fault({points}, robust::convex_hull(points)) == "");
+    CHECK(Row::defect({points}, robust::convex_hull(points)) == "");
   }
 }
 

@@ -126,7 +126,7 @@ TEST_CASE("convex_hull_2d: margins by hand") {
 }
 
 TEST_CASE("convex_hull_2d: the checkers say the same of altered answers") {
-  hull_checkers_agree<Row>([](catalogue::Choices& c, ConvexHull2& hull, Index count) {
+  hull_checkers_agree<Row>([](catalogue::DrawStream& c, ConvexHull2& hull, Index count) {
     if (hull.point) hull.point = static_cast<Index>(c.below(count));
     if (hull.segment && c.below(2) == 1) hull.segment->i = static_cast<Index>(c.below(count));
     if (!hull.polygon) return;
@@ -151,7 +151,7 @@ TEST_CASE("convex_hull_2d: the formula in double is right beyond the margins of 
         if (std::get<0>(asked).empty()) return "";
         if (!beyond_margins(std::get<0>(asked), catalogue::ask_oracle<Row>(asked).answer)) return "";
         ++beyond;
-        return Row::fault(asked, catalogue::ask_reference<Row>(asked));
+        return Row::defect(asked, catalogue::ask_reference<Row>(asked));
       },
       4);
   CHECK(beyond > 100);
@@ -162,7 +162,7 @@ TEST_CASE("convex_hull_2d: rings drawn by others") {
   if (rings.empty()) WARN("skipped: no polygons below TOUCHSTONE_DATA or ../shared/data");
   for (const Polygon2d& ring : rings) {
     INFO("ring of " << ring.size() << " vertices");
-    CHECK(Row::fault({ring.vertices}, robust::convex_hull_2d(ring.vertices)) == "");
+    CHECK(Row::defect({ring.vertices}, robust::convex_hull_2d(ring.vertices)) == "");
   }
 }
 

@@ -27,12 +27,12 @@ bool least_above(double end, const Rational& number) {
 }
 
 void worked(const Points& points, const Normals& normals, const std::vector<Slab<Rational>>& truth, const Slabs& robust,
-            const std::string& fault_of_formula = "") {
+            const std::string& defect_of_formula = "") {
   const Row::Question q{points, normals};
   CHECK(catalogue::ask_oracle<Row>(q).answer == truth);
   CHECK(catalogue::ask_robust<Row>(q) == robust);
-  CHECK(Row::fault(q, robust) == "");
-  CHECK(Row::fault(q, catalogue::ask_reference<Row>(q)) == fault_of_formula);
+  CHECK(Row::defect(q, robust) == "");
+  CHECK(Row::defect(q, catalogue::ask_reference<Row>(q)) == defect_of_formula);
 }
 
 /// An honest implementation in doubles: N . P, a bound on its error, and their difference rounded outwards.
@@ -137,20 +137,20 @@ TEST_CASE("kdop_of_points: of two broken rules the first is named") {
 TEST_CASE("kdop_of_points: the checker takes honest bounds, and names what is wrong") {
   const Row::Question q{{{1, 0x1p-60, 0}, {0, 0, 0}}, {{1, 1, 0}, {0, 0, 1}}};
   const double above = 1 + 0x1p-52;
-  CHECK(Row::fault(q, {{0, above}, {0, 0}}) == "");
-  CHECK(Row::fault(q, {{-0x1p-1074, 1 + 0x1p-50}, {0, 0x1p-1070}}) == "");  // 4 u, 9 u are allowed
-  CHECK(Row::fault(q, {{0, 1 + 0x1p-49}, {0, 0}}) == "slabs[0]: max is too far out: 1.775e-15, allowed are 9.992e-16");
-  CHECK(Row::fault(q, {{0, above}, {0, 1}}) == "slabs[1]: max is too far out: 1, allowed are 7.905e-323");
-  CHECK(Row::fault(q, {{0, above}, {-infinity, 0}}) == "slabs[1]: min is infinite, which is too far out");
-  CHECK(Row::fault(q, {{0, 2}, {0, -tiny}}) ==
+  CHECK(Row::defect(q, {{0, above}, {0, 0}}) == "");
+  CHECK(Row::defect(q, {{-0x1p-1074, 1 + 0x1p-50}, {0, 0x1p-1070}}) == "");  // 4 u, 9 u are allowed
+  CHECK(Row::defect(q, {{0, 1 + 0x1p-49}, {0, 0}}) == "slabs[0]: max is too far out: 1.775e-15, allowed are 9.992e-16");
+  CHECK(Row::defect(q, {{0, above}, {0, 1}}) == "slabs[1]: max is too far out: 1, allowed are 7.905e-323");
+  CHECK(Row::defect(q, {{0, above}, {-infinity, 0}}) == "slabs[1]: min is infinite, which is too far out");
+  CHECK(Row::defect(q, {{0, 2}, {0, -tiny}}) ==
         "slabs[1]: points[1] is lost above max, by 4.941e-324");  // before others
-  CHECK(Row::fault(q, {{0, not_a_number}, {0, 0}}) == "slabs[0]: not a number");
-  CHECK(Row::fault(q, {{0, above}}) == "not as many slabs as normals");
+  CHECK(Row::defect(q, {{0, not_a_number}, {0, 0}}) == "slabs[0]: not a number");
+  CHECK(Row::defect(q, {{0, above}}) == "not as many slabs as normals");
   robust_law<Row>("honest bounds", [](const auto&, const auto& asked) {
     const auto& [points, normals] = asked;
     const Slabs slabs = with_a_bound(points, normals);
     const auto defined = [](const Slabd& s) { return std::isfinite(s.min) && std::isfinite(s.max); };
-    return !std::all_of(slabs.begin(), slabs.end(), defined) || Row::fault(asked, slabs).empty();
+    return !std::all_of(slabs.begin(), slabs.end(), defined) || Row::defect(asked, slabs).empty();
   });
 }
 

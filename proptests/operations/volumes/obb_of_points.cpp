@@ -34,11 +34,11 @@ void worked(const Points& points, const Point3<Rational>& center, const std::vec
   for (const auto& a : {u, v, w})
     CHECK(std::any_of(half_axes.begin(), half_axes.end(),
                       [&a](const auto& b) { return parallel(a, b) && dot(a, a) == dot(b, b); }));
-  CHECK(Row::exact_fault({points}, truth) == "");
-  CHECK(Row::fault({points}, robust::obb_of_points(points)) == "");
+  CHECK(Row::exact_defect({points}, truth) == "");
+  CHECK(Row::defect({points}, robust::obb_of_points(points)) == "");
 }
 
-std::string fault(const Points& points, const Obb3d& box) { return Row::fault({points}, box); }
+std::string defect(const Points& points, const Obb3d& box) { return Row::defect({points}, box); }
 
 /// The box with every half axis times a power of two.
 Obb3d scaled(Obb3d box, int k) {
@@ -76,8 +76,8 @@ TEST_CASE("obb_of_points: the truth is right, and so is the formula in exact ari
         const catalogue::RowFunctions& row = catalogue::operation_of_row<Row>().row();
         const auto formula = row.reference_exactly(catalogue::packed(asked));
         const auto exactly = [](const catalogue::Exact& n) { return n.value(); };
-        return Row::exact_fault(asked, catalogue::ask_oracle<Row>(asked).answer).empty() &&
-               row.exact_fault(catalogue::packed(asked), catalogue::tape_with<mpq_class>(formula, exactly)).empty();
+        return Row::exact_defect(asked, catalogue::ask_oracle<Row>(asked).answer).empty() &&
+               row.exact_defect(catalogue::packed(asked), catalogue::tape_with<mpq_class>(formula, exactly)).empty();
       },
       3);
 }
@@ -106,7 +106,7 @@ TEST_CASE("obb_of_points: robust's boxes have a thickness, be the points in one 
   for (const Points& flat : {Points{{0, 0, 0}, {4, 4, 0}, {3, 5, 0}, {-1, 1, 0}}, Points{{1, 1, 1}, {3, 5, 5}},
                              Points{{tiny, 0, tiny}, {3 * tiny, tiny, 0}}, Points{{0, 0, 0}}}) {
     const Obb3d box = robust::obb_of_points(flat);
-    CHECK(fault(flat, box) == "");
+    CHECK(defect(flat, box) == "");
     CHECK(robust::point_in_obb(box, flat[0]) != Location::outside);
   }
 }
@@ -115,43 +115,43 @@ TEST_CASE("obb_of_points: huge and subnormal") {
   const Points ends{{-greatest, -greatest, -greatest}, {greatest, greatest, greatest}};
   const Obb3d widest = robust::obb_of_points(ends);
   CHECK(equal(widest, Obb3d{{0, 0, 0}, {{greatest, 0, 0}, {0, greatest, 0}, {0, 0, greatest}}}));
-  CHECK(fault(ends, widest) == "");
+  CHECK(defect(ends, widest) == "");
   const Points least{{0, 0, 0}, {tiny, 3 * tiny, 0}};
   const Obb3d smallest = robust::obb_of_points(least);
   CHECK(equal(smallest, Obb3d{{0, 2 * tiny, 0}, {{tiny, 0, 0}, {0, 2 * tiny, 0}, {0, 0, tiny}}}));
-  CHECK(fault(least, smallest) == "");
+  CHECK(defect(least, smallest) == "");
 }
 
 TEST_CASE("obb_of_points: the checker says which point is lost, and what else is wrong") {
   const Points pair{{-1, 0, 0}, {1, 0, 0}}, uneven{{-0.5, 0, 0}, {1, 0, 0}};
   const auto box = [](double x, double y, double z) { return Obb3d{{0, 0, 0}, {{x, 0, 0}, {0, y, 0}, {0, 0, z}}}; };
   const double above = 1 + 0x1p-52, below = 1 - 0x1p-53;
-  CHECK(fault(pair, box(1, tiny, tiny)) == "");
-  CHECK(fault(pair, box(-above, 0, 0)) == "");  // flat, and turned over
-  CHECK(fault(uneven, box(below, 0, 0)) == "points[1] is outside, beyond half_axes[0], by 1.11e-16");
-  CHECK(fault(uneven, box(0, 1, 1)) == "points[1] is outside, across the half axes that are not 0, by 1");
-  CHECK(fault(uneven, box(0, 0, 0)) == "points[1] is outside, across the half axes that are not 0, by 1");
-  CHECK(fault(pair, {{0, tiny, 0}, box(1, 0, 0).half_axes}) ==
+  CHECK(defect(pair, box(1, tiny, tiny)) == "");
+  CHECK(defect(pair, box(-above, 0, 0)) == "");  // flat, and turned over
+  CHECK(defect(uneven, box(below, 0, 0)) == "points[1] is outside, beyond half_axes[0], by 1.11e-16");
+  CHECK(defect(uneven, box(0, 1, 1)) == "points[1] is outside, across the half axes that are not 0, by 1");
+  CHECK(defect(uneven, box(0, 0, 0)) == "points[1] is outside, across the half axes that are not 0, by 1");
+  CHECK(defect(pair, {{0, tiny, 0}, box(1, 0, 0).half_axes}) ==
         "points[0] is outside, across the half axes that are not 0, by 4.941e-324");
-  CHECK(fault(pair, {{0, tiny, 0}, box(1, tiny, tiny).half_axes}) == "");
-  CHECK(fault(pair, box(1, 0x1p-43, 0)) == "");
-  CHECK(fault(pair, box(1, 0x1p-42, 0)) ==
+  CHECK(defect(pair, {{0, tiny, 0}, box(1, tiny, tiny).half_axes}) == "");
+  CHECK(defect(pair, box(1, 0x1p-43, 0)) == "");
+  CHECK(defect(pair, box(1, 0x1p-42, 0)) ==
         "half_axes[1]: a face is beyond all points by 2.274e-13, allowed are 1.137e-13");
-  CHECK(fault(pair, {{1, 0, 0}, box(2, tiny, tiny).half_axes}) ==
+  CHECK(defect(pair, {{1, 0, 0}, box(2, tiny, tiny).half_axes}) ==
         "half_axes[0]: a face is beyond all points by 2, allowed are 1.137e-13");
-  CHECK(fault(pair, box(infinity, tiny, tiny)) == "a half axis is not finite");
-  CHECK(fault(pair, {{0, not_a_number, 0}, box(1, 0, 0).half_axes}) == "the center is not finite");
-  CHECK(fault(pair, {{0, 0, 0}, {{1, 0, 0}, {2, 0, 0}, {0, 0, 1}}}) == "the half axes are linearly dependent");
-  CHECK(fault(pair, {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}) == "the half axes are linearly dependent");
+  CHECK(defect(pair, box(infinity, tiny, tiny)) == "a half axis is not finite");
+  CHECK(defect(pair, {{0, not_a_number, 0}, box(1, 0, 0).half_axes}) == "the center is not finite");
+  CHECK(defect(pair, {{0, 0, 0}, {{1, 0, 0}, {2, 0, 0}, {0, 0, 1}}}) == "the half axes are linearly dependent");
+  CHECK(defect(pair, {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {1, 1, 0}}}) == "the half axes are linearly dependent");
   // A rhombus on its longer diagonal: it touches the points, and is none the less far too large.
-  CHECK(fault({{-1, -1, 0}, {1, 1, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}) == "");
-  CHECK(fault({{-1, -1, 0}, {1, 1, 0}}, {{0, 0, 0}, {{0.5, 0, 0}, {0.5, 1, 0}, {0, 0, 0}}}) ==
+  CHECK(defect({{-1, -1, 0}, {1, 1, 0}, {0, 1, 0}, {0, -1, 0}}, {{0, 0, 0}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}}}) == "");
+  CHECK(defect({{-1, -1, 0}, {1, 1, 0}}, {{0, 0, 0}, {{0.5, 0, 0}, {0.5, 1, 0}, {0, 0, 0}}}) ==
         "the half axes are not at right angles");
   const double turn = 0x1p-20;
-  CHECK(fault(pair, {{0, 0, 0}, {{1, 0, 0}, {tiny, tiny, 0}, {0, 0, tiny}}}) ==
+  CHECK(defect(pair, {{0, 0, 0}, {{1, 0, 0}, {tiny, tiny, 0}, {0, 0, tiny}}}) ==
         "");  // subnormal numbers have no angles
   const Points square{{-1 - turn, -1, 0}, {1 + turn, 1, 0}, {-1 + turn, 1, 0}, {1 - turn, -1, 0}};
-  CHECK(fault(square, {{0, 0, 0}, {{1, 0, 0}, {turn, 1, 0}, {0, 0, 0}}}) == "");
+  CHECK(defect(square, {{0, 0, 0}, {{1, 0, 0}, {turn, 1, 0}, {0, 0, 0}}}) == "");
 }
 
 TEST_CASE("obb_of_points: a lost point is the formula's rounding, and the verdict says which and by how much") {

@@ -4,32 +4,32 @@
 #include <algorithm>
 #include <limits>
 
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "catalogue/families/ties.h"
 
-/// Velocities and normals before a bounce, drawn from a stream of choices.
+/// Velocities and normals before a bounce, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 struct Bounce {
   Vector3d velocity, normal;
 };
 
-inline Vector3d lattice_velocity(Choices& c, int bits = 26) {
+inline Vector3d lattice_velocity(DrawStream& c, int bits = 26) {
   const double x = integer(c, bits), y = integer(c, bits);
   return {x, y, integer(c, bits)};
 }
-inline Vector3d ordinary_vector(Choices& c) {
+inline Vector3d ordinary_vector(DrawStream& c) {
   const double x = ordinary(c), y = ordinary(c);
   return {x, y, ordinary(c)};
 }
-inline double either_zero(Choices& c) { return c.below(2) == 1 ? -0.0 : 0.0; }
-inline Vector3d zero_vector(Choices& c) {
+inline double either_zero(DrawStream& c) { return c.below(2) == 1 ? -0.0 : 0.0; }
+inline Vector3d zero_vector(DrawStream& c) {
   const double x = either_zero(c), y = either_zero(c);
   return {x, y, either_zero(c)};
 }
 
 /// The normal along an axis, of any sign: zeros beside one number.
-inline Vector3d axis_normal(Choices& c) {
+inline Vector3d axis_normal(DrawStream& c) {
   Vector3d n = zero_vector(c);
   const double length = 1 + static_cast<double>(c.below(8)), signed_length = c.below(2) == 1 ? -length : length;
   switch (c.below(3)) {
@@ -40,59 +40,59 @@ inline Vector3d axis_normal(Choices& c) {
   return n;
 }
 
-inline Bounce lattice_bounce(Choices& c) {
+inline Bounce lattice_bounce(DrawStream& c) {
   const Vector3d v = lattice_velocity(c);
   return {v, lattice_normal(c)};
 }
 
 /// Along the plane: the velocity stays as it is, and both products that cancel are long.
-inline Bounce along_the_plane(Choices& c) {
+inline Bounce along_the_plane(DrawStream& c) {
   const Vector3d n = lattice_normal(c);
   return {lattice_across(c, n), n};
 }
 
 /// Nearly along the plane: a long part along it, and a short one along the normal.
-inline Bounce grazing(Choices& c) {
+inline Bounce grazing(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 10), across = lattice_across(c, n);
   const double part = small_integer(c), size = std::ldexp(1, static_cast<int>(c.below(36)));
   return {size * across + part * n, n};
 }
 
-inline Bounce straight(Choices& c) {
+inline Bounce straight(DrawStream& c) {
   const Vector3d n = lattice_normal(c);
   return {integer(c, 20) * n, n};
 }
 
-inline Bounce across_an_axis(Choices& c) {
+inline Bounce across_an_axis(DrawStream& c) {
   const Vector3d n = axis_normal(c);
   return {c.below(4) == 3 ? zero_vector(c) : ordinary_vector(c), n};
 }
 
 /// A normal of length 1e-200, 1e200 and beyond, or of subnormal numbers: its squares under- and overflow.
-inline Vector3d stretched_normal(Choices& c) {
+inline Vector3d stretched_normal(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 20);
   constexpr int lengths[]{-664, 664, -540, 540, -1074, 1000};
   return std::ldexp(1, lengths[c.below(6)] + static_cast<int>(c.below(8))) * n;
 }
-inline Bounce stretched_bounce(Choices& c) {
+inline Bounce stretched_bounce(DrawStream& c) {
   const Vector3d v = lattice_velocity(c);
   return {v, stretched_normal(c)};
 }
 
 /// Full digits at an exponent where a product of two underflows in part, or squares overflow.
-inline double at_the_end(Choices& c, int exponent) { return std::ldexp(ordinary(c), exponent); }
-inline Vector3d at_the_end_of_products(Choices& c) {
+inline double at_the_end(DrawStream& c, int exponent) { return std::ldexp(ordinary(c), exponent); }
+inline Vector3d at_the_end_of_products(DrawStream& c) {
   const int size = 480 + static_cast<int>(c.below(70)), exponent = c.below(4) == 3 ? size : -size;
   const double x = at_the_end(c, exponent), y = at_the_end(c, exponent);
   return {x, y, at_the_end(c, exponent)};
 }
-inline Bounce products_at_the_end(Choices& c) {
+inline Bounce products_at_the_end(DrawStream& c) {
   const Vector3d v = c.below(2) == 1 ? ordinary_vector(c) : at_the_end_of_products(c);
   return {v, at_the_end_of_products(c)};
 }
 
 /// At a velocity at the end of the range: a component may go beyond it.
-inline Vector3d at_the_end_of_range(Choices& c) {
+inline Vector3d at_the_end_of_range(DrawStream& c) {
   const auto end = [&c] {
     const double size = std::numeric_limits<double>::max() / static_cast<double>(1 + c.below(3));
     return c.below(2) == 1 ? -size : size;
@@ -100,14 +100,14 @@ inline Vector3d at_the_end_of_range(Choices& c) {
   const double x = end(), y = end();
   return {x, y, end()};
 }
-inline Bounce at_end_of_range(Choices& c) {
+inline Bounce at_end_of_range(DrawStream& c) {
   const Vector3d v = at_the_end_of_range(c);
   return {v, lattice_normal(c, 3)};
 }
 
 /// With n = (1, b, 0), x - 2 (x + b y) / (1 + b^2) is an odd number of 54 digits, and 1 / (1 + b^2) less: beside a tie
 /// by 2^-103 of it.
-inline Bounce bounce_beside_a_tie(Choices& c) {
+inline Bounce bounce_beside_a_tie(DrawStream& c) {
   const std::uint64_t half = std::uint64_t{1} << 52, b = 2 * (1 + c.below(std::uint64_t{1} << 24));
   const std::uint64_t x = 2 * (half + (std::uint64_t{1} << 30) + c.below(half / 2)), j = (x - 1) % b;
   // x + b y = ((1 + b^2) (2 j + 1) + 1) / 2
@@ -116,7 +116,7 @@ inline Bounce bounce_beside_a_tie(Choices& c) {
 }
 
 /// No normal.
-inline Bounce without_a_normal(Choices& c) {
+inline Bounce without_a_normal(DrawStream& c) {
   const Vector3d v = lattice_velocity(c);
   return {v, zero_vector(c)};
 }

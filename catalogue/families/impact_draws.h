@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/bounce_choices.h"
+#include "catalogue/families/bounce_draws.h"
 #include "catalogue/shape/described_bodies.h"
 
-/// Two bodies before they meet, drawn from a stream of choices.
+/// Two bodies before they meet, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 struct Impact {
@@ -13,20 +13,20 @@ struct Impact {
   Vector3d normal;
 };
 
-inline double lattice_mass(Choices& c) { return 1 + static_cast<double>(c.below(16)); }
-inline Massesd lattice_masses(Choices& c) {
+inline double lattice_mass(DrawStream& c) { return 1 + static_cast<double>(c.below(16)); }
+inline Massesd lattice_masses(DrawStream& c) {
   const double m = lattice_mass(c);
   return {m, lattice_mass(c)};
 }
 
-inline Impact lattice_impact(Choices& c) {
+inline Impact lattice_impact(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d v = lattice_velocity(c), w = lattice_velocity(c);
   return {m, {v, w}, lattice_normal(c)};
 }
 
 /// Both move along the normal; bodies of one mass exchange their velocities.
-inline Impact head_on(Choices& c) {
+inline Impact head_on(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d n = lattice_normal(c, 10);
   const double v = integer(c, 20), w = integer(c, 20);
@@ -34,7 +34,7 @@ inline Impact head_on(Choices& c) {
 }
 
 /// The relative velocity is across the normal, or nearly.
-inline Impact grazing_impact(Choices& c) {
+inline Impact grazing_impact(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d n = lattice_normal(c, 10), v = lattice_velocity(c, 20);
   const double size = std::ldexp(1, static_cast<int>(c.below(24)));
@@ -43,7 +43,7 @@ inline Impact grazing_impact(Choices& c) {
 }
 
 /// Velocities that are the same, or differ by a few units in the last place.
-inline Impact in_company(Choices& c) {
+inline Impact in_company(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d v = ordinary_vector(c);
   const auto beside = [&c](double x) { return moved_by_ulps(x, static_cast<int>(small_integer(c, 2))); };
@@ -52,7 +52,7 @@ inline Impact in_company(Choices& c) {
 }
 
 /// One is 1e12 times as heavy as the other, or 2^900 times, and may as well be a wall.
-inline Massesd unequal_masses(Choices& c) {
+inline Massesd unequal_masses(DrawStream& c) {
   const double m = lattice_mass(c);
   constexpr int ratios[]{40, 53, 60, 107, 400, 900};
   const auto many_times = [&] {
@@ -63,20 +63,20 @@ inline Massesd unequal_masses(Choices& c) {
   if (c.below(2) == 1) return {heavy, m};
   return {m, heavy};
 }
-inline Impact fly_and_wall(Choices& c) {
+inline Impact fly_and_wall(DrawStream& c) {
   const Massesd m = unequal_masses(c);
   const Vector3d v = lattice_velocity(c, 20), w = c.below(2) == 1 ? zero_vector(c) : ordinary_vector(c);
   return {m, {v, w}, lattice_normal(c, 6)};
 }
 
-inline Impact stretched_impact(Choices& c) {
+inline Impact stretched_impact(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d v = lattice_velocity(c), w = lattice_velocity(c);
   return {m, {v, w}, stretched_normal(c)};
 }
 
 /// Full digits, all of them at the end of products or one of the three alone.
-inline Impact impact_at_the_end(Choices& c) {
+inline Impact impact_at_the_end(DrawStream& c) {
   const auto which = c.below(4);
   const Vector3d v = which == 2 || which == 3 ? at_the_end_of_products(c) : ordinary_vector(c), w = ordinary_vector(c),
                  n = which == 1 || which == 3 ? at_the_end_of_products(c) : ordinary_vector(c);
@@ -85,7 +85,7 @@ inline Impact impact_at_the_end(Choices& c) {
   return {{unit * mass, unit * other}, {v, w}, n};
 }
 
-inline Impact impact_at_end_of_range(Choices& c) {
+inline Impact impact_at_end_of_range(DrawStream& c) {
   const Massesd m = lattice_masses(c);
   const Vector3d v = at_the_end_of_range(c), w = at_the_end_of_range(c);
   return {m, {v, w}, lattice_normal(c, 3)};
@@ -93,7 +93,7 @@ inline Impact impact_at_end_of_range(Choices& c) {
 
 /// With m1 + m2 = M and m2 = (M + 1) / 4, both of up to 53 digits: 2 q + 4 m2 / M is 2 q + 1, an odd number of 54
 /// digits, and 1 / M more. The other body is beside a tie too.
-inline Impact impact_beside_a_tie(Choices& c) {
+inline Impact impact_beside_a_tie(DrawStream& c) {
   const std::uint64_t quarter = (std::uint64_t{1} << 50) + c.below(std::uint64_t{1} << 50);
   const double q = 0x1p53 + 2 * static_cast<double>(1 + c.below(std::uint64_t{1} << 51));
   const double m2 = static_cast<double>(quarter), m1 = static_cast<double>(3 * quarter - 1);
@@ -101,7 +101,7 @@ inline Impact impact_beside_a_tie(Choices& c) {
 }
 
 /// A mass of 0 or less.
-inline Impact without_a_mass(Choices& c) {
+inline Impact without_a_mass(DrawStream& c) {
   Impact impact = lattice_impact(c);
   double& mass = c.below(2) == 1 ? impact.masses.first : impact.masses.second;
   switch (c.below(3)) {
@@ -111,7 +111,7 @@ inline Impact without_a_mass(Choices& c) {
   }
   return impact;
 }
-inline Impact impact_without_a_normal(Choices& c) {
+inline Impact impact_without_a_normal(DrawStream& c) {
   Impact impact = lattice_impact(c);
   impact.normal = zero_vector(c);
   return impact;
@@ -124,7 +124,7 @@ inline void make_positive(double& mass) {
 }
 
 /// A coefficient of restitution on a bound, or the first number beyond.
-inline double restitution_at_a_bound(Choices& c) {
+inline double restitution_at_a_bound(DrawStream& c) {
   const double bound = c.below(2) == 1 ? 1 : 0;
   return moved_by_ulps(bound, static_cast<int>(small_integer(c, 1)));
 }

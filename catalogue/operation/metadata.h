@@ -17,7 +17,7 @@ enum class Kind {
   covering,  ///< nothing missing; what is too much is counted apart
 };
 
-/// A list of constants. With it a Card is a constant too, which needs no initialization at run time: there g++ and
+/// A list of constants. With it a Metadata is a constant too, which needs no initialization at run time: there g++ and
 /// clang disagree on who stores the members that are constants, and a program may have rows of both.
 template <class T, std::size_t most>
 class ShortList {
@@ -43,7 +43,7 @@ class ShortList {
 using FieldNames = ShortList<const char*, 6>;
 
 /// What the catalogue says of an operation.
-struct Card {
+struct Metadata {
   const char* name;
   const char* chapter;
   const char* pages;     ///< of the deck

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 #include "geometry/volumes.h"
 
-/// Oriented boxes, drawn from a stream of choices; of even integers, so that half of a half axis is whole.
+/// Oriented boxes, drawn from a draw stream; of even integers, so that half of a half axis is whole.
 namespace touchstone::catalogue {
 
 using HalfAxes3d = HalfAxes<double>;
@@ -19,7 +19,7 @@ inline double volume_of(const HalfAxes3d& h) { return dot(cross(h.u, h.v), h.w);
 inline std::array<Vector3d*, 3> each_of(HalfAxes3d& h) { return {&h.u, &h.v, &h.w}; }
 
 /// The coordinate axes times even integers, in any order.
-inline HalfAxes3d straight_half_axes(Choices& c) {
+inline HalfAxes3d straight_half_axes(DrawStream& c) {
   const auto length = [&c] { return 2 * static_cast<double>(1 + c.below(4)); };
   const double x = length(), y = length(), z = length();
   const Vector3d a{x, 0, 0}, b{0, y, 0}, d{0, 0, z};
@@ -31,7 +31,7 @@ inline HalfAxes3d straight_half_axes(Choices& c) {
 }
 
 /// At right angles to each other: a turn by an integer quaternion.
-inline HalfAxes3d turned_half_axes(Choices& c) {
+inline HalfAxes3d turned_half_axes(DrawStream& c) {
   const double a = 1 + static_cast<double>(c.below(3)), p = small_integer(c, 3), q = small_integer(c, 3),
                r = small_integer(c, 3);
   HalfAxes3d h{{a * a + p * p - q * q - r * r, 2 * (p * q + a * r), 2 * (p * r - a * q)},
@@ -42,7 +42,7 @@ inline HalfAxes3d turned_half_axes(Choices& c) {
 }
 
 /// Independent integers of at most so many bits.
-inline HalfAxes3d skew_half_axes(Choices& c, int bits = 3) {
+inline HalfAxes3d skew_half_axes(DrawStream& c, int bits = 3) {
   HalfAxes3d h{};
   for (Vector3d* axis : each_of(h)) *axis = 2.0 * lattice_normal(c, bits);
   if (volume_of(h) == 0) h = {{2, 0, 0}, {h.u.x, 4, 0}, {h.v.y, h.v.z, 2}};
@@ -50,7 +50,7 @@ inline HalfAxes3d skew_half_axes(Choices& c, int bits = 3) {
 }
 
 /// Nearly dependent: the second differs from the first by little, the third from their plane.
-inline HalfAxes3d slanted_half_axes(Choices& c) {
+inline HalfAxes3d slanted_half_axes(DrawStream& c) {
   const Vector3d u = 2.0 * lattice_normal(c, 20);
   const Vector3d little = 2.0 * lattice_normal(c, 2);
   const double k = small_integer(c, 2);
@@ -58,7 +58,7 @@ inline HalfAxes3d slanted_half_axes(Choices& c) {
   return volume_of(h) == 0 ? HalfAxes3d{u, {2, 2 * u.x + 2, 0}, {0, 0, 2 * u.x * u.x + 2}} : h;
 }
 
-inline HalfAxes3d lattice_half_axes(Choices& c) {
+inline HalfAxes3d lattice_half_axes(DrawStream& c) {
   switch (c.below(4)) {
     case 0: return straight_half_axes(c);
     case 1: return turned_half_axes(c);
@@ -67,7 +67,7 @@ inline HalfAxes3d lattice_half_axes(Choices& c) {
   }
 }
 
-inline Obb3d lattice_obb(Choices& c) {
+inline Obb3d lattice_obb(DrawStream& c) {
   const HalfAxes3d h = lattice_half_axes(c);
   return {lattice_point_in_space(c, 20), h};
 }
@@ -79,7 +79,7 @@ inline Point3d halves_along(const Obb3d& box, double r, double s, double t) {
 }
 
 /// On the boundary: on a face, on an edge, or a corner.
-inline Point3d on_obb(const Obb3d& box, Choices& c) {
+inline Point3d on_obb(const Obb3d& box, DrawStream& c) {
   const double one = c.below(2) == 1 ? -2 : 2, other = small_integer(c, 2), third = small_integer(c, 2);
   switch (c.below(3)) {
     case 0: return halves_along(box, one, other, third);
@@ -91,7 +91,7 @@ inline Point3d on_obb(const Obb3d& box, Choices& c) {
 /// Moves b to where it touches a from outside, as far as their half axes number i and j, a's before b's, are not
 /// parallel: on the axis at right angles to both. What that axis leaves open is drawn: where along the common edges or
 /// faces, by up to so many halves of these. Exact for small integers.
-inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, Choices& c, int most_open = 2) {
+inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t j, DrawStream& c, int most_open = 2) {
   const Vector3d* edges[] = {&a.half_axes.u, &a.half_axes.v, &a.half_axes.w,
                              &b.half_axes.u, &b.half_axes.v, &b.half_axes.w};
   const Vector3d n = cross(*edges[i], *edges[j]);
@@ -105,7 +105,7 @@ inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t 
 
 /// Two boxes at right angles, turned each for itself, that only the axis across the half axes number i and j tells
 /// apart, by a small gap; or that just overlap, or touch. i and j of one box: the normal of its faces on the third.
-inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, Choices& c) {
+inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, DrawStream& c) {
   std::pair<Obb3d, Obb3d> boxes{{lattice_point_in_space(c, 10), turned_half_axes(c)}, {{}, turned_half_axes(c)}};
   auto& [a, b] = boxes;
   bring_to_touch(a, b, i, j, c, 1);
@@ -122,7 +122,7 @@ inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, C
 
 /// Two beams on edge, one on the other, their ridges turned against each other by an angle of twice `half`: along the
 /// normals of faces, which stand at 45 degrees, there is no gap. Without a sine, of which every library has its own.
-inline std::pair<Obb3d, Obb3d> beams_on_edge(Choices& c) {
+inline std::pair<Obb3d, Obb3d> beams_on_edge(DrawStream& c) {
   static constexpr double halves[] = {0.5e-4, 0.5e-3, 0.5e-5, 0.5e-6};
   const double half = halves[c.below(4)], length = 2 / half * scaled_up(c, 4, 8), more = 1 + half * half;
   const double x = (1 - half * half) / more, y = 2 * half / more;
@@ -136,7 +136,7 @@ inline std::pair<Obb3d, Obb3d> beams_on_edge(Choices& c) {
 
 /// A box with the half axes of another, in another order and perhaps half or twice as long, its center on the grid of
 /// halves of these.
-inline Obb3d alike(const Obb3d& a, Choices& c) {
+inline Obb3d alike(const Obb3d& a, DrawStream& c) {
   const auto [u, v, w] = a.half_axes;
   Obb3d b{{}, c.below(2) == 1 ? HalfAxes3d{v, w, u} : HalfAxes3d{u, v, w}};
   for (Vector3d* axis : each_of(b.half_axes)) {
@@ -151,7 +151,7 @@ inline Obb3d alike(const Obb3d& a, Choices& c) {
 /// Each coordinate by its own power of two: past the lattice, past the filter's guard, below its absolute term.
 class Stretch {
  public:
-  explicit Stretch(Choices& c) {
+  explicit Stretch(DrawStream& c) {
     static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, -355};
     for (int& e : exponents_) e = exponents[c.below(7)];
   }
@@ -169,7 +169,7 @@ class Stretch {
 };
 
 /// A box around the origin, each half axis of its own size, from one end of the range to the other.
-inline Obb3d long_and_thin_obb(Choices& c) {
+inline Obb3d long_and_thin_obb(DrawStream& c) {
   Obb3d box{{0, 0, 0}, lattice_half_axes(c)};
   for (Vector3d* axis : each_of(box.half_axes)) {
     const int k = static_cast<int>(c.below(2000)) - 1080;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "catalogue/families/contact_choices.h"
-#include "catalogue/families/impact_choices.h"
+#include "catalogue/families/contact_draws.h"
+#include "catalogue/families/impact_draws.h"
 
-/// Two turning bodies with masses and inertias, drawn from a stream of choices.
+/// Two turning bodies with masses and inertias, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 struct RigidMeeting {
@@ -14,7 +14,7 @@ struct RigidMeeting {
 };
 
 /// L L^T of a triangular L, of integers with a positive diagonal: positive definite, however near to not being so.
-inline Inertiad lattice_inertia(Choices& c, int most = 4) {
+inline Inertiad lattice_inertia(DrawStream& c, int most = 4) {
   const double p = 1 + static_cast<double>(c.below(8)), q = 1 + static_cast<double>(c.below(8)),
                r = 1 + static_cast<double>(c.below(8));
   const double s = small_integer(c, most), t = small_integer(c, most), u = small_integer(c, most);
@@ -22,13 +22,13 @@ inline Inertiad lattice_inertia(Choices& c, int most = 4) {
   return {{p * p, xy, xz}, {xy, s * s + q * q, yz}, {xz, yz, t * t + u * u + r * r}};
 }
 /// Of a ball, or a box along the axes.
-inline Inertiad straight_inertia(Choices& c) {
+inline Inertiad straight_inertia(DrawStream& c) {
   const double x = lattice_mass(c), y = c.below(2) == 1 ? lattice_mass(c) : x,
                z = c.below(2) == 1 ? lattice_mass(c) : x;
   return {{x, 0, 0}, {0, y, 0}, {0, 0, z}};
 }
 /// Full digits, and a diagonal that outweighs the rest.
-inline Inertiad ordinary_inertia(Choices& c) {
+inline Inertiad ordinary_inertia(DrawStream& c) {
   const Vector3d diagonal = ordinary_vector(c), beside = ordinary_vector(c);
   const auto long_enough = [](double x) { return 2 + std::fabs(x); };
   return {{long_enough(diagonal.x), beside.x, beside.y},
@@ -40,49 +40,49 @@ inline RigidBodyd rigid_body(double mass, const Inertiad& inertia, const MovingB
   return {mass, inertia, moving.position, moving.velocity, moving.angular_velocity};
 }
 template <class Draw>
-RigidMeeting with_weights(Choices& c, const Meeting& m, const Draw& draw_inertia) {
+RigidMeeting with_weights(DrawStream& c, const Meeting& m, const Draw& draw_inertia) {
   const Massesd masses = lattice_masses(c);
   const Inertiad a = draw_inertia(c), b = draw_inertia(c);
   return {rigid_body(masses.first, a, m.a), rigid_body(masses.second, b, m.b), m.point, m.normal};
 }
-inline Inertiad usual_inertia(Choices& c) { return c.below(2) == 1 ? straight_inertia(c) : lattice_inertia(c); }
+inline Inertiad usual_inertia(DrawStream& c) { return c.below(2) == 1 ? straight_inertia(c) : lattice_inertia(c); }
 
-inline RigidMeeting lattice_rigid(Choices& c) {
+inline RigidMeeting lattice_rigid(DrawStream& c) {
   const Meeting m = lattice_meeting(c, 6);
   return with_weights(c, m, usual_inertia);
 }
 /// The contact is on the line of both positions along the normal: nothing begins to turn.
-inline RigidMeeting central(Choices& c) {
+inline RigidMeeting central(DrawStream& c) {
   Meeting m = lattice_meeting(c, 8);
   const double s = small_integer(c), t = small_integer(c);
   m.a.position = m.point + s * m.normal, m.b.position = m.point + t * m.normal;
   return with_weights(c, m, usual_inertia);
 }
-inline RigidMeeting resting_rigid(Choices& c) {
+inline RigidMeeting resting_rigid(DrawStream& c) {
   const Meeting m = resting_meeting(c, 6);
   return with_weights(c, m, usual_inertia);
 }
-inline RigidMeeting ordinary_rigid(Choices& c) {
+inline RigidMeeting ordinary_rigid(DrawStream& c) {
   const Meeting m = of_one_body(c);
   RigidMeeting r = with_weights(c, m, ordinary_inertia);
   r.a.mass += std::fabs(ordinary(c)), r.b.velocity = ordinary_vector(c);
   return r;
 }
 /// As plane physics has it; three moments of inertia, of which only the last counts.
-inline RigidMeeting planar_rigid(Choices& c) {
+inline RigidMeeting planar_rigid(DrawStream& c) {
   const Meeting m = in_a_plane(lattice_meeting(c, 6));
-  return with_weights(c, m, [](Choices& d) {
+  return with_weights(c, m, [](DrawStream& d) {
     const double z = lattice_mass(d), x = lattice_mass(d), y = lattice_mass(d);
     return Inertiad{{x, 0, 0}, {0, y, 0}, {0, 0, z}};
   });
 }
 /// Long rods, and what is nearly no body: determinants that cancel.
-inline RigidMeeting thin_rigid(Choices& c) {
+inline RigidMeeting thin_rigid(DrawStream& c) {
   const Meeting m = lattice_meeting(c, 6);
   const int most = 1 << (4 + c.below(20));
-  return with_weights(c, m, [most](Choices& d) { return lattice_inertia(d, most); });
+  return with_weights(c, m, [most](DrawStream& d) { return lattice_inertia(d, most); });
 }
-inline RigidMeeting unequal_rigid(Choices& c) {
+inline RigidMeeting unequal_rigid(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   const Massesd masses = unequal_masses(c);
   const auto weigh = [](RigidBodyd& body, double mass) {
@@ -92,13 +92,13 @@ inline RigidMeeting unequal_rigid(Choices& c) {
   weigh(r.a, masses.first), weigh(r.b, masses.second);
   return r;
 }
-inline RigidMeeting stretched_rigid(Choices& c) {
+inline RigidMeeting stretched_rigid(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   r.normal = stretched_normal(c);
   return r;
 }
 /// Masses, lengths and times in units of their own.
-inline RigidMeeting rigid_in_far_units(Choices& c) {
+inline RigidMeeting rigid_in_far_units(DrawStream& c) {
   RigidMeeting r = c.below(2) == 1 ? ordinary_rigid(c) : lattice_rigid(c);
   const int of_mass = static_cast<int>(c.below(400)) - 200, of_length = static_cast<int>(c.below(300)) - 150,
             of_time = static_cast<int>(c.below(400)) - 200;
@@ -112,14 +112,14 @@ inline RigidMeeting rigid_in_far_units(Choices& c) {
   longer(r.point, of_length);
   return r;
 }
-inline RigidMeeting rigid_at_end_of_range(Choices& c) {
+inline RigidMeeting rigid_at_end_of_range(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   r.a.velocity = at_the_end_of_range(c);
   if (c.below(2) == 1) r.b.angular_velocity = at_the_end_of_range(c);
   return r;
 }
 /// At both positions the impulse only pushes; elastic.
-inline RigidMeeting rigid_beside_a_tie(Choices& c) {
+inline RigidMeeting rigid_beside_a_tie(DrawStream& c) {
   const Impact i = impact_beside_a_tie(c);
   const Point3d p = lattice_point_in_space(c, 6);
   const MovingBodyd a{p, i.velocities.first, lattice_velocity(c, 6)}, b{p, i.velocities.second, lattice_velocity(c, 6)};
@@ -129,7 +129,7 @@ inline RigidMeeting rigid_beside_a_tie(Choices& c) {
 }
 
 /// Not positive definite, by as little as there is.
-inline RigidMeeting without_an_inertia(Choices& c) {
+inline RigidMeeting without_an_inertia(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   Inertiad& i = c.below(2) == 1 ? r.a.inertia : r.b.inertia;
   const double k = 1 + static_cast<double>(c.below(1 << 20));
@@ -141,13 +141,13 @@ inline RigidMeeting without_an_inertia(Choices& c) {
   }
   return r;
 }
-inline RigidMeeting rigid_without_a_mass(Choices& c) {
+inline RigidMeeting rigid_without_a_mass(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   if (c.below(2) == 1) r.a.mass = either_zero(c);
   else r.b.mass = -r.b.mass;
   return r;
 }
-inline RigidMeeting rigid_without_a_normal(Choices& c) {
+inline RigidMeeting rigid_without_a_normal(DrawStream& c) {
   RigidMeeting r = lattice_rigid(c);
   r.normal = zero_vector(c);
   return r;

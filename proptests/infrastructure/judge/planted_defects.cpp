@@ -24,8 +24,8 @@ template <class Row, class Formula>
 void is_seen(double share, const Formula& formula, bool binary32 = false) {
   const Cell total = audited<Row>(formula, {.each = 30, .binary32 = binary32}).operations[0].total();
   const auto part = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(total.cases()); };
-  INFO(Row::card().name << ": " << total.cases() << " cases, " << total.count(Verdict::algorithm) << " algorithm, "
-                        << total.count(Verdict::rounding) << " rounding");
+  INFO(Row::metadata().name << ": " << total.cases() << " cases, " << total.count(Verdict::algorithm) << " algorithm, "
+                            << total.count(Verdict::rounding) << " rounding");
   CHECK(part(total.count(Verdict::algorithm)) >= share);
   CHECK(3 * total.count(Verdict::rounding) <= total.count(Verdict::algorithm));
 }
@@ -44,7 +44,7 @@ void is_excused() {
     CHECK(judgement.verdict == (excess ? Verdict::rounding : Verdict::algorithm));
     excused += judgement.verdict == Verdict::rounding;
   });
-  INFO(row.card->name);
+  INFO(row.metadata->name);
   CHECK(excused > 0);
 }
 
@@ -79,7 +79,7 @@ Pieces one_piece_less(Pieces pieces) {
 
 }  // namespace
 
-TEST_CASE("planted faults: hulls whose faces look inwards, lack a face, or know one dimension") {
+TEST_CASE("planted defects: hulls whose faces look inwards, lack a face, or know one dimension") {
   is_seen<rows::convex_hull>(0.9, inwards);
   is_seen<rows::convex_hull>(0.7, inwards, true);
   is_seen<rows::convex_hull>(0.5, one_face_less);
@@ -87,14 +87,14 @@ TEST_CASE("planted faults: hulls whose faces look inwards, lack a face, or know 
   is_seen<rows::convex_hull_2d>(0.5, clockwise);
 }
 
-TEST_CASE("planted faults: polygons cut from one corner whatever their shape, and with a piece left out") {
+TEST_CASE("planted defects: polygons cut from one corner whatever their shape, and with a piece left out") {
   is_seen<rows::triangulate_polygon>(0.2, fan);
   is_seen<rows::triangulate_polygon>(0.95,
                                      [](const Polygon2d& p) { return one_piece_less(robust::triangulate_polygon(p)); });
   is_seen<rows::convex_partition>(0.95, [](const Polygon2d& p) { return one_piece_less(robust::convex_partition(p)); });
 }
 
-TEST_CASE("planted faults: balls, slabs and boxes that are too small, too large or elsewhere") {
+TEST_CASE("planted defects: balls, slabs and boxes that are too small, too large or elsewhere") {
   const auto ball = [](double factor, double moved) {
     return [=](const Points& points, const std::optional<SphereMethod>& method) {
       Sphere3d found = robust::bounding_sphere(points, method.value_or(SphereMethod::smallest));
@@ -122,7 +122,7 @@ TEST_CASE("planted faults: balls, slabs and boxes that are too small, too large 
   is_seen<rows::obb_of_points>(0.6, box(1.1));
 }
 
-TEST_CASE("planted faults: what rounding spoils in a textbook formula is no fault of who uses it") {
+TEST_CASE("planted defects: what rounding spoils in a textbook formula is no defect of who uses it") {
   is_excused<rows::convex_hull>();
   is_excused<rows::convex_hull_2d>();
   is_excused<rows::triangulate_polygon>();

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "catalogue/families/box_choices.h"
-#include "catalogue/families/choices.h"
+#include "catalogue/families/box_draws.h"
+#include "catalogue/families/draw_stream.h"
 #include "geometry/commands.h"
 
-/// Programs, drawn from a stream of choices.
+/// Programs, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 using Program = std::tuple<std::vector<Aabb3d>, std::vector<Commandd>>;
@@ -18,7 +18,7 @@ using Program = std::tuple<std::vector<Aabb3d>, std::vector<Commandd>>;
 /// A program that grows by one command after another and keeps account of the bodies that are there.
 class Programming {
  public:
-  explicit Programming(Choices& choices) : choices_(choices) {}
+  explicit Programming(DrawStream& draws) : choices_(draws) {}
 
   void start_with(const Aabb3d& box) {
     boxes_.push_back(box);
@@ -55,17 +55,17 @@ class Programming {
   Program program() const { return {boxes_, commands_}; }
 
  private:
-  Choices& choices_;
+  DrawStream& choices_;
   std::vector<Aabb3d> boxes_;
   std::vector<Commandd> commands_;
   std::vector<Index> there_;
   Index next_ = 0;
 };
 
-/// So many bodies to start with and so many commands at most, one after another ("one more?"), so that the choices of
+/// So many bodies to start with and so many commands at most, one after another ("one more?"), so that the draws of
 /// one can be cut out and leave the others as they are; a query at the end.
 template <class Draw>
-Program any_program(Choices& c, const Draw& box, std::size_t bodies, std::size_t commands) {
+Program any_program(DrawStream& c, const Draw& box, std::size_t bodies, std::size_t commands) {
   Programming p(c);
   for (std::size_t left = bodies; left > 0 && c.below(bodies) != 0; --left) p.start_with(box(c));
   for (std::size_t left = commands; left > 0 && c.below(commands) != 0; --left) p.any([&] { return box(c); });

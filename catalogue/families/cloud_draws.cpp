@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/families/cloud_choices.h"
+#include "catalogue/families/cloud_draws.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "catalogue/families/list_choices.h"
-#include "catalogue/families/mesh_choices.h"
+#include "catalogue/families/list_draws.h"
+#include "catalogue/families/mesh_draws.h"
 #include "catalogue/families/rings.h"
-#include "catalogue/families/space_choices.h"
+#include "catalogue/families/space_draws.h"
 
 namespace touchstone::catalogue {
 namespace {
@@ -16,13 +16,13 @@ using Points = std::vector<Point3d>;
 
 Point3d times(double factor, const Point3d& p) { return {factor * p.x, factor * p.y, factor * p.z}; }
 
-Point3d on_grid(Choices& c, int most) {
+Point3d on_grid(DrawStream& c, int most) {
   const double x = small_integer(c, most), y = small_integer(c, most);
   return {x, y, small_integer(c, most)};
 }
 
 /// x y z, y z x or z x y.
-Point3d axes_turned(const Point3d& p, Choices& c) {
+Point3d axes_turned(const Point3d& p, DrawStream& c) {
   switch (c.below(3)) {
     case 1: return {p.y, p.z, p.x};
     case 2: return {p.z, p.x, p.y};
@@ -31,7 +31,7 @@ Point3d axes_turned(const Point3d& p, Choices& c) {
 }
 
 /// Of radius 9.
-Point3d on_a_sphere(Choices& c) {
+Point3d on_a_sphere(DrawStream& c) {
   static constexpr std::array<Point3d, 4> octant{{{0, 0, 9}, {1, 4, 8}, {4, 4, 7}, {3, 6, 6}}};
   const Point3d p = axes_turned(octant[c.below(4)], c);
   const double x = c.below(2) == 1 ? -p.x : p.x, y = c.below(2) == 1 ? -p.y : p.y;
@@ -39,28 +39,28 @@ Point3d on_a_sphere(Choices& c) {
   return c.below(2) == 1 ? Point3d{q.y, q.x, q.z} : q;
 }
 
-Points few(Choices& c) {
+Points few(DrawStream& c) {
   Points points{lattice_point_in_space(c)};
   for (std::uint64_t more = c.below(4); more > 0; --more) points.push_back(lattice_point_in_space(c));
   return points;
 }
 
-Points all_equal(Choices& c) {
+Points all_equal(DrawStream& c) {
   const Point3d p = lattice_point_in_space(c);
   Points points(1 + c.below(6), p);
   if (points[0].y == 0 && c.below(2) == 1) points.back().y = -0.0;
   return points;
 }
 
-Points collinear(Choices& c) {
+Points collinear(DrawStream& c) {
   const Point3d p = lattice_point_in_space(c);
   const Vector3d v = lattice_normal(c);
-  return one_by_one(c, 12, [&](Choices& d) { return p + small_integer(d) * v; });
+  return one_by_one(c, 12, [&](DrawStream& d) { return p + small_integer(d) * v; });
 }
 
-Points across_an_axis(Choices& c) {
+Points across_an_axis(DrawStream& c) {
   const double height = integer(c, 20);
-  Points points = one_by_one(c, 24, [&](Choices& d) {
+  Points points = one_by_one(c, 24, [&](DrawStream& d) {
     const double x = small_integer(d), y = small_integer(d);
     return Point3d{x, y, height};
   });
@@ -70,18 +70,18 @@ Points across_an_axis(Choices& c) {
 }
 
 /// Integers of that many bits or a few less, and their multiples.
-Points tilted(Choices& c, int bits, std::size_t most) {
+Points tilted(DrawStream& c, int bits, std::size_t most) {
   const Point3d p = lattice_point_in_space(c, bits);
   const Vector3d v = lattice_normal(c, bits), w = lattice_normal(c, bits);
-  return one_by_one(c, most, [&](Choices& d) {
+  return one_by_one(c, most, [&](DrawStream& d) {
     const double i = small_integer(d, 4), j = small_integer(d, 4);
     return p + i * v + j * w;
   });
 }
 
-Points in_a_tilted_plane(Choices& c) { return tilted(c, 20, 24); }
+Points in_a_tilted_plane(DrawStream& c) { return tilted(c, 20, 24); }
 
-Points one_beside_a_plane(Choices& c) {
+Points one_beside_a_plane(DrawStream& c) {
   Points points = tilted(c, 16, 24);
   const Vector3d off{small_integer(c, 1), small_integer(c, 1), small_integer(c, 1)};
   points.push_back(points[0] + off);
@@ -89,7 +89,7 @@ Points one_beside_a_plane(Choices& c) {
 }
 
 /// Where the lattices end on which determinants need 53 and 123 bits.
-Points planes_at_a_seam(Choices& c) {
+Points planes_at_a_seam(DrawStream& c) {
   const int bits = (c.below(2) == 1 ? 36 : 13) + static_cast<int>(c.below(5));
   Points points = tilted(c, bits, 12);
   for (std::uint64_t more = 1 + c.below(3); more > 0; --more) {
@@ -101,14 +101,14 @@ Points planes_at_a_seam(Choices& c) {
   return shuffled(points, c);
 }
 
-Points small_grid(Choices& c) {
+Points small_grid(DrawStream& c) {
   const int most = 1 + static_cast<int>(c.below(2));
-  return one_by_one(c, 24, [most](Choices& d) { return on_grid(d, most); });
+  return one_by_one(c, 24, [most](DrawStream& d) { return on_grid(d, most); });
 }
 
-Points cospherical(Choices& c) { return one_by_one(c, 24, on_a_sphere); }
+Points cospherical(DrawStream& c) { return one_by_one(c, 24, on_a_sphere); }
 
-Points prism(Choices& c) {
+Points prism(DrawStream& c) {
   Polygon2d ring = convex_ring(c);
   for (Point2d& p : ring.vertices) p = {4 * p.x, 4 * p.y};
   for (std::uint64_t more = c.below(3); more > 0; --more) ring = with_flat_vertex(ring, c);
@@ -120,7 +120,7 @@ Points prism(Choices& c) {
 
 /// The middle of two, and of the middle and a third: on edges, on faces and inside. Exact, because corners are
 /// multiples of 12.
-Points between_corners(Choices& c) {
+Points between_corners(DrawStream& c) {
   Points points = lattice_polyhedron(c).vertices;
   const std::size_t corners = points.size();
   for (std::uint64_t more = 1 + c.below(12); more > 0; --more) {
@@ -132,7 +132,7 @@ Points between_corners(Choices& c) {
   return shuffled(points, c);
 }
 
-Points repeated(Choices& c) {
+Points repeated(DrawStream& c) {
   Points points = lattice_polyhedron(c).vertices;
   for (std::uint64_t more = 1 + c.below(8); more > 0; --more) {
     const Point3d again = points[c.below(points.size())];
@@ -141,15 +141,15 @@ Points repeated(Choices& c) {
   return shuffled(points, c);
 }
 
-Points mapped(Choices& c) {
+Points mapped(DrawStream& c) {
   Meshd mesh = lattice_polyhedron(c);
   Point3d unused{0, 0, 0};
   map_linearly(mesh, unused, c);
   return mesh.vertices;
 }
 
-Points tiny_beside_huge(Choices& c) {
-  return one_by_one(c, 12, [](Choices& d) {
+Points tiny_beside_huge(DrawStream& c) {
+  return one_by_one(c, 12, [](DrawStream& d) {
     static constexpr std::array<int, 5> exponents{0, 60, -60, 1000, -1074};
     const Point3d p = lattice_point_in_space(d, 10);
     const int k = exponents[d.below(5)];
@@ -157,7 +157,7 @@ Points tiny_beside_huge(Choices& c) {
   });
 }
 
-Points subnormal(Choices& c) {
+Points subnormal(DrawStream& c) {
   Points points = tilted(c, 20, 12);
   points.push_back(lattice_point_in_space(c, 20));
   for (Point3d& p : points) p = {std::ldexp(p.x, -1074), std::ldexp(p.y, -1074), std::ldexp(p.z, -1074)};
@@ -165,8 +165,8 @@ Points subnormal(Choices& c) {
 }
 
 /// All 53 bits, and exactly in one plane.
-Points long_plane(Choices& c) {
-  Points points = one_by_one(c, 12, [](Choices& d) {
+Points long_plane(DrawStream& c) {
+  Points points = one_by_one(c, 12, [](DrawStream& d) {
     const double x = ordinary(d), y = ordinary(d);
     return Point3d{x, y, -(x + y)};
   });
@@ -174,7 +174,7 @@ Points long_plane(Choices& c) {
   return points;
 }
 
-Points computed(Choices& c) {
+Points computed(DrawStream& c) {
   Points points = prism(c);
   std::vector<Point2d> seen;
   for (const Point3d& p : points) seen.push_back({p.x, p.y});
@@ -184,9 +184,9 @@ Points computed(Choices& c) {
 }
 
 /// Lists long enough for far points to be looked for.
-std::uint64_t many(Choices& c) { return 32 + c.below(12); }
+std::uint64_t many(DrawStream& c) { return 32 + c.below(12); }
 
-Points many_on_a_grid(Choices& c) {
+Points many_on_a_grid(DrawStream& c) {
   const int most = 2 + static_cast<int>(c.below(40)), inner = 1 + most / 3;
   Points points;
   for (std::uint64_t left = many(c); left > 0; --left) points.push_back(on_grid(c, c.below(4) == 3 ? most : inner));
@@ -194,7 +194,7 @@ Points many_on_a_grid(Choices& c) {
 }
 
 /// A sphere, and most points within it.
-Points many_cospherical(Choices& c) {
+Points many_cospherical(DrawStream& c) {
   Points points;
   const double factor = 2 + 2 * static_cast<double>(c.below(1 << 20));
   for (std::uint64_t left = many(c); left > 0; --left) {
@@ -205,7 +205,7 @@ Points many_cospherical(Choices& c) {
 }
 
 /// A box, and points of its faces or an ulp beside them.
-Points many_beside_faces(Choices& c) {
+Points many_beside_faces(DrawStream& c) {
   Points points;
   for (const double x : {-0.3, 0.7})
     for (const double y : {-0.1, 0.9})
@@ -220,7 +220,7 @@ Points many_beside_faces(Choices& c) {
 }
 
 /// As thin as a leaf, or as a hair, tilted: far points are not fat enough.
-Points many_in_a_leaf(Choices& c) {
+Points many_in_a_leaf(DrawStream& c) {
   Points points;
   const int thickness = static_cast<int>(c.below(30));
   for (std::uint64_t left = many(c); left > 0; --left) {
@@ -231,7 +231,7 @@ Points many_in_a_leaf(Choices& c) {
 }
 
 /// All bits, far from the origin or around it; most points near the middle.
-Points many_random(Choices& c) {
+Points many_random(DrawStream& c) {
   const double where = c.below(2) == 1 ? 100 : 0;
   Points points;
   for (std::uint64_t left = many(c); left > 0; --left) {

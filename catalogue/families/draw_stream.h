@@ -8,15 +8,15 @@
 
 namespace touchstone::catalogue {
 
-/// One stream of choices, from which every input is drawn. A choice is a number 0 <= k < n and 0 is the simplest, so
+/// One draw stream, from which every input is drawn. A choice is a number 0 <= k < n and 0 is the simplest, so
 /// that a shorter or smaller stream gives a simpler input: shrinking works on the stream and never leaves a family.
 ///
 /// Two sources: a seeded generator (the same on every machine), and bytes (libFuzzer's, RapidCheck's, a crash file's;
 /// past their end every choice is 0). A seeded stream that records gives the bytes that repeat it.
-class Choices {
+class DrawStream {
  public:
-  static Choices seeded(std::uint64_t seed, bool record = false);
-  static Choices replayed(std::span<const std::uint8_t> bytes);
+  static DrawStream seeded(std::uint64_t seed, bool record = false);
+  static DrawStream replayed(std::span<const std::uint8_t> bytes);
 
   /// 0 <= result < n; n >= 1. Takes 1, 2, 4 or 8 bytes: the least that hold n - 1.
   std::uint64_t below(std::uint64_t n) {

@@ -7,38 +7,38 @@
 #include "catalogue/families/numbers.h"
 #include "geometry/volumes.h"
 
-/// Boxes, drawn from a stream of choices as exact integers.
+/// Boxes, drawn from a draw stream as exact integers.
 namespace touchstone::catalogue {
 
-inline Point3d lattice_point_of_box(Choices& choices, int bits = 24) {
-  const double x = integer(choices, bits), y = integer(choices, bits);
-  return {x, y, integer(choices, bits)};
+inline Point3d lattice_point_of_box(DrawStream& draws, int bits = 24) {
+  const double x = integer(draws, bits), y = integer(draws, bits);
+  return {x, y, integer(draws, bits)};
 }
 
 /// With an interior; 1 wide at the least.
-inline Aabb3d lattice_box(Choices& choices, int bits = 24) {
-  const Point3d p = lattice_point_of_box(choices, bits);
-  const auto width = [&choices] { return 1 + static_cast<double>(choices.below(8)); };
+inline Aabb3d lattice_box(DrawStream& draws, int bits = 24) {
+  const Point3d p = lattice_point_of_box(draws, bits);
+  const auto width = [&draws] { return 1 + static_cast<double>(draws.below(8)); };
   const double x = width(), y = width(), z = width();
   return {p, {p.x + x, p.y + y, p.z + z}};
 }
 
 /// Another box that has a part of a's interior.
-inline Aabb3d overlapping(const Aabb3d& a, Choices& choices) {
-  const auto least = [&choices](double low, double high) {
-    return low + static_cast<double>(choices.below(static_cast<std::uint64_t>(high - low)));
+inline Aabb3d overlapping(const Aabb3d& a, DrawStream& draws) {
+  const auto least = [&draws](double low, double high) {
+    return low + static_cast<double>(draws.below(static_cast<std::uint64_t>(high - low)));
   };
-  const auto width = [&choices] { return 1 + static_cast<double>(choices.below(8)); };
+  const auto width = [&draws] { return 1 + static_cast<double>(draws.below(8)); };
   const double x = least(a.min.x, a.max.x), y = least(a.min.y, a.max.y), z = least(a.min.z, a.max.z);
   const double dx = width(), dy = width(), dz = width();
   return {{x, y, z}, {x + dx, y + dy, z + dz}};
 }
 
 /// A part of a, perhaps all, perhaps flat.
-inline Aabb3d within(const Aabb3d& a, Choices& choices) {
-  const auto part = [&choices](double& low, double& high) {
-    low += static_cast<double>(choices.below(static_cast<std::uint64_t>(high - low) + 1));
-    high -= static_cast<double>(choices.below(static_cast<std::uint64_t>(high - low) + 1));
+inline Aabb3d within(const Aabb3d& a, DrawStream& draws) {
+  const auto part = [&draws](double& low, double& high) {
+    low += static_cast<double>(draws.below(static_cast<std::uint64_t>(high - low) + 1));
+    high -= static_cast<double>(draws.below(static_cast<std::uint64_t>(high - low) + 1));
   };
   Aabb3d b = a;
   part(b.min.x, b.max.x), part(b.min.y, b.max.y), part(b.min.z, b.max.z);
@@ -51,18 +51,18 @@ inline Aabb3d shifted(const Aabb3d& b, double x, double y, double z) {
 inline Aabb2d without_z(const Aabb3d& b) { return {{b.min.x, b.min.y}, {b.max.x, b.max.y}}; }
 
 /// A vector of multiples of 2^-30 below 1: what is moved by it has digits to lose.
-inline Vector3d fractions(Choices& choices) {
-  const auto fraction = [&choices] { return std::ldexp(static_cast<double>(choices.below(1 << 30)), -30); };
+inline Vector3d fractions(DrawStream& draws) {
+  const auto fraction = [&draws] { return std::ldexp(static_cast<double>(draws.below(1 << 30)), -30); };
   const double x = fraction(), y = fraction();
   return {x, y, fraction()};
 }
 
 /// The sides that p does not see are moved away, by 2^20 to 2^56: half the sum of both ends, and half their difference,
 /// no longer hold the digits of the near end.
-inline Aabb3d widened(Aabb3d box, const Point3d& p, Choices& choices) {
-  const auto widen = [&choices](double& min, double& max, double at) {
-    const double far = scaled_up(choices, 8, 34) * 0x1p20;
-    const bool up = at < min || (at <= max && choices.below(2) == 1);
+inline Aabb3d widened(Aabb3d box, const Point3d& p, DrawStream& draws) {
+  const auto widen = [&draws](double& min, double& max, double at) {
+    const double far = scaled_up(draws, 8, 34) * 0x1p20;
+    const bool up = at < min || (at <= max && draws.below(2) == 1);
     if (up) max += far;
     else min -= far;
   };

@@ -11,70 +11,71 @@
 /// A value of any described type with its type forgotten, and back.
 namespace touchstone::catalogue {
 
-/// What is no number on a tape: an enumerator, a flag, an index, the length of a list, the choice among alternatives.
+/// What is no number on a encoded value: an enumerator, a flag, an index, the length of a list, the choice among
+/// alternatives.
 using Word = std::uint32_t;
 
 /// The one form in which questions and answers travel: numbers and words, each in canonical order. A `Shape`
 /// (catalogue/shape/shape.h) says what they mean.
 template <class Real>
-struct Tape {
+struct EncodedValue {
   std::vector<Real> numbers;
   std::vector<Word> words;
 
   void clear() { numbers.clear(), words.clear(); }
-  friend bool operator==(const Tape&, const Tape&) = default;
+  friend bool operator==(const EncodedValue&, const EncodedValue&) = default;
 };
 
 /// A question of any operation.
-using Question = Tape<double>;
+using Question = EncodedValue<double>;
 
-/// A place on a tape from which values are read.
+/// A place on a encoded value from which values are read.
 template <class Real>
 struct Cursor {
   const Real* number;
   const Word* word;
-  explicit Cursor(const Tape<Real>& tape) : number(tape.numbers.data()), word(tape.words.data()) {}
+  explicit Cursor(const EncodedValue<Real>& encoded) : number(encoded.numbers.data()), word(encoded.words.data()) {}
 };
 
-/// Appends a value to a tape; every number becomes a Real.
+/// Appends a value to a encoded value; every number becomes a Real.
 template <class Real, class T>
-void pack(const T& value, Tape<Real>& tape) {
+void pack(const T& value, EncodedValue<Real>& encoded) {
   if constexpr (is_tuple<T>) {
-    std::apply([&](const auto&... part) { (pack(part, tape), ...); }, value);
+    std::apply([&](const auto&... part) { (pack(part, encoded), ...); }, value);
   } else if constexpr (Enumeration<T> || Plain<T>) {
-    tape.words.push_back(static_cast<Word>(value));
+    encoded.words.push_back(static_cast<Word>(value));
   } else if constexpr (Composite<T>) {
-    for_each_member<T>([&](const auto& member) { pack(value.*member.pointer, tape); });
+    for_each_member<T>([&](const auto& member) { pack(value.*member.pointer, encoded); });
   } else if constexpr (is_optional<T>) {
-    tape.words.push_back(value.has_value());
-    if (value) pack(*value, tape);
+    encoded.words.push_back(value.has_value());
+    if (value) pack(*value, encoded);
   } else if constexpr (is_vector<T>) {
-    tape.words.push_back(static_cast<Word>(value.size()));
-    for (const auto& element : value) pack(element, tape);
+    encoded.words.push_back(static_cast<Word>(value.size()));
+    for (const auto& element : value) pack(element, encoded);
   } else if constexpr (is_variant<T>) {
-    tape.words.push_back(static_cast<Word>(value.index()));
-    std::visit([&](const auto& alternative) { pack(alternative, tape); }, value);
+    encoded.words.push_back(static_cast<Word>(value.index()));
+    std::visit([&](const auto& alternative) { pack(alternative, encoded); }, value);
   } else {
-    tape.numbers.push_back(static_cast<Real>(value));
+    encoded.numbers.push_back(static_cast<Real>(value));
   }
 }
 template <class Real, class T>
-Tape<Real> packed_as(const T& value) {
-  Tape<Real> tape;
-  pack(value, tape);
-  return tape;
+EncodedValue<Real> packed_as(const T& value) {
+  EncodedValue<Real> encoded;
+  pack(value, encoded);
+  return encoded;
 }
 
 /// The same value in doubles.
 template <class T>
-Tape<double> packed(const T& value) {
+EncodedValue<double> packed(const T& value) {
   return packed_as<double>(value);
 }
 
 template <class... Ts, class Real, class Convert>
 void unpack_alternative(std::variant<Ts...>& value, Word which, Cursor<Real>& from, const Convert& convert);
 
-/// Reads what `pack` wrote; `convert` turns each number of the tape into one of the value.
+/// Reads what `pack` wrote; `convert` turns each number of the encoded value into one of the value.
 template <class T, class Real, class Convert>
 void unpack(T& value, Cursor<Real>& from, const Convert& convert) {
   if constexpr (is_tuple<T>) {
@@ -126,15 +127,15 @@ template <class T>
 using number_of_t = typename NumberTypeOf<T>::type;
 
 template <class T, class Real, class Convert>
-T unpacked(const Tape<Real>& tape, const Convert& convert) {
+T unpacked(const EncodedValue<Real>& encoded, const Convert& convert) {
   T value{};
-  Cursor<Real> from(tape);
+  Cursor<Real> from(encoded);
   unpack(value, from, convert);
   return value;
 }
 template <class T>
-T unpacked(const Question& tape) {
-  return unpacked<T>(tape, [](double number) { return number; });
+T unpacked(const Question& encoded) {
+  return unpacked<T>(encoded, [](double number) { return number; });
 }
 
 }  // namespace touchstone::catalogue

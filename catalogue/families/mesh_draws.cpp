@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/families/mesh_choices.h"
+#include "catalogue/families/mesh_draws.h"
 
 #include <algorithm>
 
@@ -10,8 +10,8 @@
 namespace touchstone::catalogue {
 namespace {
 
-std::vector<Whole> drawn_points(Choices& choices) {
-  switch (choices.below(4)) {
+std::vector<Whole> drawn_points(DrawStream& draws) {
+  switch (draws.below(4)) {
     case 0: return {{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}};
     case 1: {
       std::vector<Whole> cube;
@@ -22,8 +22,8 @@ std::vector<Whole> drawn_points(Choices& choices) {
     default: break;
   }
   std::vector<Whole> points;
-  for (std::uint64_t left = 5 + choices.below(5); left > 0; --left) {
-    const auto coordinate = [&choices] { return 12 * static_cast<long>(small_integer(choices, 4)); };
+  for (std::uint64_t left = 5 + draws.below(5); left > 0; --left) {
+    const auto coordinate = [&draws] { return 12 * static_cast<long>(small_integer(draws, 4)); };
     const long x = coordinate(), y = coordinate(), z = coordinate();
     if (std::find(points.begin(), points.end(), Whole{x, y, z}) == points.end()) points.push_back({x, y, z});
   }
@@ -36,28 +36,28 @@ Point3d middle(const Point3d& p, const Point3d& q) { return {(p.x + q.x) / 2, (p
 
 }  // namespace
 
-Meshd lattice_polyhedron(Choices& choices) {
-  Meshd mesh = lattice_hull(drawn_points(choices));
+Meshd lattice_polyhedron(DrawStream& draws) {
+  Meshd mesh = lattice_hull(drawn_points(draws));
   if (mesh.faces.empty()) mesh = lattice_hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
-  for (std::size_t i = mesh.faces.size(); i-- > 1;) std::swap(mesh.faces[i], mesh.faces[i - choices.below(i + 1)]);
+  for (std::size_t i = mesh.faces.size(); i-- > 1;) std::swap(mesh.faces[i], mesh.faces[i - draws.below(i + 1)]);
   for (Face& face : mesh.faces) {
-    if (choices.below(3) == 1) face = {face.b, face.c, face.a};
+    if (draws.below(3) == 1) face = {face.b, face.c, face.a};
   }
-  if (choices.below(4) == 3) std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over);
+  if (draws.below(4) == 3) std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over);
   return mesh;
 }
 
-const Meshd& named_mesh(Choices& choices) {
+const Meshd& named_mesh(DrawStream& draws) {
   const auto& all = named_meshes();
-  return all[choices.below(all.size())].mesh;
+  return all[draws.below(all.size())].mesh;
 }
 
-Meshd with_flat_vertex(const Meshd& mesh, Choices& choices) {
+Meshd with_flat_vertex(const Meshd& mesh, DrawStream& draws) {
   Meshd result = mesh;
   const auto added = static_cast<Index>(mesh.vertices.size());
-  const Face face = mesh.faces[choices.below(mesh.faces.size())];
+  const Face face = mesh.faces[draws.below(mesh.faces.size())];
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
-  if (choices.below(2) == 0) {
+  if (draws.below(2) == 0) {
     result.vertices.push_back({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3});
     std::replace(result.faces.begin(), result.faces.end(), face, Face{face.a, face.b, added});
     result.faces.push_back({face.b, face.c, added});
@@ -83,10 +83,10 @@ Meshd with_flat_vertex(const Meshd& mesh, Choices& choices) {
   return result;
 }
 
-Point3d on_a_face_plane(const Meshd& mesh, Choices& choices) {
-  const Face face = mesh.faces[choices.below(mesh.faces.size())];
+Point3d on_a_face_plane(const Meshd& mesh, DrawStream& draws) {
+  const Face face = mesh.faces[draws.below(mesh.faces.size())];
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
-  switch (choices.below(5)) {
+  switch (draws.below(5)) {
     case 0: return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
     case 1: return middle(a, b);
     case 2: return a;
@@ -95,15 +95,15 @@ Point3d on_a_face_plane(const Meshd& mesh, Choices& choices) {
   }
 }
 
-Point3d between_vertices(const Meshd& mesh, Choices& choices) {
-  const std::size_t first = choices.below(mesh.vertices.size()), second = choices.below(mesh.vertices.size());
+Point3d between_vertices(const Meshd& mesh, DrawStream& draws) {
+  const std::size_t first = draws.below(mesh.vertices.size()), second = draws.below(mesh.vertices.size());
   return middle(mesh.vertices[first], mesh.vertices[second]);
 }
 
-void map_linearly(Meshd& mesh, Point3d& point, Choices& choices) {
+void map_linearly(Meshd& mesh, Point3d& point, DrawStream& draws) {
   Whole rows[3];
   for (Whole& row : rows) {
-    for (long& entry : row) entry = static_cast<long>(small_integer(choices, 4));
+    for (long& entry : row) entry = static_cast<long>(small_integer(draws, 4));
   }
   if (dot(rows[0], cross(rows[1], rows[2])) == 0) return;
   const auto image = [&rows](const Point3d& p) {
@@ -116,9 +116,9 @@ void map_linearly(Meshd& mesh, Point3d& point, Choices& choices) {
   point = image(point);
 }
 
-Meshd broken(Meshd mesh, Choices& choices) {
-  const std::size_t which = choices.below(mesh.faces.size());
-  switch (choices.below(7)) {
+Meshd broken(Meshd mesh, DrawStream& draws) {
+  const std::size_t which = draws.below(mesh.faces.size());
+  switch (draws.below(7)) {
     case 0: mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(which)); break;
     case 1: mesh.faces.push_back(mesh.faces[which]); break;
     case 2: turn_over(mesh.faces[which]); break;

@@ -14,7 +14,7 @@ namespace {
 
 std::string named(const char* what, std::size_t i) { return what + (" " + std::to_string(i)); }
 
-std::string indices_fault(const WholeRing& ring, const IndexLists& pieces) {
+std::string indices_defect(const WholeRing& ring, const IndexLists& pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (pieces[i].size() < 3) return named("fewer than three vertices in piece", i);
     for (const Index k : pieces[i]) {
@@ -73,7 +73,7 @@ bool diagonal(const WholeRing& ring, Index a, Index b, bool counter_clockwise) {
   return true;
 }
 
-std::string edges_fault(const WholeRing& ring, const IndexLists& pieces, bool counter_clockwise) {
+std::string edges_defect(const WholeRing& ring, const IndexLists& pieces, bool counter_clockwise) {
   std::set<std::pair<Index, Index>> inside;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t k = 0; k < pieces[i].size(); ++k) {
@@ -89,9 +89,9 @@ std::string edges_fault(const WholeRing& ring, const IndexLists& pieces, bool co
 
 }  // namespace
 
-std::string partition_fault(const Polygon2d& polygon, const IndexLists& pieces) {
+std::string partition_defect(const Polygon2d& polygon, const IndexLists& pieces) {
   const WholeRing ring(polygon);
-  const std::string indices = indices_fault(ring, pieces);
+  const std::string indices = indices_defect(ring, pieces);
   if (!indices.empty()) return indices;
   Integer area;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -100,7 +100,7 @@ std::string partition_fault(const Polygon2d& polygon, const IndexLists& pieces) 
   }
   const Integer whole = ring.area();
   if (area != abs(whole)) return "the areas do not add up to the polygon's";
-  const std::string edges = edges_fault(ring, pieces, sgn(whole) > 0);
+  const std::string edges = edges_defect(ring, pieces, sgn(whole) > 0);
   if (!edges.empty()) return edges;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {

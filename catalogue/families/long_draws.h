@@ -3,21 +3,21 @@
 
 #include <cmath>
 
-#include "catalogue/families/plane_choices.h"
+#include "catalogue/families/plane_draws.h"
 
 /// Points that lie exactly on one line although no difference of two of them is a double: where a filter sees a
 /// position other than the true one, but not by much.
 namespace touchstone::catalogue {
 
 /// All 53 bits, 1 <= |x| < 2.
-inline double long_number(Choices& choices) {
-  const double x = 1 + std::ldexp(static_cast<double>(choices.below(std::uint64_t{1} << 52)), -52);
-  return choices.below(2) == 1 ? -x : x;
+inline double long_number(DrawStream& draws) {
+  const double x = 1 + std::ldexp(static_cast<double>(draws.below(std::uint64_t{1} << 52)), -52);
+  return draws.below(2) == 1 ? -x : x;
 }
 
-inline Vector2d long_direction(Choices& choices) {
-  const double x = long_number(choices);
-  return {x, long_number(choices)};
+inline Vector2d long_direction(DrawStream& draws) {
+  const double x = long_number(draws);
+  return {x, long_number(draws)};
 }
 
 /// Three points on one line through the origin, the third between the others. The differences from the first are about
@@ -25,9 +25,9 @@ inline Vector2d long_direction(Choices& choices) {
 struct LongTriple {
   Point2d first, last, between;
 };
-inline LongTriple long_triple(Choices& choices) {
-  const Vector2d v = long_direction(choices);
-  const int last = 1 + static_cast<int>(choices.below(3)), between = last + 1 + static_cast<int>(choices.below(4));
+inline LongTriple long_triple(DrawStream& draws) {
+  const Vector2d v = long_direction(draws);
+  const int last = 1 + static_cast<int>(draws.below(3)), between = last + 1 + static_cast<int>(draws.below(4));
   const double a = std::ldexp(-1, -last), b = std::ldexp(-1, -between);
   return {{v.x, v.y}, {a * v.x, a * v.y}, {b * v.x, b * v.y}};
 }

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "catalogue/families/plane_choices.h"
+#include "catalogue/families/plane_draws.h"
 
 /// Points whose differences are rounded by nearly a unit in the last place, all to the side that makes a determinant
 /// wrong. With u that unit of 1, it is off by 5 u upwards (4 u where FMA leaves a product unrounded) and by 4 u
@@ -17,12 +17,12 @@ struct RoundedTriple {
 
 /// On the line of the ends, or so near it that the determinant is between -u^2 and -u^2 / 2. Upwards errs most as it
 /// stands, downwards when turned by 180 degrees.
-inline RoundedTriple rounded_triple(Choices& choices, bool on_line) {
+inline RoundedTriple rounded_triple(DrawStream& draws, bool on_line) {
   constexpr double u = 0x1p-52;
-  const double least = std::ldexp(1, -107 - static_cast<int>(choices.below(200)));
+  const double least = std::ldexp(1, -107 - static_cast<int>(draws.below(200)));
   // (1 + dx)(1 + 2u + dy) - (1 + u - dy)(1 + u - dx) = (2 + 3u) dx + (2 + u) dy - u^2 is 0 for the greater two.
   const double dx = on_line ? 0x1p-106 * (1 + u) : least, dy = on_line ? 0x1p-106 * (1 - 3 * u) : least;
-  const double turned = choices.below(2) == 1 ? -1 : 1;
+  const double turned = draws.below(2) == 1 ? -1 : 1;
   return {{-turned * dx, -turned * dy}, {turned, -turned * (1 + u)}, {-turned * (1 + u), turned * (1 + 2 * u)}};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "catalogue/families/choices.h"
+#include "catalogue/families/draw_stream.h"
 
 namespace touchstone::catalogue {
 namespace {
@@ -21,23 +21,23 @@ std::size_t width(std::uint64_t n) {
 
 }  // namespace
 
-Choices Choices::seeded(std::uint64_t seed, bool record) {
-  Choices choices;
-  choices.state_ = seed;
-  choices.record_ = record;
-  return choices;
+DrawStream DrawStream::seeded(std::uint64_t seed, bool record) {
+  DrawStream draws;
+  draws.state_ = seed;
+  draws.record_ = record;
+  return draws;
 }
 
-Choices Choices::replayed(std::span<const std::uint8_t> bytes) {
-  Choices choices;
-  choices.source_ = Source::bytes;
-  choices.bytes_ = bytes;
-  return choices;
+DrawStream DrawStream::replayed(std::span<const std::uint8_t> bytes) {
+  DrawStream draws;
+  draws.source_ = Source::bytes;
+  draws.bytes_ = bytes;
+  return draws;
 }
 
-std::uint64_t Choices::next() { return mixed(state_ += golden_gamma); }
+std::uint64_t DrawStream::next() { return mixed(state_ += golden_gamma); }
 
-std::uint64_t Choices::recorded_below(std::uint64_t n) {
+std::uint64_t DrawStream::recorded_below(std::uint64_t n) {
   std::uint64_t k = 0;
   if (source_ == Source::seeded) {
     k = n == 0 ? next() : next() % n;

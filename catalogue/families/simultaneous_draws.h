@@ -3,12 +3,12 @@
 
 #include <vector>
 
-#include "catalogue/families/impact_choices.h"
-#include "catalogue/families/list_choices.h"
+#include "catalogue/families/impact_draws.h"
+#include "catalogue/families/list_draws.h"
 #include "catalogue/shape/described_simultaneous.h"
 #include "geometry/validation.h"
 
-/// Bodies that touch, drawn from a stream of choices.
+/// Bodies that touch, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 struct Touching {
@@ -22,20 +22,20 @@ inline Vector3d not_zero(const Vector3d& n) {
   return validation::zero(n.x) && validation::zero(n.y) && validation::zero(n.z) ? Vector3d{1, 0, 0} : n;
 }
 
-inline double drawn_restitution(Choices& c) {
+inline double drawn_restitution(DrawStream& c) {
   if (c.below(2) == 0) return c.below(2) == 1 ? 1 : 0;
   return c.below(2) == 1 ? static_cast<double>(c.below(17)) / 16 : 0.1 * static_cast<double>(c.below(11));
 }
-inline double restitution_at_an_end(Choices& c) {
+inline double restitution_at_an_end(DrawStream& c) {
   constexpr double ends[]{1, 0, -0.0, 0x1p-1074, 0x1p-60, 0x1.fffffffffffffp-1, 0x1p-900};
   return ends[c.below(7)];
 }
 
 /// 1 or a small number; 0 one time in so many.
-inline double lattice_inverse_mass(Choices& c, std::uint64_t immovable = 8) {
+inline double lattice_inverse_mass(DrawStream& c, std::uint64_t immovable = 8) {
   return c.one_in(immovable) ? 0 : 1 + static_cast<double>(c.below(4));
 }
-inline PointBodyd lattice_point_body(Choices& c, int bits = 6) {
+inline PointBodyd lattice_point_body(DrawStream& c, int bits = 6) {
   const double w = lattice_inverse_mass(c);
   return {w, lattice_velocity(c, bits)};
 }
@@ -45,14 +45,14 @@ inline BodyContactd seen_from_b(const BodyContactd& contact) {
   const Vector3d& n = contact.normal;
   return {contact.b, contact.a, {-n.x, -n.y, -n.z}};
 }
-inline void mix(std::vector<BodyContactd>& contacts, Choices& c) {
+inline void mix(std::vector<BodyContactd>& contacts, DrawStream& c) {
   contacts = shuffled(std::move(contacts), c);
   for (BodyContactd& contact : contacts)
     if (c.below(4) == 3) contact = seen_from_b(contact);
 }
 
 /// Three to six balls in a row, the first of which move. Of one mass in general.
-inline Touching cradle(Choices& c) {
+inline Touching cradle(DrawStream& c) {
   Touching t;
   const Vector3d n = lattice_normal(c, 4);
   const Index balls = 3 + static_cast<Index>(c.below(4));
@@ -70,7 +70,7 @@ inline Touching cradle(Choices& c) {
 }
 
 /// Bodies on top of each other, on ground that nothing moves; they fall, most of them.
-inline Touching stack(Choices& c) {
+inline Touching stack(DrawStream& c) {
   Touching t;
   const Vector3d n = axis_normal(c);
   const Index height = 1 + static_cast<Index>(c.below(5));
@@ -87,7 +87,7 @@ inline Touching stack(Choices& c) {
 }
 
 /// A ball between walls, two to four of them, that stand still or move; some of them nearly catch it, or do.
-inline Touching wedge(Choices& c) {
+inline Touching wedge(DrawStream& c) {
   Touching t;
   const double w = 1 + static_cast<double>(c.below(4));
   t.bodies.push_back({w, lattice_velocity(c, 6)});
@@ -102,7 +102,7 @@ inline Touching wedge(Choices& c) {
 }
 
 /// Two walls that face each other and a ball, or two, between them: caught where the walls close.
-inline Touching vice(Choices& c) {
+inline Touching vice(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 3);
   const double left = small_integer(c, 2), right = small_integer(c, 2), ball = small_integer(c, 3);
   Touching t{{{0, left * n}, {1, ball * n}}, {{1, 0, n}}, 0};
@@ -117,7 +117,7 @@ inline Touching vice(Choices& c) {
 }
 
 /// Any bodies and contacts, of small integers.
-inline Touching lattice_net(Choices& c) {
+inline Touching lattice_net(DrawStream& c) {
   Touching t;
   const std::uint64_t bodies = 2 + c.below(5);
   while (t.bodies.size() < bodies) t.bodies.push_back(lattice_point_body(c, 4));
@@ -130,7 +130,7 @@ inline Touching lattice_net(Choices& c) {
 }
 
 /// Contacts that say again what others say, or less, or with a longer normal: of a wedge, a cradle or a net.
-inline Touching redundant(Choices& c) {
+inline Touching redundant(DrawStream& c) {
   const std::uint64_t which = c.below(3);
   Touching t = which == 0 ? cradle(c) : which == 1 ? wedge(c) : stack(c);
   const std::size_t several = t.contacts.size();
@@ -147,7 +147,7 @@ inline Touching redundant(Choices& c) {
 }
 
 /// Two bodies, and contacts with opposite normals: no bounce is possible, and e = 0 just so.
-inline Touching opposed(Choices& c) {
+inline Touching opposed(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 4);
   const PointBodyd a = lattice_point_body(c, 3), b = lattice_point_body(c, 3);
   const double back = -1 - static_cast<double>(c.below(3)), e = c.below(2) == 1 ? drawn_restitution(c) : 0;
@@ -158,7 +158,7 @@ inline Touching opposed(Choices& c) {
 }
 
 /// A ring of bodies whose normals add up to nothing.
-inline Touching ring_of_contacts(Choices& c) {
+inline Touching ring_of_contacts(DrawStream& c) {
   Touching t;
   const Index bodies = 3 + static_cast<Index>(c.below(2));
   Vector3d sum{0, 0, 0};
@@ -174,7 +174,7 @@ inline Touching ring_of_contacts(Choices& c) {
 
 /// Velocities that are the same, or nearly: contacts at rest, and some that part or approach by a few
 /// units in the last place.
-inline Touching at_rest(Choices& c) {
+inline Touching at_rest(DrawStream& c) {
   Touching t = c.below(2) == 1 ? lattice_net(c) : stack(c);
   const Vector3d v = ordinary_vector(c);
   for (PointBodyd& body : t.bodies) {
@@ -185,7 +185,7 @@ inline Touching at_rest(Choices& c) {
 }
 
 /// The numbers of another family, with the inverse mass of each body as many times as great, or less.
-inline Touching unequal(Choices& c) {
+inline Touching unequal(DrawStream& c) {
   Touching t = c.below(2) == 1 ? cradle(c) : stack(c);
   constexpr int ratios[]{0, 40, -53, 107, -400, 900};
   for (PointBodyd& body : t.bodies) body.inverse_mass = std::ldexp(body.inverse_mass, ratios[c.below(6)]);
@@ -193,7 +193,7 @@ inline Touching unequal(Choices& c) {
 }
 
 /// Full digits.
-inline Touching ordinary_net(Choices& c) {
+inline Touching ordinary_net(DrawStream& c) {
   Touching t = lattice_net(c);
   for (auto& [w, v] : t.bodies) {
     if (w != 0) w = 1 + std::fabs(ordinary(c));
@@ -205,7 +205,7 @@ inline Touching ordinary_net(Choices& c) {
 }
 
 /// At the ends of the range: normals and velocities there, and an e beside 0 or 1.
-inline Touching stretched_net(Choices& c) {
+inline Touching stretched_net(DrawStream& c) {
   Touching t = c.below(2) == 1 ? wedge(c) : cradle(c);
   if (t.contacts.size() > 4) t.contacts.resize(4);
   const std::uint64_t which = c.below(4);
@@ -220,7 +220,7 @@ inline Touching stretched_net(Choices& c) {
 }
 
 /// As impact_beside_a_tie: only the ratio of the inverse masses counts.
-inline Touching contact_beside_a_tie(Choices& c) {
+inline Touching contact_beside_a_tie(DrawStream& c) {
   const Impact i = impact_beside_a_tie(c);
   Touching t{{{i.masses.second, i.velocities.first}, {i.masses.first, i.velocities.second}}, {{1, 0, i.normal}}, 1};
   if (c.below(2) == 1) t.contacts[0] = {1, 0, {-1, 0, 0}};
@@ -233,13 +233,13 @@ inline Touching contact_beside_a_tie(Choices& c) {
 
 /// A row of balls of one mass, of which the first move; or pairs of balls, each for itself. As long as exact numbers
 /// stay short.
-inline Touching many_contacts(Choices& c) {
+inline Touching many_contacts(DrawStream& c) {
   Touching t;
   const Vector3d n = lattice_normal(c, 2);
   const Index step = c.below(2) == 1 ? 2 : 1;
   const std::uint64_t moving = 1 + c.below(2);
   std::uint64_t place = 0;
-  const auto ball = [&](Choices& d) {
+  const auto ball = [&](DrawStream& d) {
     const double speed = place++ < moving ? 8 : -static_cast<double>(d.below(2));
     return PointBodyd{1, speed * n};
   };
@@ -250,7 +250,7 @@ inline Touching many_contacts(Choices& c) {
 }
 
 /// As plane physics has it: all in the plane z = 0.
-inline Touching planar_net(Choices& c) {
+inline Touching planar_net(DrawStream& c) {
   Touching t = c.below(2) == 1 ? wedge(c) : lattice_net(c);
   if (t.contacts.size() > 4) t.contacts.resize(4);
   for (PointBodyd& body : t.bodies) body.velocity.z = 0;
@@ -259,7 +259,7 @@ inline Touching planar_net(Choices& c) {
 }
 
 /// Something that is refused, somewhere.
-inline Touching refused_contacts(Choices& c) {
+inline Touching refused_contacts(DrawStream& c) {
   Touching t = lattice_net(c);
   const auto bodies = static_cast<Index>(t.bodies.size());
   if (t.contacts.empty()) t.contacts.push_back({0, 1, {1, 0, 0}});

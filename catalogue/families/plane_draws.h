@@ -4,18 +4,18 @@
 #include "catalogue/families/numbers.h"
 #include "geometry/points.h"
 
-/// Points and vectors of the plane, drawn from a stream of choices.
+/// Points and vectors of the plane, drawn from a draw stream.
 namespace touchstone::catalogue {
 
 /// A lattice point of the plane, near the origin first.
-inline Point2d lattice_point(Choices& choices, int bits = 26) {
-  const double x = integer(choices, bits);
-  return {x, integer(choices, bits)};
+inline Point2d lattice_point(DrawStream& draws, int bits = 26) {
+  const double x = integer(draws, bits);
+  return {x, integer(draws, bits)};
 }
 
 /// A lattice vector that is not zero; (1, 0) is the simplest.
-inline Vector2d lattice_direction(Choices& choices, int bits = 20) {
-  const double x = integer(choices, bits), y = integer(choices, bits);
+inline Vector2d lattice_direction(DrawStream& draws, int bits = 20) {
+  const double x = integer(draws, bits), y = integer(draws, bits);
   return x == 0 && y == 0 ? Vector2d{1, 0} : Vector2d{x, y};
 }
 

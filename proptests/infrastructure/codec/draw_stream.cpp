@@ -23,8 +23,8 @@ std::vector<std::uint64_t> bits_of(const Question& question) {
 
 // Values from SplitMix64's definition (state += 0x9e3779b97f4a7c15; two xor-multiplies and a xor), computed in Python's
 // integers.
-TEST_CASE("choices: a seed draws the numbers of SplitMix64") {
-  Choices zero = Choices::seeded(0), one = Choices::seeded(1);
+TEST_CASE("draws: a seed draws the numbers of SplitMix64") {
+  DrawStream zero = DrawStream::seeded(0), one = DrawStream::seeded(1);
   CHECK(zero.any_bits() == 0xe220a8397b1dcdafu);
   CHECK(zero.any_bits() == 0x6e789e6aa1b965f4u);
   CHECK(zero.any_bits() == 0x06c45d188009454fu);
@@ -33,9 +33,9 @@ TEST_CASE("choices: a seed draws the numbers of SplitMix64") {
   CHECK(one.any_bits() == 0xf893a2eefb32555eu);
 }
 
-TEST_CASE("choices: below(n) is the draw modulo n, recording or not") {
+TEST_CASE("draws: below(n) is the draw modulo n, recording or not") {
   for (const bool record : {false, true}) {
-    Choices one = Choices::seeded(1, record);
+    DrawStream one = DrawStream::seeded(1, record);
     CHECK(one.below(2) == 1);
     CHECK(one.below(10) == 9);
     CHECK(one.below(1000) == 590);
@@ -46,8 +46,8 @@ TEST_CASE("choices: below(n) is the draw modulo n, recording or not") {
   }
 }
 
-TEST_CASE("choices: single numbers drawn from a seed") {
-  Choices one = Choices::seeded(1), five = Choices::seeded(5), seven = Choices::seeded(7);
+TEST_CASE("draws: single numbers drawn from a seed") {
+  DrawStream one = DrawStream::seeded(1), five = DrawStream::seeded(5), seven = DrawStream::seeded(7);
   CHECK(catalogue::ordinary(one) == -0x1.7484ddbf68cfcp-2);
   CHECK(catalogue::small_integer(five) == -5);
   CHECK(catalogue::any_finite(seven) == 0x1.be1e459320dd7p+573);
@@ -55,46 +55,45 @@ TEST_CASE("choices: single numbers drawn from a seed") {
   CHECK(catalogue::seed_of(1, "orientation/grid", 7) == 0xfe27add3d399d2deu);
 }
 
-TEST_CASE("choices: a replayed choice takes the least bytes that hold it, little end first; past the end it is 0") {
+TEST_CASE("draws: a replayed choice takes the least bytes that hold it, little end first; past the end it is 0") {
   const Bytes bytes{200, 1, 2, 1, 0, 0, 0, 9, 9, 0, 0, 0, 0, 0, 1, 77};
-  Choices choices = Choices::replayed(bytes);
-  CHECK(choices.below(256) == 200);
-  CHECK(choices.below(65536) == 1 + 256 * 2);
-  CHECK(choices.below(std::uint64_t{1} << 32) == 1);
-  CHECK(choices.below(1) == 0);
-  CHECK(choices.any_bits() == 9 + 256 * 9 + (std::uint64_t{1} << 56));
-  CHECK(choices.below(257) == 77);  // one of its two bytes is there
-  CHECK(choices.below(10) == 0);
-  CHECK(choices.any_bits() == 0);
+  DrawStream draws = DrawStream::replayed(bytes);
+  CHECK(draws.below(256) == 200);
+  CHECK(draws.below(65536) == 1 + 256 * 2);
+  CHECK(draws.below(std::uint64_t{1} << 32) == 1);
+  CHECK(draws.below(1) == 0);
+  CHECK(draws.any_bits() == 9 + 256 * 9 + (std::uint64_t{1} << 56));
+  CHECK(draws.below(257) == 77);  // one of its two bytes is there
+  CHECK(draws.below(10) == 0);
+  CHECK(draws.any_bits() == 0);
 }
 
-TEST_CASE("choices: below stays below, one_in is its last choice") {
+TEST_CASE("draws: below stays below, one_in is its last choice") {
   for (std::uint64_t i = 0; i < 20000; ++i) {
-    Choices outer = Choices::seeded(catalogue::seed_of(3, "below", i), true);
+    DrawStream outer = DrawStream::seeded(catalogue::seed_of(3, "below", i), true);
     const std::uint64_t n = 1 + outer.below(std::uint64_t{1} << (1 + outer.below(60)));
     if (outer.below(n) >= n) FAIL("below(" << n << ")");
   }
   const Bytes bytes{0, 1, 2};
-  Choices choices = Choices::replayed(bytes);
-  CHECK_FALSE(choices.one_in(3));
-  CHECK_FALSE(choices.one_in(3));
-  CHECK(choices.one_in(3));
+  DrawStream draws = DrawStream::replayed(bytes);
+  CHECK_FALSE(draws.one_in(3));
+  CHECK_FALSE(draws.one_in(3));
+  CHECK(draws.one_in(3));
 }
 
-TEST_CASE("choices: numbers stay in their ranges") {
+TEST_CASE("draws: numbers stay in their ranges") {
   std::set<double> small;
   for (std::uint64_t i = 0; i < 20000; ++i) {
-    Choices choices = Choices::seeded(catalogue::seed_of(4, "ranges", i));
-    const double n = catalogue::integer(choices, 20), x = catalogue::ordinary(choices),
-                 any = catalogue::any_finite(choices);
+    DrawStream draws = DrawStream::seeded(catalogue::seed_of(4, "ranges", i));
+    const double n = catalogue::integer(draws, 20), x = catalogue::ordinary(draws), any = catalogue::any_finite(draws);
     if (n != std::trunc(n) || std::fabs(n) >= 0x1p20) FAIL("integer " << n);
     if (!(x >= -1 && x < 1) || x * 0x1p52 != std::trunc(x * 0x1p52)) FAIL("ordinary " << x);
-    if (!std::isfinite(any) || !std::isfinite(catalogue::mixed_exponent(choices)) ||
-        !std::isfinite(catalogue::typed(choices)))
+    if (!std::isfinite(any) || !std::isfinite(catalogue::mixed_exponent(draws)) ||
+        !std::isfinite(catalogue::typed(draws)))
       FAIL("not finite");
     const double moved = catalogue::moved_by_ulps(any, 3);
     if (std::fabs(any) < 1e300 && catalogue::moved_by_ulps(moved, -3) != any) FAIL("moved " << any);
-    small.insert(catalogue::small_integer(choices, 2));
+    small.insert(catalogue::small_integer(draws, 2));
   }
   CHECK(small == std::set<double>{-2, -1, 0, 1, 2});
   CHECK(catalogue::moved_by_ulps(0, -1) == -5e-324);
@@ -107,11 +106,11 @@ EACH_OPERATION("recorded bytes replay to the same question, and recording change
     INFO(operation.families()[family]);
     for (std::uint64_t i = 0; i < 200; ++i) {
       const std::uint64_t seed = catalogue::seed_of(5, operation.families()[family].c_str(), i);
-      Choices plain = Choices::seeded(seed);
+      DrawStream plain = DrawStream::seeded(seed);
       const Drawn drawn = recorded(operation, family, seed);
       const auto bits = bits_of(drawn.question);
       if (bits_of(operation.draw(plain, family)) != bits) FAIL("recording changes the question of seed " << seed);
-      if (bits_of(replayed(operation, family, drawn.choices).question) != bits)
+      if (bits_of(replayed(operation, family, drawn.draws).question) != bits)
         FAIL("the bytes of seed " << seed << " give another question");
     }
   }
@@ -122,9 +121,9 @@ EACH_OPERATION("any bytes give finite numbers in every family, and no bytes the 
     const Question none = replayed(operation, family, {}).question;
     CHECK(bits_of(none) == bits_of(replayed(operation, family, Bytes(200, 0)).question));
     for (std::uint64_t i = 0; i < 50; ++i) {
-      Choices choices = Choices::seeded(catalogue::seed_of(6, "bytes", i));
-      Bytes bytes(choices.below(40));
-      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(choices.below(256));
+      DrawStream draws = DrawStream::seeded(catalogue::seed_of(6, "bytes", i));
+      Bytes bytes(draws.below(40));
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(draws.below(256));
       const Question question = replayed(operation, family, bytes).question;
       if (operation.question_shape().fixed) {  // no lists
         CHECK(question.numbers.size() == operation.zeros().numbers.size());
@@ -171,9 +170,9 @@ EACH_OPERATION("a shrunk question stays in its family: a refused or degenerate o
       return false;
     }
   };
-  const Bytes end = catalogue::shrunk(start.choices, same_outcome);
+  const Bytes end = catalogue::shrunk(start.draws, same_outcome);
   CHECK(same_outcome(end));
-  CHECK(end.size() <= start.choices.size());
+  CHECK(end.size() <= start.draws.size());
 }
 
 }  // namespace touchstone::proptests::choices_tests
