@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/aabb_plane.h"
+
+#include <algorithm>
+
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/space.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Point = Point3<Rational>;
+
+/// The corner of the least height.
+Point lowest_corner(const Aabb3<Rational>& box, const Plane<Rational>& plane) {
+  Point lowest = box.min;
+  for (const Rational* x : {&box.min.x, &box.max.x})
+    for (const Rational* y : {&box.min.y, &box.max.y})
+      for (const Rational* z : {&box.min.z, &box.max.z}) {
+        const Point corner{*x, *y, *z};
+        if (height_over(plane, corner) < height_over(plane, lowest)) lowest = corner;
+      }
+  return lowest;
+}
+
+Certificate at(const char* kind, const Point& p) { return {kind, {{"point", {p.x, p.y, p.z}}}}; }
+
+/// From the center towards the lowest corner, half as far as the height falls below 0, or not at all.
+Certificate common_interior_point(const Point& center, const Point& lowest, const Plane<Rational>& plane) {
+  const Rational of_center = height_over(plane, center), of_lowest = height_over(plane, lowest);
+  const bool far = sgn(of_center) >= 0;
+  const Rational back = far ? Rational(-of_lowest / (2 * (of_center - of_lowest))) : Rational(1);
+  return at("common_interior_point", lowest + back * (center - lowest));
+}
+
+template <class Number>
+Truth<Contact> truth(const Aabb3<Number>& aabb, const Plane<Number>& plane) {
+  validation::validate_numbers("aabb", aabb), validation::validate_numbers("plane", plane);
+  validation::validate("aabb", aabb), validation::validate("plane", plane);
+  const Aabb3<Rational> box{exact(aabb.min), exact(aabb.max)};
+  const Plane<Rational> exactly = exact(plane);
+  const Vector3<Rational> width = box.max - box.min;
+  const Rational least = std::min({width.x, width.y, width.z});
+  const Point lowest = lowest_corner(box, exactly);
+  const Rational height = height_over(exactly, lowest);
+  const Rational gap(height * height / dot(exactly.normal, exactly.normal)), thickness(least * least);
+  if (sgn(height) > 0) return {Contact::disjoint, gap, [=] { return at("lowest_point", lowest); }};
+  const Rational margin = std::min(gap, thickness);
+  if (sgn(margin) > 0) {
+    const Point center = box.min + Rational(1, 2) * width;
+    return {Contact::overlapping, margin, [=] { return common_interior_point(center, lowest, exactly); }};
+  }
+  if (sgn(height) == 0) return {Contact::touching, margin, [=] { return at("lowest_point", lowest); }};
+  return {Contact::touching, margin, [=]() -> Certificate {
+            const Rational axis = sgn(width.x) == 0 ? 0 : sgn(width.y) == 0 ? 1 : 2;
+            return {"flat_axis", {{"point", {lowest.x, lowest.y, lowest.z}}, {"axis", {axis}}}};
+          }};
+}
+
+}  // namespace
+
+Truth<Contact> aabb_plane(const Aabb3d& aabb, const Plane3d& plane) { return truth(aabb, plane); }
+
+template <Exact Number>
+Truth<Contact> aabb_plane(const Aabb3<Number>& aabb, const Plane<Number>& plane) {
+  return truth(aabb, plane);
+}
+template Truth<Contact> aabb_plane(const Aabb3<Rational>&, const Plane<Rational>&);
+
+}  // namespace touchstone::oracle
