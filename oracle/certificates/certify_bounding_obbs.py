@@ -3,6 +3,7 @@
 
 from certify_reading import expect, only
 from certify_space import dot, exact_triple, list_of_three, named, points_in_space
+from certify_sums import over_one
 
 
 def check_obb_of_points(claim):
@@ -17,21 +18,31 @@ def check_obb_of_points(claim):
     for k in range(3):
         expect(dot(axes[k], axes[k - 1]) == 0, "truth: the half axes are not at right angles")
     claim.expect_kind("touched_faces"), claim.facts("least", "most")
-    proper, ends = list(filter(any, axes)), {}
+    proper, ends = [over_one(axis) for axis in axes if any(axis)], {}
     for fact in ("least", "most"):
         ends[fact] = named(claim, fact, points)
         expect(len(ends[fact]) == len(proper), f"certificate.{fact}: a place for each half axis that is not 0")
 
-    def coefficient(p, axis):
-        return dot([x - y for x, y in zip(p, center)], axis) / dot(axis, axis)
+    middle, scale = over_one(center)
+    squares = [dot(axis, axis) for axis, _ in proper]
+
+    def from_middle(p):
+        return [x * scale - y for x, y in zip(p, middle)]
+
+    def ratio(p, k):
+        """Of p's coordinate along a half axis to the half axis, as a numerator and the denominator."""
+        axis, d = proper[k]
+        return dot(from_middle(p), axis) * d, squares[k] * scale
 
     for p in points:
-        left = [x - y for x, y in zip(p, center)]
-        for axis in proper:
-            t = coefficient(p, axis)
-            expect(abs(t) <= 1, "truth: a point is outside of the box")
-            left = [x - t * y for x, y in zip(left, axis)]
+        for k in range(len(proper)):
+            along, whole = ratio(p, k)
+            expect(abs(along) <= whole, "truth: a point is outside of the box")
+        left = from_middle(p)
+        for (axis, _), square in zip(proper, squares):
+            along = dot(left, axis)
+            left = [x * square - along * y for x, y in zip(left, axis)]
         expect(not any(left), "truth: a point is outside of the box")
-    for axis, low, high in zip(proper, ends["least"], ends["most"]):
-        touched = coefficient(low, axis) == -1 and coefficient(high, axis) == 1
-        expect(touched, "certificate: a point is not on the face")
+    for k, (low, high) in enumerate(zip(ends["least"], ends["most"])):
+        (lowest, whole), (highest, _) = ratio(low, k), ratio(high, k)
+        expect(-lowest == whole == highest, "certificate: a point is not on the face")

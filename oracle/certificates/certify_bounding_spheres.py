@@ -5,22 +5,21 @@ from fractions import Fraction
 
 from certify_reading import WRONG_KIND, expect, only
 from certify_space import dot, exact_triple, named, points_in_space
+from certify_sums import over_one, times, total
 from certify_surd import exact_surd
 
 METHODS = ("box", "centroid", "ritter", "smallest")
 NOT_REACHED = "certificate: a point is not on the boundary of the ball"
 
 
-def squared_distance(p, q):
-    way = tuple(x - y for x, y in zip(p, q))
-    return dot(way, way)
-
-
 def combined(weights, support):
+    """(the weighted mean of the points, the weighted mean of their squares)"""
     expect(len(weights) == len(support), "certificate.weights: as many as points")
     expect(all(weight >= 0 for weight in weights), "certificate: a weight is negative")
-    expect(sum(weights) == 1, "certificate: the weights do not add up to 1")
-    return tuple(sum(weight * p[axis] for weight, p in zip(weights, support)) for axis in range(3))
+    terms = [times(weight, (1, *p, dot(p, p))) for weight, p in zip(weights, support)]
+    (weight, *mean, square), whole = total(terms or [((0,) * 5, 1)])
+    expect(weight == whole, "certificate: the weights do not add up to 1")
+    return tuple(Fraction(x, whole) for x in mean), Fraction(square, whole)
 
 
 def middle(points, method):
@@ -43,10 +42,12 @@ def check_bounding_sphere(claim):
     center = exact_triple(sphere["center"], "truth.sphere.center")
     radius = exact_surd(sphere["radius"], "truth.sphere.radius")
     expect(radius.sign() >= 0, "truth: the radius is negative")
-    square = radius.square()
+    square, (scaled, scale) = radius.square(), over_one(center)
+    scaled_square = square * scale**2
 
     def beyond(p):
-        return -(square + -squared_distance(center, p)).sign()
+        way = tuple(x * scale - y for x, y in zip(p, scaled))
+        return -(scaled_square + -dot(way, way)).sign()
 
     expect(all(beyond(p) <= 0 for p in points), "truth: a point is outside of the ball")
     kind = claim.kind()
@@ -60,10 +61,10 @@ def check_bounding_sphere(claim):
     expect(kind == ("support" if method == "smallest" else "lower_bound"), WRONG_KIND), claim.facts("points", "weights")
     support = named(claim, "points", points)
     weights = claim.list("weights")
-    balanced = combined(weights, support)
+    balanced, mean_square = combined(weights, support)
     if method == "smallest":
         expect(balanced == center, "certificate: the weights do not give the center")
         expect(all(beyond(p) == 0 for p in support), NOT_REACHED)
         return
-    bound = sum(weight * squared_distance(balanced, p) for weight, p in zip(weights, support))
+    bound = mean_square - dot(balanced, balanced)  # the weighted mean of the squared distances from there
     expect((square + Fraction(-9, 4) * bound).sign() <= 0, "truth: the radius is more than 3/2 of the least")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of bodies in several contacts, as in check_contacts.cpp."""
 
-from certify_bodies import minus, normal, plus, restitution, times
+from certify_bodies import minus, normal, restitution
 from certify_reading import expect, number, only
 from certify_space import dot, exact_triple, point_in_space
+from certify_sums import over_one, times, total
 
 
 def point_bodies(value):
@@ -46,10 +47,12 @@ def pushes(claim, name, contacts):
 
 
 def sums(contacts, found, bodies):
-    result = [(0, 0, 0)] * len(bodies)
+    """For each body what pushes it in all, as (vector, denominator)."""
+    terms = [[((0, 0, 0), 1)] for _ in bodies]
     for (a, b, n), push in zip(contacts, found):
-        result[a], result[b] = plus(result[a], times(push, n)), minus(result[b], times(push, n))
-    return result
+        for body, sign in ((a, 1), (b, -1)):
+            terms[body].append(times(sign * push, n))
+    return [total(of_body) for of_body in terms]
 
 
 def expect_velocities(claim, bodies, contacts, demands):
@@ -59,24 +62,29 @@ def expect_velocities(claim, bodies, contacts, demands):
     expect(isinstance(truth, list) and len(truth) == len(bodies), "truth.velocities: one for each body")
     after = [exact_triple(v, f"truth.velocities[{i}]") for i, v in enumerate(truth)]
     impulses = pushes(claim, "impulses", contacts)
-    for i, ((w, v), push) in enumerate(zip(bodies, sums(contacts, impulses, bodies))):
-        expect(after[i] == plus(v, times(w, push)), f"truth.velocities[{i}]: not what the impulses make")
+    for i, ((w, v), (push, d)) in enumerate(zip(bodies, sums(contacts, impulses, bodies))):
+        change, whole = over_one(minus(after[i], v))
+        made = all(x * d == w * y * whole for x, y in zip(change, push))
+        expect(made, f"truth.velocities[{i}]: not what the impulses make")
+    scaled = [over_one(v) for v in after]
     for i, ((a, b, n), demand) in enumerate(zip(contacts, demands)):
-        parting = dot(n, minus(after[a], after[b]))
-        expect(parting >= demand, f"contacts[{i}]: its demand is broken")
-        expect(impulses[i] == 0 or parting == demand, f"contacts[{i}]: pushes beyond its demand")
+        (va, c), (vb, d) = scaled[a], scaled[b]
+        parting, asked = dot(n, va) * d - dot(n, vb) * c, demand * c * d
+        expect(parting >= asked, f"contacts[{i}]: its demand is broken")
+        expect(impulses[i] == 0 or parting == asked, f"contacts[{i}]: pushes beyond its demand")
 
 
 def expect_contradiction(claim, bodies, contacts, demands):
     claim.answers("relation")
     claim.expect_kind("contradiction"), claim.facts("weights")
     weights = pushes(claim, "weights", contacts)
-    left = sum(weight * demand for weight, demand in zip(weights, demands))
-    for i, ((w, v), push) in enumerate(zip(bodies, sums(contacts, weights, bodies))):
+    terms = [times(weight, (demand,)) for weight, demand in zip(weights, demands)]
+    for i, ((w, v), (push, d)) in enumerate(zip(bodies, sums(contacts, weights, bodies))):
         if w == 0:
-            left -= dot(push, v)
+            terms.append(((-dot(push, v),), d))
         else:
             expect(push == (0, 0, 0), f"bodies[{i}]: the weights do not cancel")
+    (left,), _ = total(terms or [((0,), 1)])
     expect(left > 0, "certificate: the demands do not contradict each other")
 
 

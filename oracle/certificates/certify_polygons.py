@@ -4,24 +4,25 @@
 from certify_lines import along, cross, minus, within
 from certify_reading import expect, point, polygon
 from certify_rings import edge, expect_no_edge_of_length_zero, expect_simple, side, vertex
+from certify_sums import direction
 
 
 def expect_crossings(claim, ring, p):
     claim.facts("direction", "edges", "t")
-    direction, edges, parameters = claim.pair("direction"), claim.list("edges"), claim.list("t")
+    step, edges, parameters = claim.pair("direction"), claim.list("edges"), claim.list("t")
     expect(len(edges) == len(parameters), "certificate: a parameter for each edge")
-    around = [minus(v, p) for v in ring]
-    expect(all(cross(direction, v) != 0 for v in around), "certificate: the direction does not miss every vertex")
+    ray, around = direction(step), [minus(v, p) for v in ring]
+    expect(all(cross(ray, v) != 0 for v in around), "certificate: the direction does not miss every vertex")
     listed = set()
     for index, t in zip(edges, parameters):
         i = vertex(index, ring)
         expect(i not in listed, "certificate: an edge is listed twice")
         listed.add(i)
-        on_line = side(edge(ring, i), along(p, t, direction)) == 0
+        on_line = side(edge(ring, i), along(p, t, step)) == 0
         expect(t > 0 and on_line, "certificate: a parameter is wrong")
     for i in range(len(ring)):
         a, b = edge(around, i)
-        start, end = cross(direction, a) > 0, cross(direction, b) > 0
+        start, end = cross(ray, a) > 0, cross(ray, b) > 0
         crossed = start != end and cross(a, b) != 0 and (cross(a, b) > 0) == end
         expect(crossed == (i in listed), "certificate: not the edges that the ray crosses")
     expect(claim.word("location") == ("inside" if len(listed) % 2 else "outside"), "truth: location is wrong")

@@ -6,6 +6,7 @@ from collections import Counter
 from certify_meshes import height, mesh, outward_planes
 from certify_reading import expect
 from certify_space import cross, dot, point_in_space, triple
+from certify_sums import over_one
 
 
 def index(value, count):
@@ -83,9 +84,9 @@ def check_point_in_polyhedron(claim):
         expect(claim.word("location") == "boundary", "truth: location is wrong")
         return
     claim.expect_kind("crossings"), claim.facts("direction", "faces", "t")
-    direction = triple(claim, "direction")
+    direction, scale = over_one(triple(claim, "direction"))
     seen = [tuple(x - y for x, y in zip(vertex, p)) for vertex in vertices]
-    crossed = [(i, t) for i, face in enumerate(faces)
+    crossed = [(i, t * scale) for i, face in enumerate(faces)
                if (t := crossing([seen[corner] for corner in face], direction)) is not None]
     same = claim.list("faces") == [i for i, _ in crossed] and claim.list("t") == [t for _, t in crossed]
     expect(same, "certificate: the ray crosses other faces")

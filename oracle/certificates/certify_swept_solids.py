@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of convex solids that move along straight lines, as in check_swept_solids.cpp."""
 
-from certify_meshes import height, mesh, outward_planes
+from certify_meshes import mesh, outward_planes
 from certify_reading import WRONG_KIND, exact_value, expect, number
 from certify_space import box, box_holds, point_in_space
+from certify_sums import direction, over_one
 
 
 def dot(p, q):
@@ -37,7 +38,8 @@ class MeshSolid:
         self.planes = outward_planes(self.vertices, faces, name)
 
     def holds(self, p):
-        return all(height(plane, p) <= 0 for plane in self.planes)
+        around, scale = over_one(p)
+        return all(dot(normal, around) + offset * scale <= 0 for normal, offset in self.planes)
 
     def highest(self, normal):
         return max(dot(normal, vertex) for vertex in self.vertices)
@@ -65,7 +67,7 @@ def prove_first_contact(claim, a, b, velocity):
     if relation == "never":
         claim.answers("relation")
         claim.expect_kind("separating_axis"), claim.facts("normal")
-        normal = fact(claim, "normal", size)
+        normal = direction(fact(claim, "normal", size))
         gap = lowest(b, normal) - a.highest(normal)
         expect(gap > 0 and gap > dot(normal, velocity), "certificate: the axis does not separate")
         return
@@ -81,7 +83,7 @@ def prove_first_contact(claim, a, b, velocity):
     expect(a.holds(before) and b.holds(point), "certificate: the point is not in both at t")
     if start:
         return
-    normal = fact(claim, "normal", size)
+    normal = direction(fact(claim, "normal", size))
     speed = dot(normal, velocity)
     first = speed > 0 and a.highest(normal) + t * speed <= lowest(b, normal)
     expect(first, "certificate: the axis does not separate them before t")
