@@ -33,7 +33,7 @@ class Process {
   bool read(std::string& inbox);
 
   /// Waits a moment for a process whose output has ended to be gone; kills the group; says how the process ended and
-  /// the last line of its standard error: "signal 11 (Segmentation defect)", "exit code 1: ImportError: no module".
+  /// the last line of its standard error: "signal 11 (Segmentation fault)", "exit code 1: ImportError: no module".
   std::string end();
 
  private:
