@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -79,6 +80,15 @@ struct DrawCommand {
   bool binary32 = false;      ///< numbers rounded to float before the truth is found
 };
 
+struct SimulateCommand {
+  std::string file;
+  std::optional<std::uint64_t> steps;  ///< as many as the scene says
+  std::string runs = "float,double,robust";
+  std::string trajectory;  ///< file; empty: none
+  bool resume = false;
+  std::string page;  ///< file of the HTML page; empty: none
+};
+
 int ops_command(bool json, std::ostream& out);
 /// docs/operations.md: each operation's C++ signature, JSON fields and words.
 int operations_page_command(std::ostream& out);
@@ -98,6 +108,6 @@ int check_engine_command(const CheckEngineCommand& command, std::ostream& out, s
 int vectors_check_command(const VectorsCheckCommand& command, std::ostream& out, std::ostream& err);
 int certify_command(const std::string& file, std::ostream& out, std::ostream& err);
 
-int simulate_command(const std::string& file, std::uint64_t steps, std::ostream& out);
+int simulate_command(const SimulateCommand& command, std::ostream& out, std::ostream& err);
 
 }  // namespace touchstone::program

@@ -267,11 +267,18 @@ void add_map(CLI::App& program, Action& action) {
 
 void add_simulate(CLI::App& program, Action& action) {
   auto* command = program.add_subcommand("simulate", "A scene in float, in double and by robust, side by side");
-  auto file = std::make_shared<std::string>();
-  auto steps = std::make_shared<std::uint64_t>(60);
-  command->add_option("scene", *file, "Its JSON file")->required();
-  command->add_option("--steps", *steps, "How many")->check(whole(0, 1'000'000'000));
-  command->callback([=, &action] { action = [=] { return simulate_command(*file, *steps, std::cout); }; });
+  auto options = std::make_shared<SimulateCommand>();
+  command->add_option("scene", options->file, "Its JSON file (docs/simulate.md)")->required();
+  command->add_option("--steps", options->steps, "How many, instead of the scene's")
+      ->check(whole(0, 1'000'000'000))
+      ->default_str("");
+  command->add_option("--runs", options->runs, "Of float, double, robust, with commas");
+  command->add_option("--trajectory", options->trajectory,
+                      "Write each step into this file, as CSV if its name ends in .csv, else as JSON lines; - is "
+                      "standard output");
+  command->add_flag("--resume", options->resume, "Go on from the last whole line of that file");
+  command->add_option("--page", options->page, "Write an HTML page that plays the runs into this file; - is standard output");
+  command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
 }
 
 /// In one line, whatever names of files and fields it quotes.

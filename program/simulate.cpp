@@ -1,19 +1,119 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
 #include "program/commands.h"
 #include "program/names.h"
 #include "program/program.h"
-#include "simulate/run.h"
+#include "report/simulation_page.h"
+#include "simulate/summary.h"
+#include "simulate/trajectory.h"
 
 namespace touchstone::program {
+namespace {
 
-int simulate_command(const std::string& file, std::uint64_t steps, std::ostream& out) {
+using simulate::Frame;
+using simulate::Simulation;
+
+simulate::Scene scene_in(const std::string& file) {
   const std::string text = text_of_file(file);
   try {
-    simulate::run(simulate::read_scene(parse_line(text)), steps, out);
+    return simulate::read_scene(parse_line(text));
   } catch (const InvalidInput& refused) {
     throw UsageError(file + ": " + refused.what());
   }
-  return nothing_found;
+}
+
+std::vector<std::string> runs_named(const std::string& names) {
+  std::vector<std::string> runs;
+  for (const std::string& name : split(names)) {
+    if (std::find(runs.begin(), runs.end(), name) != runs.end()) continue;
+    if (std::find(std::begin(simulate::all_runs), std::end(simulate::all_runs), name) == std::end(simulate::all_runs))
+      throw UsageError("--runs: no run " + name + "; expected float, double, robust");
+    runs.push_back(name);
+  }
+  return runs;
+}
+
+/// A trajectory's file, written as the steps are made.
+class Trajectory {
+ public:
+  explicit Trajectory(const std::string& file) : file_(file), csv_(file.size() > 4 && file.ends_with(".csv")) {}
+
+  /// Reads what the file holds, sets the simulation to its last step, and cuts off a line that is not whole.
+  void resume(Simulation& simulation, const std::function<void(const Frame&)>& visit) {
+    if (csv_ || file_.empty() || is_standard_output(file_))
+      throw UsageError("--resume: needs --trajectory with a file of JSON lines");
+    if (!std::filesystem::exists(file_)) return;
+    std::uint64_t length = 0;
+    try {
+      std::ifstream in = opened_to_read(file_, "--trajectory");
+      length = read_trajectory(in, simulation, [&](const Frame& frame) { ++resumed_, visit(frame); });
+    } catch (const InvalidInput& refused) {
+      throw UsageError(file_ + ": " + refused.what());
+    }
+    std::filesystem::resize_file(file_, length);
+    started_ = length > 0;
+  }
+  bool resumed() const { return resumed_ > 0; }
+
+  void begin(const Simulation& simulation) {
+    if (file_.empty()) return;
+    if (!is_standard_output(file_)) {
+      opened_.open(file_, started_ ? std::ios::app : std::ios::trunc);
+      if (!opened_) throw UsageError("--trajectory: " + file_ + ": cannot be written");
+    }
+    if (!started_) csv_ ? simulate::write_csv_header(out()) : write_header(simulation, out());
+    if (!resumed()) write(simulation);
+  }
+  void write(const Simulation& simulation) {
+    if (file_.empty()) return;
+    csv_ ? write_csv_step(simulation, out()) : write_step(simulation, out());
+    if (!out().flush()) throw UsageError("--trajectory: " + file_ + ": cannot be written");
+  }
+
+ private:
+  std::ostream& out() { return is_standard_output(file_) ? std::cout : opened_; }
+
+  std::string file_;
+  bool csv_, started_ = false;
+  std::uint64_t resumed_ = 0;
+  std::ofstream opened_;
+};
+
+}  // namespace
+
+int simulate_command(const SimulateCommand& command, std::ostream& out, std::ostream& err) {
+  const simulate::Scene scene = scene_in(command.file);
+  Simulation simulation(scene, runs_named(command.runs));
+  Trajectory trajectory(command.trajectory);
+  simulate::Recording recording(simulation);
+  const bool shown = !command.page.empty();
+  require_writable("--page", command.page);
+  if (command.resume)
+    trajectory.resume(simulation, [&](const Frame& frame) {
+      if (shown) recording.add(frame);
+    });
+  if (shown && !trajectory.resumed()) recording.add(simulation);
+  trajectory.begin(simulation);
+  simulate::Summary summary(simulation);
+  const std::uint64_t steps = command.steps.value_or(scene.settings.steps);
+  int code = nothing_found;
+  try {
+    while (simulation.step() < steps) {
+      simulation.advance();
+      trajectory.write(simulation);
+      summary.count();
+      if (shown) recording.add(simulation);
+    }
+  } catch (const simulate::StepError& wrong) {
+    err << "touchstone: " << command.file << ": " << wrong.what() << '\n';
+    code = bad_usage;
+  }
+  if (shown) write_file("--page", command.page, report::simulation_page(recording));
+  summary.print(is_standard_output(command.trajectory) ? err : out);
+  return code;
 }
 
 }  // namespace touchstone::program

@@ -56,7 +56,9 @@ std::string with_breaks(const std::string& text, const std::string& after) {
 }  // namespace
 
 std::string page(const std::string& title, const std::string& body) {
-  const std::string parts = std::string(has_space_figure(body) ? viewer_script : "") +
+  const bool played = body.find(player_opening) != std::string::npos;
+  const std::string parts = std::string(played || has_space_figure(body) ? viewer_script : "") +
+                            (played ? player_script : "") +
                             (body.find(map_opening) != std::string::npos ? map_script : "") +
                             (body.find(" sortable\"") != std::string::npos ? sort_script : "");
   const std::string script = parts.empty() ? "" : "\n<script>" + parts + "</script>";

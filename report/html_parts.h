@@ -15,6 +15,9 @@ namespace touchstone::report {
 /// What a failure map's element begins with: pages that have one carry its script (map.js).
 inline constexpr const char* map_opening = "<div class=\"mapped\" data-map=\"";
 
+/// What a player's element begins with: its page carries viewer.js and player.js.
+inline constexpr const char* player_opening = "<div class=\"player\" data-player=\"";
+
 /// A whole page. `body` is HTML.
 std::string page(const std::string& title, const std::string& body);
 

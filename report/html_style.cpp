@@ -87,6 +87,11 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .gallery{display:grid;grid-template-columns:repeat(auto-fill,minmax(240px,1fr));gap:18px}
 .gallery a{min-width:0;text-decoration:none;color:inherit;font-size:14px}.gallery a strong{color:var(--link)}
 .chips{display:flex;gap:8px;flex-wrap:wrap;margin:0 0 14px;padding:0;list-style:none;font-size:13.5px;color:var(--quiet)}
+.runs{display:grid;grid-template-columns:repeat(auto-fit,minmax(280px,1fr));gap:14px}.run{margin:0;background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:10px 12px;min-width:0}.run .fig{width:100%;height:auto}.run .facts{font-size:13.5px;gap:1px 12px;margin-top:6px;font-variant-numeric:tabular-nums}.run .facts dd{text-align:right;overflow-wrap:anywhere}
+.controls{display:flex;flex-wrap:wrap;gap:8px;align-items:center;margin:14px 0 4px}.controls label{display:inline-flex;gap:6px;align-items:center;min-height:40px}.controls output{margin-left:auto;font-variant-numeric:tabular-nums}
+.player button,.player select{font:inherit;color:inherit;background:var(--paper);border:1px solid var(--faint);border-radius:6px;min-height:40px;min-width:44px;padding:0 12px;cursor:pointer}.player .play{min-width:84px;font-weight:600}.player .scrub{width:100%;height:30px;margin:0;accent-color:var(--link)}
+.player .marks{display:flex;flex-wrap:wrap;gap:8px;list-style:none;margin:8px 0;padding:0}.player .marks button{border-color:var(--truth);font-size:14px;text-align:left}.key{margin-right:16px;white-space:nowrap}.key .fig{display:inline-block;vertical-align:2px;margin-right:6px}
+.player .plot{width:100%;height:auto;display:block;cursor:crosshair;background:var(--paper);border:1px solid var(--line);border-radius:8px}.plot path{fill:none}.plot .grid{stroke:var(--line)}.plot .mark{stroke:var(--truth);stroke-dasharray:3 3}.plot .now{stroke:var(--ink)}.plot .stroke{stroke-width:1.6;stroke-linejoin:round}.key .stroke,.plot .stroke{stroke:var(--c);fill:none;stroke-width:1.8}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
 @media screen and (max-width:640px){
 main,header,nav,footer{padding-left:14px;padding-right:14px}.metadata{padding:14px}

@@ -1,53 +1,96 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/run.h"
 
-#include "simulate/step.h"
+#include "simulate/hash.h"
 
 namespace touchstone::simulate {
 namespace {
 
-template <class Real>
-Json printed(const State<Real>& state) {
-  Json list = Json::array();
-  for (const auto& [position, velocity] : state) {
-    Json particle = Json::object();
-    const auto coordinates = [](const auto& of) {
-      Json three = Json::array();
-      for (const Real number : {of.x, of.y, of.z}) three.push_back(catalogue::written(static_cast<double>(number)));
-      return three;
-    };
-    particle["position"] = coordinates(position);
-    particle["velocity"] = coordinates(velocity);
-    list.push_back(std::move(particle));
-  }
-  return list;
-}
+template <class By>
+class RunOf : public Run {
+ public:
+  using Real = typename By::Number;
 
-State<float> in_float(const State<double>& state) {
-  const auto number = [](double x) { return static_cast<float>(x); };
-  State<float> result;
-  for (const auto& [x, v] : state)
-    result.push_back({{number(x.x), number(x.y), number(x.z)}, {number(v.x), number(v.y), number(v.z)}});
-  return result;
+  RunOf(const std::string& name, const Scene& scene) : Run(name, scene), world_(scene) {
+    begin(in_double(in_arithmetic(scene.start())));
+  }
+
+  Log log_from(const State<double>& state) const override {
+    Log log;
+    step(world_, in_arithmetic(state), nullptr, &log);
+    return log;
+  }
+
+ private:
+  Stepped<double> step_from(const State<double>& state) const override {
+    auto [after, impacts] = step(world_, in_arithmetic(state));
+    return {in_double(after), std::move(impacts)};
+  }
+
+  template <class To, class From>
+  static State<To> changed(const State<From>& state) {
+    const auto number = [](From x) { return static_cast<To>(x); };
+    State<To> result;
+    for (const auto& [p, v] : state)
+      result.push_back({catalogue::converted<To>(p, number), catalogue::converted<To>(v, number)});
+    return result;
+  }
+  static State<Real> in_arithmetic(const State<double>& state) { return changed<Real>(state); }
+  static State<double> in_double(const State<Real>& state) { return changed<double>(state); }
+
+  World<By> world_;
+};
+
+std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
+  std::vector<Touch> touches;
+  for (const Impact& impact : impacts) touches.push_back(impact.touch);
+  return touches;
 }
 
 }  // namespace
 
-void run(const Scene& scene, std::uint64_t steps, std::ostream& out) {
-  State<double> in_double = scene.particles, by_robust = scene.particles;
-  State<float> floats = in_float(scene.particles);
-  for (std::uint64_t step = 0;; ++step) {
-    Json line = Json::object();
-    line["step"] = step;
-    line["float"] = printed(floats);
-    line["double"] = printed(in_double);
-    line["robust"] = printed(by_robust);
-    out << catalogue::one_line(line) << '\n';
-    if (step == steps) return;
-    floats = step_by_formulas(scene, floats);
-    in_double = step_by_formulas(scene, in_double);
-    by_robust = step_by_robust(scene, by_robust);
+void Run::describe(const State<double>& state) {
+  const State<Exact> exact = in_exact(state);
+  now_.state = state;
+  now_.energy = energy(scene_, exact);
+  now_.momentum = momentum(scene_, exact);
+  now_.hash = hash_of(scene_, state);
+}
+
+void Run::begin(const State<double>& state) {
+  describe(state);
+  now_.chain = chained(0, now_.hash);
+}
+
+void Run::restore(const Snapshot& then, const Drift& drift) {
+  describe(then.state);
+  now_.chain = then.chain;
+  drift_ = drift;
+}
+
+void Run::advance() {
+  try {
+    const State<Exact> start = in_exact(now_.state);
+    const mpq_class before = now_.energy;
+    auto [after, impacts] = step_from(now_.state);
+    const auto ideal = step(exact_, start);
+    const mpq_class by_scheme = energy(scene_, ideal.state);
+    const bool agreed = touches_of(ideal.impacts) == touches_of(impacts);
+    const mpq_class followed = agreed ? by_scheme : energy(scene_, step(exact_, start, &impacts).state);
+    now_.impacts = std::move(impacts);
+    describe(after);
+    now_.chain = chained(now_.chain, now_.hash);
+    now_.drift = {by_scheme - before, followed - by_scheme, now_.energy - followed};
+    drift_ += now_.drift;
+  } catch (const std::exception& wrong) {
+    throw StepError("run " + name_ + ": " + wrong.what());
   }
+}
+
+std::unique_ptr<Run> run_of(const std::string& name, const Scene& scene) {
+  if (name == "float") return std::make_unique<RunOf<Formulas<float>>>(name, scene);
+  if (name == "double") return std::make_unique<RunOf<Formulas<double>>>(name, scene);
+  return std::make_unique<RunOf<Robust>>(name, scene);
 }
 
 }  // namespace touchstone::simulate

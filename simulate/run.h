@@ -1,15 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <ostream>
+#include <memory>
 
-#include "simulate/scene.h"
+#include "simulate/energy.h"
+#include "simulate/step.h"
 
 namespace touchstone::simulate {
 
-/// Runs a scene in float, in double and by robust, and writes a line of JSON for the start and for each step:
-/// {"step":0,"float":[{"position":[..],"velocity":[..]}],"double":[..],"robust":[..]}.
-void run(const Scene& scene, std::uint64_t steps, std::ostream& out);
+/// A run after a step. Numbers of a run in float are the doubles equal to them.
+struct Snapshot {
+  State<double> state;
+  std::vector<Impact> impacts;  ///< of that step; none at the start
+  mpq_class energy;
+  std::array<mpq_class, 3> momentum;
+  Drift drift;  ///< of that step
+  std::uint64_t hash = 0, chain = 0;
+};
+
+/// A scene in one arithmetic.
+class Run {
+ public:
+  virtual ~Run() = default;
+  const std::string& name() const { return name_; }
+  const Snapshot& now() const { return now_; }
+  /// Since the start.
+  const Drift& drift() const { return drift_; }
+
+  /// Makes a step. Throws StepError.
+  void advance();
+  /// The questions of the step from that state, in their order.
+  virtual Log log_from(const State<double>& state) const = 0;
+  /// Goes on from a snapshot of this scene, whose state alone is looked at.
+  void restore(const Snapshot& then, const Drift& drift);
+
+ protected:
+  Run(std::string name, const Scene& scene) : name_(std::move(name)), scene_(scene), exact_(scene) {}
+  /// The start of the scene, with each number rounded to the arithmetic.
+  void begin(const State<double>& state);
+
+ private:
+  virtual Stepped<double> step_from(const State<double>& state) const = 0;
+  void describe(const State<double>& state);
+
+  std::string name_;
+  const Scene& scene_;
+  World<Formulas<Exact>> exact_;
+  Snapshot now_;
+  Drift drift_;
+};
+
+inline constexpr const char* all_runs[]{"float", "double", "robust"};
+
+/// Of these names; the scene has to outlive it.
+std::unique_ptr<Run> run_of(const std::string& name, const Scene& scene);
 
 }  // namespace touchstone::simulate

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "catalogue/codec/json.h"
@@ -17,18 +19,75 @@ struct Particle {
   Vector3<Real> velocity;
 };
 
+/// The bodies of a scene at one moment, in the order of the scene.
 template <class Real>
 using State = std::vector<Particle<Real>>;
 
-/// Particles that fly without forces, and walls that they bounce off. Any units; y is up.
-struct Scene {
-  double timestep;             ///< greater than 0
-  std::vector<Plane3d> walls;  ///< solid where N . p + d <= 0
-  State<double> particles;
+/// Boxes keep their axes along x, y and z: nothing turns.
+enum class Shape { particle, sphere, box };
+
+struct SceneBody {
+  std::string name;  ///< "bodies[3]" where the scene gives none
+  Shape shape = Shape::particle;
+  double radius = 0;           ///< of a sphere
+  Vector3d half_extents{};     ///< of a box
+  bool fixed = false;          ///< never moves; nothing changes its velocity, 0
+  double mass = 1;             ///< greater than 0
+  Particle<double> start{};
 };
 
-/// {"touchstone_scene":1,"timestep":0.5,"walls":[...],"particles":[{"position":[..],"velocity":[..]}]}. Throws
-/// InvalidInput, which names the field and the rule.
+/// Solid where normal . p + offset <= 0.
+struct Wall {
+  std::string name;  ///< "walls[0]" where the scene gives none
+  Plane3d plane;
+};
+
+/// How gravity enters a step of length h. The deck has no rule for it (p. 9: p + t v), so that a scene names one; for
+/// each the energy that one free step gains, per unit of mass.
+enum class Motion {
+  accelerate_then_move,  ///< v += h g, p += h v: -h^2 g.g / 2
+  move_then_accelerate,  ///< p += h v, v += h g: +h^2 g.g / 2
+  parabola,              ///< p += h (v + h g / 2), v += h g: 0
+};
+
+/// With option 1, when velocities change: before the bodies move to where contacts were found, or after.
+enum class Turn { before_move, after_move };
+
+/// What a contact does.
+enum class Law {
+  restitution,  ///< p. 67-71: the normal part of the relative velocity becomes -e times what it was
+  stick,        ///< p. 70: bodies have one velocity from then on; at a wall it is 0
+  penalty,      ///< p. 72-73: walls are springs with dampers, for particles only
+};
+
+struct Settings {
+  double timestep = 0;
+  std::uint64_t steps = 600;  ///< unless the command says how many
+  Motion motion = Motion::accelerate_then_move;
+  int option = 1;  ///< of p. 23: 1 looks for contacts at the end of the step, 2 for the time of impact
+  Turn turn = Turn::before_move;
+  std::uint32_t passes = 1;    ///< option 1: how often all contacts are gone through in a step, in their order
+  std::uint32_t moments = 64;  ///< option 2: contacts in one step; a step that needs more is refused
+  Law law = Law::restitution;
+  double restitution = 1;
+  double stiffness = 0, damping = 0;
+};
+
+/// Metres, kilograms and seconds, or any other units that fit together; y is up.
+struct Scene {
+  std::string title, about;
+  std::vector<std::uint32_t> deck_pages;
+  Vector3d gravity{};
+  Settings settings;
+  std::vector<Wall> walls;
+  std::vector<SceneBody> bodies;
+  Json text;  ///< as it was read
+
+  State<double> start() const;
+};
+
+/// Strict: throws InvalidInput, which names the place in the file, the rule and what was found instead; a field or a
+/// word that is misspelled is told which was meant. docs/simulate.md describes the fields.
 Scene read_scene(const Json& json);
 
 }  // namespace touchstone::simulate

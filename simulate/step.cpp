@@ -1,74 +1,180 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/step.h"
 
-#include <cmath>
-
-#include "catalogue/shape/walk.h"
-#include "geometry/answers.h"
-#include "reference/planes/point_plane.h"
-#include "reference/response/contact_state.h"
-#include "reference/response/reflect_plane.h"
-#include "robust/planes/point_plane.h"
-#include "robust/response/contact_state.h"
-#include "robust/response/reflect_plane.h"
+#include "simulate/drawn_point.h"
 
 namespace touchstone::simulate {
 namespace {
 
 template <class Real>
-struct Formulas {
-  using Number = Real;
-  static Point3<Real> moved(const Particle<Real>& p, Real time) { return p.position + time * p.velocity; }
-  static auto point_plane(const auto&... q) { return reference::point_plane(q...); }
-  static auto contact_state(const auto&... q) { return reference::contact_state(q...); }
-  static auto reflect_plane(const auto&... q) { return reference::reflect_plane(q...); }
-};
+double as_double(const Real& x) {
+  if constexpr (std::is_same_v<Real, Exact>)
+    return catalogue::nearest(x.value());
+  else
+    return static_cast<double>(x);
+}
 
-struct Robust {
-  using Number = double;
-  /// The one operation that the catalogue does not have: each coordinate of p + t v rounded once.
-  static Point3d moved(const Particle<double>& p, double time) {
-    const auto& [x, v] = p;
-    return {std::fma(time, v.x, x.x), std::fma(time, v.y, x.y), std::fma(time, v.z, x.z)};
-  }
-  static auto point_plane(const auto&... q) { return robust::point_plane(q...); }
-  static auto contact_state(const auto&... q) { return robust::contact_state(q...); }
-  static auto reflect_plane(const auto&... q) { return robust::reflect_plane(q...); }
-};
-
-template <class By>
-bool collides(const Plane<typename By::Number>& wall, const Particle<typename By::Number>& p,
-              const Point3<typename By::Number>& end) {
-  using Real = typename By::Number;
-  if (By::point_plane(wall, end).side == PlaneSide::front) return false;
-  const MovingBody<Real> particle{p.position, p.velocity, {}}, at_rest{p.position, {}, {}};
-  return By::contact_state(particle, at_rest, p.position, wall.normal) == ContactState::colliding;
+template <class Real>
+bool finite(const State<Real>& state) {
+  if constexpr (std::is_same_v<Real, Exact>) return true;
+  for (const auto& [p, v] : state)
+    for (const Real& x : {p.x, p.y, p.z, v.x, v.y, v.z})
+      if (!std::isfinite(as_double(x))) return false;
+  return true;
 }
 
 template <class By>
-State<typename By::Number> step(const Scene& scene, State<typename By::Number> state) {
+class Step {
+ public:
   using Real = typename By::Number;
-  const auto number = [](double x) { return static_cast<Real>(x); };
-  const Real time = number(scene.timestep);
-  for (Particle<Real>& p : state) {
-    for (const Plane3d& given : scene.walls) {
-      const auto wall = catalogue::converted<Real>(given, number);
-      if (collides<By>(wall, p, By::moved(p, time))) p.velocity = By::reflect_plane(p.velocity, wall.normal);
+
+  Step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log)
+      : world_(world), settings_(world.settings()), follow_(follow), log_(log), state_(state),
+        touches_(settings_.law == Law::penalty ? std::vector<Touch>{} : world.all_touches()) {}
+
+  Stepped<Real> made() {
+    const bool accelerates_first = settings_.motion == Motion::accelerate_then_move;
+    const bool turns_first = settings_.turn == Turn::before_move;
+    if (accelerates_first) accelerate();
+    if (settings_.option == 2) {
+      fly();
+    } else {
+      if (turns_first) answer_contacts(moved(world_.timestep()));
+      state_ = moved(world_.timestep());
     }
-    p.position = By::moved(p, time);
+    if (!accelerates_first) accelerate();
+    if (settings_.option == 1 && !turns_first) answer_contacts(State<Real>(state_));
+    if (!finite(state_)) throw StepError("a number is beyond the range");
+    return {std::move(state_), std::move(impacts_)};
   }
-  return state;
-}
+
+ private:
+  struct Moment {
+    Touch touch;
+    Real time;  ///< a part of what is left of the step
+    Vector3<Real> normal;
+  };
+
+  Vector3<Real> acceleration(std::size_t body) const {
+    Vector3<Real> sum = world_.gravity();
+    if (settings_.law != Law::penalty) return sum;
+    const Real stiffness = By::number(settings_.stiffness), damping = By::number(settings_.damping);
+    const auto& [p, v] = state_[body];
+    for (std::size_t wall = 0; wall < world_.walls(); ++wall) {
+      const Real share = Real(Real(1) / world_.solid(body).mass);
+      sum = plus<By>(sum, share, By::penalty_force(p, v, world_.wall(wall), stiffness, damping));
+    }
+    return sum;
+  }
+
+  void accelerate() {
+    for (std::size_t i = 0; i < state_.size(); ++i)
+      if (!world_.solid(i).fixed) state_[i].velocity = plus<By>(state_[i].velocity, world_.timestep(), acceleration(i));
+  }
+
+  /// Where bodies are after that time.
+  State<Real> moved(const Real& time) const {
+    State<Real> moved = state_;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      if (world_.solid(i).fixed) continue;
+      Vector3<Real> v = state_[i].velocity;
+      if (settings_.motion == Motion::parabola) v = plus<By>(v, Real(time / Real(2)), acceleration(i));
+      moved[i].position = plus<By>(moved[i].position, time, v);
+    }
+    return moved;
+  }
+
+  void answer(const Touch& touch, const Vector3<Real>& normal, const State<Real>& at, double time) {
+    world_.respond(touch, state_, normal);
+    const Vector3d n{as_double(normal.x), as_double(normal.y), as_double(normal.z)};
+    impacts_.push_back({touch, time, drawn_point(world_, touch, at, n), n});
+  }
+
+  // Option 1.
+  void answer_contacts(const State<Real>& at) {
+    if (follow_ != nullptr) {
+      for (const Impact& impact : *follow_)
+        if (const auto normal = world_.normal(impact.touch, at)) answer(impact.touch, *normal, at, 1);
+      return;
+    }
+    for (std::uint32_t pass = 0; pass < settings_.passes; ++pass) {
+      for (const Touch& touch : touches_) {
+        if (!world_.meet(touch, at, log_)) continue;
+        const auto normal = world_.normal(touch, at);
+        if (normal && world_.approach(touch, state_, *normal, log_)) answer(touch, *normal, at, 1);
+      }
+    }
+  }
+
+  // Option 2.
+  void fly() {
+    Real left = world_.timestep();
+    const auto gone = [&] { return as_double(Real(Real(world_.timestep() - left) / world_.timestep())); };
+    while (const auto moment = follow_ == nullptr ? first_moment(left) : followed(left, gone())) {
+      if (impacts_.size() == settings_.moments)
+        throw StepError("more than " + std::to_string(settings_.moments) + " moments (advance.moments)");
+      const Real time = Real(moment->time * left);
+      state_ = moved(time);
+      left = Real(left - time);
+      answer(moment->touch, moment->normal, state_, gone());
+    }
+    state_ = moved(left);
+  }
+
+  std::optional<Moment> first_moment(const Real& left) const {
+    std::optional<Moment> first;
+    for (const Touch& touch : touches_) {
+      // Two that just bounced do not meet again before another contact has turned one of them.
+      if (!impacts_.empty() && impacts_.back().touch == touch) continue;
+      const auto moment = moment_of(touch, left);
+      if (moment && (!first || moment->time < first->time) &&
+          world_.approach(touch, state_, moment->normal, log_))
+        first = moment;
+    }
+    return first;
+  }
+
+  std::optional<Moment> moment_of(const Touch& touch, const Real& left) const {
+    Real time = Real(0);
+    if (!world_.meet(touch, state_, log_)) {
+      const auto hit = world_.first_meeting(touch, state_, left, log_);
+      if (hit.relation == HitRelation::never) return std::nullopt;
+      time = By::moment(*hit.t);
+    }
+    const auto normal = world_.normal(touch, moved(Real(time * left)));
+    if (!normal) return std::nullopt;
+    return Moment{touch, time, *normal};
+  }
+
+  std::optional<Moment> followed(const Real& left, double gone) const {
+    if (impacts_.size() == follow_->size()) return std::nullopt;
+    const Impact& impact = (*follow_)[impacts_.size()];
+    if (auto moment = moment_of(impact.touch, left)) return moment;
+    const double late = impact.time - gone, rest = 1 - gone;
+    const Real time = By::number(late > 0 && rest > 0 ? std::min(late / rest, 1.0) : 0.0);
+    const auto normal = world_.normal(impact.touch, moved(Real(time * left)));
+    return Moment{impact.touch, time, normal.value_or(catalogue::converted<Real>(impact.normal, By::number))};
+  }
+
+  const World<By>& world_;
+  const Settings& settings_;
+  const std::vector<Impact>* follow_;
+  Log* log_;
+  State<Real> state_;
+  std::vector<Touch> touches_;
+  std::vector<Impact> impacts_;
+};
 
 }  // namespace
 
-template <class Real>
-State<Real> step_by_formulas(const Scene& scene, const State<Real>& state) {
-  return step<Formulas<Real>>(scene, state);
+template <class By, class Real>
+Stepped<Real> step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log) {
+  return Step<By>(world, state, follow, log).made();
 }
-template State<float> step_by_formulas(const Scene&, const State<float>&);
-template State<double> step_by_formulas(const Scene&, const State<double>&);
 
-State<double> step_by_robust(const Scene& scene, const State<double>& state) { return step<Robust>(scene, state); }
+template Stepped<float> step(const World<Formulas<float>>&, const State<float>&, const std::vector<Impact>*, Log*);
+template Stepped<double> step(const World<Formulas<double>>&, const State<double>&, const std::vector<Impact>*, Log*);
+template Stepped<Exact> step(const World<Formulas<Exact>>&, const State<Exact>&, const std::vector<Impact>*, Log*);
+template Stepped<double> step(const World<Robust>&, const State<double>&, const std::vector<Impact>*, Log*);
 
 }  // namespace touchstone::simulate

@@ -1,18 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "simulate/scene.h"
+#include <stdexcept>
+
+#include "simulate/world.h"
 
 namespace touchstone::simulate {
 
-/// One step by option 1 of deck p. 23: a particle whose step would end in a wall (p. 22) that it approaches (p. 74) is
-/// reflected (p. 68), wall by wall in their order; then it moves (p. 9).
-///
-/// By the textbook formulas in float or double.
-template <class Real>
-State<Real> step_by_formulas(const Scene& scene, const State<Real>& state);
+/// A contact that a step answered, as doubles: for files, pages, and a step that has to follow it.
+struct Impact {
+  Touch touch;
+  double time;      ///< 0 to 1 of the step; with option 1 always 1
+  Point3d point;    ///< about where, for drawings: nothing is decided by it
+  Vector3d normal;  ///< from the other body, or the wall
+};
 
-/// The same with each decision exact, and the result of each operation rounded once.
-State<double> step_by_robust(const Scene& scene, const State<double>& state);
+template <class Real>
+struct Stepped {
+  State<Real> state;
+  std::vector<Impact> impacts;  ///< in the order in which they were answered
+};
+
+/// A step that cannot be made: a number beyond the range, or more moments than the scene allows.
+struct StepError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One step of the scene, from deck p. 9, 23, 44-51, 56 and 64-74.
+///
+/// Gravity enters as `motion` says. Option 1: the contacts at the end of the step, pairs i < j first and then bodies and
+/// walls, each answered in that order, `passes` times; a contact is a touch (closed sets) whose bodies approach along
+/// its normal, by the velocities that they have when its turn comes. With `before_move` velocities change and bodies
+/// then move from where they were; with `after_move` they have moved. Option 2: bodies fly along lines to the least
+/// time at which two of them meet and approach, or at once if they meet already; of several such contacts the first in
+/// the order is answered, and the others follow with no time between. In between each body's numbers are of the
+/// arithmetic: rounded once an operation, or never. Springs (p. 72-73) act with gravity, from the state at the start.
+///
+/// `follow`: these contacts are answered in place of those that the step would find; one that it does not meet, at the
+/// time written there. `log`: filled with the questions asked. Throws StepError, and what robust throws.
+template <class By, class Real = typename By::Number>
+Stepped<Real> step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow = nullptr,
+                   Log* log = nullptr);
 
 }  // namespace touchstone::simulate

@@ -20,6 +20,7 @@ export class Element {
   append(child) { this.child = child; }
   closest() { return this.frame; }
   getAttribute(name) { return this.attributes[name]; }
+  setAttribute(name, value) { this.attributes[name] = value; }
   get src() { return this.attributes.src; }
   getBoundingClientRect() { return {left: 0, top: 0, width: this.width, height: this.width}; }
   setPointerCapture() {}

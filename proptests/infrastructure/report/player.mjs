@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// What report/player.js shows of runs, and how it plays them.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import test from 'node:test';
+import {Element, documentOf, plain} from './browser.mjs';
+
+const text = name => readFileSync(new URL('../../../report/' + name, import.meta.url), 'utf8');
+const [viewer, player] = new Function('document', text('viewer.js') + text('player.js') + '\nreturn [viewer, player];')(
+    documentOf({}));
+const count = (svg, pattern) => (svg.match(new RegExp(pattern, 'g')) ?? []).length;
+const all = {velocities: true, trails: true}, bare = {velocities: false, trails: false};
+
+// A ball that moves along x by 1 a frame, and a box that rests; the second run is half a unit behind in the last frame.
+const ball = {name: 'ball', shape: 'sphere', radius: 0.5, half: [0, 0, 0], fixed: false};
+const box = {name: 'box', shape: 'box', radius: 0, half: [1, 2, 1], fixed: true};
+const run = (name, late) => ({
+  name,
+  frames: [0, 1, 2, 3 - late].map(x => [x, 0, 0, 2, 0, 0, 9, 0, 0, 0, 0, 0]),
+  contacts: [[], [], [[2.5, 0, 0]], []],
+  energy: [2, 2, 2, 2 - late], scheme: [0, 0, 0, -late], decision: [0, 0, 0, 0], rounding: [0, 0, 1e-17, 1e-17],
+  momentum: [[2, 0, 0], [2, 0, 0], [2, 0, 0], [2, 0, 0]],
+});
+const data = (more = {}) => ({
+  timestep: 0.5, stride: 1, bodies: [ball, box], walls: [{name: 'floor', normal: [0, 3, 0], offset: 6}],
+  runs: [run('float', 0.5), run('double', 0)], distances: [{runs: ['float', 'double'], values: [0, 0, 0, 0.5]}],
+  partings: [{step: 3, runs: ['float', 'double'], contact: 'ball and box'}], ...more,
+});
+
+test('player: the view holds what every frame of every run holds', () => {
+  const {low, high, middle, scale, fastest} = player.extent(data());
+  assert.deepEqual([low, high], [[-0.5, -2, -1], [10, 2, 1]]);
+  assert.deepEqual(middle, [4.75, 0, 0]);
+  assert.equal(scale, 200000 / 10.5);
+  assert.equal(fastest, 2);
+  assert.deepEqual(player.extent(data({room: [[-9, -9, -9], [11, 9, 9]]})).low, [-9, -9, -9]);
+});
+
+test('player: bodies are drawn where they are, in the size they have', () => {
+  const one = data(), within = player.extent(one);
+  const [floor, sphere, arrow, solid] = player.figures(one, one.runs[1], 1, within, all);
+  assert.equal(floor.kind, 'plane');
+  // The floor lies at y = -2, under the middle.
+  assert.deepEqual(floor.points, [[0, Math.round(-2 * within.scale), 0], [0, Math.round(-2 * within.scale) + 50000, 0]]);
+  assert.deepEqual([sphere.kind, sphere.points, sphere.radius],
+                   ['sphere', [[Math.round(-3.75 * within.scale), 0, 0]], Math.round(0.5 * within.scale)]);
+  assert.deepEqual([arrow.kind, arrow.points[1][0] - arrow.points[0][0]], ['arrow', 40000]);
+  assert.deepEqual([solid.kind, solid.points],
+                   ['box', [[3.25, -2, -1], [5.25, 2, 1]].map(p => p.map(x => Math.round(x * within.scale)))]);
+  assert.equal(player.figures(one, one.runs[1], 1, within, bare).length, 3);
+});
+
+test('player: a wall that is far away is left out, and a room is a box', () => {
+  const far = data({walls: [{name: 'far', normal: [0, 1, 0], offset: 1000}]}), within = player.extent(far);
+  assert.ok(player.figures(far, far.runs[0], 0, within, bare).every(({kind}) => kind !== 'plane'));
+  const room = data({walls: [], room: [[-1, -2, -1], [10, 2, 1]]});
+  assert.equal(player.figures(room, room.runs[0], 0, player.extent(room), bare)[0].kind, 'box');
+});
+
+test('player: a contact is a ring in its own frame, a trail the places before', () => {
+  const one = data(), within = player.extent(one);
+  const svg = (frame, show) => player.drawn(one, one.runs[0], frame, within, show, viewer.firstTurn);
+  assert.deepEqual([0, 1, 2, 3].map(frame => count(svg(frame, bare), ' ring"')), [0, 0, 1, 0]);
+  assert.deepEqual([0, 1, 2, 3].map(frame => count(svg(frame, all), 'aid stroke"') - count(svg(frame, bare), 'aid stroke"') - 1),
+                   [0, 1, 2, 3]);  // one more is the velocity
+});
+
+test('player: every number is finite, whatever stands still or coincides', () => {
+  const still = {name: 'only', frames: [[1, 1, 1, 0, 0, 0]], contacts: [[[1, 1, 1]]], energy: [0], scheme: [0],
+                 decision: [0], rounding: [0], momentum: [[0, 0, 0]]};
+  const point = {name: 'p', shape: 'particle', radius: 0, half: [0, 0, 0], fixed: false};
+  const one = {timestep: 1, stride: 1, bodies: [point], walls: [], runs: [still], distances: [], partings: []};
+  const svg = player.drawn(one, still, 0, player.extent(one), all, viewer.firstTurn);
+  const lines = player.plot([{name: 'a', values: [0], style: 'q0', dash: ''}], {frame: 0, marks: [], label: ''});
+  const none = player.plot([{name: 'a', values: [0], style: 'q0', dash: ''}],
+                           {frame: 0, marks: [], label: '', logarithmic: true});
+  for (const drawn of [svg, lines, none]) assert.doesNotMatch(drawn, /NaN|Infinity|undefined/);
+});
+
+test('player: a plot leads from its least to its greatest value, and marks where runs part', () => {
+  const svg = player.plot([{name: 'a', values: [1, 3, 2], style: 'q0', dash: ''}], {frame: 1, marks: [2, 9], label: '<x>'});
+  assert.match(svg, /d="M62 130L306 10L550 70"/);
+  assert.equal(count(svg, 'class="mark"'), 1);
+  assert.match(svg, /class="now" d="M306 10V130"/);
+  assert.match(svg, /aria-label="&#60;x&#62;"/);
+  assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]), ['1', '2', '3']);
+});
+
+test('player: a logarithmic plot leaves out what is 0', () => {
+  const svg = player.plot([{name: 'a', values: [0, 1e-8, 0, 1e-4, 1e-2], style: 'q0', dash: ''}],
+                          {frame: 0, marks: [], label: '', logarithmic: true});
+  assert.match(svg, /d="M184 130M428 50L550 10"/);
+  assert.match(svg, />1e\u22128</);
+});
+
+// The page, with the parts that it asks for, and the frames of animation that it waits for.
+function shown(one = data()) {
+  const place = new Element(), frames = [];
+  globalThis.requestAnimationFrame = frame => frames.push(frame);
+  const mark = new Element();
+  mark.dataset.step = '3';
+  Object.assign(place.parts, {'.run': one.runs.map(() => new Element()), '.mark': [mark]});
+  place.querySelector('.speed').value = '1';
+  player.show(place, one);
+  const part = name => place.querySelector(name);
+  return {
+    place, mark, part,
+    click: (name, more = {}) => part(name).send('click', more),
+    where: () => part('.where').textContent,
+    now(time) { for (const frame of frames.splice(0)) frame(time); },
+  };
+}
+
+test('player: it begins at the start, with a view, facts and plots for each run, and no markup from names', () => {
+  const page = shown(data({bodies: [{...ball, name: '<b>'}, box]}));
+  assert.equal(page.where(), 'step 0 of 3, 0.000 s');
+  assert.match(plain(page.place.innerHTML), /float.*double.*Play.*step 3: float and double part at ball and box/s);
+  for (const view of page.place.parts['.run']) {
+    assert.match(view.querySelector('.turning').innerHTML, /<circle/);
+    assert.doesNotMatch(view.querySelector('.turning').innerHTML, /<b>/);
+    assert.match(plain(view.querySelector('.facts').innerHTML), /energy2.*scheme0/);
+  }
+  for (const name of ['.energy', '.momentum', '.apart']) assert.match(page.part(name).innerHTML, /<svg/);
+});
+
+test('player: buttons, keys, the slider, a mark and a click in a plot go to a step, and no further than the ends', () => {
+  const page = shown(), at = () => Number(/step (\d+)/.exec(page.where())[1]);
+  page.click('.back');
+  assert.equal(at(), 0);
+  page.click('.next');
+  assert.equal(at(), 1);
+  assert.ok(page.place.send('keydown', {key: 'ArrowRight'}));
+  assert.equal(at(), 2);
+  assert.ok(page.place.send('keydown', {key: 'ArrowLeft'}));
+  assert.equal(at(), 1);
+  assert.ok(!page.place.send('keydown', {key: 'ArrowRight', ctrlKey: true}));
+  assert.ok(!page.place.send('keydown', {key: 'ArrowRight', target: {tagName: 'INPUT'}}));
+  page.part('.scrub').send('input', {target: {value: '0'}});
+  assert.equal(at(), 0);
+  page.mark.send('click', {});
+  assert.equal(at(), 3);
+  page.click('.next');
+  assert.equal(at(), 3);
+  page.part('.energy').width = 560;
+  page.click('.energy', {clientX: 306, currentTarget: page.part('.energy')});
+  assert.equal(at(), 2);
+});
+
+test('player: it plays as fast as time passes, by its speed, and stops at the end', () => {
+  const page = shown(), play = page.part('.play');
+  page.click('.play');
+  assert.deepEqual([play.textContent, play.attributes['aria-pressed']], ['Pause', 'true']);
+  page.now(1000);
+  page.now(1400);
+  assert.match(page.where(), /^step 0 /);
+  page.now(1500);  // half a second is a step
+  assert.match(page.where(), /^step 1 /);
+  page.part('.speed').value = '4';
+  page.now(1625);
+  assert.match(page.where(), /^step 2 /);
+  page.now(9000);
+  assert.match(page.where(), /^step 3 /);
+  assert.equal(play.textContent, 'Play');
+  assert.ok(page.place.send('keydown', {key: ' '}));  // from the end it begins anew
+  assert.match(page.where(), /^step 0 /);
+  assert.ok(page.place.send('keydown', {key: ' '}));
+  page.now(10000);
+  page.now(20000);
+  assert.match(page.where(), /^step 0 /);
+});
+
+test('player: a drag turns every run alike; velocities and trails can be switched off', () => {
+  const page = shown(), [first, second] = page.place.parts['.run'], views = () =>
+      [first, second].map(view => view.querySelector('.turning').innerHTML);
+  const before = views();
+  const send = (type, clientX, more = {}) => first.querySelector('svg').send(type, {clientX, clientY: 10, ...more});
+  send('pointermove', 90);
+  assert.deepEqual(views(), before);
+  send('pointerdown', 10);
+  send('pointermove', 90);
+  const turned = views();
+  assert.notEqual(turned[0], before[0]);
+  assert.equal(turned[0], turned[1]);  // they are alike at the start
+  send('pointerup', 90);
+  send('pointermove', 10);
+  assert.deepEqual(views(), turned);
+  page.part('.velocities').send('change', {target: {checked: false}});
+  assert.equal(count(views()[0], ' head"'), 1);  // that of the floor
+});
+
+test('player: of a long run every second step is told', () => {
+  const page = shown(data({stride: 2}));
+  page.click('.next');
+  assert.equal(page.where(), 'step 2 of 6, 1.000 s');
+});

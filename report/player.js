@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plays the runs of a scene side by side, drawn by viewer.js: pause, step, scrub, speed; velocities, contacts, what the
+// runs have as energy and momentum, how far they are apart, and marks where they part.
+//
+// Its data, as report/simulation_page.cpp writes it:
+//   timestep, stride   seconds of a step; steps between two frames
+//   bodies             [{name, shape, radius, half, fixed}]
+//   walls, room        [{name, normal, offset}]; least and greatest corner, or nothing
+//   runs               [{name, frames, contacts, energy, scheme, decision, rounding, momentum}], each list by frame:
+//                      position and velocity of each body in one list; points
+//   distances          [{runs, values}]
+//   partings           [{step, runs, contact}]
+'use strict';
+const player = (() => {
+const half = 100000;  // steps of viewer.js from the middle to the end of the longest side
+const styles = ['', '6 3', '2 3'];  // runs differ in dashes as well as in colour
+const wide = 560, high = 150, margin = {left: 62, right: 10, top: 10, bottom: 20};
+
+const escaped = text => String(text).replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
+const short = x => x === 0 ? '0' : Math.abs(x) >= 0.001 && Math.abs(x) < 1e6 ? String(+x.toPrecision(6)) : x.toExponential(2);
+const minus = text => text.replace('-', '\u2212');
+const squares = v => v.reduce((sum, x) => sum + x * x, 0);
+
+// What every frame of every run fits into, and how fast the fastest body is. A room is what it says; a wall adds nothing.
+function extent(data) {
+  const low = [Infinity, Infinity, Infinity], high = low.map(x => -x);
+  let fastest = 0;
+  const add = (p, reach) => p.forEach((x, i) => {
+    low[i] = Math.min(low[i], x - reach[i]);
+    high[i] = Math.max(high[i], x + reach[i]);
+  });
+  for (const {frames} of data.runs) {
+    for (const frame of frames) {
+      data.bodies.forEach(({shape, radius, half}, i) => {
+        add(frame.slice(6 * i, 6 * i + 3), shape === 'box' ? half : [radius, radius, radius]);
+        fastest = Math.max(fastest, Math.sqrt(squares(frame.slice(6 * i + 3, 6 * i + 6))));
+      });
+    }
+  }
+  for (const corner of data.room ?? []) add(corner, [0, 0, 0]);
+  const middle = low.map((x, i) => (x + high[i]) / 2), side = Math.max(...low.map((x, i) => high[i] - x));
+  return {low, high, middle, scale: side > 0 ? 2 * half / side : 1, fastest};
+}
+
+const placed = (p, {middle, scale}) => p.map((x, i) => Math.round((x - middle[i]) * scale));
+
+// The figures of one frame of a run, as viewer.js takes them.
+function figures(data, run, frame, within, show) {
+  const list = [], numbers = run.frames[frame], named = data.bodies.length <= 12;
+  if (data.room) list.push({kind: 'box', label: '', whose: 'question', points: data.room.map(p => placed(p, within))});
+  for (const {name, normal, offset} of data.walls) {
+    const square = squares(normal), e = (normal.reduce((sum, n, i) => sum + n * within.middle[i], 0) + offset) / square;
+    const foot = placed(within.middle.map((x, i) => x - e * normal[i]), within);
+    const tip = foot.map((x, i) => Math.round(x + normal[i] / Math.sqrt(square) * half / 2));
+    // A wall far from everything is left out: it would make the rest small.
+    if (foot.every(x => Math.abs(x) <= 2 * half)) list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tip]});
+  }
+  data.bodies.forEach((body, i) => {
+    const p = numbers.slice(6 * i, 6 * i + 3), v = numbers.slice(6 * i + 3, 6 * i + 6);
+    const label = named ? body.name : `bodies[${i}]`, common = {label, whose: 'question'};
+    if (body.shape === 'particle') list.push({...common, kind: 'point', points: [placed(p, within)]});
+    if (body.shape === 'sphere')
+      list.push({...common, kind: 'sphere', points: [placed(p, within)], radius: Math.round(body.radius * within.scale)});
+    if (body.shape === 'box')
+      list.push({...common, kind: 'box', points: [-1, 1].map(side => placed(p.map((x, k) => x + side * body.half[k]), within))});
+    if (show.velocities && squares(v) > 0) {
+      const start = placed(p, within), long = 0.4 * half / within.fastest;
+      list.push({label: '', whose: 'question', kind: 'arrow', points: [start, start.map((x, k) => Math.round(x + long * v[k]))]});
+    }
+  });
+  return list;
+}
+
+// One frame of a run as SVG. What the reader sees keeps its size from frame to frame.
+function drawn(data, run, frame, within, show, turn) {
+  const drawing = new viewer.Strokes({figures: figures(data, run, frame, within, show)});
+  if (show.trails) {
+    drawing.style = 'aid';
+    const from = Math.max(0, frame - 60);
+    data.bodies.forEach((body, i) => {
+      const place = k => placed(run.frames[k].slice(6 * i, 6 * i + 3), within);
+      for (let k = from; k < frame && !body.fixed && data.bodies.length <= 20; ++k)
+        drawing.add('edge', [place(k), place(k + 1)], {faces: []});
+    });
+  }
+  drawing.style = 'truth';
+  for (const point of run.contacts[frame])
+    drawing.add('dot', [placed(point, within)], {radius: 7, ring: true});
+  drawing.reach = half * 1.6;
+  return viewer.picture(drawing, turn);
+}
+
+// Lines over frames as SVG. A logarithmic axis leaves out what is 0. Series: [{name, values, style, dash}].
+function plot(series, {frame, marks, logarithmic, label}) {
+  const all = series.flatMap(({values}) => values).filter(x => !logarithmic || x > 0);
+  const last = Math.max(1, series[0].values.length - 1), height = x => logarithmic ? Math.log10(x) : x;
+  let low = Math.min(...all.map(height)), top = Math.max(...all.map(height));
+  if (!all.length) low = 0, top = 1;
+  if (logarithmic) low = Math.floor(low), top = Math.max(low + 1, Math.ceil(top));
+  const flat = Math.max(Math.abs(top), Math.abs(low), 1e-300) * 1e-12;
+  if (top - low < flat) top += flat + 1e-12, low -= flat + 1e-12;
+  const x = k => +(margin.left + (wide - margin.left - margin.right) * k / last).toFixed(1);
+  const y = v => +(high - margin.bottom - (high - margin.top - margin.bottom) * (v - low) / (top - low)).toFixed(1);
+  const ticks = [0, 1, 2].map(k => low + (top - low) * k / 2);
+  const lines = series.map(({values, style, dash}) => {
+    let path = '', pen = 'M';
+    values.forEach((v, k) => {
+      if (logarithmic && !(v > 0)) { pen = 'M'; return; }
+      path += `${pen}${x(k)} ${y(height(v))}`;
+      pen = 'L';
+    });
+    return `<path class="${style} stroke" stroke-dasharray="${dash}" d="${path || 'M0 0'}"/>`;
+  });
+  const column = (k, name) => `<path class="${name}" d="M${x(k)} ${margin.top}V${high - margin.bottom}"/>`;
+  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : short(+v.toPrecision(5)));
+  return `<svg class="fig plot" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}" role="img" aria-label="${escaped(label)}">` +
+      ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v)}H${wide - margin.right}"/>` +
+                     `<text class="scale" x="${margin.left - 5}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`).join('') +
+      marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') + '</svg>';
+}
+
+const row = (name, value) => `<dt>${escaped(name)}</dt><dd>${escaped(minus(value))}</dd>`;
+function facts(run, frame) {
+  return row('energy', short(run.energy[frame])) + row('drift: scheme', short(run.scheme[frame])) +
+      row('decisions', short(run.decision[frame])) + row('rounding', short(run.rounding[frame])) +
+      row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')').replaceAll('-', '\u2212');
+}
+
+function markup(data, last) {
+  const svg = `<svg class="fig space turns" viewBox="0 0 400 300" role="application" tabindex="0"><g class="turning"></g></svg>`;
+  const views = data.runs.map((run, i) =>
+      `<figure class="run"><figcaption><b>${escaped(run.name)}</b></figcaption>${svg}<dl class="facts"></dl></figure>`);
+  const speeds = [0.1, 0.25, 1, 4].map(x => `<option value="${x}"${x === 1 ? ' selected' : ''}>${x}\u00d7</option>`);
+  const legend = names => names.map((name, i) => `<span class="key"><svg class="fig" width="26" height="8"><path class="q${i} stroke" ` +
+      `stroke-dasharray="${styles[i]}" d="M0 4h26"/></svg>${escaped(name)}</span>`).join('');
+  const parts = data.partings.map(({step, runs, contact}) => `<li><button class="mark" data-step="${step}">step ${step}: ` +
+      `${escaped(runs.join(' and '))} part at ${escaped(contact)}</button></li>`);
+  return `<div class="runs">${views.join('')}</div><div class="controls" role="group" aria-label="playback">` +
+      `<button class="play" aria-pressed="false">Play</button><button class="back" aria-label="one step back">\u22121</button>` +
+      `<button class="next" aria-label="one step forward">+1</button><label>Speed <select class="speed">${speeds.join('')}` +
+      `</select></label><label><input type="checkbox" class="velocities" checked> velocities</label>` +
+      `<label><input type="checkbox" class="trails" checked> trails</label><output class="where"></output></div>` +
+      `<input class="scrub" type="range" min="0" max="${last}" value="0" aria-label="frame">` +
+      `<p class="small quiet">Space plays and pauses, the arrow keys step, a drag turns the view. Rings are contacts.</p>` +
+      (parts.length ? `<ul class="marks">${parts.join('')}</ul>` : '') +
+      `<h2>Energy</h2><p class="small">${legend(data.runs.map(run => run.name))}</p><div class="energy"></div>` +
+      `<h2>Momentum, its length</h2><div class="momentum"></div>` +
+      (data.distances.length ? `<h2>How far apart (powers of ten)</h2><p class="small">` +
+          `${legend(data.distances.map(({runs}) => runs.join(' \u2013 ')))}</p><div class="apart"></div>` : '');
+}
+
+// Draws the data into an element of the page and plays it as the reader asks.
+function show(place, data) {
+  const last = data.runs[0].frames.length - 1, within = extent(data);
+  place.innerHTML = markup(data, last);
+  const one = selector => place.querySelector(selector);
+  const views = [...place.querySelectorAll('.run')], choice = {velocities: true, trails: true};
+  const marks = data.partings.map(({step}) => step / data.stride);
+  let frame = 0, clock = 0, playing = false, before = null, held = null;
+  let yaw = Math.atan2(viewer.firstTurn.sinYaw, viewer.firstTurn.cosYaw);
+  let pitch = Math.atan2(viewer.firstTurn.sinPitch, viewer.firstTurn.cosPitch), turn = viewer.firstTurn;
+  const lines = (list, values, name) => list.map((one, i) =>
+      ({name: name(one), values: values(one), style: 'q' + i, dash: styles[i]}));
+  const energies = lines(data.runs, run => run.energy, run => run.name);
+  const lengths = lines(data.runs, run => run.momentum.map(v => Math.sqrt(squares(v))), run => run.name);
+  const apart = lines(data.distances, pair => pair.values, pair => pair.runs.join());
+  const draw = () => {
+    views.forEach((view, i) => {
+      view.querySelector('.turning').innerHTML = drawn(data, data.runs[i], frame, within, choice, turn);
+      view.querySelector('.facts').innerHTML = facts(data.runs[i], frame);
+    });
+    const common = {frame, marks};
+    one('.energy').innerHTML = plot(energies, {...common, label: 'energy of each run by step'});
+    one('.momentum').innerHTML = plot(lengths, {...common, label: 'length of the momentum of each run by step'});
+    if (apart.length)
+      one('.apart').innerHTML = plot(apart, {...common, logarithmic: true, label: 'distance between runs by step'});
+    one('.scrub').value = frame;
+    const step = frame * data.stride;
+    one('.where').textContent = `step ${step} of ${last * data.stride}, ${(step * data.timestep).toFixed(3)} s`;
+  };
+  const go = to => {
+    frame = clock = Math.max(0, Math.min(last, Math.round(to)));
+    draw();
+  };
+  const tick = now => {
+    if (!playing) return;
+    if (before !== null) clock += (now - before) / 1000 / (data.timestep * data.stride) * Number(one('.speed').value);
+    before = now;
+    if (clock >= last) clock = last, play(false);
+    if (Math.floor(clock) !== frame) frame = Math.floor(clock), draw();
+    if (playing) requestAnimationFrame(tick);
+  };
+  const play = on => {
+    playing = on;
+    before = null;
+    one('.play').textContent = on ? 'Pause' : 'Play';
+    one('.play').setAttribute('aria-pressed', String(on));
+    if (!on) return;
+    if (frame === last) go(0);
+    requestAnimationFrame(tick);
+  };
+  const stop = to => { play(false), go(to); };
+  one('.play').addEventListener('click', () => play(!playing));
+  one('.back').addEventListener('click', () => stop(frame - 1));
+  one('.next').addEventListener('click', () => stop(frame + 1));
+  one('.scrub').addEventListener('input', event => stop(Number(event.target.value)));
+  for (const name of Object.keys(choice))
+    one('.' + name).addEventListener('change', event => { choice[name] = event.target.checked, draw(); });
+  for (const button of place.querySelectorAll('.mark'))
+    button.addEventListener('click', () => stop(Number(button.dataset.step) / data.stride));
+  for (const name of ['.energy', '.momentum', '.apart']) {
+    one(name)?.addEventListener('click', event => {
+      const box = event.currentTarget.getBoundingClientRect(), x = (event.clientX - box.left) * wide / box.width;
+      stop((x - margin.left) / (wide - margin.left - margin.right) * last);
+    });
+  }
+  place.addEventListener('keydown', event => {
+    if (event.altKey || event.ctrlKey || event.metaKey || /^(SELECT|INPUT)$/.test(event.target?.tagName)) return;
+    if (event.key === ' ' && event.target?.tagName !== 'BUTTON') play(!playing);
+    else if (event.key === 'ArrowLeft') stop(frame - 1);
+    else if (event.key === 'ArrowRight') stop(frame + 1);
+    else return;
+    event.preventDefault();
+  });
+  for (const view of views) {
+    const svg = view.querySelector('svg');
+    svg.addEventListener('pointerdown', event => {
+      if (event.button !== 0) return;
+      held = {id: event.pointerId, x: event.clientX, y: event.clientY};
+      svg.setPointerCapture(event.pointerId);
+    });
+    svg.addEventListener('pointermove', event => {
+      if (!held || held.id !== event.pointerId) return;
+      yaw += (held.x - event.clientX) / 120;
+      pitch = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, pitch + (event.clientY - held.y) / 120));
+      held = {id: held.id, x: event.clientX, y: event.clientY};
+      turn = {cosYaw: Math.cos(yaw), sinYaw: Math.sin(yaw), cosPitch: Math.cos(pitch), sinPitch: Math.sin(pitch)};
+      draw();
+    });
+    for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
+      svg.addEventListener(end, () => { held = null; });
+  }
+  go(0);
+}
+
+return {extent, figures, drawn, plot, show};
+})();
+
+for (const place of document.querySelectorAll('[data-player]')) player.show(place, JSON.parse(place.dataset.player));

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gmpxx.h>
+
+#include <array>
+
+#include "simulate/arithmetic.h"
+#include "simulate/scene.h"
+
+/// Energy and momentum of a state as rationals: nothing is rounded.
+namespace touchstone::simulate {
+
+/// Kinetic energy (p. 66), height in gravity, and what springs hold (p. 72): k depth^2 / 2. Fixed bodies have none.
+mpq_class energy(const Scene& scene, const State<Exact>& state);
+/// p. 65.
+std::array<mpq_class, 3> momentum(const Scene& scene, const State<Exact>& state);
+
+State<Exact> in_exact(const State<double>& state);
+
+/// Where the change of energy in one step comes from. The three add up to it exactly.
+struct Drift {
+  mpq_class scheme;    ///< what the same step gains where nothing is rounded
+  mpq_class decision;  ///< what that step gains more if it answers the contacts that the run answered
+  mpq_class rounding;  ///< the rest: the run's numbers are rounded
+  mpq_class total() const { return scheme + decision + rounding; }
+  Drift& operator+=(const Drift& other) {
+    scheme += other.scheme, decision += other.decision, rounding += other.rounding;
+    return *this;
+  }
+};
+
+}  // namespace touchstone::simulate

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "simulate/parting.h"
+
+namespace touchstone::simulate {
+
+/// Whether two runs answered the same contacts in the same order.
+bool same_contacts(const Snapshot& a, const Snapshot& b);
+
+/// Runs of one scene, side by side.
+class Simulation {
+ public:
+  /// The names of the runs, of `all_runs`, each once. The scene has to outlive it.
+  Simulation(const Scene& scene, const std::vector<std::string>& runs);
+
+  const Scene& scene() const { return scene_; }
+  std::uint64_t step() const { return step_; }
+  std::size_t size() const { return runs_.size(); }
+  const Run& run(std::size_t i) const { return *runs_[i]; }
+  /// Of the runs that have parted so far, at most one for each two of them.
+  const std::vector<Parting>& partings() const { return partings_; }
+
+  /// Makes a step in every run. Throws StepError, which names step and run; there is no going on then.
+  void advance();
+  /// Goes on after that step, with the snapshot and the drift of each run. The runs of `parted` are not looked at again.
+  void restore(std::uint64_t step, const std::vector<Snapshot>& then, const std::vector<Drift>& drifts,
+               const std::vector<std::pair<std::size_t, std::size_t>>& parted);
+
+ private:
+  void look_for_partings(const std::vector<State<double>>& before);
+
+  const Scene& scene_;
+  std::uint64_t step_ = 0;
+  std::vector<std::unique_ptr<Run>> runs_;
+  std::vector<std::vector<bool>> parted_;  ///< by the indices of two runs
+  std::vector<Parting> partings_;
+};
+
+}  // namespace touchstone::simulate

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "simulate/trajectory.h"
+
+#include "simulate/hash.h"
+
+namespace touchstone::simulate {
+namespace {
+
+using catalogue::written;
+
+template <class Triple>
+Json three(const Triple& v) {
+  return {written(v.x), written(v.y), written(v.z)};
+}
+
+Json bodies_of(const State<double>& state) {
+  Json bodies = Json::array();
+  for (const auto& [p, v] : state) {
+    Json body = three(p);
+    for (const double x : {v.x, v.y, v.z}) body.push_back(written(x));
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+Json contact_of(const Impact& impact) {
+  Json contact = Json::object();
+  contact["body"] = impact.touch.body;
+  contact[impact.touch.wall ? "wall" : "other"] = impact.touch.other;
+  contact["time"] = written(impact.time);
+  contact["point"] = three(impact.point);
+  contact["normal"] = three(impact.normal);
+  return contact;
+}
+
+Json in_json(const Snapshot& now) {
+  Json json = Json::object();
+  json["bodies"] = bodies_of(now.state);
+  json["contacts"] = Json::array();
+  for (const Impact& impact : now.impacts) json["contacts"].push_back(contact_of(impact));
+  json["energy"] = written(now.energy);
+  json["momentum"] = Json::array();
+  for (const mpq_class& sum : now.momentum) json["momentum"].push_back(written(sum));
+  json["drift"] = {{"scheme", written(now.drift.scheme)},
+                   {"decision", written(now.drift.decision)},
+                   {"rounding", written(now.drift.rounding)}};
+  json["hash"] = in_digits(now.hash);
+  json["chain"] = in_digits(now.chain);
+  return json;
+}
+
+Json in_json(const Asked& asked) {
+  return {{"question", asked.question}, {"answer", asked.answer}};
+}
+
+}  // namespace
+
+Json in_json(const Scene& scene, const Parting& parting) {
+  return {{"runs", {parting.first, parting.second}},
+          {"contact", name_of(scene, parting.touch)},
+          {"operation", parting.by_first.operation},
+          {parting.first, in_json(parting.by_first)},
+          {parting.second, in_json(parting.by_second)}};
+}
+
+Json header_of(const Simulation& simulation) {
+  Json runs = Json::array();
+  for (std::size_t i = 0; i < simulation.size(); ++i) runs.push_back(simulation.run(i).name());
+  return Json{{"touchstone_trajectory", 1}, {"runs", runs}, {"scene", simulation.scene().text}};
+}
+
+void write_header(const Simulation& simulation, std::ostream& out) {
+  out << catalogue::one_line(header_of(simulation)) << '\n';
+}
+
+void write_step(const Simulation& simulation, std::ostream& out) {
+  Json line = Json::object();
+  line["step"] = simulation.step();
+  for (std::size_t i = 0; i < simulation.size(); ++i)
+    line[simulation.run(i).name()] = in_json(simulation.run(i).now());
+  for (const Parting& parting : simulation.partings())
+    if (parting.step == simulation.step()) line["parted"].push_back(in_json(simulation.scene(), parting));
+  out << catalogue::one_line(line) << '\n';
+}
+
+void write_csv_header(std::ostream& out) { out << "step,run,body,x,y,z,vx,vy,vz\n"; }
+
+void write_csv_step(const Simulation& simulation, std::ostream& out) {
+  for (std::size_t i = 0; i < simulation.size(); ++i) {
+    const State<double>& state = simulation.run(i).now().state;
+    for (std::size_t body = 0; body < state.size(); ++body) {
+      const auto& [p, v] = state[body];
+      out << simulation.step() << ',' << simulation.run(i).name() << ",\"" << simulation.scene().bodies[body].name << '"';
+      for (const double x : {p.x, p.y, p.z, v.x, v.y, v.z}) out << ',' << catalogue::decimal(x);
+      out << '\n';
+    }
+  }
+}
+
+}  // namespace touchstone::simulate

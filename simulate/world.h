@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "catalogue/shape/walk.h"
+#include "simulate/log.h"
+#include "simulate/scene.h"
+
+/// The bodies and walls of a scene in one arithmetic, and what can be asked of two of them.
+namespace touchstone::simulate {
+
+template <class Real>
+struct Solid {
+  Shape shape;
+  bool fixed;
+  Real mass, radius;
+  Vector3<Real> half_extents;
+};
+
+template <class By>
+class World {
+ public:
+  using Real = typename By::Number;
+
+  explicit World(const Scene& scene);
+
+  const Settings& settings() const { return settings_; }
+  std::size_t bodies() const { return solids_.size(); }
+  std::size_t walls() const { return walls_.size(); }
+  const Solid<Real>& solid(std::size_t body) const { return solids_[body]; }
+  const Plane<Real>& wall(std::size_t wall) const { return walls_[wall]; }
+  const Vector3<Real>& gravity() const { return gravity_; }
+  const Real& timestep() const { return timestep_; }
+  const Real& restitution() const { return restitution_; }
+
+  /// All pairs i < j that are not both fixed (p. 56), then bodies and walls.
+  std::vector<Touch> all_touches() const;
+
+  /// Whether they have a common point in these positions (p. 22, 44-50).
+  bool meet(const Touch& touch, const State<Real>& at, Log* log) const;
+  /// When they first meet if they fly on for `time` (p. 23, 51), as a part of it. For two that do not meet yet.
+  FirstContact<Real> first_meeting(const Touch& touch, const State<Real>& state, const Real& time, Log* log) const;
+  /// The direction in which the body leaves the other one or the wall; empty where it has none, because centers
+  /// coincide.
+  std::optional<Vector3<Real>> normal(const Touch& touch, const State<Real>& at) const;
+  /// Whether they come closer along the normal (p. 74).
+  bool approach(const Touch& touch, const State<Real>& state, const Vector3<Real>& normal, Log* log) const;
+  /// Velocities after the contact (p. 67-71).
+  void respond(const Touch& touch, State<Real>& state, const Vector3<Real>& normal) const;
+
+ private:
+  Sphere3<Real> ball(std::size_t body, const State<Real>& at) const {
+    return {at[body].position, solids_[body].radius};
+  }
+  Aabb3<Real> box(std::size_t body, const State<Real>& at) const;
+  /// The corner that lies deepest behind a wall; of a particle, itself.
+  Point3<Real> deepest(const Touch& touch, const State<Real>& at) const;
+  bool boxes(const Touch& touch) const {
+    return solids_[touch.body].shape == Shape::box && solids_[touch.other].shape == Shape::box;
+  }
+
+  Settings settings_;
+  Vector3<Real> gravity_;
+  Real timestep_, restitution_;
+  std::vector<Solid<Real>> solids_;
+  std::vector<Plane<Real>> walls_;
+};
+
+/// The axis on which two boxes overlap least, decided exactly, and the side on which a is.
+template <class Real>
+Vector3<Real> way_out(const Aabb3<Real>& a, const Aabb3<Real>& b);
+
+extern template class World<Formulas<float>>;
+extern template class World<Formulas<double>>;
+extern template class World<Formulas<Exact>>;
+extern template class World<Robust>;
+
+}  // namespace touchstone::simulate
