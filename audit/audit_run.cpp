@@ -114,6 +114,16 @@ void require_an_operation(const Engine& engine, const AuditOptions& options) {
   throw EngineError("engine " + engine.declaration().engine + ": it declares none of the operations asked: " + asked);
 }
 
+/// The first of the cases that belong to the shard after `shard`.
+std::uint64_t bound(const AuditOptions& options, std::uint64_t shard) {
+  return static_cast<std::uint64_t>(static_cast<unsigned __int128>(options.cases) * shard / options.shards);
+}
+
+bool has_counted(const Tally& tally, const Operation& operation) {
+  return std::any_of(tally.operations.begin(), tally.operations.end(),
+                     [&](const OperationTally& counted) { return counted.operation == operation.name(); });
+}
+
 std::vector<std::size_t> chosen_families(const Operation& operation, const std::vector<std::string>& names) {
   std::vector<std::size_t> chosen;
   const auto& all = operation.families();
@@ -137,6 +147,10 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
   tally.seed = options.seed;
   tally.cases = options.cases;
   tally.limits = options.limits;
+  tally.grid.shards = options.shards;
+  if (options.shards > 1) tally.grid.done = {options.shard};
+  if (options.counted) tally.operations = options.counted->operations, tally.robust = options.counted->robust;
+  const std::uint64_t first_case = bound(options, options.shard - 1), last_case = bound(options, options.shard);
   for (const Operation* operation : options.operations) {
     const std::vector<std::size_t> families = chosen_families(*operation, options.families);
     if (families.empty() || (options.engine && operation->metadata().is_implementation())) continue;
@@ -144,24 +158,25 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
       tally.undeclared.push_back(operation->name());
       continue;
     }
+    if (has_counted(tally, *operation)) continue;
     const TimeLimit limit(options.seconds, options.clock);
     std::vector<Worker> workers;
     for (auto& engine : engines) {
       if (engine) engine->ask_until([&limit] { return limit.over(); });
       workers.emplace_back(options, *operation, families, engine.get(), limit, stop);
     }
-    std::atomic<std::uint64_t> next{0};
+    std::atomic<std::uint64_t> next{first_case};
     const std::uint64_t batch = options.seconds > 0 ? limited_batch_size : batch_size;
     in_parallel(options.jobs, workers.size(), [&](std::size_t w) {
-      for (std::uint64_t first; !stop && (first = next.fetch_add(batch)) < options.cases;) {
+      for (std::uint64_t first; !stop && (first = next.fetch_add(batch)) < last_case;) {
         if (limit.over()) break;
         try {
-          workers[w].run_batch(first, std::min(first + batch, options.cases));
+          workers[w].run_batch(first, std::min(first + batch, last_case));
         } catch (...) {
-          next = options.cases;  // nobody needs the answers that the others would get
+          next = last_case;  // nobody needs the answers that the others would get
           throw;
         }
-        progress(operation->name(), first);
+        progress(operation->name(), first - first_case);
       }
     });
     OperationTally asked{operation->name(), {}}, robust{operation->name(), {}};
@@ -180,6 +195,7 @@ Tally run_audit(const AuditOptions& options, const std::atomic<bool>& stop,
     tally.operations.push_back(std::move(asked));
     tally.robust.push_back(std::move(robust));
     if (stop) break;
+    if (options.after_operation) options.after_operation(tally);
   }
   tally.interrupted = stop;
   return tally;

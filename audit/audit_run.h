@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <optional>
 
 #include "audit/judged.h"
 #include "audit/time_limit.h"
@@ -21,6 +22,10 @@ struct AuditOptions {
   double seconds = 0;
   std::function<double()> clock = TimeLimit::seconds_of_machine;
   int jobs = 1;
+  std::uint64_t shard = 1, shards = 1;  ///< of each operation's cases only these: the I-th of N shares
+  /// An audit with these options that was stopped, from `after_operation`: its operations are not asked again.
+  std::optional<Tally> counted{};
+  std::function<void(const Tally&)> after_operation{};  ///< hears what is counted so far
   /// A fresh engine; called once a job. Empty: our reference in double.
   std::function<std::unique_ptr<Engine>()> engine;
 };

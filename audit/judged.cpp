@@ -39,7 +39,10 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   const Verdict verdict = judgement.verdict;
   const Range range = range_of(asked.question, asked.limits);
   const auto r = static_cast<std::size_t>(range);
-  WayCount& counted = cell.ways[way_of(judgement, asked.truth)];
+  const Way way = way_of(judgement, asked.truth);
+  const std::string in_words = asked.operation.name() + "/" + name_of(verdict) + "/" + way.truth + "/" + way.answer;
+  cell.hash += seed_of(asked.index, in_words.c_str(), 0);
+  WayCount& counted = cell.ways[way];
   ++counted.cases[r];
   if (verdict == Verdict::rounding && judgement.out_of_range) ++counted.out_of_range[r];
   // A decision that rounding may have taken, or none at all, says nothing about the convention.

@@ -54,6 +54,15 @@ struct Place {
       throw InvalidInput(path, "count");
     return n;
   }
+  /// 16 digits.
+  std::uint64_t hexadecimal() const {
+    const std::string digits = text();
+    std::uint64_t n = 0;
+    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n, 16);
+    if (digits.size() != 16 || error != std::errc() || stop != digits.data() + digits.size())
+      throw InvalidInput(path, "16 hexadecimal digits");
+    return n;
+  }
   std::size_t one_of(const std::vector<std::string>& words) const {
     const std::string word = text();
     std::string rule = "one of";

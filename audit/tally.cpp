@@ -110,12 +110,17 @@ bool share_a_family(const std::vector<OperationTally>& a, const std::vector<Oper
 
 void require_disjoint(const Tally& a, const Tally& b) {
   const auto engine = [](const Declaration& d) { return std::tie(d.engine, d.boundary, d.binary32, d.tolerance); };
+  if (a.version != b.version) throw InvalidInput("version", "the same in every file");
   if (engine(a.declaration) != engine(b.declaration)) throw InvalidInput("engine", "the same in every file");
   if (!(a.limits == b.limits)) throw InvalidInput("limits", "the same in every file");
   if (a.grid.size != b.grid.size) throw InvalidInput("grid.size", "the same in every file");
   if (a.grid.shards != b.grid.shards) throw InvalidInput("grid.shards", "the same in every file");
-  if (!share_a_family(a.operations, b.operations)) return;
-  if (a.grid.size == 0) {
+  if (a.grid.size == 0 && a.grid.shards > 1) {
+    if (a.seed != b.seed) throw InvalidInput("seed", "the same in shards of one run");
+    if (a.cases != b.cases) throw InvalidInput("cases", "the same in shards of one run");
+  } else if (!share_a_family(a.operations, b.operations)) {
+    return;
+  } else if (a.grid.size == 0) {
     if (a.seed == b.seed) throw InvalidInput("seed", "different in files that count the same family");
     return;
   }
@@ -261,6 +266,7 @@ void Cell::merge(const Cell& other) {
   surplus += other.surplus;
   apart += other.apart;
   refused += other.refused;
+  hash += other.hash;
   left_out += other.left_out;
   not_asked += other.not_asked;
   if (given_up.empty() || (!other.given_up.empty() && other.given_up < given_up)) given_up = other.given_up;
@@ -313,7 +319,7 @@ void Tally::merge(const Tally& other) {
                  std::back_inserter(done));
   grid.done = std::move(done);
   seed = std::min(seed, other.seed);
-  if (grid.size == 0) cases += other.cases;  // every shard names the whole
+  if (grid.size == 0 && grid.shards == 1) cases += other.cases;  // every shard names the whole
   interrupted = interrupted || other.interrupted;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "audit/uses.h"
+#include "audit/version.h"
 #include "catalogue/operation/operation.h"
 
 /// What an audit has counted. Tallies of disjoint sets of cases merge; the order in which cases were asked leaves no
@@ -89,6 +90,7 @@ struct Cell {
   std::uint64_t surplus = 0;                           ///< elements that answers which must cover hold beyond the truth
   std::uint64_t apart = 0;                             ///< elements that they might have held beyond it
   std::uint64_t refused = 0;                           ///< drawn, but outside the contract: not a case
+  std::uint64_t hash = 0;                              ///< of what was true and answered: a sum over the cases
   std::uint64_t left_out = 0;                          ///< drawn, but extreme where only ordinary questions are asked
   std::uint64_t not_asked = 0;                         ///< the engine had been given up before their turn: no cases
   std::string given_up;                        ///< why, in the engine's or our words; empty where all were asked
@@ -141,8 +143,8 @@ struct OperationTally {
   bool too_much_surplus(double most) const { return total().surplus_rate() > most; }
 };
 
-/// Of an exhaustive run: the grid, into how many shards it is cut, and which of them are counted here. size 0: cases
-/// were drawn.
+/// Into how many shards the run is cut, and which of them are counted here; of an exhaustive run the grid too. size 0:
+/// cases were drawn, and where they are in one part `done` is empty.
 struct Grid {
   std::uint64_t size = 0, shards = 1;
   std::vector<std::uint64_t> done;  ///< ascending
@@ -159,6 +161,7 @@ struct Repeat {
 };
 
 struct Tally {
+  std::string version = version_number;
   Declaration declaration;
   Repeat repeat;                      ///< of tallies that are merged the first's
   std::uint64_t seed = 0, cases = 0;  ///< per operation, as asked for

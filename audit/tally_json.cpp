@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/tally_json.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "audit/engines/protocol.h"
@@ -96,6 +98,7 @@ Json cell_json(const Operation* operation, const std::string& family, const Cell
                  {"refused", cell.refused},
                  {"rules", rules},
                  {"worst_ulps", written(cell.worst_ulps)},
+                 {"hash", fmt::format("{:016x}", cell.hash)},
                  {"smallest", smallest}};
   if (cell.surplus > 0) result["surplus"] = cell.surplus;
   if (cell.apart > 0) result["apart"] = cell.apart;
@@ -198,6 +201,7 @@ std::pair<std::string, Cell> read_cell(const Operation& operation, const Place& 
   place.at("rules").each_member(
       [&](const std::string& key, const Place& n) { cell.rules[excerpt(key, most_of_a_text)] = n.count(); });
   cell.worst_ulps = place.at("worst_ulps").number();
+  cell.hash = place.at("hash").hexadecimal();
   if (place.value.contains("left_out")) cell.left_out = place.at("left_out").count();
   if (place.value.contains("not_asked")) {
     cell.not_asked = place.at("not_asked").count();
@@ -248,6 +252,7 @@ std::string tally_json(const Tally& tally) {
   }
   const Json json = {{"touchstone", 1},
                      {"kind", "tally"},
+                     {"version", tally.version},
                      {"engine", engine},
                      {"seed", tally.seed},
                      {"cases", tally.cases},
@@ -267,6 +272,7 @@ Tally read_tally(const std::string& text) {
   if (file.at("touchstone").count() != 1) throw InvalidInput("touchstone", "version 1");
   if (file.at("kind").text() != "tally") throw InvalidInput("kind", "tally");
   Tally tally;
+  tally.version = file.at("version").text();
   tally.declaration = read_declaration(file.at("engine"));
   if (file.at("engine").value.contains("program")) {
     tally.repeat.program = file.at("engine").at("program").text();

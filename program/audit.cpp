@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <unistd.h>
 
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -14,10 +12,13 @@
 #include "audit/parallel.h"
 #include "audit/tally_json.h"
 #include "catalogue/codec/did_you_mean.h"
+#include "program/checkpoint.h"
 #include "program/commands.h"
+#include "program/interruptible.h"
 #include "program/names.h"
 #include "program/program.h"
 #include "program/progress.h"
+#include "program/shard.h"
 #include "report/html.h"
 #include "report/screen.h"
 #include "report/table.h"
@@ -25,9 +26,6 @@
 
 namespace touchstone::program {
 namespace {
-
-std::atomic<bool> stopped{false};
-extern "C" void on_interrupt(int) { stopped = true; }
 
 void require_known_families(const AuditOptions& options) {
   for (const std::string& family : options.families) {
@@ -82,23 +80,16 @@ std::optional<Tally> earlier_audit(const AuditCommand& command) {
   }
 }
 
+/// What makes an audit this one.
+Json named(const AuditCommand& command, const Shard& shard) {
+  return {{"audit", command.operations}, {"engine", command.engine},     {"families", command.families},
+          {"cases", command.cases},      {"seed", command.seed},         {"seconds", written(command.seconds)},
+          {"range", command.range},      {"ordinary", command.ordinary}, {"shard", shard.text()}};
+}
+
 constexpr const char* how_to_see_more =
     "--verbose prints every family and finding with the line that repeats it; --json FILE and --report DIR keep them "
     "all\n";
-
-/// SIGINT and SIGTERM end the asking instead of the program, for as long as this lives.
-class Interruptible {
- public:
-  Interruptible() : by_key_(std::signal(SIGINT, on_interrupt)), by_others_(std::signal(SIGTERM, on_interrupt)) {}
-  ~Interruptible() {
-    std::signal(SIGINT, by_key_);
-    std::signal(SIGTERM, by_others_);
-  }
-
- private:
-  void (*by_key_)(int);
-  void (*by_others_)(int);
-};
 
 int exit_code(const Tally& tally, bool failed, std::ostream& err) {
   if (tally.interrupted) {
@@ -132,6 +123,10 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   EngineNotes notes;
   Progress progress(err, isatty(STDERR_FILENO) != 0, options.operations, options.cases);
   const Gate gate = gate_of(command.gate);
+  const Shard shard = shard_of(command.shard);
+  tell(shard, err);
+  options.shard = shard.index, options.shards = shard.of;
+  const std::atomic<bool>& stopped = Interruptible::stopped();
   const std::optional<Tally> before = earlier_audit(command);
   if (!command.engine.empty()) {
     require_asked_of_engines(options.operations);
@@ -142,6 +137,9 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
       return engine;
     };
   }
+  Checkpoint checkpoint(shard.named() ? command.json_file : "", named(command, shard), err);
+  if (!checkpoint.found().is_null()) options.counted = read_tally(checkpoint.found().get<std::string>());
+  options.after_operation = [&](const Tally& sum) { checkpoint.keep([&] { return Json(tally_json(sum)); }); };
   Tally tally;
   try {
     const Interruptible until_counted;
@@ -160,8 +158,14 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
   const bool on_terminal = &readable == &std::cout && isatty(STDOUT_FILENO) != 0;
   if (on_terminal && !command.summary && !command.verbose) readable << screen(tally, how_to_see_more) << std::flush;
   else readable << text_table(tally, command.summary ? Detail::operations : Detail::all) << std::flush;
+  if (tally.interrupted && shard.named()) {
+    err << "touchstone: interrupted, nothing is written"
+        << (checkpoint.file().empty() ? "" : "; the same command goes on from ") << checkpoint.file() << '\n';
+    return interrupted;
+  }
   const GateResult result = finish_gate(command.gate, gate, tally, readable);
   write_file("--json", command.json_file, tally_json(tally));
+  checkpoint.remove();
   if (!command.report_directory.empty()) {
     const std::unique_ptr<Engine> for_maps = options.engine && !stopped ? options.engine() : nullptr;
     try {

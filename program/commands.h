@@ -27,7 +27,8 @@ struct AuditCommand {
   std::string families;                ///< names with commas; empty: all
   std::uint64_t cases = 20000, seed = 1;
   double seconds = 0, timeout = usual_timeout;
-  int jobs = 0;  ///< 0: as many as the machine has
+  int jobs = 0;       ///< 0: as many as the machine has
+  std::string shard;  ///< "I/N"; empty: of the launcher, if one started this
   std::string json_file, report_directory;
   double report_seconds = 0;
   std::string before;         ///< file of an earlier audit (--json), shown beside this one in the report
@@ -51,10 +52,29 @@ struct ExhaustCommand {
   std::string program = "touchstone";
   std::string operation;
   int grid = 3;
-  std::string shard = "1/1", json_file;
+  std::string shard, json_file;  ///< as of an audit
   bool decisions = false;
   std::string engine;  ///< command of an engine, which is asked instead of our reference; empty: none
   double timeout = usual_timeout;
+  int jobs = 0;  ///< 0: as many as the machine has, and with an engine one
+};
+
+/// Seconds of a soak that nothing else ends; and cases that none ends by.
+inline constexpr double usual_soak = 60;
+inline constexpr std::uint64_t most_cases = 1'000'000'000'000;
+
+struct SoakCommand {
+  std::string operations = "all";
+  double seconds = 0;       ///< 0: until all cases are asked
+  std::uint64_t cases = 0;  ///< of each operation, in all shards together; 0: until the time is over
+  std::uint64_t seed = 1;
+  std::string shard, json_file;  ///< as of an audit
+  int jobs = 0;
+};
+
+struct MergeCommand {
+  std::vector<std::string> files;
+  std::string json_file;
 };
 
 struct VectorsCheckCommand {
@@ -99,7 +119,9 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
 /// closed sets answer differently).
 int draw_command(const DrawCommand& command, std::ostream& out);
 int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err);
-int merge_command(const std::vector<std::string>& files, std::ostream& out, std::ostream& err);
+/// Robust against the oracle alone, at full speed.
+int soak_command(const SoakCommand& command, std::ostream& out, std::ostream& err);
+int merge_command(const MergeCommand& command, std::ostream& out, std::ostream& err);
 /// Of the operations named, with commas, or all.
 int vectors_write_command(const std::string& directory, const std::string& operations, std::uint64_t seed,
                           std::ostream& out, std::ostream& err);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/names.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -93,9 +95,12 @@ Repeat repeat_of(const std::string& program, const std::string& engine, double t
 
 void require_writable(const std::string& option, const std::string& file) {
   if (file.empty() || is_standard_output(file)) return;
+  std::error_code error;
+  const bool was_there = std::filesystem::exists(file, error);
   errno = 0;
   if (!std::ofstream(file, std::ios::app))
     throw UsageError(option + " " + file + ": cannot be written: " + why_of(errno));
+  if (!was_there) std::filesystem::remove(file, error);
 }
 
 void write_file(const std::string& option, const std::string& file, const std::string& text) {
@@ -105,8 +110,16 @@ void write_file(const std::string& option, const std::string& file, const std::s
     return;
   }
   errno = 0;
-  std::ofstream opened(file);
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
+  const bool is_special = std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error);
+  const std::string made = is_special ? file : target.string() + "." + std::to_string(::getpid());
+  std::ofstream opened(made);
   if (!(opened << text << std::flush)) throw UsageError(option + " " + file + ": cannot be written: " + why_of(errno));
+  opened.close();
+  if (made == file) return;
+  std::filesystem::rename(made, target, error);
+  if (error) throw UsageError(option + " " + file + ": cannot be written: " + error.message());
 }
 
 std::string place(const std::string& file, std::uint64_t line) {

@@ -42,6 +42,8 @@ bool is_standard_output(const std::string& file);
 /// Opens a file that will be written at the end of a long run, so that a wrong name is known before. Empty: nothing to
 /// do. "-" is standard output. Throws UsageError naming the option.
 void require_writable(const std::string& option, const std::string& file);
+/// The file is there with all of the text or as it was: written beside its place and renamed. What is no regular file
+/// (a device, a pipe) is written as it is.
 void write_file(const std::string& option, const std::string& file, const std::string& text);
 
 /// A file that can be read. Throws UsageError, which begins with what was said: the option, or nothing, and the name.

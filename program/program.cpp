@@ -40,8 +40,7 @@ CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
       },
       "WHOLE");
 }
-const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, 1'000'000'000'000),
-                     any_jobs = whole(1, 1024);
+const CLI::Validator any_seed = whole(0, UINT64_MAX), any_cases = whole(1, most_cases), any_jobs = whole(1, 1024);
 
 /// A variable that is not set leaves an empty command, which must not audit something else.
 const CLI::Validator a_command(
@@ -86,6 +85,16 @@ using Action = std::function<int()>;
 void add_engine(CLI::App& command, std::string& engine, double& timeout, const std::string& what) {
   command.add_option("--engine", engine, "Command of an engine (docs/engines.md). " + what)->check(a_command);
   command.add_option("--timeout", timeout, "Seconds for one answer of the engine")->check(positive);
+}
+
+/// How a run is cut, and where its result goes.
+void add_shard(CLI::App& command, std::string& shard, std::string& json_file) {
+  command
+      .add_option("--shard", shard,
+                  "I/N: the I-th of N parts. Its state is kept in FILE.part beside --json FILE, from which the same "
+                  "command goes on after it was stopped")
+      ->default_str("of the launcher");
+  command.add_option("--json", json_file, "Write the result to this file; - is standard output")->default_str("");
 }
 
 void add_ops(CLI::App& program, Action& action) {
@@ -139,7 +148,7 @@ void add_audit(CLI::App& program, Action& action) {
       ->check(any_jobs)
       ->default_str("one a processor");
   command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
-  command->add_option("--json", options->json_file, "Write the result to this file; - is standard output");
+  add_shard(*command, options->shard, options->json_file);
   command->add_option("--report", options->report_directory, "Write HTML pages into this directory");
   command
       ->add_option("--report-seconds", options->report_seconds,
@@ -195,8 +204,10 @@ void add_exhaust(CLI::App& program, Action& action) {
   auto options = std::make_shared<ExhaustCommand>();
   command->add_option("operation", options->operation, "Name of the operation")->required();
   command->add_option("--grid", options->grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
-  command->add_option("--shard", options->shard, "I/N: the I-th of N parts");
-  command->add_option("--json", options->json_file, "Write the result to this file; - is standard output");
+  add_shard(*command, options->shard, options->json_file);
+  command->add_option("--jobs", options->jobs, "Threads; each asks an engine of its own")
+      ->check(any_jobs)
+      ->default_str("one a processor, with an engine one");
   command->add_flag("--decisions", options->decisions,
                     "Only the decision of robust against the oracle's integers, at full speed");
   add_engine(*command, options->engine, options->timeout, "Asked instead of the textbook formulas in double");
@@ -204,10 +215,31 @@ void add_exhaust(CLI::App& program, Action& action) {
     options->program = command->get_parent()->get_name();
     action = [=] { return exhaust_command(*options, std::cout, std::cerr); };
   });
-  auto* merge = program.add_subcommand("merge", "Merges the results of shards");
-  auto files = std::make_shared<std::vector<std::string>>();
-  merge->add_option("files", *files, "Results of exhaust --json")->required();
-  merge->callback([=, &action] { action = [=] { return merge_command(*files, std::cout, std::cerr); }; });
+}
+
+void add_soak(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand(
+      "soak", "Robust against the oracle alone, at full speed, in every floating-point environment");
+  auto options = std::make_shared<SoakCommand>();
+  command->add_option("operations", options->operations, "Operations with commas, or all");
+  command->add_option("--seconds", options->seconds, "Limit of the whole run; the operations take turns")
+      ->check(positive)
+      ->default_str("60; with --cases none");
+  command->add_option("--cases", options->cases, "Questions per operation, in all shards together")
+      ->check(any_cases)
+      ->default_str("as many as the time allows");
+  command->add_option("--seed", options->seed, "Same seed, same questions")->check(any_seed);
+  add_shard(*command, options->shard, options->json_file);
+  command->add_option("--jobs", options->jobs, "Threads")->check(any_jobs)->default_str("one a processor");
+  command->callback([=, &action] { action = [=] { return soak_command(*options, std::cout, std::cerr); }; });
+}
+
+void add_merge(CLI::App& program, Action& action) {
+  auto* command = program.add_subcommand("merge", "Merges the results of shards, and says which are missing");
+  auto options = std::make_shared<MergeCommand>();
+  command->add_option("files", options->files, "Results of exhaust, audit or soak --json")->required();
+  command->add_option("--json", options->json_file, "Write the sum to this file; - is standard output");
+  command->callback([=, &action] { action = [=] { return merge_command(*options, std::cout, std::cerr); }; });
 }
 
 void add_vectors(CLI::App& program, Action& action) {
@@ -300,8 +332,8 @@ int run_program(int argc, const char* const* argv) {
   std::string shell;
   program.add_option("--completion", shell, "Prints a script that completes command lines: for bash or zsh");
   Action action;
-  for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_vectors, add_certify,
-                    add_map, add_simulate})
+  for (auto* add : {add_ops, add_ask, add_audit, add_check_engine, add_draw, add_exhaust, add_soak, add_merge,
+                    add_vectors, add_certify, add_map, add_simulate})
     add(program, action);
   try {
     require_known_names(program, argc, argv);

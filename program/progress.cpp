@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "audit/counted.h"
+
 namespace touchstone::program {
 namespace {
 
@@ -22,6 +24,11 @@ std::string in_words(Seconds time) {
   if (seconds < 90) return fmt::format("{:.0f} s", seconds);
   if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
   return fmt::format("{:.0f} h", seconds / 3600);
+}
+
+std::string in_words(const Pace& pace) {
+  return fmt::format("{:.0f} %, {}, {} a second, about {} left", 100 * pace.part, counted(pace.done, pace.noun),
+                     grouped(static_cast<std::uint64_t>(pace.rate)), in_words(Seconds(pace.seconds_left)));
 }
 
 Progress::Progress(std::ostream& err, bool terminal, const std::vector<const Operation*>& operations,
@@ -70,6 +77,11 @@ void Progress::operator()(const std::string& operation, std::uint64_t done) {
   if (ended_ || found == shares_.end()) return;
   const Clock::time_point now = now_();
   show(line(static_cast<std::size_t>(found - shares_.begin()), done, now), now);
+}
+
+void Progress::tell(const std::string& text) {
+  const std::lock_guard lock(mutex_);
+  show(text, now_());
 }
 
 void Progress::step(const std::string& what, const std::string& name, std::size_t done, std::size_t all) {

@@ -34,6 +34,9 @@ class Progress {
   /// What follows them: "report: 12 of 53, orientation". Ended once more when it is done.
   void step(const std::string& what, const std::string& name, std::size_t done, std::size_t all);
 
+  /// Another line, of a run that is not counted by operations.
+  void tell(const std::string& text);
+
   /// So many cases of an operation are done. May be called from any thread.
   void operator()(const std::string& operation, std::uint64_t done);
 
@@ -60,5 +63,16 @@ class Progress {
 
 /// "40 s", "12 min", "3 h"
 std::string in_words(std::chrono::duration<double> time);
+
+/// How far a run is that is counted as one.
+struct Pace {
+  double part;  ///< of the whole
+  std::uint64_t done;
+  const char* noun;  ///< what is counted: "case"
+  double rate;       ///< a second
+  double seconds_left;
+};
+/// "34 %, 1,234,567 cases, 12,345 a second, about 2 min left"
+std::string in_words(const Pace& pace);
 
 }  // namespace touchstone::program

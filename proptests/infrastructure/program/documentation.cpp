@@ -75,11 +75,17 @@ TEST_CASE("documentation: bash completes commands, options and names of operatio
                   "--completion bsh: expected bash or zsh (did you mean \"bash\"?)");
 }
 
-TEST_CASE("documentation: the version names compiler and libraries") {
+TEST_CASE("documentation: the version names licence, compiler, and of the libraries licences and sources") {
   const Called version = called({"--version"});
   CHECK(version.code == nothing_found);
   CHECK_THAT(version.out, StartsWith("touchstone 0.") && ContainsSubstring("\ncompiler: ") &&
-                              ContainsSubstring("\nlibraries: GMP ") && ContainsSubstring("MPFR "));
+                              ContainsSubstring("\nlicence: Apache-2.0\n"));
+  for (const char* library : {"GMP", "MPFR", "nlohmann-json", "{fmt}", "CLI11", "libpng", "zlib"}) {
+    INFO(library);
+    const std::size_t at = version.out.find(std::string("\n  ") + library + " ");
+    REQUIRE(at != std::string::npos);
+    CHECK(version.out.find("http", at) < version.out.find('\n', at + 1));
+  }
 }
 
 TEST_CASE("documentation: no colours, on a terminal or not") {
