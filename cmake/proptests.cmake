@@ -138,6 +138,15 @@ if(TARGET touchstone)
   endif()
 endif()
 
+# The launchers of examples/cluster, each where it is installed: otherwise its test is skipped, and says why.
+if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
+  foreach(launcher kubernetes parallel slurm)
+    add_test(NAME cluster/${launcher} COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/cluster.py
+                                              $<TARGET_FILE:touchstone> ${launcher})
+    set_tests_properties(cluster/${launcher} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 120)
+  endforeach()
+endif()
+
 # touchstone draw in the test suites of other languages. Debian's python3-hypothesis belongs to Debian's Python.
 find_program(TOUCHSTONE_SYSTEM_PYTHON python3 HINTS /usr/bin)
 find_program(TOUCHSTONE_NODE node)
