@@ -309,7 +309,8 @@ void add_simulate(CLI::App& program, Action& action) {
                       "Write each step into this file, as CSV if its name ends in .csv, else as JSON lines; - is "
                       "standard output");
   command->add_flag("--resume", options->resume, "Go on from the last whole line of that file");
-  command->add_option("--page", options->page, "Write an HTML page that plays the runs into this file; - is standard output");
+  command->add_option("--page", options->page,
+                      "Write an HTML page that plays the runs into this file; - is standard output");
   command->callback([=, &action] { action = [=] { return simulate_command(*options, std::cout, std::cerr); }; });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -7,6 +8,8 @@
 #include "program/names.h"
 #include "program/program.h"
 #include "report/simulation_page.h"
+#include "simulate/gas/gas_scene.h"
+#include "simulate/scene_reading.h"
 #include "simulate/summary.h"
 #include "simulate/trajectory.h"
 
@@ -16,12 +19,24 @@ namespace {
 using simulate::Frame;
 using simulate::Simulation;
 
-simulate::Scene scene_in(const std::string& file) {
-  const std::string text = text_of_file(file);
+template <class Read>
+auto read_or_refuse(const std::string& file, const Read& read) {
   try {
-    return simulate::read_scene(parse_line(text));
+    return read();
   } catch (const InvalidInput& refused) {
     throw UsageError(file + ": " + refused.what());
+  }
+}
+
+int gas_command(const SimulateCommand& command, const Json& json, std::ostream& out, std::ostream& err) {
+  if (!command.trajectory.empty() || command.resume || !command.page.empty() || command.steps)
+    throw UsageError(command.file + ": an exact gas has no steps: no --steps, --trajectory, --resume, --page");
+  const auto scene = read_or_refuse(command.file, [&] { return simulate::gas::read_gas(json); });
+  try {
+    return simulate::gas::run_gas(scene, out) ? nothing_found : findings;
+  } catch (const simulate::gas::GasError& wrong) {
+    err << "touchstone: " << command.file << ": " << wrong.what() << '\n';
+    return bad_usage;
   }
 }
 
@@ -85,7 +100,9 @@ class Trajectory {
 }  // namespace
 
 int simulate_command(const SimulateCommand& command, std::ostream& out, std::ostream& err) {
-  const simulate::Scene scene = scene_in(command.file);
+  const Json json = read_or_refuse(command.file, [&] { return parse_line(text_of_file(command.file)); });
+  if (simulate::gas::is_gas(json)) return gas_command(command, json, out, err);
+  const auto scene = read_or_refuse(command.file, [&] { return simulate::read_scene(json); });
   Simulation simulation(scene, runs_named(command.runs));
   Trajectory trajectory(command.trajectory);
   simulate::Recording recording(simulation);

@@ -13,15 +13,17 @@
 'use strict';
 const player = (() => {
 const half = 100000;  // steps of viewer.js from the middle to the end of the longest side
+const mostNamed = 12;
 const styles = ['', '6 3', '2 3'];  // runs differ in dashes as well as in colour
-const wide = 560, high = 150, margin = {left: 62, right: 10, top: 10, bottom: 20};
+const wide = 360, high = 170, margin = {left: 62, right: 10, top: 10, bottom: 20};
 
 const escaped = text => String(text).replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
-const short = x => x === 0 ? '0' : Math.abs(x) >= 0.001 && Math.abs(x) < 1e6 ? String(+x.toPrecision(6)) : x.toExponential(2);
-const minus = text => text.replace('-', '\u2212');
+const short = x => x === 0 ? '0' :
+    Math.abs(x) >= 0.001 && Math.abs(x) < 1e6 ? String(+x.toPrecision(6)) : x.toExponential(2);
+const minus = text => text.replaceAll('-', '\u2212');
 const squares = v => v.reduce((sum, x) => sum + x * x, 0);
 
-// What every frame of every run fits into, and how fast the fastest body is. A room is what it says; a wall adds nothing.
+// What every frame of every run fits into, and how fast the fastest body is. A wall adds nothing.
 function extent(data) {
   const low = [Infinity, Infinity, Infinity], high = low.map(x => -x);
   let fastest = 0;
@@ -39,33 +41,35 @@ function extent(data) {
   }
   for (const corner of data.room ?? []) add(corner, [0, 0, 0]);
   const middle = low.map((x, i) => (x + high[i]) / 2), side = Math.max(...low.map((x, i) => high[i] - x));
-  return {low, high, middle, scale: side > 0 ? 2 * half / side : 1, fastest};
+  const scale = side > 0 ? 2 * half / side : 1, corner = Math.sqrt(squares(low.map((x, i) => (high[i] - x) / 2)));
+  return {low, high, middle, scale, reach: Math.max(1, corner * scale), fastest};
 }
 
 const placed = (p, {middle, scale}) => p.map((x, i) => Math.round((x - middle[i]) * scale));
 
 // The figures of one frame of a run, as viewer.js takes them.
 function figures(data, run, frame, within, show) {
-  const list = [], numbers = run.frames[frame], named = data.bodies.length <= 12;
+  const list = [], numbers = run.frames[frame], named = data.bodies.length <= mostNamed;
   if (data.room) list.push({kind: 'box', label: '', whose: 'question', points: data.room.map(p => placed(p, within))});
   for (const {name, normal, offset} of data.walls) {
     const square = squares(normal), e = (normal.reduce((sum, n, i) => sum + n * within.middle[i], 0) + offset) / square;
     const foot = placed(within.middle.map((x, i) => x - e * normal[i]), within);
-    const tip = foot.map((x, i) => Math.round(x + normal[i] / Math.sqrt(square) * half / 2));
+    const tip = foot.map((x, i) => Math.round(x + normal[i] / Math.sqrt(square) * half / 4));
     // A wall far from everything is left out: it would make the rest small.
-    if (foot.every(x => Math.abs(x) <= 2 * half)) list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tip]});
+    if (foot.every(x => Math.abs(x) <= 2 * half))
+      list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tip]});
   }
   data.bodies.forEach((body, i) => {
     const p = numbers.slice(6 * i, 6 * i + 3), v = numbers.slice(6 * i + 3, 6 * i + 6);
-    const label = named ? body.name : `bodies[${i}]`, common = {label, whose: 'question'};
-    if (body.shape === 'particle') list.push({...common, kind: 'point', points: [placed(p, within)]});
+    const common = {label: named ? body.name : `bodies[${i}]`, whose: 'question'}, at = placed(p, within);
+    if (body.shape === 'particle') list.push({...common, kind: 'point', points: [at]});
     if (body.shape === 'sphere')
-      list.push({...common, kind: 'sphere', points: [placed(p, within)], radius: Math.round(body.radius * within.scale)});
-    if (body.shape === 'box')
-      list.push({...common, kind: 'box', points: [-1, 1].map(side => placed(p.map((x, k) => x + side * body.half[k]), within))});
+      list.push({...common, kind: 'sphere', points: [at], radius: Math.round(body.radius * within.scale)});
+    const corner = side => placed(p.map((x, k) => x + side * body.half[k]), within);
+    if (body.shape === 'box') list.push({...common, kind: 'box', points: [corner(-1), corner(1)]});
     if (show.velocities && squares(v) > 0) {
-      const start = placed(p, within), long = 0.4 * half / within.fastest;
-      list.push({label: '', whose: 'question', kind: 'arrow', points: [start, start.map((x, k) => Math.round(x + long * v[k]))]});
+      const long = 0.4 * half / within.fastest, tip = at.map((x, k) => Math.round(x + long * v[k]));
+      list.push({label: '', whose: 'question', kind: 'arrow', points: [at, tip]});
     }
   });
   return list;
@@ -86,7 +90,8 @@ function drawn(data, run, frame, within, show, turn) {
   drawing.style = 'truth';
   for (const point of run.contacts[frame])
     drawing.add('dot', [placed(point, within)], {radius: 7, ring: true});
-  drawing.reach = half * 1.6;
+  drawing.reach = within.reach;
+  if (data.bodies.length > mostNamed) drawing.labels = [];
   return viewer.picture(drawing, turn);
 }
 
@@ -112,41 +117,53 @@ function plot(series, {frame, marks, logarithmic, label}) {
     return `<path class="${style} stroke" stroke-dasharray="${dash}" d="${path || 'M0 0'}"/>`;
   });
   const column = (k, name) => `<path class="${name}" d="M${x(k)} ${margin.top}V${high - margin.bottom}"/>`;
-  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : short(+v.toPrecision(5)));
-  return `<svg class="fig plot" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}" role="img" aria-label="${escaped(label)}">` +
-      ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v)}H${wide - margin.right}"/>` +
-                     `<text class="scale" x="${margin.left - 5}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`).join('') +
-      marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') + '</svg>';
+  // Where numbers differ only far behind the point, all but the lowest tell how much more they are.
+  const close = !logarithmic && top - low < 1e-4 * Math.max(Math.abs(top), Math.abs(low));
+  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : close && v > low ? '+' + (v - low).toExponential(1)
+                                                                               : short(+v.toPrecision(5)));
+  return `<svg class="fig plot" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}" role="img" ` +
+      `aria-label="${escaped(label)}">` +
+      ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v)}H${wide - margin.right}"/><text class="scale" ` +
+                     `x="${margin.left - 5}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`).join('') +
+      marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') +
+      '</svg>';
 }
 
 const row = (name, value) => `<dt>${escaped(name)}</dt><dd>${escaped(minus(value))}</dd>`;
 function facts(run, frame) {
   return row('energy', short(run.energy[frame])) + row('drift: scheme', short(run.scheme[frame])) +
       row('decisions', short(run.decision[frame])) + row('rounding', short(run.rounding[frame])) +
-      row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')').replaceAll('-', '\u2212');
+      row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')');
 }
 
 function markup(data, last) {
-  const svg = `<svg class="fig space turns" viewBox="0 0 400 300" role="application" tabindex="0"><g class="turning"></g></svg>`;
-  const views = data.runs.map((run, i) =>
-      `<figure class="run"><figcaption><b>${escaped(run.name)}</b></figcaption>${svg}<dl class="facts"></dl></figure>`);
+  const svg = `<svg class="fig space turns" viewBox="0 0 400 300" role="application" tabindex="0">` +
+      `<g class="turning"></g></svg>`;
+  const views = data.runs.map(run => `<figure class="run"><figcaption><b>${escaped(run.name)}</b></figcaption>${svg}` +
+      `<dl class="facts"></dl></figure>`);
   const speeds = [0.1, 0.25, 1, 4].map(x => `<option value="${x}"${x === 1 ? ' selected' : ''}>${x}\u00d7</option>`);
-  const legend = names => names.map((name, i) => `<span class="key"><svg class="fig" width="26" height="8"><path class="q${i} stroke" ` +
-      `stroke-dasharray="${styles[i]}" d="M0 4h26"/></svg>${escaped(name)}</span>`).join('');
-  const parts = data.partings.map(({step, runs, contact}) => `<li><button class="mark" data-step="${step}">step ${step}: ` +
+  const legend = names => names.map((name, i) => `<span class="key"><svg class="fig" width="26" height="8">` +
+      `<path class="q${i} stroke" stroke-dasharray="${styles[i]}" d="M0 4h26"/></svg>${escaped(name)}</span>`).join('');
+  const parts = data.partings.map(({step, runs, contact}) =>
+      `<li><button class="mark" data-step="${step}">step ${step}: ` +
       `${escaped(runs.join(' and '))} part at ${escaped(contact)}</button></li>`);
   return `<div class="runs">${views.join('')}</div><div class="controls" role="group" aria-label="playback">` +
-      `<button class="play" aria-pressed="false">Play</button><button class="back" aria-label="one step back">\u22121</button>` +
-      `<button class="next" aria-label="one step forward">+1</button><label>Speed <select class="speed">${speeds.join('')}` +
-      `</select></label><label><input type="checkbox" class="velocities" checked> velocities</label>` +
+      `<button class="play" aria-pressed="false">Play</button>` +
+      `<button class="back" aria-label="one step back">\u22121</button>` +
+      `<button class="next" aria-label="one step forward">+1</button>` +
+      `<label>Speed <select class="speed">${speeds.join('')}</select></label>` +
+      `<label><input type="checkbox" class="velocities" checked> velocities</label>` +
       `<label><input type="checkbox" class="trails" checked> trails</label><output class="where"></output></div>` +
       `<input class="scrub" type="range" min="0" max="${last}" value="0" aria-label="frame">` +
-      `<p class="small quiet">Space plays and pauses, the arrow keys step, a drag turns the view. Rings are contacts.</p>` +
+      `<p class="small quiet">Space plays and pauses, the arrow keys step, a drag turns the view. Rings are contacts.` +
+      `</p>` +
       (parts.length ? `<ul class="marks">${parts.join('')}</ul>` : '') +
-      `<h2>Energy</h2><p class="small">${legend(data.runs.map(run => run.name))}</p><div class="energy"></div>` +
-      `<h2>Momentum, its length</h2><div class="momentum"></div>` +
-      (data.distances.length ? `<h2>How far apart (powers of ten)</h2><p class="small">` +
-          `${legend(data.distances.map(({runs}) => runs.join(' \u2013 ')))}</p><div class="apart"></div>` : '');
+      `<div class="plots"><section><h2>Energy</h2><p class="small">${legend(data.runs.map(run => run.name))}</p>` +
+      `<div class="energy"></div></section><section><h2>Momentum, its length</h2><p class="small">` +
+      `${legend(data.runs.map(run => run.name))}</p><div class="momentum"></div></section>` +
+      (data.distances.length ? `<section><h2>How far apart</h2><p class="small">` +
+          `${legend(data.distances.map(({runs}) => runs.join(' \u2013 ')))}</p>` +
+          `<div class="apart"></div></section>` : '') + '</div>';
 }
 
 // Draws the data into an element of the page and plays it as the reader asks.

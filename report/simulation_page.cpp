@@ -83,7 +83,8 @@ Json distances(const std::vector<Recording::OfRun>& runs, const std::vector<std:
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t j = i + 1; j < runs.size(); ++j) {
       Json values = Json::array();
-      for (const std::size_t frame : frames) values.push_back(number(apart(runs[i].states[frame], runs[j].states[frame]), 4));
+      for (const std::size_t frame : frames)
+        values.push_back(number(apart(runs[i].states[frame], runs[j].states[frame]), 4));
       distances.push_back({{"runs", {runs[i].name, runs[j].name}}, {"values", values}});
     }
   }
@@ -122,10 +123,11 @@ Json player_data(const Recording& recording) {
 std::string simulation_page(const Recording& recording) {
   const simulate::Scene& scene = recording.scene();
   const std::string title = scene.title.empty() ? "A scene in several arithmetics" : scene.title;
-  std::string body = "<header><p class=\"kicker\">touchstone simulate</p><h1>" + escaped(title) +
-                     "</h1><p class=\"lead\">" + escaped(scene.about) + "</p></header><main>" + player_opening +
-                     escaped(catalogue::one_line(player_data(recording))) +
-                     "\"><noscript><p>The page plays its runs by a script, which it carries in itself.</p></noscript></div>";
+  std::string body =
+      "<header><p class=\"kicker\">touchstone simulate</p><h1>" + escaped(title) + "</h1><p class=\"lead\">" +
+      escaped(scene.about) + "</p></header><main>" + player_opening +
+      escaped(catalogue::one_line(player_data(recording))) +
+      "\"><noscript><p>The page plays its runs by a script, which it carries in itself.</p></noscript></div>";
   if (!recording.partings().empty()) body += "<h2>What decided</h2>";
   for (const auto& parting : recording.partings()) body += parting_in_html(parting);
   return page(title, body + "</main>");

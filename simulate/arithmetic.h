@@ -45,21 +45,21 @@ namespace touchstone::simulate {
 
 using catalogue::Exact;
 
-#define TOUCHSTONE_OPERATIONS_OF(module)                                                                  \
-  static auto point_plane(const auto&... q) { return module::point_plane(q...); }                         \
-  static auto point_plane_toi(const auto&... q) { return module::point_plane_toi(q...); }                 \
-  static auto sphere_plane(const auto&... q) { return module::sphere_plane(q...); }                       \
-  static auto sphere_sphere(const auto&... q) { return module::sphere_sphere(q...); }                     \
-  static auto sphere_aabb(const auto&... q) { return module::sphere_aabb(q...); }                         \
-  static auto aabb_aabb(const auto&... q) { return module::aabb_aabb(q...); }                             \
-  static auto closest_point_on_aabb(const auto&... q) { return module::closest_point_on_aabb(q...); }     \
-  static auto swept_sphere_plane(const auto&... q) { return module::swept_sphere_plane(q...); }           \
-  static auto swept_sphere_sphere(const auto&... q) { return module::swept_sphere_sphere(q...); }         \
-  static auto swept_aabb_aabb(const auto&... q) { return module::swept_aabb_aabb(q...); }                 \
-  static auto contact_state(const auto&... q) { return module::contact_state(q...); }                     \
-  static auto damped_reflection(const auto&... q) { return module::damped_reflection(q...); }             \
-  static auto restitution_collision(const auto&... q) { return module::restitution_collision(q...); }     \
-  static auto inelastic_collision(const auto&... q) { return module::inelastic_collision(q...); }         \
+#define TOUCHSTONE_OPERATIONS_OF(module)                                                              \
+  static auto point_plane(const auto&... q) { return module::point_plane(q...); }                     \
+  static auto point_plane_toi(const auto&... q) { return module::point_plane_toi(q...); }             \
+  static auto sphere_plane(const auto&... q) { return module::sphere_plane(q...); }                   \
+  static auto sphere_sphere(const auto&... q) { return module::sphere_sphere(q...); }                 \
+  static auto sphere_aabb(const auto&... q) { return module::sphere_aabb(q...); }                     \
+  static auto aabb_aabb(const auto&... q) { return module::aabb_aabb(q...); }                         \
+  static auto closest_point_on_aabb(const auto&... q) { return module::closest_point_on_aabb(q...); } \
+  static auto swept_sphere_plane(const auto&... q) { return module::swept_sphere_plane(q...); }       \
+  static auto swept_sphere_sphere(const auto&... q) { return module::swept_sphere_sphere(q...); }     \
+  static auto swept_aabb_aabb(const auto&... q) { return module::swept_aabb_aabb(q...); }             \
+  static auto contact_state(const auto&... q) { return module::contact_state(q...); }                 \
+  static auto damped_reflection(const auto&... q) { return module::damped_reflection(q...); }         \
+  static auto restitution_collision(const auto&... q) { return module::restitution_collision(q...); } \
+  static auto inelastic_collision(const auto&... q) { return module::inelastic_collision(q...); }     \
   static auto penalty_force(const auto&... q) { return module::penalty_force(q...); }
 
 /// The textbook formulas over float, double or Exact, which never rounds.
@@ -67,19 +67,15 @@ template <class Real>
 struct Formulas {
   using Number = Real;
   static Real number(double x) {
-    if constexpr (std::is_same_v<Real, Exact>)
-      return Exact(catalogue::exact_value(x));
-    else
-      return static_cast<Real>(x);
+    if constexpr (std::is_same_v<Real, Exact>) return Exact(catalogue::exact_value(x));
+    else return static_cast<Real>(x);
   }
   static Real plus(const Real& a, const Real& t, const Real& b) { return Real(a + Real(t * b)); }
   /// The time of a moment, as a step goes on with it. It may have a root: the exact step takes the nearest double, so
   /// that its numbers stay rational.
   static Real moment(const Real& t) {
-    if constexpr (std::is_same_v<Real, Exact>)
-      return number(catalogue::nearest(t.value()));
-    else
-      return t;
+    if constexpr (std::is_same_v<Real, Exact>) return number(catalogue::nearest(t.value()));
+    else return t;
   }
   TOUCHSTONE_OPERATIONS_OF(reference)
 };

@@ -14,10 +14,8 @@ Point3d drawn_point(const World<By>& world, const Touch& touch, const State<type
                     const Vector3d& normal) {
   using Real = typename By::Number;
   const auto number = [](const Real& x) {
-    if constexpr (std::is_same_v<Real, Exact>)
-      return catalogue::nearest(x.value());
-    else
-      return static_cast<double>(x);
+    if constexpr (std::is_same_v<Real, Exact>) return catalogue::nearest(x.value());
+    else return static_cast<double>(x);
   };
   const auto along_normal = [&](std::size_t body, double sign) {
     const Point3d p = catalogue::converted<double>(at[body].position, number);

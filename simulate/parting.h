@@ -12,8 +12,8 @@ struct Parting {
   std::uint64_t step;
   std::string first, second;  ///< names of the runs
   Touch touch;
-  /// The same question to both, by the numbers of each: the first whose answers are different words. Where all words are
-  /// alike, and only the order of two times is not, the last question about a time before that.
+  /// The same question to both, by the numbers of each: the first whose answers are different words. Where all words
+  /// are alike, and only the order of two times is not, the last question about a time before that.
   Asked by_first, by_second;
 };
 

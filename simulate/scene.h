@@ -29,10 +29,10 @@ enum class Shape { particle, sphere, box };
 struct SceneBody {
   std::string name;  ///< "bodies[3]" where the scene gives none
   Shape shape = Shape::particle;
-  double radius = 0;           ///< of a sphere
-  Vector3d half_extents{};     ///< of a box
-  bool fixed = false;          ///< never moves; nothing changes its velocity, 0
-  double mass = 1;             ///< greater than 0
+  double radius = 0;        ///< of a sphere
+  Vector3d half_extents{};  ///< of a box
+  bool fixed = false;       ///< never moves; nothing changes its velocity, 0
+  double mass = 1;          ///< greater than 0
   Particle<double> start{};
 };
 
@@ -66,8 +66,9 @@ struct Settings {
   Motion motion = Motion::accelerate_then_move;
   int option = 1;  ///< of p. 23: 1 looks for contacts at the end of the step, 2 for the time of impact
   Turn turn = Turn::before_move;
-  std::uint32_t passes = 1;    ///< option 1: how often all contacts are gone through in a step, in their order
-  std::uint32_t moments = 64;  ///< option 2: contacts in one step; a step that needs more is refused
+  std::uint32_t passes = 1;     ///< option 1: how often all contacts are gone through in a step, in their order
+  std::uint32_t moments = 64;   ///< option 2: contacts in one step; a step that needs more is refused
+  bool sort_and_sweep = false;  ///< pairs whose boxes are apart are not asked about
   Law law = Law::restitution;
   double restitution = 1;
   double stiffness = 0, damping = 0;
@@ -85,9 +86,5 @@ struct Scene {
 
   State<double> start() const;
 };
-
-/// Strict: throws InvalidInput, which names the place in the file, the rule and what was found instead; a field or a
-/// word that is misspelled is told which was meant. docs/simulate.md describes the fields.
-Scene read_scene(const Json& json);
 
 }  // namespace touchstone::simulate

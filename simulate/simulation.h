@@ -23,7 +23,7 @@ class Simulation {
 
   /// Makes a step in every run. Throws StepError, which names step and run; there is no going on then.
   void advance();
-  /// Goes on after that step, with the snapshot and the drift of each run. The runs of `parted` are not looked at again.
+  /// Goes on after that step, with the snapshot and the drift of each run. Runs that have parted stay so.
   void restore(std::uint64_t step, const std::vector<Snapshot>& then, const std::vector<Drift>& drifts,
                const std::vector<std::pair<std::size_t, std::size_t>>& parted);
 

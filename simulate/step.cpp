@@ -8,10 +8,8 @@ namespace {
 
 template <class Real>
 double as_double(const Real& x) {
-  if constexpr (std::is_same_v<Real, Exact>)
-    return catalogue::nearest(x.value());
-  else
-    return static_cast<double>(x);
+  if constexpr (std::is_same_v<Real, Exact>) return catalogue::nearest(x.value());
+  else return static_cast<double>(x);
 }
 
 template <class Real>
@@ -29,8 +27,7 @@ class Step {
   using Real = typename By::Number;
 
   Step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log)
-      : world_(world), settings_(world.settings()), follow_(follow), log_(log), state_(state),
-        touches_(settings_.law == Law::penalty ? std::vector<Touch>{} : world.all_touches()) {}
+      : world_(world), settings_(world.settings()), follow_(follow), log_(log), state_(state) {}
 
   Stepped<Real> made() {
     const bool accelerates_first = settings_.motion == Motion::accelerate_then_move;
@@ -97,8 +94,10 @@ class Step {
         if (const auto normal = world_.normal(impact.touch, at)) answer(impact.touch, *normal, at, 1);
       return;
     }
+    if (settings_.law == Law::penalty) return;
+    const std::vector<Touch> touches = world_.touches(at, at);
     for (std::uint32_t pass = 0; pass < settings_.passes; ++pass) {
-      for (const Touch& touch : touches_) {
+      for (const Touch& touch : touches) {
         if (!world_.meet(touch, at, log_)) continue;
         const auto normal = world_.normal(touch, at);
         if (normal && world_.approach(touch, state_, *normal, log_)) answer(touch, *normal, at, 1);
@@ -123,12 +122,11 @@ class Step {
 
   std::optional<Moment> first_moment(const Real& left) const {
     std::optional<Moment> first;
-    for (const Touch& touch : touches_) {
+    for (const Touch& touch : world_.touches(state_, moved(left))) {
       // Two that just bounced do not meet again before another contact has turned one of them.
       if (!impacts_.empty() && impacts_.back().touch == touch) continue;
       const auto moment = moment_of(touch, left);
-      if (moment && (!first || moment->time < first->time) &&
-          world_.approach(touch, state_, moment->normal, log_))
+      if (moment && (!first || moment->time < first->time) && world_.approach(touch, state_, moment->normal, log_))
         first = moment;
     }
     return first;
@@ -161,7 +159,6 @@ class Step {
   const std::vector<Impact>* follow_;
   Log* log_;
   State<Real> state_;
-  std::vector<Touch> touches_;
   std::vector<Impact> impacts_;
 };
 

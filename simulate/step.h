@@ -28,7 +28,7 @@ struct StepError : std::runtime_error {
 
 /// One step of the scene, from deck p. 9, 23, 44-51, 56 and 64-74.
 ///
-/// Gravity enters as `motion` says. Option 1: the contacts at the end of the step, pairs i < j first and then bodies and
+/// Gravity enters as `motion` says. Option 1: the contacts at the end of the step, pairs i < j first, then bodies and
 /// walls, each answered in that order, `passes` times; a contact is a touch (closed sets) whose bodies approach along
 /// its normal, by the velocities that they have when its turn comes. With `before_move` velocities change and bodies
 /// then move from where they were; with `after_move` they have moved. Option 2: bodies fly along lines to the least

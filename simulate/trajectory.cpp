@@ -49,9 +49,7 @@ Json in_json(const Snapshot& now) {
   return json;
 }
 
-Json in_json(const Asked& asked) {
-  return {{"question", asked.question}, {"answer", asked.answer}};
-}
+Json in_json(const Asked& asked) { return {{"question", asked.question}, {"answer", asked.answer}}; }
 
 }  // namespace
 
@@ -76,8 +74,7 @@ void write_header(const Simulation& simulation, std::ostream& out) {
 void write_step(const Simulation& simulation, std::ostream& out) {
   Json line = Json::object();
   line["step"] = simulation.step();
-  for (std::size_t i = 0; i < simulation.size(); ++i)
-    line[simulation.run(i).name()] = in_json(simulation.run(i).now());
+  for (std::size_t i = 0; i < simulation.size(); ++i) line[simulation.run(i).name()] = in_json(simulation.run(i).now());
   for (const Parting& parting : simulation.partings())
     if (parting.step == simulation.step()) line["parted"].push_back(in_json(simulation.scene(), parting));
   out << catalogue::one_line(line) << '\n';
@@ -90,7 +87,8 @@ void write_csv_step(const Simulation& simulation, std::ostream& out) {
     const State<double>& state = simulation.run(i).now().state;
     for (std::size_t body = 0; body < state.size(); ++body) {
       const auto& [p, v] = state[body];
-      out << simulation.step() << ',' << simulation.run(i).name() << ",\"" << simulation.scene().bodies[body].name << '"';
+      out << simulation.step() << ',' << simulation.run(i).name() << ",\"" << simulation.scene().bodies[body].name
+          << '"';
       for (const double x : {p.x, p.y, p.z, v.x, v.y, v.z}) out << ',' << catalogue::decimal(x);
       out << '\n';
     }

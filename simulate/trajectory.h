@@ -29,8 +29,8 @@ struct Frame {
   std::vector<Json> partings;
 };
 
-/// Reads a trajectory in JSON lines up to its last whole line, calls visit for each step, and sets the simulation to the
-/// last one. Returns the length of what was read. Throws InvalidInput where the file holds another scene or other
+/// Reads a trajectory in JSON lines up to its last whole line, calls visit for each step, and sets the simulation to
+/// the last one. Returns the length of what was read. Throws InvalidInput where the file holds another scene or other
 /// runs, misses a step, or a hash or a sum is not that of its numbers: the field names line and place.
 std::uint64_t read_trajectory(std::istream& in, Simulation& simulation, const std::function<void(const Frame&)>& visit);
 

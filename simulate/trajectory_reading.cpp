@@ -88,7 +88,8 @@ std::vector<Json> partings_in(const Place& line) {
   const Json& list = line.at("parted").json;
   for (const Json& parting : list)
     for (const char* field : {"runs", "contact", "operation"})
-      if (!parting.is_object() || !parting.contains(field)) throw InvalidInput(line.path + ".parted", "what a run wrote");
+      if (!parting.is_object() || !parting.contains(field))
+        throw InvalidInput(line.path + ".parted", "what a run wrote");
   return {list.begin(), list.end()};
 }
 

@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/world.h"
 
-#include <array>
+#include <algorithm>
+
+#include "simulate/near_pairs.h"
 
 namespace touchstone::simulate {
 namespace {
 
 template <class Real>
 Exact in_exact(const Real& x) {
-  if constexpr (std::is_same_v<Real, Exact>)
-    return x;
-  else
-    return Exact(catalogue::exact_value(static_cast<double>(x)));
+  if constexpr (std::is_same_v<Real, Exact>) return x;
+  else return Exact(catalogue::exact_value(static_cast<double>(x)));
+}
+
+template <class Real>
+double in_double(const Real& x) {
+  if constexpr (std::is_same_v<Real, Exact>) return catalogue::nearest(x.value());
+  else return static_cast<double>(x);
 }
 
 template <class Real>
@@ -26,7 +32,8 @@ Vector3<Real> way_out(const Aabb3<Real>& a, const Aabb3<Real>& b) {
   std::optional<Exact> least;
   Vector3<Real> way{Real(0), Real(0), Real(0)};
   const auto look = [&](Real Point3<Real>::*axis, Real Vector3<Real>::*along) {
-    const Exact up = in_exact(b.max.*axis) - in_exact(a.min.*axis), down = in_exact(a.max.*axis) - in_exact(b.min.*axis);
+    const Exact up = in_exact(b.max.*axis) - in_exact(a.min.*axis),
+                down = in_exact(a.max.*axis) - in_exact(b.min.*axis);
     const bool upwards = up <= down;
     const Exact& depth = upwards ? up : down;
     if (least && *least <= depth) return;
@@ -42,8 +49,10 @@ Vector3<Real> way_out(const Aabb3<Real>& a, const Aabb3<Real>& b) {
 
 template <class By>
 World<By>::World(const Scene& scene)
-    : settings_(scene.settings), gravity_(catalogue::converted<Real>(scene.gravity, By::number)),
-      timestep_(By::number(scene.settings.timestep)), restitution_(By::number(scene.settings.restitution)) {
+    : settings_(scene.settings),
+      gravity_(catalogue::converted<Real>(scene.gravity, By::number)),
+      timestep_(By::number(scene.settings.timestep)),
+      restitution_(By::number(scene.settings.restitution)) {
   for (const SceneBody& body : scene.bodies)
     solids_.push_back({body.shape, body.fixed, By::number(body.mass), By::number(body.radius),
                        catalogue::converted<Real>(body.half_extents, By::number)});
@@ -56,6 +65,30 @@ std::vector<Touch> World<By>::all_touches() const {
   for (std::size_t i = 0; i < bodies(); ++i)
     for (std::size_t j = i + 1; j < bodies(); ++j)
       if (!solids_[i].fixed || !solids_[j].fixed) touches.push_back({false, i, j});
+  for (std::size_t i = 0; i < bodies(); ++i)
+    for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w) touches.push_back({true, i, w});
+  return touches;
+}
+
+template <class By>
+std::vector<Touch> World<By>::touches(const State<Real>& from, const State<Real>& to) const {
+  if (!settings_.sort_and_sweep) return all_touches();
+  std::vector<Aabb3d> boxes;
+  for (std::size_t i = 0; i < bodies(); ++i) {
+    Aabb3d box{};
+    const auto take = [&](double Point3d::*axis, const Real& a, const Real& b, const Real& half) {
+      const double x = in_double(a), y = in_double(b), reach = in_double(solids_[i].radius) + in_double(half);
+      const double wider = reach + 0x1p-20 * (std::max(std::abs(x), std::abs(y)) + reach) + 0x1p-140;
+      box.min.*axis = std::min(x, y) - wider, box.max.*axis = std::max(x, y) + wider;
+    };
+    const Point3<Real>&a = from[i].position, &b = to[i].position;
+    const Vector3<Real>& half = solids_[i].half_extents;
+    take(&Point3d::x, a.x, b.x, half.x), take(&Point3d::y, a.y, b.y, half.y), take(&Point3d::z, a.z, b.z, half.z);
+    boxes.push_back(box);
+  }
+  std::vector<Touch> touches;
+  for (const auto& [i, j] : near_pairs(boxes))
+    if (!solids_[i].fixed || !solids_[j].fixed) touches.push_back({false, i, j});
   for (std::size_t i = 0; i < bodies(); ++i)
     for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w) touches.push_back({true, i, w});
   return touches;

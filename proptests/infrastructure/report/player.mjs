@@ -41,7 +41,7 @@ test('player: bodies are drawn where they are, in the size they have', () => {
   const [floor, sphere, arrow, solid] = player.figures(one, one.runs[1], 1, within, all);
   assert.equal(floor.kind, 'plane');
   // The floor lies at y = -2, under the middle.
-  assert.deepEqual(floor.points, [[0, Math.round(-2 * within.scale), 0], [0, Math.round(-2 * within.scale) + 50000, 0]]);
+  assert.deepEqual(floor.points, [[0, Math.round(-2 * within.scale), 0], [0, Math.round(-2 * within.scale) + 25000, 0]]);
   assert.deepEqual([sphere.kind, sphere.points, sphere.radius],
                    ['sphere', [[Math.round(-3.75 * within.scale), 0, 0]], Math.round(0.5 * within.scale)]);
   assert.deepEqual([arrow.kind, arrow.points[1][0] - arrow.points[0][0]], ['arrow', 40000]);
@@ -79,17 +79,23 @@ test('player: every number is finite, whatever stands still or coincides', () =>
 
 test('player: a plot leads from its least to its greatest value, and marks where runs part', () => {
   const svg = player.plot([{name: 'a', values: [1, 3, 2], style: 'q0', dash: ''}], {frame: 1, marks: [2, 9], label: '<x>'});
-  assert.match(svg, /d="M62 130L306 10L550 70"/);
+  assert.match(svg, /d="M62 150L206 10L350 80"/);
   assert.equal(count(svg, 'class="mark"'), 1);
-  assert.match(svg, /class="now" d="M306 10V130"/);
+  assert.match(svg, /class="now" d="M206 10V150"/);
   assert.match(svg, /aria-label="&#60;x&#62;"/);
   assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]), ['1', '2', '3']);
+});
+
+test('player: where numbers differ far behind the point, ticks tell by how much', () => {
+  const svg = player.plot([{name: 'a', values: [4.5, 4.5 - 2e-6], style: 'q0', dash: ''}], {frame: 0, marks: [], label: ''});
+  assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]),
+                   ['4.5', '+1.0e\u22126', '+2.0e\u22126']);
 });
 
 test('player: a logarithmic plot leaves out what is 0', () => {
   const svg = player.plot([{name: 'a', values: [0, 1e-8, 0, 1e-4, 1e-2], style: 'q0', dash: ''}],
                           {frame: 0, marks: [], label: '', logarithmic: true});
-  assert.match(svg, /d="M184 130M428 50L550 10"/);
+  assert.match(svg, /d="M134 150M278 56.7L350 10"/);
   assert.match(svg, />1e\u22128</);
 });
 
@@ -141,8 +147,8 @@ test('player: buttons, keys, the slider, a mark and a click in a plot go to a st
   assert.equal(at(), 3);
   page.click('.next');
   assert.equal(at(), 3);
-  page.part('.energy').width = 560;
-  page.click('.energy', {clientX: 306, currentTarget: page.part('.energy')});
+  page.part('.energy').width = 360;
+  page.click('.energy', {clientX: 206, currentTarget: page.part('.energy')});
   assert.equal(at(), 2);
 });
 

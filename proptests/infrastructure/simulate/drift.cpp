@@ -56,10 +56,10 @@ TEST_CASE("drift: a free step's scheme gains -h^2 g^2 / 2, its opposite, or noth
 }
 
 TEST_CASE("drift: without gravity, and bouncing elastically, the scheme has no error, and exact numbers no rounding") {
-  const Scene scene = scene_from(scene_text(
-      R"("timestep":0.125,"option":2)", R"("room":{"min":[-1,-1,-1],"max":[1,1,1]},"bodies":[)" +
-                                            sphere(0.25, "[0.5,0.25,0]", "[0.75,-1.5,0.125]") + "," +
-                                            sphere(0.25, "[-0.5,0.3125,0]", "[0.3,0.9,0]") + "]"));
+  const Scene scene = scene_from(
+      scene_text(R"("timestep":0.125,"option":2)", R"("room":{"min":[-1,-1,-1],"max":[1,1,1]},"bodies":[)" +
+                                                       sphere(0.25, "[0.5,0.25,0]", "[0.75,-1.5,0.125]") + "," +
+                                                       sphere(0.25, "[-0.5,0.3125,0]", "[0.3,0.9,0]") + "]"));
   Simulation simulation(scene, every);
   std::size_t contacts = 0;
   for (int step = 0; step < 100; ++step, contacts += simulation.run(2).now().impacts.size()) simulation.advance();
@@ -77,10 +77,10 @@ TEST_CASE("drift: a decision that rounding changed is a decision, however small 
     if (exact_value(-(h * fast)) + exact_value(h) * exact_value(fast) > 0) v = sixteenth, y = -(h * fast);
   }
   REQUIRE(y > 0);
-  const Scene scene = scene_from(scene_text(
-      R"("steps_per_second":60,"option":1)",
-      gravity + floor_of_scene + ",\"bodies\":[" +
-          particle("[0," + catalogue::decimal(y) + ",0]", "[0," + catalogue::decimal(v) + ",0]") + "]"));
+  const Scene scene = scene_from(
+      scene_text(R"("steps_per_second":60,"option":1)",
+                 gravity + floor_of_scene + ",\"bodies\":[" +
+                     particle("[0," + catalogue::decimal(y) + ",0]", "[0," + catalogue::decimal(v) + ",0]") + "]"));
   Simulation simulation(scene, {"double"});
   simulation.advance();
   const Drift& drift = simulation.run(0).now().drift;
@@ -90,9 +90,9 @@ TEST_CASE("drift: a decision that rounding changed is a decision, however small 
 }
 
 TEST_CASE("drift: momentum is exact: what a bounce of two balls changes of it is rounding alone") {
-  const Scene scene = scene_from(scene_text(
-      R"("timestep":1,"option":2)",
-      "\"bodies\":[" + sphere(1, "[0,0,0]", "[4,0,0]") + "," + sphere(1, "[3,0,0]", "[0,0,0.5]") + "]"));
+  const Scene scene =
+      scene_from(scene_text(R"("timestep":1,"option":2)", "\"bodies\":[" + sphere(1, "[0,0,0]", "[4,0,0]") + "," +
+                                                              sphere(1, "[3,0,0]", "[0,0,0.5]") + "]"));
   Simulation simulation(scene, {"robust"});
   simulation.advance();
   REQUIRE(simulation.run(0).now().impacts.size() == 1);
@@ -102,9 +102,9 @@ TEST_CASE("drift: momentum is exact: what a bounce of two balls changes of it is
 }
 
 TEST_CASE("drift: what a spring holds is energy") {
-  const Scene scene = scene_from(scene_text(
-      R"("timestep":0.5,"option":1)", R"("response":{"law":"penalty","stiffness":6},)" + floor_of_scene +
-                                          ",\"bodies\":[" + particle("[0,-2,0]", "[1,0,0]") + "]"));
+  const Scene scene = scene_from(
+      scene_text(R"("timestep":0.5,"option":1)", R"("response":{"law":"penalty","stiffness":6},)" + floor_of_scene +
+                                                     ",\"bodies\":[" + particle("[0,-2,0]", "[1,0,0]") + "]"));
   Simulation simulation(scene, {"robust"});
   CHECK(simulation.run(0).now().energy == mpq_class(25, 2));
 }

@@ -89,7 +89,8 @@ TEST_CASE("scene files: what is wrong is told by place, rule and what was found"
       {with_body(R"({"shape":{"sphere":{}},"position":[0,0,0]})"), "bodies[0].shape.sphere.radius: missing"},
       {with_body(R"({"shape":{"spere":{"radius":1}},"position":[0,0,0]})"),
        R"(bodies[0].shape.spere: no such field (did you mean "sphere"?); expected particle, sphere, box)"},
-      {with_body(R"({"shape":{},"position":[0,0,0]})"), "bodies[0].shape: expected one of particle, sphere, box, got {}"},
+      {with_body(R"({"shape":{},"position":[0,0,0]})"),
+       "bodies[0].shape: expected one of particle, sphere, box, got {}"},
       {with_body(R"({"shape":{"box":{"half_extents":[1,-1,1]}},"position":[0,0,0]})"),
        "bodies[0].shape.box.half_extents: expected numbers not below 0, got [1,-1,1]"},
       {with_body(R"({"shape":{"particle":{}},"position":[0,0,0],"mass":0})"),
@@ -118,8 +119,8 @@ TEST_CASE("scene files: bodies may touch at the start, and not overlap; a subnor
 TEST_CASE("scene files: springs hold particles alone; option 2 has spheres or boxes") {
   const std::string ball = sphere(1, "[0,5,0]", "[0,0,0]");
   const std::string box = R"({"shape":{"box":{"half_extents":[1,1,1]}},"position":[9,9,9]})";
-  CHECK(refusal_of(scene_text(step, R"("response":{"law":"penalty","stiffness":9},"bodies":[)" + body + "," + ball +
-                                        "]")) ==
+  CHECK(refusal_of(
+            scene_text(step, R"("response":{"law":"penalty","stiffness":9},"bodies":[)" + body + "," + ball + "]")) ==
         "bodies[1].shape: with the law penalty all bodies are particles (p. 72)");
   CHECK(refusal_of(scene_text(R"("timestep":1,"option":2)", "\"bodies\":[" + ball + "," + box + "]")) ==
         "bodies[1].shape: with option 2 a scene has spheres or boxes, not both");

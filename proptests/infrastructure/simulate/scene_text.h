@@ -5,14 +5,12 @@
 
 #include "geometry/invalid_input.h"
 #include "proptests/catch.h"
-#include "simulate/scene.h"
+#include "simulate/scene_reading.h"
 
 /// Scenes for tests, in few words.
 namespace touchstone::proptests {
 
-inline simulate::Scene scene_from(const std::string& text) {
-  return simulate::read_scene(catalogue::parse_line(text));
-}
+inline simulate::Scene scene_from(const std::string& text) { return simulate::read_scene(catalogue::parse_line(text)); }
 
 /// {"touchstone_scene":1, advance, then what is given}.
 inline std::string scene_text(const std::string& advance, const std::string& rest) {

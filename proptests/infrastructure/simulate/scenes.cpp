@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "proptests/infrastructure/simulate/scene_text.h"
+#include "simulate/gas/gas_scene.h"
 #include "simulate/simulation.h"
 
 /// What each scene in simulate/scenes/ should show.
@@ -41,12 +43,14 @@ double vx_of(const Run& run, std::size_t body) { return run.now().state[body].ve
 std::vector<double> tops(const Scene& scene, const std::string& run) {
   std::vector<double> heights, tops;
   double before = 0;
-  play(scene, [&](const Run& now) {
-    const double v = now.now().state[0].velocity.y;
-    if (before > 0 && v <= 0) tops.push_back(std::max(heights.back(), y_of(now)));
-    before = v;
-    heights.push_back(y_of(now));
-  }, {run});
+  play(scene,
+       [&](const Run& now) {
+         const double v = now.now().state[0].velocity.y;
+         if (before > 0 && v <= 0) tops.push_back(std::max(heights.back(), y_of(now)));
+         before = v;
+         heights.push_back(y_of(now));
+       },
+       {run});
   return tops;
 }
 
@@ -77,6 +81,7 @@ TEST_CASE("scenes: every file is read, has a title, says what it shows, names pa
   for (const auto& file : std::filesystem::directory_iterator("simulate/scenes")) {
     const std::string name = file.path().stem().string();
     INFO(name);
+    if (name == "exact_gas") continue;  // gas.cpp, and below
     const Scene scene = shipped(name);
     CHECK(!scene.title.empty());
     CHECK(!scene.about.empty());
@@ -91,19 +96,23 @@ TEST_CASE("scenes: every file is read, has a title, says what it shows, names pa
 TEST_CASE("scenes: option 1 turns a particle above the ground, option 2 at the ground") {
   const auto least = [](const std::string& name) {
     double least = 1;
-    play(shipped(name), [&](const Run& run) {
-      for (const auto& impact : run.now().impacts)
-        if (impact.touch.body == 0) least = impact.point.y;
-    }, {"robust"});
+    play(shipped(name),
+         [&](const Run& run) {
+           for (const auto& impact : run.now().impacts)
+             if (impact.touch.body == 0) least = impact.point.y;
+         },
+         {"robust"});
     return least;
   };
   CHECK(least("time_of_impact") == 0);
   CHECK(least("ground_plane") == 0);  // the steep one happens to end its fourth step on the ground
   double flat = 0;
-  play(shipped("ground_plane"), [&](const Run& run) {
-    for (const auto& impact : run.now().impacts)
-      if (impact.touch.body == 1) flat = impact.point.y;
-  }, {"robust"});
+  play(shipped("ground_plane"),
+       [&](const Run& run) {
+         for (const auto& impact : run.now().impacts)
+           if (impact.touch.body == 1) flat = impact.point.y;
+       },
+       {"robust"});
   CHECK(flat < 0);  // where the step would have ended
   at_the_end("ground_plane", [](const Run& run) { CHECK(run.drift().scheme == 0); });
 }
@@ -124,17 +133,20 @@ TEST_CASE("scenes: a ball in a box keeps each component's size, bit for bit") {
 TEST_CASE("scenes: at a slope of 3 : 4 a ball that falls flies off at 24 : 7") {
   at_the_end("slanted_wall", [](const Run& run) { CHECK(run.drift().scheme == 0); });
   bool bounced = false;
-  play(shipped("slanted_wall"), [&](const Run& run) {
-    if (bounced || run.now().impacts.empty()) return;
-    bounced = true;
-    // v - 2 (v . n / n . n) n = (0, -3) + 24/25 (3, 4)
-    CHECK(std::abs(run.now().state[0].velocity.x - 2.88) < 1e-15);
-    CHECK(std::abs(run.now().state[0].velocity.y - 0.84) < 1e-15);
-  }, {"robust"});
+  play(shipped("slanted_wall"),
+       [&](const Run& run) {
+         if (bounced || run.now().impacts.empty()) return;
+         bounced = true;
+         // v - 2 (v . n / n . n) n = (0, -3) + 24/25 (3, 4)
+         CHECK(std::abs(run.now().state[0].velocity.x - 2.88) < 1e-15);
+         CHECK(std::abs(run.now().state[0].velocity.y - 0.84) < 1e-15);
+       },
+       {"robust"});
   CHECK(bounced);
 }
 
-TEST_CASE("scenes: a ball that turns before the move rises higher, after it less high, with time of impact about as high") {
+TEST_CASE(
+    "scenes: a ball that turns before the move rises higher, after it less high, with time of impact about as high") {
   const struct {
     const char* name;
     double heights[3];
@@ -232,7 +244,8 @@ TEST_CASE("scenes: option 1 lets a fast bullet through a thin wall, option 2 sen
   });
 }
 
-TEST_CASE("scenes: a soft spring throws back, a stiff one gives energy that was not there, a damped one comes to rest") {
+TEST_CASE(
+    "scenes: a soft spring throws back, a stiff one gives energy that was not there, a damped one comes to rest") {
   at_the_end("penalty_soft", [](const Run& run) {
     CHECK(run.now().energy > 9);
     CHECK(run.now().energy < 10);
@@ -256,7 +269,8 @@ TEST_CASE("scenes: a box at rest never moves, not by a bit") {
   });
 }
 
-TEST_CASE("scenes: answered once each, the contacts of a stack do not hold it; answered forty times they hold it longer") {
+TEST_CASE(
+    "scenes: answered once each, the contacts of a stack do not hold it; answered forty times they hold it longer") {
   at_the_end("resting_stack", [](const Run& run) { CHECK(y_of(run, 2) < 1); });
   at_the_end("resting_stack_passes", [](const Run& run) {
     CHECK(y_of(run, 2) > 1.2);
@@ -267,11 +281,13 @@ TEST_CASE("scenes: answered once each, the contacts of a stack do not hold it; a
 TEST_CASE("scenes: a row of boxes hands on three quarters of each speed") {
   const Scene scene = shipped("domino_row");
   std::vector<double> first_speed(8, 0);
-  play(scene, [&](const Run& run) {
-    for (std::size_t box = 0; box < 8; ++box)
-      if (first_speed[box] == 0) first_speed[box] = vx_of(run, box);
-    CHECK(run.now().momentum[0] - 2 < mpq_class(1, 1L << 48));
-  }, {"robust"});
+  play(scene,
+       [&](const Run& run) {
+         for (std::size_t box = 0; box < 8; ++box)
+           if (first_speed[box] == 0) first_speed[box] = vx_of(run, box);
+         CHECK(run.now().momentum[0] - 2 < mpq_class(1, 1L << 48));
+       },
+       {"robust"});
   double expected = 2;
   for (std::size_t box = 1; box < 8; ++box) {
     expected *= 0.75;
@@ -286,6 +302,14 @@ TEST_CASE("scenes: a ball comes down the stairs, bouncing, and falls no deeper t
     CHECK(y_of(run) > -2.1);
   });
   CHECK(contacts_in("ball_on_stairs", "robust") >= 5);
+}
+
+TEST_CASE("scenes: a thousand cubes keep energy and momentum, and return to where they began") {
+  std::ifstream in("simulate/scenes/exact_gas.json");
+  const auto gas = simulate::gas::read_gas(catalogue::parse_line(std::string(std::istreambuf_iterator<char>(in), {})));
+  CHECK(gas.cubes.size() == 1000);
+  std::ostringstream out;
+  CHECK(run_gas(gas, out));
 }
 
 }  // namespace touchstone::proptests::scenes_tests

@@ -93,13 +93,43 @@ TEST_CASE("step: what touches and slides, leaves or rests is no contact") {
 
 TEST_CASE("step: where products overflow, the formula meets a wall that is far away, and robust does not") {
   // N . p = 2e310 - 1e310 is infinity - infinity, NaN: neither front nor back.
-  const Scene scene = scene_from(scene_text(
-      R"("timestep":1,"option":1)", R"("walls":[{"normal":[1e150,1e150,0],"offset":0}],"bodies":[)" +
-                                        particle("[2e160,-1e160,0]", "[-1,-1,0]") + "]"));
+  const Scene scene = scene_from(
+      scene_text(R"("timestep":1,"option":1)", R"("walls":[{"normal":[1e150,1e150,0],"offset":0}],"bodies":[)" +
+                                                   particle("[2e160,-1e160,0]", "[-1,-1,0]") + "]"));
   Simulation simulation(scene, {"double", "robust"});
   simulation.advance();
   CHECK(simulation.run(0).now().state[0].velocity.x > 0);
   CHECK(simulation.run(1).now().state[0].velocity.x == -1);
+}
+
+TEST_CASE("step: with sort and sweep the steps are those of all pairs, to the last bit") {
+  for (const char* option : {R"("option":1)", R"("option":2)"}) {
+    std::string balls;
+    for (int i = 0; i < 27; ++i) {
+      const auto at = [](int k, double shift) { return catalogue::decimal(k * 1.125 + shift); };
+      balls +=
+          (i == 0 ? "" : ",") +
+          sphere(0.5, "[" + at(i % 3, 0.0625 * (i / 9)) + "," + at(i / 3 % 3, 0.03125 * i) + "," + at(i / 9, 0) + "]",
+                 "[" + catalogue::decimal(3 - i % 7) + "," + catalogue::decimal(i % 5 - 2.5) + "," +
+                     catalogue::decimal(i % 3) + "]");
+    }
+    const auto scene = [&](const std::string& broad_phase) {
+      return scene_from(scene_text("\"timestep\":0.0625," + std::string(option) + broad_phase,
+                                   R"("room":{"min":[-1,-1,-1],"max":[4,4,4]},"bodies":[)" + balls + "]"));
+    };
+    const Scene plain = scene(""), swept = scene(R"(,"broad_phase":"sort_and_sweep")");
+    Simulation one(plain, {"float", "double", "robust"}), other(swept, {"float", "double", "robust"});
+    std::size_t contacts = 0;
+    for (int step = 0; step < 24; ++step) {
+      one.advance();
+      other.advance();
+      for (std::size_t i = 0; i < 3; ++i) {
+        REQUIRE(one.run(i).now().chain == other.run(i).now().chain);
+        for (const auto& impact : one.run(i).now().impacts) contacts += impact.touch.wall ? 0 : 1;
+      }
+    }
+    CHECK(contacts > 50);
+  }
 }
 
 TEST_CASE("step: a number beyond the range and too many moments end a run, which is told by step and name") {
@@ -117,8 +147,8 @@ TEST_CASE("step: a number beyond the range and too many moments end a run, which
   const std::string between = R"("walls":[{"normal":[0,1,0],"offset":0},{"normal":[0,-1,0],"offset":1}],"bodies":[)";
   CHECK(error_of(scene_from(scene_text(R"("timestep":1,"option":2,"moments":7)",
                                        between + particle("[0,0.5,0]", "[0,7,0]") + "]"))) == "");
-  CHECK(error_of(scene_from(scene_text(R"("timestep":1,"option":2,"moments":6)",
-                                       between + particle("[0,0.5,0]", "[0,7,0]") + "]"))) ==
+  CHECK(error_of(scene_from(
+            scene_text(R"("timestep":1,"option":2,"moments":6)", between + particle("[0,0.5,0]", "[0,7,0]") + "]"))) ==
         "step 1, run double: more than 6 moments (advance.moments)");
 }
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <queue>
+#include <stdexcept>
+#include <vector>
+
+/// An exact gas: equal cubes in a cubic room, which fly without forces and bounce elastically (deck p. 45-47, 65-69).
+/// All numbers are integers, and nothing is rounded: energy and momentum are identical after any number of collisions,
+/// and run backwards the gas returns to its first bits.
+namespace touchstone::simulate::gas {
+
+using Whole = std::int64_t;
+__extension__ using Wide = __int128;
+
+/// On each axis the low corner of the cube is at line + velocity t.
+struct Cube {
+  std::array<Whole, 3> line{}, velocity{};
+  friend bool operator==(const Cube&, const Cube&) = default;
+};
+
+/// p / q with q > 0.
+struct Instant {
+  Whole p = 0, q = 1;
+  friend bool operator<(const Instant& a, const Instant& b) { return Wide(a.p) * b.q < Wide(b.p) * a.q; }
+  friend bool operator==(const Instant& a, const Instant& b) { return Wide(a.p) * b.q == Wide(b.p) * a.q; }
+};
+
+/// The numbers became too long for 64 bits, or the start is none.
+struct GasError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Counts {
+  std::uint64_t pairs = 0;      ///< that met
+  std::uint64_t at_walls = 0;   ///< single cubes that met a wall
+  std::uint64_t crossings = 0;  ///< from cell to cell of the grid
+  std::uint64_t groups = 0;     ///< of three or more cubes that met at one instant
+  std::uint64_t mirrored = 0;   ///< of these, groups that were reflected about their mean
+};
+
+/// What happens at one instant t. Two cubes are joined if they have a point in common at t. Of a connected part in
+/// which a pair is about to overlap, or a cube is about to leave the room, each axis is answered alone, and there each
+/// group of cubes whose faces touch along the axis:
+///   - a cube of the group is at a wall: all velocities change their sign;
+///   - the group is a row, and the connected part has no contact at an edge or a corner: its velocities are reversed
+///     from end to end, as in Newton's cradle; two cubes exchange theirs;
+///   - else each velocity v becomes 2 V - v, where V is the mean. Where this is no integer, the unit of length gets
+///     smaller.
+/// Each of them keeps energy and, at walls excepted, momentum, leaves no pair approaching, and undoes itself if time
+/// runs backwards. None depends on the order of cubes or axes.
+class Gas {
+ public:
+  /// Low corners are from 0 to `room`. Nothing overlaps, and what touches does not part: it would have met before.
+  /// Throws GasError.
+  Gas(Whole side, Whole room, std::vector<Cube> cubes);
+
+  /// Up to that time, what happens at it included. Throws GasError.
+  void run(Whole until);
+  /// Turns every velocity round at that time, at which the clock then begins again at 0.
+  void reverse(Whole at);
+
+  const std::vector<Cube>& cubes() const { return cubes_; }
+  const Counts& counts() const { return counts_; }
+  /// Units of length now in one at the start.
+  Whole scale() const { return scale_; }
+  /// In units of now; the sum of squares of velocities, and of velocities with what walls took.
+  Wide doubled_energy() const;
+  std::array<Wide, 3> momentum_with_walls() const;
+  /// Independent of the order of the cubes.
+  std::uint64_t hash() const;
+
+ private:
+  enum class Kind : std::uint8_t { pair, wall, crossing };
+  struct Event {
+    Instant at;
+    std::size_t first, second;
+    std::uint32_t first_stamp, second_stamp;
+    Kind kind;
+    int axis;
+    friend bool operator<(const Event& a, const Event& b) { return b.at < a.at; }  // the earliest on top
+  };
+  struct Place {  ///< of a cube in the grid; stamp counts its changes of velocity
+    std::array<int, 3> cell;
+    std::uint32_t stamp = 0;
+  };
+  struct Join {
+    std::size_t first, second;
+    std::array<bool, 3> face;  ///< along which axes faces touch
+  };
+  /// Cubes that are connected at this instant, and all their joins.
+  struct Part {
+    std::vector<std::size_t> cubes;
+    std::vector<Join> joins;
+    bool faces_only = true;
+  };
+
+  // gas.cpp: when something happens
+  void begin();
+  std::vector<std::size_t>& cell(const std::array<int, 3>& at);
+  template <class Visit>
+  void each_near(std::size_t cube, const Visit& visit) const;
+  bool stale(const Event& event) const;
+  void expect(Instant at, std::size_t first, std::size_t second, Kind kind, int axis);
+  void expect_alone(std::size_t cube);
+  void expect_pair(std::size_t a, std::size_t b);
+  void expect_near(std::size_t cube);
+  void cross(const Event& event);
+
+  // response.cpp: what happens then
+  void respond(const std::vector<std::size_t>& seeds);
+  Part part_of(std::size_t seed, std::vector<bool>& seen) const;
+  void answer(const Part& part, int axis, std::vector<bool>& changed);
+  void answer_group(const Part& part, std::vector<std::size_t> group, bool row, int axis, std::vector<bool>& changed);
+  void mirror(const std::vector<std::size_t>& group, int axis);
+  /// Where the cube is now, times the denominator of now.
+  Wide scaled_place(std::size_t cube, int axis) const;
+  bool at_wall(std::size_t cube, int axis) const;
+  bool joined(std::size_t a, std::size_t b, Join& join) const;
+  /// Whether two joined cubes approach on every axis on which their faces touch; if time runs backwards, whether they
+  /// part.
+  bool approach(const Join& join, bool backwards = false) const;
+  void require_meeting(std::size_t cube) const;
+  void set(std::size_t cube, int axis, Wide line, Wide velocity);
+  void rescale(Whole factor);
+
+  Whole side_, room_, width_ = 1, scale_ = 1;
+  int cells_ = 1;
+  std::vector<Cube> cubes_;
+  std::vector<Place> places_;
+  std::vector<std::vector<std::size_t>> grid_;
+  std::priority_queue<Event> events_;
+  Instant now_;
+  std::array<Wide, 3> wall_impulse_{};
+  Counts counts_;
+};
+
+/// SplitMix64: the same integers everywhere.
+std::uint64_t mixed(std::uint64_t z);
+
+}  // namespace touchstone::simulate::gas
