@@ -33,11 +33,13 @@ class Worker {
   void run_batch(std::uint64_t first, std::uint64_t last) {
     std::vector<Pending> pending;
     for (std::uint64_t i = first; i < last && !limit_.over(); ++i) prepare(i, pending);
-    std::vector<Reply> replies;
+    std::vector<JudgedReply> replies(pending.size());
     if (engine_ != nullptr) {
       std::vector<Question> questions;
       for (const Pending& p : pending) questions.push_back(p.question);
-      replies = engine_->ask(operation_, questions);
+      engine_->ask_each(operation_, questions, [&](std::size_t i, const Reply& reply) {
+        replies[i] = judged_and_kept(reply, *pending[i].examination, engine_->declaration());
+      });
     }
     for (std::size_t i = 0; i < pending.size(); ++i) {
       if (engine_ == nullptr && limit_.over()) break;  // what an engine has answered is judged
@@ -46,13 +48,13 @@ class Worker {
       if (engine_ == nullptr) {
         count(asked_[p.family], asked, p.examination->judge_reference());
       } else {
-        const Reply& reply = replies[i];
+        const JudgedReply& reply = replies[i];
         if (!reply.asked && (stop_ || limit_.over())) continue;
         if (reply.asked) {
-          count(asked_[p.family], asked, judged(reply, *p.examination, engine_->declaration()), reply.answer);
+          count(asked_[p.family], asked, reply.judgement, reply.answer);
         } else {
           ++asked_[p.family].not_asked;
-          asked_[p.family].given_up = reply.remark;
+          asked_[p.family].given_up = reply.judgement.remark;
         }
       }
       count(robust_[p.family], asked, p.examination->judge_robust());

@@ -22,6 +22,12 @@ Judgement judged(const Reply& reply, const Examination& examination, const Decla
   }
 }
 
+JudgedReply judged_and_kept(const Reply& reply, const Examination& examination, const Declaration& declaration) {
+  Judgement judgement = judged(reply, examination, declaration);
+  const bool is_example = judgement.verdict != Verdict::agree && judgement.verdict != Verdict::unsupported;
+  return {std::move(judgement), is_example ? kept(reply.answer) : Json(), reply.asked};
+}
+
 const Declaration& reference_declaration() {
   static const Declaration declaration{"reference", Declaration::Boundary::closed, false, 0};
   return declaration;
@@ -59,7 +65,7 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   const bool generic = !judgement.degenerate && in_general_position(asked.operation, asked.question);
   Finding found{asked.question, judgement, nullptr, asked.index, range, generic};
   if (counted.example && !shown_before(found, *counted.example)) return;
-  found.answer = kept(answer);
+  found.answer = answer;
   found.vector = asked.vector;
   counted.example = std::move(found);
 }

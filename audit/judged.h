@@ -10,6 +10,14 @@ namespace touchstone::audit {
 /// The verdict on what an engine replied to a question.
 Judgement judged(const Reply& reply, const Examination& examination, const Declaration& declaration);
 
+/// What is kept of a reply.
+struct JudgedReply {
+  Judgement judgement;  ///< where the engine was not asked, its remark says why
+  Json answer;          ///< as kept; null where the judgement is no finding's
+  bool asked = true;
+};
+JudgedReply judged_and_kept(const Reply& reply, const Examination& examination, const Declaration& declaration);
+
 /// A case as it is counted.
 struct Asked {
   const Operation& operation;
@@ -20,7 +28,8 @@ struct Asked {
   std::string vector{};  ///< as in Finding
 };
 
-/// Counts a judged case into a cell, and keeps it if it is the best example of its way of answering.
+/// Counts a judged case into a cell, and keeps it, with its answer as kept, if it is the best example of its way of
+/// answering.
 void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Json& answer = nullptr);
 
 /// How a judged case was answered.

@@ -11,7 +11,7 @@ namespace touchstone::audit {
 /// decimals that read back exactly.
 std::string repeat_command(const Operation& operation, const Question& question, const Repeat& repeat, bool foreign);
 
-/// The same of the engine that a tally counts, or of robust beside it.
+/// The same of the engine that a tally counts, or of robust next to it.
 std::string repeat_command(const Operation& operation, const Question& question, const Tally& tally, bool of_robust);
 
 }  // namespace touchstone::audit

@@ -25,7 +25,7 @@ class Shrinker {
   Shrinker(const Shrinking& shrinking, std::size_t family, const Way& way)
       : shrinking_(shrinking), family_(family), way_(way) {}
 
-  /// `smaller`: otherwise only the answer is put beside the question as it was drawn.
+  /// `smaller`: otherwise the question stays as drawn and only its answer is added.
   void shrink(Finding& example, bool smaller) {
     if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
     DrawStream draws = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
@@ -37,7 +37,7 @@ class Shrinker {
     };
     const std::vector<std::uint8_t> bytes = shrunk(draws.recorded(), still_shown, smaller ? budget() : 0);
     std::optional<Finding> least = look(bytes, example.index);
-    // Only to have the answer beside the question as it was drawn.
+    // Only to have the answer to the question as it was drawn.
     if (!least || shown_before(example, *least)) least = look(draws.recorded(), example.index);
     if (least) example = *std::move(least);
   }

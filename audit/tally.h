@@ -27,7 +27,7 @@ inline constexpr std::size_t range_count = 2;
 inline constexpr std::array<const char*, range_count> range_names{"ordinary", "extreme"};
 inline const char* name_of(Range range) { return range_names[static_cast<std::size_t>(range)]; }
 
-/// What counts as a number of ordinary size, beside 0: least <= |number| <= most.
+/// What counts as a number of ordinary size, apart from 0: least <= |number| <= most.
 struct Limits {
   double least = 0x1p-100, most = 0x1p100;
   friend bool operator==(const Limits&, const Limits&) = default;
@@ -37,7 +37,7 @@ Range range_of(const Question& question, const Limits& limits = {});
 struct Finding {
   Question question;
   Judgement judgement;
-  Json answer;              ///< what the engine said; null if nothing
+  Json answer;              ///< what the engine answered; null if nothing
   std::uint64_t index = 0;  ///< of the case within its operation and family
   Range range = Range::ordinary;
   bool generic = true;  ///< audit/generic.h
@@ -60,7 +60,7 @@ bool shown_before(const Finding& a, const Finding& b);
 /// Answers without enumerators, as a Way names them.
 inline constexpr const char *no_valid_answer = "no valid answer", *no_answer = "no answer";
 
-/// A way of answering: the verdict, and what was true and what was said, in enumerators of the operation ("boundary",
+/// A way of answering: the verdict, the truth and the answer, both in enumerators of the operation ("boundary",
 /// "convex/ccw"). Truths without any are "value", and of what robust and oracle refuse differently "refused". Answers
 /// may also be "value", "true" or "false", "no valid answer" where the verdict is `invalid`, "no answer" where it is
 /// `unsupported`.

@@ -66,15 +66,18 @@ class Job {
 
   void ask() {
     if (pending_.empty()) return;
-    const std::vector<Reply> replies = engine_->ask(operation_, questions_);
+    std::vector<JudgedReply> replies(pending_.size());
+    engine_->ask_each(operation_, questions_, [&](std::size_t i, const Reply& reply) {
+      replies[i] = judged_and_kept(reply, *pending_[i].examination, engine_->declaration());
+    });
     for (std::size_t i = 0; i < pending_.size(); ++i) {
-      const Examination& examination = *pending_[i].examination;
-      if (replies[i].asked) {
-        count(answers_, {operation_, questions_[i], examination.outcome(), pending_[i].index},
-              judged(replies[i], examination, engine_->declaration()), replies[i].answer);
+      const auto& [judgement, answer, asked] = replies[i];
+      if (asked) {
+        count(answers_, {operation_, questions_[i], pending_[i].examination->outcome(), pending_[i].index}, judgement,
+              answer);
       } else {
         ++answers_.not_asked;
-        answers_.given_up = replies[i].remark;
+        answers_.given_up = judgement.remark;
       }
     }
     pending_.clear();

@@ -34,14 +34,14 @@ class EngineResult {
     std::uint64_t found = 0;
     for (const VectorQuestions::Answered& vector : questions.ask(engine_)) {
       Cell& cell = cells_[vector.operation->name()][vector.family];
-      if (!vector.asked) {
+      if (!vector.reply.asked) {
         ++cell.not_asked;
-        cell.given_up = vector.judgement.remark;
+        cell.given_up = vector.reply.judgement.remark;
         continue;
       }
       const Asked asked{*vector.operation, vector.question, vector.truth, vector.number, tally_.limits, vector.id};
-      count(cell, asked, vector.judgement, vector.answer);
-      if (is_finding(vector.judgement.verdict) && ++found <= most_told_) tell(file, vector);
+      count(cell, asked, vector.reply.judgement, vector.reply.answer);
+      if (is_finding(vector.reply.judgement.verdict) && ++found <= most_told_) tell(file, vector);
     }
     if (found > most_told_) out_ << file << ": " << found - most_told_ << " more findings, which --verbose shows\n";
   }
@@ -86,12 +86,12 @@ class EngineResult {
   /// What an audit's files say of a finding, below file, line and verdict.
   void tell(const std::string& file, const VectorQuestions::Answered& vector) {
     Finding finding;
-    finding.question = vector.question, finding.judgement = vector.judgement, finding.answer = vector.answer;
-    finding.vector = vector.id;
+    finding.question = vector.question, finding.vector = vector.id;
+    finding.judgement = vector.reply.judgement, finding.answer = vector.reply.answer;
     std::string lines = described(tally_, vector.operation->name(), finding);
     for (std::size_t at = 0; at + 1 < lines.size() && at != std::string::npos; at = lines.find('\n', at + 1))
       lines.insert(at == 0 ? 0 : at + 1, "  ");
-    out_ << file << ": line " << vector.number << ": " << name_of(vector.judgement.verdict) << '\n' << lines;
+    out_ << file << ": line " << vector.number << ": " << name_of(vector.reply.judgement.verdict) << '\n' << lines;
   }
 
   static constexpr std::uint64_t usually_told = 10;

@@ -42,7 +42,7 @@ std::string path_of_difference(const Json& a, const Json& b, const std::string& 
   return found;
 }
 
-/// The name of a number of the map's centre, found by moving it: beside coordinates a question may hold lengths of
+/// The name of a number of the map's centre, found by moving it: apart from coordinates a question may hold lengths of
 /// lists.
 std::string field_of(const Operation& operation, const Question& centre, std::size_t number, double step) {
   Question moved = centre;
@@ -94,10 +94,11 @@ Probe probed(const Operation& operation, const MapGrid& grid, bool binary32, Eng
     }
   }
   if (engine == nullptr) return probe;
-  const std::vector<Reply> replies = engine->ask(operation, questions);
-  for (std::size_t i = 0; i < replies.size(); ++i) {
-    probe.add(judged(replies[i], *examinations[i], engine->declaration()).verdict);
-  }
+  std::vector<Verdict> verdicts(questions.size());
+  engine->ask_each(operation, questions, [&](std::size_t i, const Reply& reply) {
+    verdicts[i] = judged(reply, *examinations[i], engine->declaration()).verdict;
+  });
+  for (const Verdict verdict : verdicts) probe.add(verdict);
   return probe;
 }
 

@@ -47,7 +47,7 @@ Shade shade_of_distance(const Judgement& judgement) {
   return {judgement.verdict, "more than 15 digits lost", false, digits.size()};
 }
 
-/// Of an answer that is one of many right ones, and of one whose numbers are not those that were asked for, the verdict
+/// Of an answer that is one of many right ones, and of one whose numbers are not the requested ones, the verdict
 /// says all.
 template <class Answer>
 Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome, const Answer& answer) {
@@ -58,7 +58,7 @@ Shade shade_of(Kind kind, const Judgement& judgement, const std::string& outcome
     return measured && kind != Kind::checked && kind != Kind::covering ? shade_of_distance(judgement)
                                                                        : Shade{judgement.verdict, ""};
   }
-  if (judgement.verdict == Verdict::invalid) return {judgement.verdict, ""};  // it may have said anything
+  if (judgement.verdict == Verdict::invalid) return {judgement.verdict, ""};  // it may have answered anything
   const bool decided = judgement.verdict == Verdict::agree || judgement.verdict == Verdict::inexact;
   return {judgement.verdict, decided ? outcome : word_in(answer())};
 }
@@ -105,26 +105,24 @@ PixelRow examined(const Operation& operation, const std::vector<Question>& asked
 
 void ask_engine(const Operation& operation, const std::vector<std::unique_ptr<Examination>>& row, Engine& engine,
                 std::vector<Shade>& shades) {
+  const std::size_t before = shades.size();
   std::vector<Question> questions;
-  for (const auto& examination : row) {
-    if (examination) questions.push_back(examination->question());
+  std::vector<std::size_t> pixels;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    shades.push_back({Verdict::unsupported, "", true});
+    if (row[i]) questions.push_back(row[i]->question()), pixels.push_back(i);
   }
-  const std::vector<Reply> replies = engine.ask(operation, questions);
-  std::size_t next = 0;
-  for (const auto& examination : row) {
-    if (!examination) {
-      shades.push_back({Verdict::unsupported, "", true});
-      continue;
-    }
-    const Reply& reply = replies[next++];
+  engine.ask_each(operation, questions, [&](std::size_t i, const Reply& reply) {
+    const Examination& examination = *row[pixels[i]];
+    Shade& shade = shades[before + pixels[i]];
     if (reply.kind == Reply::Kind::answered) {
-      const Judgement judgement = examination->judge_engine(reply.answer, engine.declaration());
-      shades.push_back(
-          shade_of(operation.metadata().kind, judgement, examination->outcome(), [&] { return plain(reply.answer); }));
+      const Judgement judgement = examination.judge_engine(reply.answer, engine.declaration());
+      shade =
+          shade_of(operation.metadata().kind, judgement, examination.outcome(), [&] { return plain(reply.answer); });
     } else {
-      shades.push_back({reply.kind == Reply::Kind::failed ? Verdict::invalid : Verdict::unsupported, "no answer"});
+      shade = {reply.kind == Reply::Kind::failed ? Verdict::invalid : Verdict::unsupported, "no answer"};
     }
-  }
+  });
 }
 
 /// Words by how common they are among the truths, so that all maps of an operation give a word the same look.

@@ -13,7 +13,7 @@ namespace touchstone::audit {
 
 /// What is worth telling of how an engine behaved and is no answer to a question: names of its first line that nobody
 /// knows, how often it was started anew, and lines that are no answer. Engines of several jobs write into one.
-/// How often something happened may depend on the jobs, so it is told on standard error and stands in no result.
+/// How often something happened may depend on the jobs, so it is reported on standard error and stands in no result.
 class EngineNotes {
  public:
   void add_of_first_line(const std::string& remark);

@@ -26,14 +26,13 @@ PipeEngine::PipeEngine(std::string command, const PipeLimits& limits, const std:
   start();
 }
 
-std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector<Question>& questions) {
+void PipeEngine::ask_each(const Operation& operation, const std::vector<Question>& questions, const Take& take) {
   if (operation.name() != operation_) {
     operation_ = operation.name();
     restarts_ = restarts_in_a_row_ = timeouts_ = 0;
   }
-  Round round{operation.metadata(), QuestionText(operation), questions, next_id_};
-  round.replies.resize(questions.size());
-  round.settled.resize(questions.size());
+  Round round{operation.metadata(),          QuestionText(operation), questions, take, next_id_,
+              std::vector<bool>(questions.size())};
   Indices to_ask(questions.size()), unanswered;
   std::iota(to_ask.begin(), to_ask.end(), 0);
   while (!to_ask.empty() && why_stop().empty()) {
@@ -43,8 +42,7 @@ std::vector<Reply> PipeEngine::ask(const Operation& operation, const std::vector
     unanswered.clear();
   }
   hear_repetitions(round);
-  for (const std::size_t index : to_ask) round.replies[index] = {Reply::Kind::failed, nullptr, why_stop(), false};
-  return std::move(round.replies);
+  for (const std::size_t index : to_ask) take(index, {Reply::Kind::failed, nullptr, why_stop(), false});
 }
 
 /// Settles the suspects, each alone with the engine, until it is given up. An engine that has answered before may have
@@ -146,7 +144,7 @@ std::optional<std::string> PipeEngine::take_line(const std::string& line, Round&
   const std::size_t index = round.asked[answer.id - round.first_id];
   if (round.settled[index]) {
     repeats_itself_ = true;
-    round.replies[index] = {Reply::Kind::failed, nullptr, "answered twice"};
+    round.take(index, {Reply::Kind::failed, nullptr, "answered twice"});
     return std::nullopt;
   }
   --round.owed;
@@ -167,8 +165,8 @@ void PipeEngine::hear_repetitions(Round& round) {
 }
 
 void PipeEngine::settle(Round& round, std::size_t index, Reply reply) {
-  round.replies[index] = std::move(reply);
   round.settled[index] = true;
+  round.take(index, std::move(reply));
 }
 
 void PipeEngine::start() {

@@ -38,22 +38,22 @@ class PipeEngine final : public Engine {
 
   const Declaration& declaration() const override { return hello_.declaration; }
   bool supports(const std::string& operation) const override { return hello_.operations.count(operation) > 0; }
-  std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override;
+  void ask_each(const Operation& operation, const std::vector<Question>& questions, const Take& take) override;
   void ask_until(const std::function<bool()>& over) override { over_ = over; }
 
   int restarts() const { return restarts_; }  ///< in the operation asked last
 
  private:
   using Clock = std::chrono::steady_clock;
-  /// One call of ask. A question is known by its index in it.
+  /// One call of ask_each. A question is known by its index in it.
   struct Round {
     const Metadata& metadata;
     const QuestionText text;
     const std::vector<Question>& questions;
+    const Take& take;
     std::uint64_t first_id;
+    std::vector<bool> settled;
     std::vector<std::size_t> asked{};  ///< by id - first_id; a question that is asked again has a second id
-    std::vector<Reply> replies{};
-    std::vector<bool> settled{};
     std::size_t owed = 0;
   };
   using Indices = std::deque<std::size_t>;

@@ -55,7 +55,7 @@ std::vector<std::string> remarks_on(const Json& hello) {
 }
 
 std::uint64_t read_id(const Json& id) {
-  // A language with one number type, or one told to read every number as a double, says 262.0.
+  // A language with one number type, or one that reads every number as a double, writes 262.0.
   if (is_typed_number(id)) {
     const double value = read_double(id, "id");
     if (value >= 0 && value <= 0x1p53 && value == std::trunc(value)) return static_cast<std::uint64_t>(value);

@@ -24,7 +24,7 @@ enum class Cause {
   tolerance,
   unsupported,
   not_asked,                ///< the engine was given up before these questions
-  inconsistent_convention,  ///< touches treated in two ways: one finding of an operation, of no family
+  inconsistent_convention,  ///< touches treated inconsistently: one finding of an operation, of no family
   surplus,                  ///< more listed than --max-surplus allows: likewise
 };
 inline constexpr std::size_t cause_count = 11;

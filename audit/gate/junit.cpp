@@ -17,7 +17,7 @@ struct Suite {
   std::string text;
   std::uint64_t tests = 0, failures = 0, skipped = 0;
 
-  /// failing, accepted: what is said of them, with newlines. Empty: nothing is.
+  /// failing, accepted: the text about them, with newlines; may be empty.
   void add(const std::string& operation, const std::string& name, const std::string& type, const std::string& message,
            const std::string& failing, const std::string& accepted) {
     ++tests;

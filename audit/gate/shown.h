@@ -14,7 +14,7 @@ std::string in_words(const GateEntry& entry);
 /// The best example of an entry within its family; nullptr where there is none.
 const Finding* example_of(const Tally& tally, const Found& found);
 
-/// Several lines: the id where it is a test vector, input, the same in hexadecimal, truth, answer, what is said of it,
+/// Several lines: the id where it is a test vector, input, the same in hexadecimal, truth, answer, its judgement,
 /// and the shell line that repeats it. Printable ASCII.
 std::string described(const Tally& tally, const std::string& operation, const Finding& finding, bool of_robust = false);
 

@@ -9,7 +9,7 @@ namespace touchstone::audit::meshes {
 namespace {
 
 /// Keywords of lines that say nothing of the surface: coordinates of textures, normals, groups, names, lines and
-/// points, materials, and how all this is shown. Curved surfaces are none of these: a mesh without them would be
+/// points, materials, and how all this is displayed. Curved surfaces are none of these: a mesh without them would be
 /// another one.
 bool passed_over(std::string_view keyword) {
   constexpr std::array<std::string_view, 19> all{

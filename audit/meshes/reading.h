@@ -39,7 +39,7 @@ class Text {
   std::size_t number() const { return number_; }
   const std::string& name() const { return name_; }
 
-  /// The nearest double, and a whole number.
+  /// The nearest double, and an integer.
   double number(std::string_view word) const;
   long long whole(std::string_view word) const;
   /// The vertex that the first three words behind `skipped` ones make.

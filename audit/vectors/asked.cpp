@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "audit/vectors/asked.h"
 
-#include "audit/audit_run.h"
 #include "audit/vectors/named_files.h"
-#include "catalogue/codec/plain.h"
+#include "catalogue/codec/json.h"
 #include "catalogue/operation/fitted.h"
 
 namespace touchstone::audit {
@@ -29,13 +28,16 @@ std::vector<VectorQuestions::Answered> VectorQuestions::ask(Engine& engine) cons
     std::vector<Question> questions;
     for (std::size_t i = first; i < pending_.size() && pending_[i].operation == &operation; ++i)
       questions.push_back(pending_[i].question);
-    const std::vector<Reply> replies = engine.ask(operation, questions);
-    for (const Reply& reply : replies) {
-      const Pending& vector = pending_[first++];
+    all.resize(first + questions.size());
+    engine.ask_each(operation, questions, [&](std::size_t i, const Reply& reply) {
+      const Pending& vector = pending_[first + i];
       const auto examination = operation.examine(vector.question);
-      all.push_back({vector.number, vector.id, vector.family, &operation, vector.question, examination->outcome(),
-                     judged(reply, *examination, engine.declaration()), kept(reply.answer), reply.asked});
-    }
+      all[first + i] = {vector.number,           vector.id,
+                        vector.family,           &operation,
+                        vector.question,         examination->outcome(),
+                        judged_and_kept(reply, *examination, engine.declaration())};
+    });
+    first += questions.size();
   }
   return all;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "audit/engines/engine.h"
+#include "audit/judged.h"
 
 /// Test vectors as questions to an engine.
 namespace touchstone::audit {
@@ -19,16 +19,14 @@ class VectorQuestions {
   /// A line of the file; what is no vector is passed over (vector_complaint says why).
   void add(std::uint64_t number, const std::string& line);
 
-  /// What an engine said to one vector, as the oracle judges it.
+  /// What an engine answered to one vector, as the oracle judges it.
   struct Answered {
     std::uint64_t number;
     std::string id, family;
     const Operation* operation;
     Question question;
     std::string truth;  ///< Examination::outcome()
-    Judgement judgement;
-    Json answer;
-    bool asked;  ///< false: the engine had been given up; the judgement's remark says why
+    JudgedReply reply;
   };
   /// In the order of the lines.
   std::vector<Answered> ask(Engine& engine) const;

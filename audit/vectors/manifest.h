@@ -8,7 +8,7 @@
 #include "audit/uses.h"
 #include "catalogue/codec/json.h"
 
-/// What vectors there are: manifest.json beside them, with a count and a hash of every file.
+/// What vectors there are: manifest.json next to them, with a count and a hash of every file.
 namespace touchstone::audit {
 
 inline constexpr const char* manifest_name = "manifest.json";

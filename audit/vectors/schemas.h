@@ -8,7 +8,7 @@
 namespace touchstone::audit {
 
 inline constexpr int vector_version = 1;
-/// The family of vectors whose numbers are not all finite; it stands beside the families, which hold no such numbers.
+/// The family of vectors whose numbers are not all finite; it stands next to the families, which hold no such numbers.
 inline constexpr const char* not_finite_family = "not_finite";
 
 /// What every line has, with every flag explained.

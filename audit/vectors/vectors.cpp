@@ -125,7 +125,7 @@ std::string robust_complaint(const Json& line, const Examined& examined) {
   return "";
 }
 
-/// What the line says beside the truth, as it would be written now. Another certificate may hold as well.
+/// What the line says in addition to the truth, as it would be written now. Another certificate may hold as well.
 std::string other_complaint(const Json& line, const Examined& examined) {
   const std::string family = line.value("family", "");
   const auto& families = examined.operation.families();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -21,25 +23,23 @@ class Scripted final : public Engine {
 
   const Declaration& declaration() const override { return declaration_; }
   bool supports(const std::string& operation) const override { return operation != "ray_segment"; }
-  std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override {
-    std::vector<Reply> replies;
-    for (const Question& question : questions) {
+  void ask_each(const Operation& operation, const std::vector<Question>& questions, const Take& take) override {
+    for (std::size_t i = 0; i < questions.size(); ++i) {
       if (over_ && over_()) {
-        replies.push_back({Reply::Kind::failed, nullptr, "the time is over", false});
+        take(i, {Reply::Kind::failed, nullptr, "the time is over", false});
         continue;
       }
-      const Json answer = answer_(question, *operation.examine(question));
+      const Json answer = answer_(questions[i], *operation.examine(questions[i]));
       if (answer.is_null()) {
-        replies.push_back({Reply::Kind::unsupported, nullptr, ""});
+        take(i, {Reply::Kind::unsupported, nullptr, ""});
       } else if (answer.contains("not asked")) {
-        replies.push_back({Reply::Kind::failed, nullptr, "given up", false});
+        take(i, {Reply::Kind::failed, nullptr, "given up", false});
       } else if (answer.contains("failure")) {
-        replies.push_back({Reply::Kind::failed, nullptr, answer["failure"].get<std::string>()});
+        take(i, {Reply::Kind::failed, nullptr, answer["failure"].get<std::string>()});
       } else {
-        replies.push_back({Reply::Kind::answered, parse_line(one_line(answer)), ""});
+        take(i, {Reply::Kind::answered, parse_line(one_line(answer)), ""});
       }
     }
-    return replies;
   }
   void ask_until(const std::function<bool()>& over) override { over_ = over; }
 
@@ -183,6 +183,22 @@ TEST_CASE("audit_runs: failures are invalid with their remark, silence is unsupp
   CHECK(failed->judgement.remark == "fell over");
   CHECK_THROWS_AS((Run{.operation = "ray_segment", .answer = right}.tally()),
                   EngineError);  // it has nothing that was asked
+}
+
+TEST_CASE("audit_runs: of a long answer no more is kept than a finding shows") {
+  const Json long_list(20'000, 12345);  // more than a megabyte once it is read
+  std::size_t least = SIZE_MAX, most = 0;
+  const auto at_length = [&](const Question&, const Examination& examination) -> Json {
+    const std::size_t in_use = mallinfo2().uordblks;
+    least = std::min(least, in_use), most = std::max(most, in_use);
+    return {{"side", examination.outcome() == "left" ? Json("right") : long_list}};
+  };
+  const Cell cell = Run{.cases = 300, .answer = at_length}.tally().operations[0].total();
+  CHECK(cell.count(Verdict::invalid) > 100);
+  const Finding* found = cell.example(Verdict::invalid);
+  REQUIRE(found);
+  CHECK(one_line(found->answer).size() < 5000);
+  CHECK(most - least < 20'000'000);
 }
 
 TEST_CASE("audit_runs: what was never asked is counted apart, and is no wrong answer") {

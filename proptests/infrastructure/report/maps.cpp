@@ -19,14 +19,12 @@ class WrongFarOut : public Engine {
  public:
   const Declaration& declaration() const override { return declaration_; }
   bool supports(const std::string&) const override { return true; }
-  std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override {
-    std::vector<Reply> replies;
-    for (const Question& question : questions) {
-      Json answer = operation.examine(question)->robust();
-      if (question.numbers[0] > 100) answer["side"] = answer["side"] == "left" ? "right" : "left";
-      replies.push_back({Reply::Kind::answered, answer, "", true, 0});
+  void ask_each(const Operation& operation, const std::vector<Question>& questions, const Take& take) override {
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      Json answer = operation.examine(questions[i])->robust();
+      if (questions[i].numbers[0] > 100) answer["side"] = answer["side"] == "left" ? "right" : "left";
+      take(i, {Reply::Kind::answered, answer, "", true, 0});
     }
-    return replies;
   }
 
  private:
@@ -95,9 +93,9 @@ TEST_CASE("maps: how many questions follows from those of the audit, at least 16
 TEST_CASE("maps: an engine is asked for a coarse map no more than five times its squares") {
   class Counting : public WrongFarOut {
    public:
-    std::vector<Reply> ask(const Operation& operation, const std::vector<Question>& questions) override {
+    void ask_each(const Operation& operation, const std::vector<Question>& questions, const Take& take) override {
       asked += questions.size();
-      return WrongFarOut::ask(operation, questions);
+      WrongFarOut::ask_each(operation, questions, take);
     }
     std::size_t asked = 0;
   } engine;
