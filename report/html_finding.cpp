@@ -9,6 +9,7 @@
 #include "audit/audit_run.h"
 #include "catalogue/codec/json.h"
 #include "catalogue/codec/plain.h"
+#include "catalogue/judge/tolerated.h"
 #include "catalogue/operation/explained.h"
 #include "catalogue/operation/truth_drawing.h"
 #include "geometry/invalid_input.h"
@@ -47,8 +48,18 @@ bool is_said(const std::string& note, const Json& truth) {
   return truth.is_object() && truth.contains(field);
 }
 
-std::string drawn(const Drawing& drawing, const std::string& title, const std::string& caption) {
-  const std::string svg = drawing.figures.empty() ? space_figure(drawing, title) : drawing_svg(drawing, title);
+/// Whether a gap too narrow to be seen may be what decides: the margin is that narrow, and not 0. Any other gap of the
+/// figure is an accident.
+bool decides_by_a_narrow_gap(const Operation& operation, const Examination& question) {
+  const int degree = operation.metadata().margin_degree;
+  if (!question.margin() || degree == 0) return true;
+  const mpq_class size = exact_value(greatest(question.question()));
+  return sgn(*question.margin()) != 0 && within(*question.margin(), mpq_class(size / 32), size, degree);
+}
+
+std::string drawn(const Drawing& drawing, const std::string& title, const std::string& caption, bool magnify) {
+  const std::string svg =
+      drawing.figures.empty() ? space_figure(drawing, title) : drawing_svg(drawing, title, false, magnify);
   return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>";
 }
 
@@ -68,7 +79,7 @@ Drawing answered_alone(Drawing drawing) {
 }
 
 std::string figures(const Operation& operation, const Finding& finding, const Drawing& drawing, const Json& truth,
-                    const std::string& who) {
+                    const std::string& who, bool magnify) {
   std::string notes;
   for (const std::string& note : drawing.notes) {
     if (is_said(note, truth)) continue;
@@ -82,10 +93,10 @@ std::string figures(const Operation& operation, const Finding& finding, const Dr
   draw_answered(both, operation, plain(finding.answer), finding.question);
   if (!shows_an_answer(both)) {
     const std::string more = notes.empty() ? "" : "<br><span class=\"quiet\">" + escaped(notes) + "</span>";
-    return drawn(drawing, title, right + " " + wrong + more);
+    return drawn(drawing, title, right + " " + wrong + more, magnify);
   }
-  return "<div class=\"beside\">" + drawn(drawing, title, right) +
-         drawn(answered_alone(both), title + ", and what was answered", wrong) + "</div>";
+  return "<div class=\"beside\">" + drawn(drawing, title, right, magnify) +
+         drawn(answered_alone(both), title + ", and what was answered", wrong, magnify) + "</div>";
 }
 
 std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement, Speaker speaker,
@@ -163,10 +174,11 @@ std::string right_case(const Operation& operation) {
   }
   if (!best) return "";
   const std::string input = one_line(operation.print(best->question()));
-  return "<section class=\"metadata right-case\"><h3>For comparison: a case where the formula is right</h3>" +
+  return "<section class=\"card right-case\"><h3>For comparison: a case where the formula is right</h3>" +
          drawn(best->drawing(), operation.name() + ": the input " + input,
                "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, readable(best->truth()))) +
-                   ". The formula answers the same.") +
+                   ". The formula answers the same.",
+               decides_by_a_narrow_gap(operation, *best)) +
          "<dl class=\"facts\"><dt>input</dt><dd>" + code(input) + "</dd></dl></section>";
 }
 
@@ -184,18 +196,20 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
           ? ""
           : phrase(operation, shown.way.answer) + " where it is " + phrase(operation, shown.way.truth) + " ";
   std::string text =
-      fmt::format("<section class=\"metadata finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
+      fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
                   badge(verdict, speaker), escaped(words), escaped(how_often),
                   escaped(why(finding, &operation, speaker, declaration.binary32)));
   std::string margin, proof, said;
   Json truth;
   Drawing drawing;
+  bool magnify = true;
   try {
     const Examination& question = finding.examination(operation);
     const bool narrow = operation.in_binary32(finding.question) == finding.question;
     truth = readable(question.truth());
     said = what_was_said(question, finding, declaration, speaker, narrow);
     if (question.margin()) margin = readable(*question.margin());
+    magnify = decides_by_a_narrow_gap(operation, question);
     proof = certificate(question);
     drawing = question.drawing();
   } catch (const InvalidInput& refused) {
@@ -203,8 +217,8 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
     drawing = drawing_of_refused(operation, finding.question, refused);
     said = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
   }
-  text += "<div class=\"seen\">" + figures(operation, finding, drawing, truth, name_of(speaker, declaration)) + said +
-          "</div>";
+  text += "<div class=\"seen\">" + figures(operation, finding, drawing, truth, name_of(speaker, declaration), magnify) +
+          said + "</div>";
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
   };

@@ -30,7 +30,7 @@ a{color:var(--link)}a:hover{text-decoration-thickness:2px}
 h1{font-size:30px;line-height:1.2;margin:2px 0 8px;letter-spacing:-.01em}
 h2{font-size:20px;margin:36px 0 10px}h3{font-size:16px;margin:0 0 6px}h4{font-size:14px;margin:0 0 6px;font-weight:600}
 p{margin:0 0 12px;max-width:78ch}.lead{font-size:17px}.quiet{color:var(--quiet)}.small{font-size:13.5px}
-.metadata{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:18px 20px;margin:0 0 18px}
+.card{background:var(--paper);border:1px solid var(--line);border-radius:10px;padding:18px 20px;margin:0 0 18px}
 .tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(176px,1fr));gap:10px;margin:20px 0 8px}
 .tile{background:var(--paper);border:1px solid var(--line);border-left:5px solid var(--c,var(--faint));border-radius:8px;padding:9px 12px}
 .tile b{display:block;font-size:20px;white-space:nowrap;line-height:1.25;font-variant-numeric:tabular-nums;font-weight:650}
@@ -95,9 +95,9 @@ details{margin-top:10px}summary{cursor:pointer;color:var(--link);font-size:14px}
 .player .plot{width:100%;height:auto;display:block;cursor:crosshair;background:var(--paper);border:1px solid var(--line);border-radius:8px}.plot path{fill:none}.plot .grid{stroke:var(--line)}.plot .mark{stroke:var(--truth);stroke-dasharray:3 3}.plot .now{stroke:var(--ink)}.plot .stroke{stroke-width:1.6;stroke-linejoin:round}.key .stroke,.plot .stroke{stroke:var(--c);fill:none;stroke-width:1.8}
 .chips li{border:1px solid var(--line);border-radius:99px;padding:1px 11px;background:var(--paper)}
 @media screen and (max-width:640px){
-main,header,nav,footer{padding-left:14px;padding-right:14px}.metadata{padding:14px}
+main,header,nav,footer{padding-left:14px;padding-right:14px}.card{padding:14px}
 h1{font-size:25px}.facts,dl.legend{grid-template-columns:1fr;gap:2px}.facts dd,dl.legend dd{margin-bottom:8px}
-.seen figure{overflow-x:auto}.seen figure .fig{max-width:none}.beside{min-width:0;max-width:100%}.seen .said{flex-basis:100%}.tiles{grid-template-columns:repeat(auto-fit,minmax(130px,1fr))}
+.seen figure{overflow-x:auto}.seen figure .fig{max-width:none}.seen figure .fig.space{max-width:100%}.beside{min-width:0;max-width:100%}.seen .said{flex-basis:100%}.tiles{grid-template-columns:repeat(auto-fit,minmax(130px,1fr))}
 table.stack thead{display:none}table.stack,table.stack tbody{display:block}
 table.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}
 table.stack th,table.stack td{display:block;border:0;padding:1px 0;text-align:left;white-space:normal;background:none;box-shadow:none}
@@ -113,9 +113,9 @@ table.stack td.none{display:none}table.stack td.bar-cell{padding:4px 0;width:aut
 body{background:#fff;font-size:10pt}nav,.screen,.walk,.cross{display:none}
 main,header,footer{max-width:none;padding:0}header{padding-top:0}h2{margin-top:24px}h2,h3,h4{break-after:avoid}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}
-.metadata{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
+.card{border-color:#bbb;padding:12px 14px;-webkit-box-decoration-break:clone;box-decoration-break:clone}
 p,.seen,figure,.tile,tr,pre,.maps,.legend,.said,.facts>*,.gallery a,.gallery img{break-inside:avoid}tr.total,summary,p:has(+pre){break-after:avoid}
-.metadata>h3,.metadata>h3+p,.metadata:has(.legend),.maps{break-after:avoid}.metadata:has(.legend),.metadata:has(.maps),.metadata:has(.chips){break-inside:avoid}
+.card>h3,.card>h3+p,.card:has(.legend),.maps{break-after:avoid}.card:has(.legend),.card:has(.maps),.card:has(.chips){break-inside:avoid}
 .tiles{grid-template-columns:repeat(auto-fit,minmax(88px,1fr))}.tile b{font-size:15pt}
 .scroll{overflow:visible}table,th,tbody th,th .small{font-size:7.2pt}th,td{padding:2px 3px}td.wide{min-width:90px}.bar.thin{min-width:40px}
 .seen .said{flex-basis:260px}.said code{font-size:7pt}.seen{column-gap:16px}.seen figure{flex-basis:350px}.seen figure:has(.wide){flex-basis:100%}.said,.said th,.said .badge,.said .small{font-size:8pt}.facts,dl.legend{font-size:9pt}code,pre{font-size:8pt}

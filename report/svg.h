@@ -8,10 +8,10 @@
 
 namespace touchstone::report {
 
-/// A drawing as SVG. Where a gap is too narrow to be seen, a second frame beside the first magnifies it, down to single
-/// doubles. `title` is what a screen reader says. Colours are the page's (figure_style); with `standalone` they are
-/// brought along.
-std::string drawing_svg(const Drawing& drawing, const std::string& title, bool standalone = false);
+/// A drawing as SVG. Where a gap is too narrow to be seen, and with `magnify`, a second frame next to it magnifies the
+/// gap, down to single doubles. `title` is what a screen reader says. Colours are the page's (figure_style); with
+/// `standalone` they are brought along.
+std::string drawing_svg(const Drawing& drawing, const std::string& title, bool standalone = false, bool magnify = true);
 
 /// The style sheet of figures, over the variables --q0 ... --q3 (parts of the question), --truth, --ink, --faint,
 /// --paper, each with a default.

@@ -22,7 +22,7 @@ inline Meshd moved(Meshd mesh, const Vector3d& v) {
   return mesh;
 }
 
-/// Points whose ways outline the volume that is swept over.
+/// Points whose paths outline the swept volume.
 inline std::vector<Point2d> outline(const Aabb2d& box, const Vector2d&) {
   return {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
 }
@@ -104,22 +104,65 @@ struct TouchingBalls {
     const Vector3d reach = (comes_along ? -radius : radius) * n;
     return {Point3d{0, 0, 0} + reach, Point3d{0, 0, 0} + (-1.0 * reach), radius};
   }
-  /// The velocities before, from the bodies, and the normal at the contact.
-  void draw_before(Drawing& drawing, const Velocitiesd& v, const Vector3d& normal) const {
+  /// The velocities before, from the bodies.
+  void draw_before(Drawing& drawing, const Velocitiesd& v) const {
     drawing.space.push_back({SpaceFigure::Kind::sphere, "a", {a.x, a.y, a.z, radius}, {}, false});
     draw_arrow(drawing, "a before", a, v.first, false);
     drawing.space.push_back({SpaceFigure::Kind::sphere, "b", {b.x, b.y, b.z, radius}, {}, false});
     draw_arrow(drawing, "b before", b, v.second, false);
-    draw_arrow(drawing, "normal", {0, 0, 0}, radius * unit_of(normal), false);
     drawing.notes.push_back("before: a " + in_words({v.first.x, v.first.y, v.first.z}) + ", b " +
-                            in_words({v.second.x, v.second.y, v.second.z}) + ", normal " +
-                            in_words({normal.x, normal.y, normal.z}));
+                            in_words({v.second.x, v.second.y, v.second.z}));
+  }
+  /// The same, and the normal at the contact.
+  void draw_before(Drawing& drawing, const Velocitiesd& v, const Vector3d& normal) const {
+    draw_before(drawing, v);
+    draw_arrow(drawing, "normal", {0, 0, 0}, radius * unit_of(normal), false);
+    drawing.notes.back() += ", normal " + in_words({normal.x, normal.y, normal.z});
   }
   void draw_after(Drawing& drawing, const Velocitiesd& v) const {
     draw_arrow(drawing, "a after", a, v.first, true);
     draw_arrow(drawing, "b after", b, v.second, true);
   }
 };
+
+/// The velocity of a body before and after it bounces off a plane: the body is at the origin, where it meets the plane.
+/// The velocity before ends there, the one after starts there. Both are given in numbers as well.
+inline void draw_bounce(Drawing& drawing, const Vector3d& before, const Vector3d& normal, const Vector3d& after) {
+  const Point3d body{0, 0, 0};
+  drawing.space.push_back({SpaceFigure::Kind::point, "body", coordinates_of({body}), {}, false});
+  if (!is_zero(normal))
+    drawing.space.push_back({SpaceFigure::Kind::plane, "plane", {normal.x, normal.y, normal.z, 0}, {}, false});
+  if (!is_zero(before)) draw_arrow(drawing, "before", body + -1.0 * before, before, false);
+  if (!is_zero(after)) draw_arrow(drawing, "after", body, after, true);
+  drawing.notes.push_back("before: " + in_words({before.x, before.y, before.z}) + ", normal " +
+                          in_words({normal.x, normal.y, normal.z}));
+}
+
+/// Bodies in a row with their velocities, since the question has no places.
+inline void draw_in_a_row(Drawing& drawing, const std::vector<Bodyd>& bodies) {
+  double fastest = 0;
+  for (const Bodyd& body : bodies) fastest = std::max(fastest, largest(body.velocity));
+  const double apart = fastest > 0 ? 2 * fastest : 2;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Point3d at{apart * static_cast<double>(i), 0, 0};
+    drawing.space.push_back({SpaceFigure::Kind::point, std::to_string(i), coordinates_of({at}), {}, false});
+    if (!is_zero(bodies[i].velocity))
+      draw_arrow(drawing, "velocity of " + std::to_string(i), at, bodies[i].velocity, false);
+  }
+  drawing.notes.push_back("the question has no places: the bodies are drawn in a row");
+}
+
+/// What each body contributes to the momentum, head to tail from the origin; the sum leads to the last head.
+inline void draw_head_to_tail(Drawing& drawing, const std::vector<Bodyd>& bodies, const Vector3d& momentum) {
+  Point3d tail{0, 0, 0};
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Vector3d part = bodies[i].mass * bodies[i].velocity;
+    draw_arrow(drawing, "momentum of " + std::to_string(i), tail, part, false);
+    tail = tail + part;
+  }
+  draw_arrow(drawing, "sum", {0, 0, 0}, momentum, true);
+  drawing.notes.push_back("mass times velocity of each body, head to tail");
+}
 
 inline void draw_masses(Drawing& drawing, const Massesd& masses) {
   drawing.notes.push_back("masses " + decimal(masses.first) + " and " + decimal(masses.second) +

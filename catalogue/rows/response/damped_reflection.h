@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/damped_reflection.h"
@@ -54,10 +55,17 @@ struct damped_reflection {
   static Question map_centre() { return {{3, 1, 0}, {1, 3, 0}, 0}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {1, 6}; }
 
+  static void draw(Drawing& drawing, const Question& question, const Vector3d& truth) {
+    const auto& [velocity, normal, k] = question;
+    draw_bounce(drawing, velocity, normal, truth);
+    drawing.notes.push_back("k = " + decimal(k));
+  }
+
   static Hooks<damped_reflection> hooks() {
     return {.scale = scale,
             .map_centre = map_centre,
             .map_axes = map_axes,
+            .draw = draw,
             .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/impact_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/inelastic_collision.h"
@@ -48,8 +49,20 @@ struct inelastic_collision {
   /// Both stop: moves the second velocity's y and z.
   static Question map_centre() { return {{2, 3}, {{3, -6, 9}, {-2, 4, -6}}}; }
 
+  /// Two balls that touch in the direction in which they approach, with their velocities before and the common one
+  /// after.
+  static void draw(Drawing& drawing, const Question& question, const Vector3d& truth) {
+    const auto& [masses, velocities] = question;
+    const TouchingBalls balls = TouchingBalls::of(velocities, velocities.first - velocities.second);
+    balls.draw_before(drawing, velocities), balls.draw_after(drawing, {truth, truth});
+    draw_masses(drawing, masses);
+  }
+
   static Hooks<inelastic_collision> hooks() {
-    return {.repair = repair, .map_centre = map_centre, .laws = {.maps = Laws::Maps::affine, .scales = true}};
+    return {.repair = repair,
+            .map_centre = map_centre,
+            .draw = draw,
+            .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 
  private:

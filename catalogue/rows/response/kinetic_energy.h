@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/body_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/kinetic_energy.h"
@@ -51,8 +52,16 @@ struct kinetic_energy {
   /// Nothing moves: moves the second velocity's y and z.
   static Question map_centre() { return {{{2, {0, 0, 0}}, {3, {0, 0, 0}}}}; }
 
+  static void draw(Drawing& drawing, const Question& question, const double&) {
+    draw_in_a_row(drawing, std::get<0>(question));
+  }
+
   static Hooks<kinetic_energy> hooks() {
-    return {.repair = repair, .scale = scale, .map_centre = map_centre, .laws = {.maps = Laws::Maps::axes}};
+    return {.repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .draw = draw,
+            .laws = {.maps = Laws::Maps::axes}};
   }
 
  private:

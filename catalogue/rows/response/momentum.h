@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/body_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/momentum.h"
@@ -52,10 +53,15 @@ struct momentum {
   /// It cancels: moves the second velocity's y and z.
   static Question map_centre() { return {{{2, {3, -6, 9}}, {3, {-2, 4, -6}}}}; }
 
+  static void draw(Drawing& drawing, const Question& question, const Vector3d& truth) {
+    draw_head_to_tail(drawing, std::get<0>(question), truth);
+  }
+
   static Hooks<momentum> hooks() {
     return {.repair = repair,
             .scale = scale,
             .map_centre = map_centre,
+            .draw = draw,
             .laws = {.maps = Laws::Maps::affine, .scales = true}};
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/bounce_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/reflect_plane.h"
@@ -46,8 +47,14 @@ struct reflect_plane {
   /// Along the plane: moves the normal's y and z.
   static Question map_centre() { return {{3, 1, 0}, {1, -3, 0}}; }
 
+  static void draw(Drawing& drawing, const Question& question, const Vector3d& truth) {
+    draw_bounce(drawing, std::get<0>(question), std::get<1>(question), truth);
+  }
+
   static Hooks<reflect_plane> hooks() {
-    return {.map_centre = map_centre, .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+    return {.map_centre = map_centre,
+            .draw = draw,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
   }
 
  private:

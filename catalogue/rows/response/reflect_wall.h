@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/motions.h"
 #include "catalogue/families/box_draws.h"
 #include "catalogue/operation/row.h"
 #include "oracle/response/reflect_wall.h"
@@ -73,8 +74,18 @@ struct reflect_wall {
   static Question map_centre() { return {{12, -5, 3}, Axis::x}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
+  static void draw(Drawing& drawing, const Question& question, const Vector3d& truth) {
+    const auto& [velocity, axis] = question;
+    const Vector3d normal{axis == Axis::x ? 1.0 : 0.0, axis == Axis::y ? 1.0 : 0.0, axis == Axis::z ? 1.0 : 0.0};
+    draw_bounce(drawing, velocity, normal, truth);
+  }
+
   static Hooks<reflect_wall> hooks() {
-    return {.residuals = residuals, .map_centre = map_centre, .map_axes = map_axes, .laws = {.scales = true}};
+    return {.residuals = residuals,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .draw = draw,
+            .laws = {.scales = true}};
   }
 
  private:

@@ -280,6 +280,31 @@ TEST_CASE("pages: velocities after an impact stand at the bodies, those that wer
   CHECK(arrows(false, true) == Places{{-1, 0}, {1, 3}});
 }
 
+TEST_CASE("pages: momenta are drawn head to tail, a bounce at the body") {
+  const auto arrows = [](const char* operation, const Question& question) {
+    std::vector<std::vector<double>> found;
+    for (const SpaceFigure& figure : find_operation(operation)->examine(question)->drawing().space) {
+      if (figure.kind == SpaceFigure::Kind::arrow) found.push_back(figure.numbers);
+    }
+    return found;
+  };
+  using Arrows = std::vector<std::vector<double>>;
+  // Two bodies, mass and velocity of each: 2 (1, 0, 0) + 3 (0, 1, 0).
+  CHECK(arrows("momentum", {{2, 1, 0, 0, 3, 0, 1, 0}, {2}}) ==
+        Arrows{{0, 0, 0, 2, 0, 0}, {2, 0, 0, 2, 3, 0}, {0, 0, 0, 2, 3, 0}});
+  // Down and forwards onto a floor: the velocity before ends at the body, the one after starts there.
+  CHECK(arrows("reflect_plane", {{1, -2, 0, 0, 1, 0}, {}}) == Arrows{{-1, 2, 0, 0, 0, 0}, {0, 0, 0, 1, 2, 0}});
+  CHECK(arrows("reflect_plane", {{0, 0, 0, 0, 1, 0}, {}}).empty());
+}
+
+TEST_CASE("pages: a gap is magnified only on request") {
+  Drawing drawing;
+  drawing.figures.push_back({Figure::Kind::segment, "segment", {0, 0, 4, 0}});
+  drawing.figures.push_back({Figure::Kind::point, "point", {1, 0x1p-30}});
+  CHECK(drawing_svg(drawing, "", false, true).find("; gap ") != std::string::npos);
+  CHECK(drawing_svg(drawing, "", false, false).find("; gap ") == std::string::npos);
+}
+
 TEST_CASE("pages: before and after a fix, what changed most first") {
   Cell fixed, worse = cell_of_orientation();
   fixed.ways[{Verdict::agree, "left", "left"}].cases = {100, 0};
@@ -305,7 +330,7 @@ TEST_CASE("pages: what the gate says stands above the tables, and no gate says n
   const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
   const std::string page = index_page(tally, {}, {"", nullptr, "gate: failed: 1 new finding\n  a < b\n"});
   CHECK_THAT(page,
-             ContainsSubstring("<h2>Gate</h2><div class=\"metadata\"><pre>gate: failed: 1 new finding\n  a &lt; b"));
+             ContainsSubstring("<h2>Gate</h2><div class=\"card\"><pre>gate: failed: 1 new finding\n  a &lt; b"));
   CHECK(place_of(page, "<h2>Gate</h2>") < place_of(page, "<h2>By operation</h2>"));
   CHECK(index_page(tally, {}).find("<h2>Gate</h2>") == std::string::npos);
 }
