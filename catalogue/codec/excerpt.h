@@ -7,7 +7,7 @@
 namespace touchstone::catalogue {
 
 /// Text from elsewhere as it may be shown on a terminal: control characters and bytes that are no UTF-8 are written
-/// \xNN, and of what is longer than `most` bytes only the beginning is shown, with the length of the whole.
+/// \xNN, and of what is longer than `most` bytes only the beginning is kept, with the full length.
 std::string excerpt(std::string_view text, std::size_t most);
 
 /// What is shown of a key that no field has.

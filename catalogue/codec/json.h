@@ -54,7 +54,7 @@ std::string member_path(const std::string& path, const char* name);
 std::string unknown_path(const std::string& path, const std::string& key);
 
 bool read_flag(const Json& value, const std::string& field);
-/// A whole number 0 <= n < 2^32.
+/// An integer 0 <= n < 2^32.
 std::uint32_t read_index(const Json& value, const std::string& field);
 
 }  // namespace touchstone::catalogue

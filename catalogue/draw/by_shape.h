@@ -13,7 +13,7 @@ namespace touchstone::catalogue {
 bool draw_figure(Drawing& drawing, const Shape& shape, const std::string& label, Cursor<double>& from, bool answer);
 bool has_figure(const Shape& shape);
 
-/// Draws a question's arguments by their types; what has no figure is told.
+/// Draws a question's arguments by their types; what has no figure is noted in words.
 void draw_question(Drawing& drawing, const Shape& shape, const Question& question);
 
 }  // namespace touchstone::catalogue

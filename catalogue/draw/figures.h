@@ -67,7 +67,7 @@ inline std::string in_words(const Point3d& p) {
   return "(" + decimal(p.x) + ", " + decimal(p.y) + ", " + decimal(p.z) + ")";
 }
 
-/// What a view of space cannot show to the last digit is told as well.
+/// What a view of space cannot show to the last digit is noted in words as well.
 inline void draw(Drawing& drawing, const std::string& label, const Point3d& p, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::point, label, {p.x, p.y, p.z}, {}, answer});
   drawing.notes.push_back(label + ": " + in_words(p));

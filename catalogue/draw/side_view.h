@@ -35,7 +35,7 @@ struct SideView {
   /// A position by its signed distance from the plane, which is known better than rounded coordinates would tell it.
   Point2d at(const Vector3d& from_start, double distance) const { return {dot(from_start, across), distance}; }
 
-  /// The plane as a line under that stretch, and its normal beside it.
+  /// The plane as a line under that stretch, and its normal next to it.
   static void draw_plane(Drawing& drawing, double left, double right, double height) {
     const double size = std::max({right - left, std::fabs(height), std::ldexp(1, -1070)});
     drawing.figures.push_back({Figure::Kind::line, "plane", {left - size / 8, 0, right + size / 8, 0}, false});

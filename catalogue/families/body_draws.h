@@ -40,7 +40,7 @@ inline Bodies cancelling_bodies(DrawStream& c) {
   return list;
 }
 
-/// Heavy and slow beside light and fast.
+/// Heavy and slow next to light and fast.
 inline Bodies far_apart_bodies(DrawStream& c) {
   return drawn_bodies(c, [](DrawStream& d) {
     const int k = static_cast<int>(d.below(1001)) - 500, l = static_cast<int>(d.below(1001)) - 500;

@@ -28,7 +28,7 @@ inline Vector3d zero_vector(DrawStream& c) {
   return {x, y, either_zero(c)};
 }
 
-/// The normal along an axis, of any sign: zeros beside one number.
+/// The normal along an axis, of any sign: zeros next to one number.
 inline Vector3d axis_normal(DrawStream& c) {
   Vector3d n = zero_vector(c);
   const double length = 1 + static_cast<double>(c.below(8)), signed_length = c.below(2) == 1 ? -length : length;
@@ -105,7 +105,7 @@ inline Bounce at_end_of_range(DrawStream& c) {
   return {v, lattice_normal(c, 3)};
 }
 
-/// With n = (1, b, 0), x - 2 (x + b y) / (1 + b^2) is an odd number of 54 digits, and 1 / (1 + b^2) less: beside a tie
+/// With n = (1, b, 0), x - 2 (x + b y) / (1 + b^2) is an odd number of 54 digits, and 1 / (1 + b^2) less: near a tie
 /// by 2^-103 of it.
 inline Bounce bounce_beside_a_tie(DrawStream& c) {
   const std::uint64_t half = std::uint64_t{1} << 52, b = 2 * (1 + c.below(std::uint64_t{1} << 24));

@@ -204,7 +204,7 @@ Points many_cospherical(DrawStream& c) {
   return points;
 }
 
-/// A box, and points of its faces or an ulp beside them.
+/// A box, and points of its faces or an ulp away from them.
 Points many_beside_faces(DrawStream& c) {
   Points points;
   for (const double x : {-0.3, 0.7})

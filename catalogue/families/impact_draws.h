@@ -92,7 +92,7 @@ inline Impact impact_at_end_of_range(DrawStream& c) {
 }
 
 /// With m1 + m2 = M and m2 = (M + 1) / 4, both of up to 53 digits: 2 q + 4 m2 / M is 2 q + 1, an odd number of 54
-/// digits, and 1 / M more. The other body is beside a tie too.
+/// digits, and 1 / M more. The other body is near a halfway case too.
 inline Impact impact_beside_a_tie(DrawStream& c) {
   const std::uint64_t quarter = (std::uint64_t{1} << 50) + c.below(std::uint64_t{1} << 50);
   const double q = 0x1p53 + 2 * static_cast<double>(1 + c.below(std::uint64_t{1} << 51));

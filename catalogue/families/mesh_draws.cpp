@@ -126,7 +126,7 @@ Meshd broken(Meshd mesh, DrawStream& draws) {
     case 4:
       for (Point3d& vertex : mesh.vertices) vertex.z = 0;
       break;
-    case 5: break;  // whole, so that the family has answers too
+    case 5: break;  // intact, so that the family has answers too
     default: {
       const auto count = static_cast<Index>(mesh.vertices.size());
       const std::vector<Face> faces = mesh.faces;

@@ -29,7 +29,7 @@ Point3d between_vertices(const Meshd& mesh, DrawStream& draws);
 /// Mesh and point by one integer map of determinant not 0, entries at most 4.
 void map_linearly(Meshd& mesh, Point3d& point, DrawStream& draws);
 
-/// Mostly a mesh that breaks a rule: a face missing, doubled, turned over or of two vertices, all in one plane, two
+/// Mostly a mesh that breaks a rule: a face missing, doubled, reversed or of two vertices, all in one plane, two
 /// solids.
 Meshd broken(Meshd mesh, DrawStream& draws);
 

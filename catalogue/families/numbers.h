@@ -36,7 +36,7 @@ double ordinary(DrawStream& draws);
 /// A number that people type: 0.1, 0.2, 0.3, 1/3, 1e6 + 0.1 ...
 double typed(DrawStream& draws);
 
-/// A few bits at an exponent from one end of the range to the other: 1e-308 beside 1e308.
+/// A few bits at an exponent from one end of the range to the other: 1e-308 next to 1e308.
 double mixed_exponent(DrawStream& draws);
 
 /// Half a unit in the last place of 1, give or take one bit at 2^first or less than `places` below.

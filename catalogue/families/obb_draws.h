@@ -9,7 +9,7 @@
 #include "catalogue/families/space_draws.h"
 #include "geometry/volumes.h"
 
-/// Oriented boxes, drawn from a draw stream; of even integers, so that half of a half axis is whole.
+/// Oriented boxes, drawn from a draw stream; of even integers, so that half of a half axis is an integer.
 namespace touchstone::catalogue {
 
 using HalfAxes3d = HalfAxes<double>;
@@ -103,7 +103,7 @@ inline void bring_to_touch(const Obb3d& a, Obb3d& b, std::size_t i, std::size_t 
   }
 }
 
-/// Two boxes at right angles, turned each for itself, that only the axis across the half axes number i and j tells
+/// Two boxes at right angles, each rotated by itself, that only the axis across the half axes number i and j tells
 /// apart, by a small gap; or that just overlap, or touch. i and j of one box: the normal of its faces on the third.
 inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, DrawStream& c) {
   std::pair<Obb3d, Obb3d> boxes{{lattice_point_in_space(c, 10), turned_half_axes(c)}, {{}, turned_half_axes(c)}};
@@ -120,7 +120,7 @@ inline std::pair<Obb3d, Obb3d> apart_on_one_axis(std::size_t i, std::size_t j, D
   return boxes;
 }
 
-/// Two beams on edge, one on the other, their ridges turned against each other by an angle of twice `half`: along the
+/// Two beams on edge, one on the other, their ridges rotated against each other by an angle of twice `half`: along the
 /// normals of faces, which stand at 45 degrees, there is no gap. Without a sine, of which every library has its own.
 inline std::pair<Obb3d, Obb3d> beams_on_edge(DrawStream& c) {
   static constexpr double halves[] = {0.5e-4, 0.5e-3, 0.5e-5, 0.5e-6};

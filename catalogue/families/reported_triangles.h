@@ -18,7 +18,7 @@ inline std::pair<Triangle3d, Triangle3d> reported_triangles(DrawStream& draws) {
                                              {0.33368901163339598, 0.78312250971794173, 0.48936724662780751},
                                              {0.30854950845241502, 0.78318876028060946, 0.485759757459164},
                                              {0.32326500862836799, 0.77328351140022322, 0.4918477535247805}}};
-  // .../2382: 0.003 apart, and said to meet.
+  // .../2382: 0.003 apart, and reported to meet.
   static constexpr std::array<Point3d, 6> w{{{0.39234799146652199, 0.38443601131439198, 0.44744500517845198},
                                              {0.38924700021743752, 0.385637506842613, 0.45762349665164948},
                                              {0.38700349628925301, 0.38789276033639897, 0.45634675025939975},
@@ -33,7 +33,7 @@ inline std::pair<Triangle3d, Triangle3d> reported_triangles(DrawStream& draws) {
       // github.com/llnl/axom/issues/152: a common corner, missed in 6 of 36 orders of the corners.
       {{{76.648, 54.6752, 15.0012}, {76.648, 54.6752, 14.5542}, {76.582, 54.6752, 14.7879}},
        {{76.6252, 54.6752, 14.892}, {76.582, 54.6752, 14.7879}, {76.5617, 54.6752, 14.7929}}},
-      // github.com/benardp/contours/issues/1: apart, and said to meet.
+      // github.com/benardp/contours/issues/1: apart, and reported to meet.
       {{{12.3015, -0.253368, 5.49101}, {18.6765, -2.55337, 4.91756}, {12.3015, -2.55337, 4.91756}},
        {{-11.9885, -0.253368, 5.49101}, {1.61448, -0.253368, 5.49101}, {1.61448, -2.55337, 4.91756}}},
       // github.com/BrunoLevy/geogram/issues/10: an assertion.

@@ -82,7 +82,7 @@ Polygon2d slit_frame(DrawStream& c) {
   return {{{0, 0}, {a, 0}, {a, b}, {0, b}, {0, 2}, {1, 2}, {1, b - 1}, {a - 1, b - 1}, {a - 1, 1}, {0, 1}}};
 }
 
-/// Corners as people type them, 1e6 + 0.1 and tenths beside it.
+/// Corners as people type them, 1e6 + 0.1 and tenths around it.
 Polygon2d typed_ring(DrawStream& c) {
   const double where = c.below(2) == 1 ? 1e6 + 0.1 : 0.1;
   Polygon2d ring = c.below(2) == 1 ? comb_ring(c) : star_ring(c);

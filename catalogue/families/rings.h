@@ -18,7 +18,7 @@ Polygon2d convex_ring(DrawStream& draws);
 /// and back by their opposites or by one.
 Polygon2d long_convex_ring(DrawStream& draws);
 
-/// Seen whole from one point inside; mostly concave. Simple, counter-clockwise.
+/// Visible in full from one point inside; mostly concave. Simple, counter-clockwise.
 Polygon2d star_ring(DrawStream& draws);
 
 /// A comb: teeth of different lengths on a bar, the gaps down to width 1. Simple, counter-clockwise.
@@ -38,7 +38,7 @@ Polygon2d with_flat_vertex(Polygon2d ring, DrawStream& draws);
 /// the parts are exact.
 Polygon2d with_flat_runs(Polygon2d ring, DrawStream& draws);
 
-/// The points as people type or compute them: in tenths, by steps of 0.1 added up, or turned by an angle and scaled.
+/// The points as people type or compute them: in tenths, by steps of 0.1 added up, or rotated by an angle and scaled.
 /// What was in a line is so but for rounding.
 void compute(std::vector<Point2d>& points, DrawStream& draws);
 
@@ -50,10 +50,10 @@ Polygon2d with_spike(Polygon2d ring, DrawStream& draws);
 /// bits.
 Point2d on_an_edge(const Polygon2d& ring, DrawStream& draws);
 
-/// p, or a point at most 2 beside it in each coordinate.
+/// p, or a point at most 2 away from it in each coordinate.
 Point2d beside(const Point2d& p, DrawStream& draws);
 
-/// A triangle with an edge from the origin that rises by the least normal number, and a point on it or beside it: every
+/// A triangle with an edge from the origin that rises by the least normal number, and a point on it or near it: every
 /// difference in y is subnormal, and lost where such numbers are read as zero.
 std::tuple<Polygon2d, Point2d> beside_least_edge(DrawStream& draws);
 

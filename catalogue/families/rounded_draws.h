@@ -16,7 +16,7 @@ struct RoundedTriple {
 };
 
 /// On the line of the ends, or so near it that the determinant is between -u^2 and -u^2 / 2. Upwards errs most as it
-/// stands, downwards when turned by 180 degrees.
+/// stands, downwards when rotated by 180 degrees.
 inline RoundedTriple rounded_triple(DrawStream& draws, bool on_line) {
   constexpr double u = 0x1p-52;
   const double least = std::ldexp(1, -107 - static_cast<int>(draws.below(200)));

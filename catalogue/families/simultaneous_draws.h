@@ -204,7 +204,7 @@ inline Touching ordinary_net(DrawStream& c) {
   return t;
 }
 
-/// At the ends of the range: normals and velocities there, and an e beside 0 or 1.
+/// At the ends of the range: normals and velocities there, and an e near 0 or 1.
 inline Touching stretched_net(DrawStream& c) {
   Touching t = c.below(2) == 1 ? wedge(c) : cradle(c);
   if (t.contacts.size() > 4) t.contacts.resize(4);

@@ -9,7 +9,7 @@
 namespace touchstone::catalogue {
 
 /// A tetrahedron with a dent, a few cubes side by side (an angle, a ring, any), cubes around a hollow, a convex solid
-/// within another or beside it. Perhaps some faces turned over.
+/// within another or next to it. Perhaps some faces reversed.
 Meshd lattice_solid(DrawStream& draws);
 
 /// The faces of one to four tetrahedra over a few lattice points: they cross, cover each other, lie within each other,
@@ -29,7 +29,7 @@ const Meshd& named_solid(DrawStream& draws);
 /// in between.
 Meshd with_needless_faces(Meshd mesh, DrawStream& draws);
 
-/// A mesh with an edge in an odd number of faces, or one that breaks another rule; sometimes whole.
+/// A mesh with an edge in an odd number of faces, or one that breaks another rule; sometimes intact.
 Meshd opened(Meshd mesh, DrawStream& draws);
 
 /// A tetrahedron over the first four vertices, a dented one over the first five; fewer stay as they are.

@@ -28,7 +28,7 @@ inline Vector3d lattice_across(DrawStream& draws, const Vector3d& n) {
   return cross(n, Vector3d{x, y, z});
 }
 
-/// A normal whose length is a whole number; (0, 1, 0) is the simplest.
+/// A normal whose length is an integer; (0, 1, 0) is the simplest.
 struct WholeNormal {
   Vector3d n;
   double length;

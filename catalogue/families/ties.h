@@ -6,7 +6,7 @@
 /// Numbers so near to the middle between two doubles that only their last digits tell on which side they lie.
 namespace touchstone::catalogue {
 
-/// t v + rest is 2^51 times an odd integer of 54 digits, and one more or less: beside a tie by 2^-104 of it. All three
+/// t v + rest is 2^51 times an odd integer of 54 digits, and one more or less: 2^-104 of it from a tie. All three
 /// are integers.
 struct BesideTie {
   double t, v, rest;

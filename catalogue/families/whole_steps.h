@@ -6,10 +6,10 @@
 #include "catalogue/families/draw_stream.h"
 #include "geometry/space.h"
 
-/// Displacements of whole length, drawn from a draw stream.
+/// Displacements of integer length, drawn from a draw stream.
 namespace touchstone::catalogue {
 
-/// The way from one position to another and, where it is whole, its length; and whether all is to be seen in the plane.
+/// The displacement from one position to another, its length where that is an integer, and whether all is in the plane.
 struct Step {
   Vector3d way;
   double length;

@@ -16,7 +16,7 @@ constexpr mpfr_prec_t precision = 2400;
 // from 1: a root in the denominator of such a cosine must tell it from 1.
 constexpr mpfr_prec_t nearest_cosine = 8402, precision_of_roots = 9000;
 
-/// MPFR keeps constants for each thread, and frees them only where it is told to.
+/// MPFR keeps constants for each thread, and frees them only on request.
 struct Constants {
   ~Constants() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };

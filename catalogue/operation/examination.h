@@ -16,7 +16,7 @@ namespace touchstone::catalogue {
 
 class Operation;
 
-/// One question with everything that can be said about it. The oracle is asked when it is made; all else is computed
+/// One question with everything that can be said about it. The oracle answers when it is made; all else is computed
 /// when it is first asked for, and kept. For one thread at a time.
 class Examination {
  public:

@@ -106,7 +106,7 @@ class NumberJudge {
     return !std::isfinite(number->value) || explained_spreads * abs(exact_value(number->value) - exact) >= gap;
   }
 
-  /// A number that is another one on the other side of a touch, and the question is beside one.
+  /// A number that is another one on the other side of a touch, where the question is near one.
   bool jumps() const {
     return question_.row().metadata->kind == Kind::measure && beside_a_touch(question_, declaration_.binary32);
   }

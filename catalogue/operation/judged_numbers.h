@@ -4,7 +4,7 @@
 #include "catalogue/judge/compare.h"
 #include "catalogue/operation/examination.h"
 
-/// What is said of numbers that are further off than the stated bound (docs/judging.md, Numbers).
+/// The verdict on numbers that are further off than the stated bound (docs/judging.md, Numbers).
 namespace touchstone::catalogue {
 
 /// So many times what running error analysis allows the textbook formula is laid to rounding.

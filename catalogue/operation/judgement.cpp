@@ -68,7 +68,7 @@ bool products_underflow(const Examination& question, bool binary32) {
          *margin < exact_value(binary32 ? 0x1p-126 : 0x1p-1022);
 }
 
-/// What every judgement says beside its verdict: how `rounding` came about, and whether the question is degenerate.
+/// What every judgement adds to its verdict: how `rounding` came about, and whether the question is degenerate.
 Judgement with_particulars(Judgement judgement, const Examination& question, bool binary32) {
   if (judgement.verdict == Verdict::rounding)
     judgement.out_of_range = question.out_of_range(binary32) || products_underflow(question, binary32);
@@ -109,7 +109,7 @@ bool lists_too_much(const Judgement& judgement, const Declaration& declaration) 
   return declaration.pairs == Declaration::Pairs::exact && judgement.surplus > 0;
 }
 
-/// For a foreign implementation rounding is to blame where the question is beside a touch, or where the slide's formula
+/// For a foreign implementation rounding is to blame where the question is near a touch, or where the textbook formula
 /// in the engine's own number type is not sure of its decision (running error analysis) and decides wrongly too; of
 /// numbers that a checker refuses, where the formula's are refused for rounding. Where the plainest formula comes out
 /// right, the number type was good enough, and what is to blame is the choice of another.

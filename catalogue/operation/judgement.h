@@ -5,7 +5,7 @@
 
 #include "catalogue/operation/examination.h"
 
-/// What is said of an answer to a question that has been examined. Examination keeps the judgements of our own answers.
+/// The judgement of an answer to an examined question. Examination keeps the judgements of our own answers.
 namespace touchstone::catalogue {
 
 Judgement judgement_of_formula(const Examination& question, bool binary32);

@@ -53,7 +53,7 @@ struct Metadata {
   /// Where the alternatives of a question have names of their own: those of the second, the third ... alternative.
   ShortList<FieldNames, 3> other_fields{};
   const char* answer = "";  ///< the answer's field name where the answer is one bare value
-  double ulps = 0;          ///< stated bound of the reference's numbers: roundings in the slide's formula
+  double ulps = 0;          ///< stated bound of the reference's numbers: roundings in the textbook formula
   /// The oracle's margin is a length to this power; 0 where nothing is decided, so that there is no margin.
   int margin_degree = 1;
   /// What examining one question costs, measured (proptests/costs.py): 1 is 45 microseconds or less. Tests ask so
@@ -64,7 +64,7 @@ struct Metadata {
   /// reference, a robust or both of its own. Families, truth and vectors are the operation's; no engine is asked it.
   const char* implementation_of = "";
   bool is_implementation() const { return implementation_of[0] != 0; }
-  /// The slide's formula leaves out numbers that the operation answers, and is judged on the others.
+  /// The textbook formula leaves out numbers that the operation answers, and is judged on the others.
   bool formula_answers_less = false;
   /// Test vectors of more characters are left out: three coordinates of hundreds of digits each (0: none).
   std::size_t longest_vector = 0;

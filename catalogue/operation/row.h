@@ -138,7 +138,7 @@ struct Hooks {
   /// The same of an answer in exact numbers, which may be right as long as nothing rounds them; without it such an
   /// answer is right if it is the truth.
   std::string (*exact_defect)(const Question&, const rebound_t<answer_t<Row>, mpq_class>&) = nullptr;
-  /// Of an answer with a defect, beside the truth in nearest doubles: how far it is from a right one.
+  /// Of an answer with a defect, next to the truth in nearest doubles: how far it is from a right one.
   Excess (*excess)(const Question&, const answer_t<Row>& answer, const answer_t<Row>& truth) = nullptr;
   /// Repairs random numbers into a valid question (a ring that does not cross itself).
   void (*repair)(Question&) = nullptr;

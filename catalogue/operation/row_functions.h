@@ -53,7 +53,7 @@ struct StageFunctions {
 };
 
 /// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three
-/// modules over encoded values, and what the row says beside them. Whatever may be nullptr says so.
+/// modules over encoded values, and what the row adds to them. Whatever may be nullptr says so.
 struct RowFunctions {
   const Metadata* metadata;
   const Shape* question;
@@ -76,7 +76,7 @@ struct RowFunctions {
   const Shape* decision;
   Word (*decide)(const Question&, std::size_t environment);
   Word (*decide_by_oracle)(const Question&);    ///< nullptr: the oracle has no quick decision
-  Word (*decide_by_integers)(const Question&);  ///< of whole numbers below 2^31; nullptr likewise
+  Word (*decide_by_integers)(const Question&);  ///< of integers below 2^31; nullptr likewise
   DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last);  ///< nullptr likewise
 
   /// The decisions on `count` questions over columns, one for each number of a question: enumerators, a byte each.

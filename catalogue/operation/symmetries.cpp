@@ -51,7 +51,7 @@ TrueNumber times(int factor, const TrueNumber& number) { return TrueNumber(mpq_c
 double plus(double a, double b) { return a + b; }
 TrueNumber plus(const TrueNumber& a, const TrueNumber& b) { return a + b; }
 
-/// Changes the numbers of a encoded value by their meaning.
+/// Changes the numbers of an encoded value by their meaning.
 template <class Real>
 class Changed {
  public:
@@ -187,7 +187,7 @@ EncodedValue<Real> mapped(EncodedValue<Real> encoded, const Shape& shape, const 
   return encoded;
 }
 
-/// The parts of a record, each a encoded value of its own.
+/// The parts of a record, each an encoded value of its own.
 template <class Real>
 std::vector<EncodedValue<Real>> parts_of(const Shape& record, const EncodedValue<Real>& encoded) {
   struct Collected {

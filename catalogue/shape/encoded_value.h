@@ -11,7 +11,7 @@
 /// A value of any described type with its type forgotten, and back.
 namespace touchstone::catalogue {
 
-/// What is no number on a encoded value: an enumerator, a flag, an index, the length of a list, the choice among
+/// What is no number in an encoded value: an enumerator, a flag, an index, the length of a list, the choice among
 /// alternatives.
 using Word = std::uint32_t;
 
@@ -29,7 +29,7 @@ struct EncodedValue {
 /// A question of any operation.
 using Question = EncodedValue<double>;
 
-/// A place on a encoded value from which values are read.
+/// A place in an encoded value from which values are read.
 template <class Real>
 struct Cursor {
   const Real* number;
@@ -37,7 +37,7 @@ struct Cursor {
   explicit Cursor(const EncodedValue<Real>& encoded) : number(encoded.numbers.data()), word(encoded.words.data()) {}
 };
 
-/// Appends a value to a encoded value; every number becomes a Real.
+/// Appends a value to an encoded value; every number becomes a Real.
 template <class Real, class T>
 void pack(const T& value, EncodedValue<Real>& encoded) {
   if constexpr (is_tuple<T>) {

@@ -85,7 +85,7 @@ struct line_line {
          }},
         {"past_half_the_bound",
          [](DrawStream& c) -> Question {
-           // Parallel: the second line is the other side of the triple, turned by 180 degrees.
+           // Parallel: the second line is the other side of the triple, rotated by 180 degrees.
            const auto [p0, p1, p] = rounded_triple(c, true);
            return {{p0, p1}, {{-p.x, -p.y}, {-p0.x, -p0.y}}};
          }},

@@ -111,7 +111,7 @@ struct orientation {
   static Question map_centre() { return {{0.5, 0.5}, {12, 12}, {24, 24}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
-  /// The line of p0 and p1 as well: what p is beside.
+  /// The line of p0 and p1 as well, which p is near.
   static void draw(Drawing& drawing, const Question& question, const Side&) {
     const auto& [p0, p1, p] = question;
     if (!(p0 == p1)) drawing.figures.push_back({Figure::Kind::line, "", {p0.x, p0.y, p1.x, p1.y}, false});

@@ -169,7 +169,7 @@ struct segment_triangle {
   }
 
  private:
-  /// A triangle around a point, or beside it, and a segment through the point.
+  /// A triangle around a point, or near it, and a segment through the point.
   static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c);
     const Triangle3d t = plane.triangle(c);

@@ -70,7 +70,7 @@ struct triangle_triangle {
          }},
         {"corner_on",
          [](DrawStream& c) -> Question {
-           // On a face, an edge or a corner, or beside them in their plane.
+           // On a face, an edge or a corner, or near them in their plane.
            const LatticePlane plane = LatticePlane::of(c);
            const Triangle3d t = plane.triangle(c);
            const Point3d p = plane.point(c), q = lattice_point_in_space(c);
@@ -174,7 +174,7 @@ struct triangle_triangle {
     return {a, b, point(c)};
   }
 
-  /// Triangles around one point, or beside it, in two planes.
+  /// Triangles around one point, or near it, in two planes.
   static Question crossing(DrawStream& c) {
     const LatticePlane plane = LatticePlane::of(c), other = LatticePlane::of(c);
     const Triangle3d t = plane.triangle(c);

@@ -82,7 +82,7 @@ struct simultaneous_collisions {
   }
 
   /// The bodies in a row, whose places are not asked, with their velocities before and after; between two that touch
-  /// the normal of their contact, beside each other where there are several.
+  /// the normal of their contact, next to each other where there are several.
   static void draw(Drawing& drawing, const Question& question, const SimultaneousVelocitiesd& truth) {
     const auto& [bodies, contacts, e] = question;
     double fastest = 0;

@@ -105,7 +105,7 @@ struct swept_aabb_aabb {
          }},
         {"rounded_corner_pass",
          [](DrawStream& c) -> Question {
-           // As corner_passes_corner, as far as doubles can tell: t is an ordinary number, and the ways are rounded.
+           // As corner_passes_corner, as far as doubles can tell: t is an ordinary number, displacements are rounded.
            const double t = (1 + std::fabs(ordinary(c))) / 4, x = 1 + std::fabs(ordinary(c)),
                         y = 1 + std::fabs(ordinary(c)), d = std::ldexp(ordinary(c), -54),
                         e = std::ldexp(ordinary(c), -54);
@@ -120,7 +120,7 @@ struct swept_aabb_aabb {
         {"beside_a_tie",
          [](DrawStream& c) -> Question {
            // The way is the velocity times an odd integer of 54 digits, and one more or less, all in units of 2^-k:
-           // beside a tie by far less than enclosures can tell.
+           // near a halfway case by far less than enclosures can tell.
            __extension__ using Wide = __int128;
            const auto odd = static_cast<Wide>(2 * ((std::uint64_t{1} << 52) + c.below(std::uint64_t{1} << 52)) + 1);
            const auto speed = static_cast<std::int64_t>((std::uint64_t{1} << 30) + c.below(std::uint64_t{1} << 30));

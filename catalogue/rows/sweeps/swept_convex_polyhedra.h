@@ -124,7 +124,7 @@ struct swept_convex_polyhedra {
     make_tetrahedron(std::get<0>(question)), make_tetrahedron(std::get<1>(question));
   }
 
-  /// A tetrahedron of size 4 beside another, its top and its velocity on a grid.
+  /// A tetrahedron of size 4 next to another, its top and its velocity on a grid.
   static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
   static Question domain_at(int size, std::uint64_t index) {
     Digits digit(size, index);
@@ -166,7 +166,7 @@ struct swept_convex_polyhedra {
     return mesh;
   }
 
-  /// Two lattice polyhedra, a point on or beside the surface of each, and a velocity with which one comes to the other
+  /// Two lattice polyhedra, a point on or near the surface of each, and a velocity with which one comes to the other
   /// at n / d.
   static Question aimed(DrawStream& c, double n, double d) {
     const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);

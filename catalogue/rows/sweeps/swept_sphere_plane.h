@@ -162,7 +162,7 @@ struct swept_sphere_plane {
   }
 
  private:
-  /// Height of the center, radius and fall of a step in units of the length of a normal that is a whole number; the
+  /// Height of the center, radius and fall of a step in units of the length of a normal that is an integer; the
   /// plane goes through a lattice point; seen from either side.
   static Question of_whole_length(DrawStream& c, double height, double radius, double fall) {
     const auto [n, length] = whole_normal(c);

@@ -142,7 +142,7 @@ struct swept_sphere_sphere {
          }},
         {"one_stands",
          [](DrawStream& c) -> Question {
-           // The other comes from just beside it, or from afar, mostly fast.
+           // The other comes from close by, or from afar, mostly fast.
            const Point3d at = lattice_point_in_space(c, 3);
            const Vector3d p = lattice_normal(c, 6), aside = lattice_normal(c, 2);
            const Vector3d v = -static_cast<double>(1 + c.below(1000)) * p + aside;
@@ -181,7 +181,7 @@ struct swept_sphere_sphere {
   }
 
  private:
-  /// A vector of whole length, and that length.
+  /// A vector of integer length, and that length.
   static std::pair<Vector3d, double> hypotenuse(DrawStream& c) {
     static constexpr std::array<std::array<double, 4>, 5> quadruples{
         {{1, 2, 2, 3}, {3, 4, 0, 5}, {2, 3, 6, 7}, {1, 4, 8, 9}, {4, 4, 7, 9}}};

@@ -56,7 +56,7 @@ struct bounding_sphere {
     return {
         {"on_a_sphere",
          [](DrawStream& c) -> Question {
-           // Ways of length 3 k around a lattice point, by the quadruples 1, 2, 2 and 3, 0, 0.
+           // Displacements of length 3 k around a lattice point, by the quadruples 1, 2, 2 and 3, 0, 0.
            static constexpr std::array<std::array<double, 3>, 2> steps{{{1, 2, 2}, {3, 0, 0}}};
            const Point3d center = lattice_point_in_space(c, 20);
            const double k = 1 + static_cast<double>(c.below(1 << 12));
@@ -111,7 +111,7 @@ struct bounding_sphere {
          }},
         {"one_far_away",
          [](DrawStream& c) -> Question {
-           // One point at a distance beside which the others are nothing, or just something.
+           // One point at a distance next to which the others are nothing, or just something.
            const double far = std::ldexp(1, static_cast<int>(c.below(1000)));
            Question question = many(c, [&c] { return lattice_point_in_space(c, 3); });
            std::get<0>(question).push_back({far, 0, 0});
@@ -138,7 +138,7 @@ struct bounding_sphere {
          }},
         {"rounded_on_a_sphere",
          [](DrawStream& c) -> Question {
-           // Beside the unit sphere, by roundings.
+           // Off the unit sphere, by roundings.
            return many(c, [&c] {
              const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
              const double length = std::sqrt(x * x + y * y + z * z);

@@ -43,7 +43,7 @@ struct kdop_of_points {
          }},
         {"across_the_normal",
          [](DrawStream& c) -> Question {
-           // All points are on one plane, or an integer beside it.
+           // All points are on one plane, or an integer away from it.
            const Vector3d n = lattice_normal(c);
            const Point3d from = lattice_point_in_space(c);
            Points points;
@@ -75,7 +75,7 @@ struct kdop_of_points {
          }},
         {"nearly_equal",
          [](DrawStream& c) -> Question {
-           // Which of them is outermost is told by the last digits alone.
+           // The last digits alone decide which of them is outermost.
            const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
            const auto moved = [&c](double number) { return moved_by_ulps(number, ulps(c)); };
            Points points;
@@ -87,7 +87,7 @@ struct kdop_of_points {
          }},
         {"cancelling",
          [](DrawStream& c) -> Question {
-           // Sums of which little is left beside the products, or nothing.
+           // Sums that cancel all but a little of the products, or all of them.
            Points points;
            do {
              const int exponent = 40 + static_cast<int>(c.below(60));

@@ -178,7 +178,7 @@ struct obb_obb {
     };
   }
 
-  /// A corner of a turned box on a side of a straight one.
+  /// A corner of a rotated box on a side of a straight one.
   static Question map_centre() {
     return {{{0.5, 0.5, 0}, {{4, 0, 0}, {0, 4, 0}, {0, 0, 1}}}, {{11.5, 1.5, 0}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 1}}}};
   }

@@ -108,7 +108,7 @@ struct obb_of_points {
          }},
         {"lost_beside_huge",
          [](DrawStream& c) -> Question {
-           // All is huge and equal but for numbers that are next to nothing beside it.
+           // All is huge and equal but for numbers that are next to nothing in comparison.
            const double part = 1 + ordinary(c), x = std::ldexp(part, 1020 - static_cast<int>(c.below(200)));
            return many(c, [&] {
              const double y = 1 + small_integer(c) * 0x1p-52;
@@ -162,7 +162,7 @@ struct obb_of_points {
     return ::touchstone::oracle::obb_of_points_defect(std::get<0>(question), box);
   }
 
-  /// The corners of a turned box and a point on one of its faces; moves that.
+  /// The corners of a rotated box and a point on one of its faces; moves that.
   static Question map_centre() {
     return {
         {{0, 0, 0}, {12, 9, 0}, {-3, 4, 0}, {9, 13, 0}, {0, 0, 1}, {12, 9, 1}, {-3, 4, 1}, {9, 13, 1}, {8, 6, 0.5}}};

@@ -134,7 +134,7 @@ struct point_in_obb {
     };
   }
 
-  /// A corner of a box turned by the triple 3, 4, 5.
+  /// A corner of a box rotated by the triple 3, 4, 5.
   static Question map_centre() { return {{{12, 12, 0.5}, {{3, 4, 0}, {-4, 3, 0}, {0, 0, 0.5}}}, {11, 19, 0.5}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {12, 13}; }
 

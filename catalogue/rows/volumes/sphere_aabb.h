@@ -46,7 +46,7 @@ struct sphere_aabb {
          }},
         {"point_ball",
          [](DrawStream& c) -> Question {
-           // In the box, on its boundary, or beside it.
+           // In the box, on its boundary, or near it.
            const Aabb3d box = lattice_box(c);
            const Point3d p = within(box, c).min;
            const double aside = small_integer(c, 1), r = c.below(2) == 1 ? -0.0 : 0.0;
@@ -61,7 +61,7 @@ struct sphere_aabb {
          }},
         {"flat",
          [](DrawStream& c) -> Question {
-           // A rectangle, a segment or a point: beside the ball, tangent to it or in it.
+           // A rectangle, a segment or a point: next to the ball, tangent to it or in it.
            const Step step = whole_step(c);
            auto [ball, box] = in_space(step, std::max(step.length + small_integer(c, 1), 0.0), c);
            box.max.x = box.min.x;
@@ -79,7 +79,7 @@ struct sphere_aabb {
          }},
         {"far_below",
          [](DrawStream& c) -> Question {
-           // Tangent to a face, the radius as large as the lattice just holds beside the box, or larger; the box aside
+           // Tangent to a face, the radius as large as the lattice just holds next to the box, or larger; the box aside
            // by a hair, or the ball.
            const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
                         larger = c.below(2) == 1 ? std::ldexp(large, static_cast<int>(c.below(900))) : large;
@@ -117,7 +117,7 @@ struct sphere_aabb {
          }},
         {"subnormal",
          [](DrawStream& c) -> Question {
-           // Beside the least normal number, and at the origin.
+           // Near the least normal number, and at the origin.
            const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
            const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
            const double x = least(), y = least(), r = least(), s = least(), t = least();

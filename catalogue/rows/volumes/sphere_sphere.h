@@ -76,7 +76,7 @@ struct sphere_sphere {
          }},
         {"far_below",
          [](DrawStream& c) -> Question {
-           // Tangent balls, one of them as large as the lattice just holds beside the other, or larger; or aside by a
+           // Tangent balls, one of them as large as the lattice just holds next to the other, or larger; or aside by a
            // hair.
            const double large = std::ldexp(1, 50 + static_cast<int>(c.below(20))),
                         larger = c.below(2) == 1 ? std::ldexp(large, static_cast<int>(c.below(900))) : large;
@@ -112,7 +112,7 @@ struct sphere_sphere {
          }},
         {"subnormal",
          [](DrawStream& c) -> Question {
-           // Beside the least normal number, and at the origin.
+           // Near the least normal number, and at the origin.
            const auto least = [&c] { return std::ldexp(static_cast<double>(c.below(6)), -1074); };
            const double from = c.below(2) == 1 ? 0x1p-1021 : 0.0;
            const double x = least(), y = least(), r = least(), s = least();
@@ -174,7 +174,7 @@ struct sphere_sphere {
   }
 
  private:
-  /// From nothing to all of a whole length.
+  /// From nothing to all of an integer length.
   static double part_of(double length, DrawStream& c) {
     return static_cast<double>(c.below(static_cast<std::uint64_t>(length) + 1));
   }
