@@ -99,7 +99,7 @@ bool has_index(const Shape& shape) {
                      [](const Shape::Part& part) { return has_index(*part.shape); });
 }
 
-/// The figures of an answer that its operation draws itself; none where it does not, or where it is no whole answer.
+/// The figures of an answer that its operation draws itself; none where it does not, or where it is no complete answer.
 Drawing as_truth(const Operation& operation, const Json& answer, const Question& question) {
   Drawing drawing, own;
   if (operation.row().draw == nullptr || has_index(operation.answer_shape())) return own;

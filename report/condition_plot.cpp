@@ -57,7 +57,7 @@ std::string condition_section(const Operation& operation) {
         at * width, height, (1 - at) * height, height + 18, (1 - at) * height + 4, label);
   }
   return fmt::format(
-      "<h2 id=\"condition\">Error against condition</h2><div class=\"metadata\"><p class=\"quiet\">Each dot is a "
+      "<h2 id=\"condition\">Error against condition</h2><div class=\"card\"><p class=\"quiet\">Each dot is a "
       "number "
       "that "
       "the textbook formula in double answers: how far it is from the exact value, in units in the last place, and how "

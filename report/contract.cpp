@@ -72,7 +72,7 @@ std::string contract_section(const Operation& operation) {
   if (text.empty()) return "";
   if (!folded.empty())
     folded = "<details><summary>Degenerate input, what is refused, rounding</summary>" + folded + "</details>";
-  return "<h2>Contract</h2><div class=\"metadata contract\">" + text + folded + "</div>";
+  return "<h2>Contract</h2><div class=\"card contract\">" + text + folded + "</div>";
 }
 
 }  // namespace touchstone::report

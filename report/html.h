@@ -10,12 +10,12 @@
 
 namespace touchstone::report {
 
-/// What a report says beside the tally.
+/// What a report contains in addition to the tally.
 struct ReportNotes {
   std::string command;            ///< the line that was called; empty: one that gives the same tally
-  const Tally* before = nullptr;  ///< an earlier audit to be shown beside this one, as before and after a fix
+  const Tally* before = nullptr;  ///< an earlier audit to be compared with this one, as before and after a fix
   std::string gate{};             ///< what the gate says (audit/gate/gate.h); empty where none decides
-  /// Told before each operation's page and while its map is made: its name, how many pages are written, and how many
+  /// Called before each operation's page and while its map is made: its name, how many pages are written, and how many
   /// there will be. From any thread.
   std::function<void(const std::string&, std::size_t, std::size_t)> progress{};
   /// 0: the maps ask about four times as many questions as each operation was asked, so that the same tally gives the
@@ -25,8 +25,8 @@ struct ReportNotes {
 
 /// Writes index.html and a page for each operation of the tally into `directory`, which is made if it is not there:
 /// first all without maps, then, the worst operation first, each again with its map, and index.html at the end.
-/// Every page stands alone, nothing fetched: figures in space are drawn and turned, and maps walked over, by a script
-/// in the page. Without scripts such figures are told in words, and all else is seen. The same tally gives the same
+/// Every page stands alone, nothing fetched: figures in space are drawn and rotated, and maps walked over, by a script
+/// in the page. Without scripts such figures are described, and all else is visible. The same tally gives the same
 /// bytes, whatever the jobs, but for the versions in the last line, unless seconds limit the maps. With `engine` the
 /// failure maps show it too. Throws std::runtime_error naming the file that cannot be written.
 void write_report(const Tally& tally, const std::string& directory, int jobs, Engine* engine = nullptr,

@@ -72,7 +72,7 @@ std::string comparison(const Tally& before, const Tally& after, const std::strin
                         counted(before.cases, "case"), before.seed, counted(after.cases, "case"), after.seed);
   }
   if (total.before.cases() == 0) return text + "</p><p>The two audits have no operation in common.</p>";
-  text += std::string("</p><div class=\"metadata scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">") +
+  text += std::string("</p><div class=\"card scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">") +
           (operation.empty() ? "operation" : "family") +
           "</th><th scope=\"col\">wrong before</th><th scope=\"col\">wrong now</th><th scope=\"col\">inexact before, "
           "now</th><th scope=\"col\">change</th></tr></thead><tbody>";

@@ -46,7 +46,7 @@ std::string confusion_matrix(const Operation& operation, const Cell& total, cons
   }
   const auto refused = total.count(Verdict::convention) + total.count(Verdict::tolerance);
   std::string text =
-      "<div class=\"metadata scroll\"><table class=\"confusion stack\"><thead><tr><th scope=\"col\">the truth is "
+      "<div class=\"card scroll\"><table class=\"confusion stack\"><thead><tr><th scope=\"col\">the truth is "
       "\u2026</th>";
   for (const std::string& answer : answers) text += "<th scope=\"col\">" + escaped(phrase(operation, answer)) + "</th>";
   text += "<th scope=\"col\">all</th></tr></thead><tbody>";

@@ -9,8 +9,8 @@
 
 namespace touchstone::report {
 
-/// A way of answering as a metadata with its example: the truth and what was answered in words, drawn beside one
-/// another where they can be drawn, what each implementation said and why, the numbers, the command, the certificate.
+/// A way of answering as a card with its example: the truth and what was answered in words, drawn next to one
+/// another where they can be drawn, each implementation's answer and why, the numbers, the command, the certificate.
 std::string finding_card(const Operation& operation, const WayOfOperation& shown, const Declaration& declaration,
                          Speaker speaker, const Repeat& repeat);
 
@@ -21,7 +21,7 @@ std::string right_case(const Operation& operation);
 /// Who answered, as a caption begins: "Formula", "Robust", "my engine 1.0".
 std::string name_of(Speaker speaker, const Declaration& declaration);
 
-/// "Right of the line" of a whole answer, exact or not; where it has too many numbers for a sentence, the answer as it
+/// "Right of the line" of a full answer, exact or not; where it has too many numbers for a sentence, the answer as it
 /// is.
 std::string sentence(const Operation& operation, const Json& answer);
 

@@ -162,7 +162,7 @@ std::string deck_cell(const Operation* operation) {
 
 std::string operations_table(const Tally& tally, const Cell& sum) {
   std::string text =
-      "<div class=\"metadata scroll\"><table class=\"stack operations sortable\"><thead><tr><th "
+      "<div class=\"card scroll\"><table class=\"stack operations sortable\"><thead><tr><th "
       "scope=\"col\">operation, "
       "the worst first</th><th scope=\"col\" class=\"text\">chapter and page of the deck</th><th scope=\"col\" "
       "class=\"text most\">all answers</th><th scope=\"col\" class=\"most\">wrong at ordinary size</th><th "
@@ -199,7 +199,7 @@ std::string in_order_of_deck(const Tally& tally) {
   }
   return text.empty()
              ? ""
-             : "<details class=\"metadata by-deck\"><summary>In the order of the deck, chapter by chapter</summary>" +
+             : "<details class=\"card by-deck\"><summary>In the order of the deck, chapter by chapter</summary>" +
                    text + "</ul></details>";
 }
 
@@ -212,7 +212,7 @@ std::string glossary() {
 }
 
 std::string legend(Speaker speaker) {
-  std::string text = "<div class=\"metadata\"><dl class=\"legend\">";
+  std::string text = "<div class=\"card\"><dl class=\"legend\">";
   const auto entry = [&](const char* style, const std::string& name, const std::string& words) {
     text +=
         fmt::format("<dt><span class=\"swatch {} hatch\" style=\"background-color:var(--c)\"></span>{}</dt><dd>{}</dd>",
@@ -270,7 +270,7 @@ std::string conventions(const Tally& tally) {
                          counted(total.touches_open, "case"));
   }
   if (items.empty()) return "";
-  return "<h2>Inconsistent convention</h2><div class=\"metadata\"><p>Where shapes only touch, these operations answer "
+  return "<h2>Inconsistent convention</h2><div class=\"card\"><p>Where shapes only touch, these operations answer "
          "now "
          "as closed "
          "sets do, now as open sets do:</p><ul>" +
@@ -301,7 +301,7 @@ std::string index_page(const Tally& tally, const OperationMaps& maps, const Repo
   std::string body = "<header><p class=\"kicker\">touchstone audit</p><h1>" + escaped(headline(tally, sum)) +
                      "</h1><p class=\"lead\">" + escaped(lead(tally, sum)) + "</p><p class=\"quiet\">" +
                      escaped(conditions(tally, sum)) + "</p></header><main>" + tiles(sum);
-  if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"metadata\"><pre>" + escaped(notes.gate) + "</pre></div>";
+  if (!notes.gate.empty()) body += "<h2>Gate</h2><div class=\"card\"><pre>" + escaped(notes.gate) + "</pre></div>";
   if (notes.before != nullptr) body += comparison(*notes.before, tally);
   body += "<h2>By operation</h2>" + operations_table(tally, sum) + in_order_of_deck(tally) + gallery(tally, maps);
   body += "<h2>What the verdicts mean</h2>" + legend(speaker_of(tally.declaration)) + conventions(tally);

@@ -43,7 +43,7 @@ std::string verdict_in_words(Verdict verdict) {
   return "";
 }
 
-/// What the reader is told of a class without its verdict, which stands beside it.
+/// What the legend says of a class without its verdict, which stands next to it.
 std::string said(const Operation& operation, const MapClass& entry) {
   if (entry.said.empty()) return verdict_in_words(entry.verdict);
   const auto words = operation.words();

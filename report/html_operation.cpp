@@ -58,7 +58,7 @@ std::string opening(const Tally& tally, const OperationTally& counted_here, cons
 
 std::string summary(const Tally& tally, std::size_t operation) {
   const Cell total = tally.operations[operation].total();
-  std::string text = "<div class=\"metadata\"><p><strong>" + escaped(subject(tally.declaration)) +
+  std::string text = "<div class=\"card\"><p><strong>" + escaped(subject(tally.declaration)) +
                      "</strong>: " + escaped(summary_of(total)) + ".</p>" + verdict_bar(total, false);
   for (const OperationTally& robust : tally.robust) {
     if (robust.operation != tally.operations[operation].operation) continue;
@@ -115,7 +115,7 @@ std::string by_family(const OperationTally& tally) {
   const Cell total = tally.total();
   const std::vector<Column> columns = columns_of(total);
   std::string text =
-      "<div class=\"metadata scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">family</th><th "
+      "<div class=\"card scroll\"><table class=\"stack\"><thead><tr><th scope=\"col\">family</th><th "
       "scope=\"col\" class=\"text\"></th>" +
       headings(columns) + "</tr></thead><tbody>";
   for (const auto& [family, cell] : tally.families) {
@@ -148,7 +148,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
     body +=
-        "<h2 id=\"map\">Failure map</h2><div class=\"metadata\">" + map_section(*known, maps, tally.repeat) + "</div>";
+        "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
   }
   if (known && speaker == Speaker::reference && !tally.declaration.binary32) body += condition_section(*known);
   body += "<h2>By family of inputs</h2>" + by_family(here);
@@ -160,7 +160,7 @@ std::string map_page(const Operation& operation, const std::vector<FailureMap>& 
   return page("touchstone map: " + operation.name(),
               "<header><p class=\"kicker\">touchstone map</p><h1>" + breakable(operation.name()) +
                   "</h1><p class=\"lead\">" + escaped(metadata.question) + " (" + escaped(pages_in_words(operation)) +
-                  ")</p><p>" + escaped(in_words(maps)) + ".</p></header><main><div class=\"metadata\">" +
+                  ")</p><p>" + escaped(in_words(maps)) + ".</p></header><main><div class=\"card\">" +
                   map_section(operation, maps, repeat) + "</div></main>" + page_footer());
 }
 

@@ -18,7 +18,7 @@ inline constexpr const char* map_opening = "<div class=\"mapped\" data-map=\"";
 /// What a player's element begins with: its page carries viewer.js and player.js.
 inline constexpr const char* player_opening = "<div class=\"player\" data-player=\"";
 
-/// A whole page. `body` is HTML.
+/// A complete page. `body` is HTML.
 std::string page(const std::string& title, const std::string& body);
 
 std::string code(const std::string& text);
@@ -31,7 +31,7 @@ std::string breakable(const std::string& name);
 /// A line for a shell; it may break after a comma.
 std::string shell_line(const std::string& line);
 
-/// Shares of the verdicts as one horizontal bar, rounding in its two parts, its numbers said to screen readers.
+/// Shares of the verdicts as one horizontal bar, rounding in its two parts, its numbers for screen readers.
 std::string verdict_bar(const Cell& cell, bool thin);
 
 /// A kind of number in tables: "wrong", "cancellation" ...

@@ -8,7 +8,7 @@
 
 namespace touchstone::report {
 
-/// A text that wants to stand beside one of several places.
+/// A label that may stand next to one of several places.
 struct LabelWish {
   std::vector<Pixel> places;
   std::string text, style;

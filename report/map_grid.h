@@ -25,7 +25,7 @@ struct MapEffort {
 };
 
 /// The questions of a failure map: a question, two of its numbers moved by -128 ... 127 steps. A step is the distance
-/// from the number's size to the next greater one, the same over the whole map; 0 has the step of the greatest number.
+/// from the number's size to the next greater one, the same over the entire map; 0 has the step of the greatest number.
 struct MapGrid {
   static constexpr int side = 256;
   Question centre;

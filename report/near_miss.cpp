@@ -17,7 +17,7 @@ mpq_class between(const ExactPoint& p, const ExactPoint& q) {
   return squared(mpq_class(p.x - q.x), mpq_class(p.y - q.y));
 }
 
-/// From p to the part of a + t (b - a) that lies beside it; empty where its foot is beyond an end.
+/// From p to the part of a + t (b - a) that it is next to; empty where its foot is beyond an end.
 std::optional<mpq_class> beside(const ExactPoint& p, const ExactPoint& a, const ExactPoint& b, const Stretch& stretch) {
   const ExactPoint d{mpq_class(b.x - a.x), mpq_class(b.y - a.y)}, v{mpq_class(p.x - a.x), mpq_class(p.y - a.y)};
   const mpq_class length = squared(d.x, d.y);
@@ -52,7 +52,7 @@ std::optional<Gap> gap_to(const Figure& figure, const ExactPoint& p, const Viewp
     case Figure::Kind::circle: {
       const mpq_class r = exact_point(figure.numbers[2], 0).x;
       if (sgn(r) == 0) return std::nullopt;
-      // |p - centre| - r, to first order in the gap: it is only asked for where the gap is thin beside r.
+      // |p - centre| - r, to first order in the gap: it is only asked for where the gap is thin compared with r.
       const mpq_class gap = (between(p, ends[0]) - r * r) / (2 * r);
       const mpq_class in_pixels = gap * view.pixels_per_unit_x();
       return Gap{mpq_class(in_pixels * in_pixels), mpq_class(gap * gap)};

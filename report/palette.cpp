@@ -80,7 +80,7 @@ Look look_of(Verdict verdict, const Rank& rank, Scheme scheme) {
   if (verdict == Verdict::agree)
     return rank.rare ? Look{colours.line, mixed(colours.line, 255 - colours.towards, 35), pattern(rank.place)}
                      : Look{own, colours.hatch, pattern(rank.place)};
-  // Neither the ground nor the mark of a finding is ever pale. What is rarely true is most often said wrongly: plain.
+  // Neither the ground nor the mark of a finding is ever pale. What is rarely true is most often a wrong answer: plain.
   return {own, mixed(own, colours.towards, 45), pattern(rank.rare ? 0 : rank.place + 1)};
 }
 

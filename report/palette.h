@@ -9,7 +9,7 @@
 #include "report/png.h"
 
 /// The colours of verdicts and answers, the same in bars, tables and maps. Findings are strong colours and differ in
-/// lightness as well as in hue, so that they are told apart without colour vision and in print; what is right is pale.
+/// lightness as well as in hue, so that they differ without colour vision and in print; what is right is pale.
 namespace touchstone::report {
 
 enum class Scheme { light, dark };

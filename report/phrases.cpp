@@ -8,7 +8,7 @@
 namespace touchstone::report {
 namespace {
 
-/// How an enumerator is said. `beside`: of those types alone that have that other enumerator too.
+/// How an enumerator is worded. `beside`: of those types alone that have that other enumerator too.
 struct Phrase {
   const char *word, *words, *beside = nullptr;
 };
@@ -58,7 +58,7 @@ bool is_tuple(const Json& value) {
          std::none_of(value.begin(), value.end(), [](const Json& part) { return part.is_structured(); });
 }
 
-/// Adds what a field holds; false where that is too much to be said in a sentence.
+/// Adds what a field holds; false where that is too much for a sentence.
 bool say(const Operation& operation, const std::string& key, const Json& value, std::string& text) {
   const auto add = [&](const std::string& words) { text += (text.empty() ? "" : ", ") + words; };
   std::string name = key;

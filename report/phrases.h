@@ -13,7 +13,7 @@ namespace touchstone::report {
 /// is, "_" a space; of several with "/" between them ("convex/ccw") each has its own.
 std::string phrase(const Operation& operation, const std::string& word);
 
-/// A whole answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)".
+/// A complete answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)".
 /// `answer` is shown as it is given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
 

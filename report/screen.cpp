@@ -14,7 +14,7 @@ namespace touchstone::report {
 namespace {
 
 constexpr std::size_t most_findings = 5, bar_width = 24;
-/// Of a question or an answer: beside an indentation, and how long it is where it is cut.
+/// Of a question or an answer: after an indentation, and how long it is where it is cut.
 constexpr std::size_t room_of_value = line_width - 24;
 
 struct Row {

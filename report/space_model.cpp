@@ -22,7 +22,7 @@ const char* name_of(SpaceFigure::Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-/// The point at which a plane is shown, and the tip of its normal.
+/// The point at which a plane is drawn, and the tip of its normal.
 std::array<SpacePoint, 2> normal_of(const SpaceFigure& plane, const SpaceScale& scale) {
   // Subnormal coordinates have few digits, but as many as there are.
   const std::vector<double>& n = plane.numbers;

@@ -20,7 +20,7 @@ std::string space_figure(const Drawing& scene, const std::string& title);
 /// Whether a page has such an element, and so is in need of the script.
 bool has_space_figure(const std::string& html);
 
-/// The style sheet of such figures, beside that of figures in the plane (svg.h).
+/// The style sheet of such figures, in addition to that of figures in the plane (svg.h).
 std::string space_style();
 
 }  // namespace touchstone::report

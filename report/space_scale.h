@@ -9,7 +9,7 @@
 #include "catalogue/draw/drawing.h"
 #include "report/uses.h"
 
-/// From the coordinates of a scene in space to whole steps from the middle of its box, exactly.
+/// From the coordinates of a scene in space to integer steps from the middle of its box, exactly.
 namespace touchstone::report {
 
 /// Steps from the middle of the scene's box to the end of its longest side.
@@ -35,10 +35,10 @@ struct SpaceScale {
   /// figure is a sphere, which would not be one any more, or a plane, whose normal would not be upright.
   static SpaceScale of(const std::vector<SpaceFigure>& drawable_figures);
 
-  /// To the nearest whole step.
+  /// To the nearest step.
   SpacePoint at(const ExactPlace& place) const;
   int radius_in_steps(const SpaceFigure& sphere) const;
-  /// The point of a plane at which it is shown: the one that is nearest to everything else.
+  /// The point of a plane at which it is drawn: the one that is nearest to everything else.
   ExactPlace foot(const SpaceFigure& plane) const;
 };
 

@@ -82,7 +82,7 @@ void straight(Strokes& strokes, const Figure& figure, const Viewport& view, cons
   wish(strokes, figure, style, places);
 }
 
-/// A circle too large for a browser is, within the frame, a parabola beside its tangent.
+/// A circle too large for a browser is, within the frame, a parabola next to its tangent.
 void large_circle(Strokes& strokes, const ExactPoint& centre, const mpq_class& radius, const Viewport& view,
                   const Style& style) {
   const ExactPoint c = view.exactly(centre);

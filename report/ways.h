@@ -24,7 +24,7 @@ std::string answer_in_words(const Way& way);
 
 /// Columns of a line of text.
 inline constexpr std::size_t line_width = 120;
-/// Prose broken between words so that it fits beside a key of `indent` columns.
+/// Prose broken between words so that it fits next to a key of `indent` columns.
 std::string wrapped(const std::string& prose, std::size_t indent);
 
 /// Those that have an example: wrong answers, then inexact ones, then what is no finding; of these what is most

@@ -14,7 +14,7 @@
 /// What tables and pages say in words, once for both.
 namespace touchstone::report {
 
-/// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not whole.
+/// 0.0123 of 1 -> "1.2%"; never "0.0%" for a part that is not empty, nor "100%" for one that is not everything.
 std::string share(std::uint64_t part, std::uint64_t whole);
 
 /// A distance in units in the last place: "0.5 ulps", "4.5e+15 ulps", "more than 1e298 ulps".

@@ -75,7 +75,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 }  // namespace
 
-TEST_CASE("solved once: a finding in table, JSON, gate, JUnit, SARIF and its metadata with figure and certificate") {
+TEST_CASE("solved once: a finding in table, JSON, gate, JUnit, SARIF and its card with figure and certificate") {
   counts = {.marked = true};
   Cell cell;
   count(cell, {operation(), to_the_left, "on"}, {Verdict::algorithm}, Json{{"side", "left"}});
