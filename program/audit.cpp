@@ -146,7 +146,7 @@ int audit_command(const AuditCommand& command, std::ostream& out, std::ostream& 
     tally = run_audit(options, stopped, [&](const std::string& name, std::uint64_t done) { progress(name, done); });
   } catch (const EngineError& failed) {
     if (!stopped) throw EngineError(failed.what() + notes.of_first_line());
-    // Interrupted before the engine had said its first line.
+    // Interrupted before the engine had written its first line.
     tally.interrupted = true;
     tally.declaration.engine = command.engine;
   }

@@ -17,7 +17,7 @@ struct GateCommand {
   std::optional<double> max_rate;
   double max_surplus = audit::usual_surplus;
   std::string junit_file, sarif_file;
-  std::string source = "engine";  ///< what the results in a SARIF file are shown at
+  std::string source = "engine";  ///< what the results in a SARIF file refer to
 
   /// Whether the gate decides on the exit code.
   bool decides() const { return fail_on || max_rate || !baseline.empty() || !write_baseline.empty(); }

@@ -31,7 +31,7 @@ struct AuditCommand {
   std::string shard;  ///< "I/N"; empty: of the launcher, if one started this
   std::string json_file, report_directory;
   double report_seconds = 0;
-  std::string before;         ///< file of an earlier audit (--json), shown beside this one in the report
+  std::string before;         ///< file of an earlier audit (--json), compared with this one in the report
   std::string range = "all";  ///< "ordinary": only questions of ordinary size
   std::string ordinary = "0x1p-100,0x1p100";  ///< LEAST,MOST: what that is
   bool summary = false;                       ///< a row for each operation, no families and no examples

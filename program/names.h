@@ -46,7 +46,7 @@ void require_writable(const std::string& option, const std::string& file);
 /// (a device, a pipe) is written as it is.
 void write_file(const std::string& option, const std::string& file, const std::string& text);
 
-/// A file that can be read. Throws UsageError, which begins with what was said: the option, or nothing, and the name.
+/// A file that can be read. Throws UsageError, which begins with what was given: the option, or nothing, and the name.
 std::ifstream opened_to_read(const std::string& file, const std::string& option = "");
 /// All of it.
 std::string text_of_file(const std::string& file, const std::string& option = "");

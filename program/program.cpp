@@ -27,7 +27,7 @@ const CLI::Validator positive(
     },
     "POSITIVE");
 
-/// A whole number in a range; CLI11 alone would take what it cannot hold for no number at all.
+/// An integer in a range; CLI11 alone would take what it cannot hold for no number at all.
 CLI::Validator whole(std::uint64_t least, std::uint64_t most) {
   const std::string rule = fmt::format("a whole number from {} to {}", least, most);
   return CLI::Validator(

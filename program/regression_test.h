@@ -19,7 +19,7 @@ class RegressionTests {
   /// One of test_frameworks.
   explicit RegressionTests(std::string framework) : framework_(std::move(framework)) {}
 
-  /// The next test, with what it needs and no earlier one needed. `engine`: what an engine said to the question, as
+  /// The next test, with what it needs and no earlier one needed. `engine`: what an engine answered to the question, as
   /// `ask` prints it, or null.
   std::string next(const Examination& examination, const Json& engine);
 
