@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "geometry/polygons.h"
+#include "geometry/volumes.h"
 
 namespace touchstone {
 
-/// What a mesh is made of, and whether it is a surface. What the words mean stands in
-/// reference/polyhedra/polyhedron_complexity.h.
+/// `none` where faces do not enclose a volume: the mesh is open, or turns both ways.
+enum class VolumeSign { none, negative, zero, positive };
+
+/// A face whose plane has vertices on both sides: the first vertex that is not on it, and the first on the other side.
+struct SplittingFace {
+  Index face, one, other;
+  friend bool operator==(const SplittingFace&, const SplittingFace&) = default;
+};
+
+/// What a mesh is made of, and whether it is a surface and what it encloses. What the words mean stands in
+/// reference/polyhedra/polyhedron_complexity.h. After the words come their witnesses, each where its word is false.
 template <class Real>
 struct PolyhedronComplexity {
   Index vertices, edges, faces, components;
   Real euler;  ///< vertices - edges + faces, which may be negative
-  bool closed, oriented, edge_manifold, vertex_manifold;
+  VolumeSign volume;
+  bool closed, oriented, edge_manifold, vertex_manifold, embedded, convex;
+  std::optional<IndexPair> open_edge, turned_edge, crowded_edge;
+  std::optional<Index> pinched_vertex, flat_face;
+  std::optional<IndexPair> meeting_faces;
+  std::optional<SplittingFace> splitting_face;
+  /// Component i contains component j, in ascending order.
+  std::optional<std::vector<IndexPair>> nesting;
   friend bool operator==(const PolyhedronComplexity&, const PolyhedronComplexity&) = default;
 };
 

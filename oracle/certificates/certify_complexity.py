@@ -1,67 +1,204 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of meshes as surfaces, as in check_complexity.cpp."""
 
+import json
 from collections import defaultdict
 
-from certify_meshes import mesh
-from certify_reading import exact_value, expect
+from certify_meshes import height, mesh, plane_through
+from certify_polyhedra import crossing
+from certify_reading import expect
+from certify_space import cross, dot
 
 
-def parts(pairs):
-    """How many parts there are of what the pairs join."""
+def root_in(up, v):
+    up.setdefault(v, v)
+    while up[v] != v:
+        v = up[v]
+    return v
+
+
+def joined(pairs):
+    """Which representative each of what the pairs join has."""
     up = {}
-
-    def root(v):
-        up.setdefault(v, v)
-        while up[v] != v:
-            v = up[v]
-        return v
-
     for a, b in pairs:
-        p, q = root(a), root(b)
+        p, q = root_in(up, a), root_in(up, b)
         up[p] = q
-    return len({root(v) for v in list(up)})
+    return {v: root_in(up, v) for v in list(up)}
 
 
-def expect_flag(claim, word, value):
-    expect(claim.truth[word] is value, f"truth: {word} is wrong")
+def sign(value):
+    return (value > 0) - (value < 0)
 
 
-def expect_word(claim, word, fact, defective):
-    """The word is false where an edge is named, one of the defective ones; else there is none of these."""
-    named = claim.list(fact)
-    if any(named == list(edge) for edge in defective):
-        return expect_flag(claim, word, False)
-    expect(not named, f"certificate.{fact}: no such edge")
-    expect(not defective, f"certificate.{fact}: there is one")
-    expect_flag(claim, word, True)
+class Space:
+    """The faces of the mesh in space, each with its plane."""
+
+    def __init__(self, vertices, faces):
+        self.vertices, self.faces = vertices, faces
+        self.planes = [plane_through(*(vertices[v] for v in face)) for face in faces]
+        self.boxes = [[(min(axis), max(axis)) for axis in zip(*(vertices[v] for v in face))] for face in faces]
+
+    def side(self, plane, v):
+        return sign(height(plane, self.vertices[v]))
+
+    def beside(self, i, j):
+        """All corners of face j but the common ones are on one side of the plane of face i."""
+        sides = {self.side(self.planes[i], v) for v in self.faces[j] if v not in self.faces[i]}
+        return len(sides) == 1 and sides != {0}
+
+    def between(self, plane, i, j):
+        """Face i is behind the plane, j in front of it; on it, of one of them, nothing but common corners."""
+        s, t = self.faces[i], self.faces[j]
+        behind, front = [[self.side(plane, v) for v in face] for face in (s, t)]
+        only_common = [all(side != 0 or v in other for side, v in zip(sides, face))
+                       for sides, face, other in ((behind, s, t), (front, t, s))]
+        return max(behind) <= 0 and min(front) >= 0 and any(only_common)
+
+    def across_an_axis(self, i, j):
+        """A plane across an axis, through the greatest coordinate of face i, does that."""
+        for k, axis in enumerate(((1, 0, 0), (0, 1, 0), (0, 0, 1))):
+            top, bottom = self.boxes[i][k][1], self.boxes[j][k][0]
+            if top < bottom or (top == bottom and self.between((axis, -top), i, j)):
+                return True
+        return False
 
 
-def expect_count(claim, name, count):
-    said = claim.truth[name]
-    expect(isinstance(said, int) and not isinstance(said, bool) and said == count, f"truth: {name} is wrong")
+class Given:
+    """Numbers of a fact, so many at a time."""
+
+    def __init__(self, claim, fact):
+        self.name, self.values, self.used = "certificate." + fact, claim.list(fact), 0
+
+    def next(self, count):
+        expect(self.used + count <= len(self.values), self.name + ": more are needed")
+        self.used += count
+        return self.values[self.used - count:self.used]
+
+    def expect_used(self):
+        expect(self.used == len(self.values), self.name + ": fewer are needed")
+
+
+def named_pair(claim, faces):
+    """The pair of faces that the truth names, or None."""
+    if not isinstance(claim.truth, dict) or "meeting_faces" not in claim.truth:
+        return None
+    pair = claim.truth["meeting_faces"]
+    there = (isinstance(pair, list) and len(pair) == 2 and all(type(n) is int for n in pair)
+             and 0 <= pair[0] < pair[1] < faces)
+    expect(there, "truth: meeting_faces is wrong")
+    return tuple(pair)
+
+
+def expect_meeting(space, s, t, weights):
+    """The weights give one point of both faces, which common corners do not span."""
+    points, beyond = [], set(s) == set(t)
+    for face, other in ((s, t), (t, s)):
+        total, combination = 0, (0, 0, 0)
+        for v in face:
+            (weight,) = weights.next(1)
+            expect(weight >= 0, "certificate: a weight is negative")
+            total += weight
+            combination = tuple(c + weight * x for c, x in zip(combination, space.vertices[v]))
+            beyond = beyond or (weight > 0 and v not in other)
+        expect(total == 1, "certificate: the weights do not sum to 1")
+        points.append(combination)
+    expect(points[0] == points[1], "certificate: the weights give two points")
+    expect(beyond, "certificate: the faces share the point")
+
+
+def first_meeting(claim, space, planes, weights):
+    """Of faces with areas: the first pair in the order of their places that meets beyond what both name."""
+    faces, named = space.faces, named_pair(claim, len(space.faces))
+    for i, s in enumerate(faces):
+        for j in range(i + 1, len(faces)):
+            if named == (i, j):
+                expect_meeting(space, s, faces[j], weights)
+                return [i, j]
+            expect(set(s) != set(faces[j]), f"certificate: faces {i} and {j} coincide")
+            if any(hold(*pair) for hold in (space.across_an_axis, space.beside) for pair in ((i, j), (j, i))):
+                continue
+            *normal, offset = *planes.next(3), *planes.next(1)
+            apart = space.between((normal, -offset), i, j)
+            expect(apart, f"certificate.planes: faces {i} and {j} are not held apart")
+    return None
+
+
+def first_splitting_face(space, used):
+    for i, plane in enumerate(space.planes):
+        first = {}
+        for v in used:
+            first.setdefault(space.side(plane, v), v)
+        if {1, -1} <= set(first):
+            one, other = sorted((first[1], first[-1]))
+            return {"face": i, "one": one, "other": other}
+    return None
+
+
+def inside(vertices, faces, p, directions):
+    """The ray from the point in the next direction crosses an odd number of the faces; where the point is not in the
+    box of all of them, it is outside."""
+    corners = [vertices[v] for face in faces for v in face]
+    if not all(min(axis) <= x <= max(axis) for axis, x in zip(zip(*corners), p)):
+        return False
+    direction = directions.next(3)
+    seen = [[tuple(x - y for x, y in zip(vertices[v], p)) for v in face] for face in faces]
+    return sum(crossing(face, direction) is not None for face in seen) % 2 == 1
+
+
+def nesting(vertices, components, directions):
+    return [[i, j] for i, outer in enumerate(components) for j, inner in enumerate(components)
+            if i != j and inside(vertices, outer, vertices[inner[0][0]], directions)]
+
+
+def sign_of_volume(vertices, faces):
+    six_times = sum(dot(vertices[a], cross(vertices[b], vertices[c])) for a, b, c in faces)
+    return ("zero", "positive", "negative")[sign(six_times)]
 
 
 def check_polyhedron_complexity(claim):
     claim.inputs("mesh")
-    _, faces = mesh(claim.input["mesh"], "mesh")
+    vertices, faces = mesh(claim.input["mesh"], "mesh")
+    claim.expect_kind("complexity"), claim.facts("planes", "common_point", "directions")
     uses, around, whole = defaultdict(lambda: [0, 0]), defaultdict(list), []
     for face in faces:
         for a, b, c in (face, face[1:] + face[:1], face[2:] + face[:2]):
             uses[min(a, b), max(a, b)][a > b] += 1
             whole.append((a, b)), around[a].append((b, c))
-    claim.answers("vertices", "edges", "faces", "components", "euler", "closed", "oriented", "edge_manifold",
-                  "vertex_manifold")
-    claim.expect_kind("complexity"), claim.facts("open_edge", "turned_edge", "crowded_edge", "pinched_vertex")
-    expect_count(claim, "vertices", len(around)), expect_count(claim, "edges", len(uses))
-    expect_count(claim, "faces", len(faces)), expect_count(claim, "components", parts(whole))
-    euler = len(around) - len(uses) + len(faces)
-    expect(exact_value(claim.truth["euler"], "truth.euler") == euler, "truth: euler is wrong")
-    expect_word(claim, "closed", "open_edge", [edge for edge, use in uses.items() if sum(use) % 2 != 0])
-    expect_word(claim, "oriented", "turned_edge", [edge for edge, use in uses.items() if abs(use[0] - use[1]) > 1])
-    expect_word(claim, "edge_manifold", "crowded_edge", [edge for edge, use in uses.items() if sum(use) > 2])
-    pinched, named = [vertex for vertex, pairs in around.items() if parts(pairs) != 1], claim.list("pinched_vertex")
-    there = any(named == [vertex] for vertex in pinched)
-    expect(there or not named, "certificate.pinched_vertex: no such vertex")
-    expect(there or not pinched, "certificate.pinched_vertex: there is one")
-    expect_flag(claim, "vertex_manifold", not pinched and claim.truth["edge_manifold"] is True)
+    root, numbered = joined(whole), defaultdict(list)
+    for face in faces:
+        numbered[root[face[0]]].append(face)
+    components = list(numbered.values())
+
+    def first_edge(defective):
+        return min((list(edge) for edge, use in uses.items() if defective(*use)), default=None)
+
+    used, space = sorted(around), Space(vertices, faces)
+    pinched = next((v for v in used if len(set(joined(around[v]).values())) != 1), None)
+    flat = next((i for i, (normal, _) in enumerate(space.planes) if normal == (0, 0, 0)), None)
+    opened = first_edge(lambda forth, back: (forth + back) % 2 != 0)
+    turned = first_edge(lambda forth, back: abs(forth - back) > 1)
+    crowded = first_edge(lambda forth, back: forth + back > 2)
+    planes, weights, directions = (Given(claim, fact) for fact in ("planes", "common_point", "directions"))
+    meeting = first_meeting(claim, space, planes, weights) if flat is None else None
+    embedded = flat is None and meeting is None
+    solid = embedded and opened is None
+    splitting = first_splitting_face(space, used) if solid else None
+    nested = nesting(vertices, components, directions) if solid else None
+    planes.expect_used(), weights.expect_used(), directions.expect_used()
+    answers = {"vertices": len(around), "edges": len(uses), "faces": len(faces), "components": len(components),
+               "euler": str(len(around) - len(uses) + len(faces)),
+               "volume": sign_of_volume(vertices, faces) if opened is None and turned is None else "none",
+               "closed": opened is None, "oriented": turned is None, "edge_manifold": crowded is None,
+               "vertex_manifold": crowded is None and pinched is None, "embedded": embedded,
+               "convex": solid and splitting is None, "open_edge": opened, "turned_edge": turned,
+               "crowded_edge": crowded, "pinched_vertex": pinched, "flat_face": flat, "meeting_faces": meeting,
+               "splitting_face": splitting, "nesting": nested}
+    expect(isinstance(claim.truth, dict), "truth: an object")
+    for name, answer in answers.items():
+        if name in claim.truth:
+            right = json.dumps(claim.truth[name], sort_keys=True) == json.dumps(answer, sort_keys=True)
+        else:
+            right = answer is None
+        expect(right, f"truth: {name} is wrong")
+    there = sum(answer is not None for answer in answers.values())
+    expect(len(claim.truth) == there, "truth: an unexpected field")

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +12,8 @@ namespace touchstone::certify {
 namespace {
 
 using Vertex = std::size_t;
+using Face = std::array<Vertex, 3>;
+using Edge = std::pair<Vertex, Vertex>;
 /// How many faces run along an edge from its lesser vertex, and to it.
 struct Uses {
   long forth = 0, back = 0;
@@ -30,82 +34,275 @@ class Joined {
     for (const auto& [vertex, above] : std::map<Vertex, Vertex>(up_)) roots.insert(root(vertex));
     return roots.size();
   }
-
- private:
   Vertex root(Vertex v) {
     up_.emplace(v, v);
     while (up_[v] != v) v = up_[v];
     return v;
   }
+
+ private:
   std::map<Vertex, Vertex> up_;
 };
 
 struct Counted {
-  std::map<std::pair<Vertex, Vertex>, Uses> edges;
+  std::map<Edge, Uses> edges;
   Joined whole;
   std::map<Vertex, Joined> around;  // a vertex's neighbours, joined by the faces that have both
+
+  explicit Counted(const Mesh& mesh) {
+    for (const Face& face : mesh.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
+        ++(a < b ? edges[{a, b}].forth : edges[{b, a}].back);
+        whole.join(a, b), around[a].join(b, c);
+      }
+    }
+  }
+  json first_edge(bool (Uses::*defect)() const) const {
+    for (const auto& [edge, uses] : edges)
+      if ((uses.*defect)()) return {edge.first, edge.second};
+    return nullptr;
+  }
 };
 
-Counted counted(const Mesh& mesh) {
-  Counted found;
-  for (const auto& face : mesh.faces) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vertex a = face[k], b = face[(k + 1) % 3], c = face[(k + 2) % 3];
-      ++(a < b ? found.edges[{a, b}].forth : found.edges[{b, a}].back);
-      found.whole.join(a, b), found.around[a].join(b, c);
+bool has(const Face& face, Vertex v) { return std::find(face.begin(), face.end(), v) != face.end(); }
+long common(const Face& s, const Face& t) {
+  return std::count_if(s.begin(), s.end(), [&t](Vertex v) { return has(t, v); });
+}
+
+/// The faces of the mesh in space, each with its plane.
+struct Space {
+  const Mesh& mesh;
+  std::vector<Plane> planes;
+
+  explicit Space(const Mesh& of) : mesh(of) {
+    for (const Face& face : mesh.faces) {
+      const Triple &a = mesh.vertices[face[0]], normal = cross(mesh.vertices[face[1]] - a, mesh.vertices[face[2]] - a);
+      planes.push_back({normal, Rational(-dot(normal, a))});
+    }
+  }
+  int side(const Plane& plane, Vertex v) const { return sgn(plane.at(mesh.vertices[v])); }
+
+  /// All corners of t but the common ones are on one side of the plane of face i.
+  bool beside(std::size_t i, const Face& t) const {
+    int side_of_t = 0;
+    for (const Vertex v : t) {
+      if (has(mesh.faces[i], v)) continue;
+      const int here = side(planes[i], v);
+      if (here == 0 || here == -side_of_t) return false;
+      side_of_t = here;
+    }
+    return side_of_t != 0;
+  }
+  /// s is behind the plane, t in front of it; on it, of one of them, nothing but common corners: what both have is
+  /// spanned by these.
+  bool between(const Plane& plane, const Face& s, const Face& t) const {
+    const auto only_common = [&](const Face& f, const Face& other) {
+      return std::all_of(f.begin(), f.end(), [&](Vertex v) { return side(plane, v) != 0 || has(other, v); });
+    };
+    return std::all_of(s.begin(), s.end(), [&](Vertex v) { return side(plane, v) <= 0; }) &&
+           std::all_of(t.begin(), t.end(), [&](Vertex v) { return side(plane, v) >= 0; }) &&
+           (only_common(s, t) || only_common(t, s));
+  }
+  /// A plane across an axis, through the greatest coordinate of s, does that.
+  bool across_an_axis(const Face& s, const Face& t) const {
+    static const std::array<std::pair<Rational Triple::*, Triple>, 3> axes{
+        {{&Triple::x, {1, 0, 0}}, {&Triple::y, {0, 1, 0}}, {&Triple::z, {0, 0, 1}}}};
+    return std::any_of(axes.begin(), axes.end(), [&](const auto& axis) {
+      const auto at = [&](Vertex v) { return mesh.vertices[v].*axis.first; };
+      return between({axis.second, Rational(-std::max({at(s[0]), at(s[1]), at(s[2])}))}, s, t);
+    });
+  }
+};
+
+/// Numbers of a fact, so many at a time.
+class Given {
+ public:
+  Given(const Claim& claim, const char* fact)
+      : name_(std::string("certificate.") + fact), values_(claim.list(fact)) {}
+  const Rational& next() {
+    expect(used_ < values_.size(), name_ + ": more are needed");
+    return values_[used_++];
+  }
+  Triple next_triple() {
+    const Rational x = next(), y = next();
+    return {x, y, next()};
+  }
+  void expect_used() const { expect(used_ == values_.size(), name_ + ": fewer are needed"); }
+
+ private:
+  std::string name_;
+  std::vector<Rational> values_;
+  std::size_t used_ = 0;
+};
+
+/// The pair of faces that the truth names, or none.
+std::optional<Edge> named_pair(const Claim& claim, std::size_t faces) {
+  if (!claim.truth.is_object() || !claim.truth.contains("meeting_faces")) return std::nullopt;
+  const json& pair = claim.truth["meeting_faces"];
+  const auto index = [faces](const json& n) { return n.is_number_unsigned() && n.get<std::uint64_t>() < faces; };
+  const bool there = pair.is_array() && pair.size() == 2 && index(pair[0]) && index(pair[1]) && pair[0] < pair[1];
+  expect(there, "truth: meeting_faces is wrong");
+  return Edge{pair[0].get<std::size_t>(), pair[1].get<std::size_t>()};
+}
+
+/// The weights give one point of both faces, which common corners do not span.
+void expect_meeting(const Space& space, const Face& s, const Face& t, Given& weights) {
+  const auto point = [&](const Face& f, const Face& other, bool& beyond) {
+    Rational sum;
+    Triple combination{0, 0, 0};
+    for (const Vertex v : f) {
+      const Rational& weight = weights.next();
+      expect(sgn(weight) >= 0, "certificate: a weight is negative");
+      sum += weight, combination = along(combination, weight, space.mesh.vertices[v]);
+      beyond = beyond || (sgn(weight) > 0 && !has(other, v));
+    }
+    expect(sum == 1, "certificate: the weights do not sum to 1");
+    return combination;
+  };
+  bool beyond = common(s, t) == 3;
+  const Triple of_s = point(s, t, beyond), of_t = point(t, s, beyond);
+  expect(of_s == of_t, "certificate: the weights give two points");
+  expect(beyond, "certificate: the faces share the point");
+}
+
+/// Of faces with areas: the first pair in the order of their places that meets beyond what both name.
+json first_meeting(const Claim& claim, const Space& space, Given& planes, Given& weights) {
+  const auto& faces = space.mesh.faces;
+  const std::optional<Edge> named = named_pair(claim, faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (std::size_t j = i + 1; j < faces.size(); ++j) {
+      const Face &s = faces[i], &t = faces[j];
+      if (named == Edge{i, j}) {
+        expect_meeting(space, s, t, weights);
+        return {i, j};
+      }
+      const std::string both = "faces " + std::to_string(i) + " and " + std::to_string(j);
+      expect(common(s, t) < 3, "certificate: " + both + " coincide");
+      if (space.across_an_axis(s, t) || space.across_an_axis(t, s) || space.beside(i, t) || space.beside(j, s)) continue;
+      const Triple normal = planes.next_triple();
+      const bool apart = space.between({normal, Rational(-planes.next())}, s, t);
+      expect(apart, "certificate.planes: " + both + " are not held apart");
+    }
+  }
+  return nullptr;
+}
+
+json first_splitting_face(const Space& space, const Counted& counted) {
+  for (std::size_t i = 0; i < space.planes.size(); ++i) {
+    std::map<int, Vertex> first;
+    for (const auto& [v, neighbours] : counted.around) first.emplace(space.side(space.planes[i], v), v);
+    if (!first.contains(1) || !first.contains(-1)) continue;
+    return {{"face", i}, {"one", std::min(first[1], first[-1])}, {"other", std::max(first[1], first[-1])}};
+  }
+  return nullptr;
+}
+
+/// In the order of their first faces.
+std::vector<std::vector<Face>> components(const Mesh& mesh, Counted& counted) {
+  std::vector<std::vector<Face>> found;
+  std::map<Vertex, std::size_t> numbers;
+  for (const Face& face : mesh.faces) {
+    const auto [number, added] = numbers.emplace(counted.whole.root(face[0]), found.size());
+    if (added) found.emplace_back();
+    found[number->second].push_back(face);
+  }
+  return found;
+}
+
+/// The ray from the point in the next direction crosses an odd number of the faces; where the point is not in the box
+/// of all of them, it is outside.
+bool inside(const Mesh& mesh, const std::vector<Face>& faces, const Triple& p, Given& directions) {
+  for (Rational Triple::*axis : {&Triple::x, &Triple::y, &Triple::z}) {
+    bool above_some = false, below_some = false;
+    for (const Face& face : faces) {
+      for (const Vertex v : face) {
+        above_some = above_some || mesh.vertices[v].*axis <= p.*axis;
+        below_some = below_some || mesh.vertices[v].*axis >= p.*axis;
+      }
+    }
+    if (!above_some || !below_some) return false;
+  }
+  const Triple direction = directions.next_triple();
+  bool odd = false;
+  for (const Face& f : faces) {
+    const auto& v = mesh.vertices;
+    odd ^= crossing({v[f[0]] - p, v[f[1]] - p, v[f[2]] - p}, direction).has_value();
+  }
+  return odd;
+}
+
+json nesting(const Mesh& mesh, const std::vector<std::vector<Face>>& components, Given& directions) {
+  json found = json::array();
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    for (std::size_t j = 0; j < components.size(); ++j) {
+      const bool within = i != j && inside(mesh, components[i], mesh.vertices[components[j][0][0]], directions);
+      if (within) found.push_back({i, j});
     }
   }
   return found;
 }
 
-/// The word is false where an edge is named, which has to be one for which it is false; else true for all edges.
-void expect_word(const Claim& claim, const char* word, const char* fact, bool (Uses::*defect)() const,
-                 const Counted& found) {
-  const std::vector<Rational> named = claim.list(fact);
-  bool whole = true;
-  for (const auto& [edge, uses] : found.edges) {
-    if (!(uses.*defect)()) continue;
-    whole = false;
-    if (named == std::vector<Rational>{Rational(edge.first), Rational(edge.second)}) {
-      expect(claim.truth[word] == false, std::string("truth: ") + word + " is wrong");
-      return;
-    }
-  }
-  expect(named.empty(), std::string("certificate.") + fact + ": no such edge");
-  expect(whole, std::string("certificate.") + fact + ": there is one");
-  expect(claim.truth[word] == true, std::string("truth: ") + word + " is wrong");
-}
-
-void expect_count(const Claim& claim, const char* name, std::size_t count) {
-  expect(claim.truth[name] == count, std::string("truth: ") + name + " is wrong");
+std::string sign_of_volume(const Mesh& mesh) {
+  Rational sum;
+  for (const Face& face : mesh.faces)
+    sum += dot(mesh.vertices[face[0]], cross(mesh.vertices[face[1]], mesh.vertices[face[2]]));
+  return sgn(sum) > 0 ? "positive" : sgn(sum) < 0 ? "negative" : "zero";
 }
 
 void check_polyhedron_complexity(const Claim& claim) {
   claim.inputs({"mesh"});
   const Mesh surface = mesh(claim.input["mesh"], "mesh");
-  Counted found = counted(surface);
-  claim.answers(
-      {"vertices", "edges", "faces", "components", "euler", "closed", "oriented", "edge_manifold", "vertex_manifold"});
   expect(claim.kind() == "complexity", "certificate: no such kind for this truth");
-  claim.facts({"open_edge", "turned_edge", "crowded_edge", "pinched_vertex"});
-  const std::size_t vertices = found.around.size(), edges = found.edges.size(), faces = surface.faces.size();
-  expect_count(claim, "vertices", vertices), expect_count(claim, "edges", edges), expect_count(claim, "faces", faces);
-  expect_count(claim, "components", found.whole.parts());
-  expect(exact_value(claim.truth["euler"], "truth.euler") == Rational(vertices) - Rational(edges) + Rational(faces),
-         "truth: euler is wrong");
-  expect_word(claim, "closed", "open_edge", &Uses::odd, found);
-  expect_word(claim, "oriented", "turned_edge", &Uses::turned, found);
-  expect_word(claim, "edge_manifold", "crowded_edge", &Uses::crowded, found);
-  const std::vector<Rational> named = claim.list("pinched_vertex");
-  bool whole = true, there = false;
-  for (auto& [vertex, neighbours] : found.around) {
-    if (neighbours.parts() == 1) continue;
-    whole = false, there = there || named == std::vector<Rational>{Rational(vertex)};
+  claim.facts({"planes", "common_point", "directions"});
+  Counted counted(surface);
+  const Space space(surface);
+  const auto parts = components(surface, counted);
+  json pinched, flat;
+  for (auto& [vertex, neighbours] : counted.around)
+    if (pinched.is_null() && neighbours.parts() != 1) pinched = vertex;
+  for (std::size_t i = 0; i < space.planes.size() && flat.is_null(); ++i)
+    if (space.planes[i].normal == Triple{0, 0, 0}) flat = i;
+  const json open = counted.first_edge(&Uses::odd), turned = counted.first_edge(&Uses::turned),
+             crowded = counted.first_edge(&Uses::crowded);
+  Given planes(claim, "planes"), weights(claim, "common_point"), directions(claim, "directions");
+  const json meeting = flat.is_null() ? first_meeting(claim, space, planes, weights) : json();
+  const bool embedded = flat.is_null() && meeting.is_null(), solid = embedded && open.is_null();
+  const json splitting = solid ? first_splitting_face(space, counted) : json(),
+             nested = solid ? nesting(surface, parts, directions) : json();
+  planes.expect_used(), weights.expect_used(), directions.expect_used();
+  const std::size_t vertices = counted.around.size(), edges = counted.edges.size(), faces = surface.faces.size();
+  const Rational euler = Rational(vertices) - Rational(edges) + Rational(faces);
+  const std::vector<std::pair<const char*, json>> answers{
+      {"vertices", vertices},
+      {"edges", edges},
+      {"faces", faces},
+      {"components", parts.size()},
+      {"euler", euler.get_str()},
+      {"volume", open.is_null() && turned.is_null() ? sign_of_volume(surface) : "none"},
+      {"closed", open.is_null()},
+      {"oriented", turned.is_null()},
+      {"edge_manifold", crowded.is_null()},
+      {"vertex_manifold", crowded.is_null() && pinched.is_null()},
+      {"embedded", embedded},
+      {"convex", solid && splitting.is_null()},
+      {"open_edge", open},
+      {"turned_edge", turned},
+      {"crowded_edge", crowded},
+      {"pinched_vertex", pinched},
+      {"flat_face", flat},
+      {"meeting_faces", meeting},
+      {"splitting_face", splitting},
+      {"nesting", nested}};
+  expect(claim.truth.is_object(), "truth: an object");
+  std::size_t there = 0;
+  for (const auto& [name, answer] : answers) {
+    const auto given = claim.truth.find(name);
+    const bool right = given == claim.truth.end() ? answer.is_null() : given->dump() == answer.dump();
+    expect(right, std::string("truth: ") + name + " is wrong");
+    there += !answer.is_null();
   }
-  expect(there || named.empty(), "certificate.pinched_vertex: no such vertex");
-  expect(there || whole, "certificate.pinched_vertex: there is one");
-  expect(claim.truth["vertex_manifold"] == (whole && claim.truth["edge_manifold"] == true),
-         "truth: vertex_manifold is wrong");
+  expect(claim.truth.size() == there, "truth: an unexpected field");
 }
 
 }  // namespace

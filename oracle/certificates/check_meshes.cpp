@@ -87,4 +87,20 @@ std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what) {
   return planes;
 }
 
+std::optional<Rational> crossing(const std::array<Triple, 3>& corners, const Triple& direction) {
+  Rational sum;
+  int left = 0, right = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Triple &a = corners[k], &b = corners[(k + 1) % 3], span = cross(a, b), none{0, 0, 0};
+    const Rational side = dot(direction, span);
+    const bool away = span == none && sgn(dot(a, b)) > 0 && !(cross(direction, a) == none);
+    expect(sgn(side) != 0 || away, "certificate: the ray's line meets an edge");
+    left += sgn(side) > 0, right += sgn(side) < 0, sum += side;
+  }
+  if (left != 3 && right != 3) return std::nullopt;
+  const Rational t = dot(corners[0], cross(corners[1], corners[2])) / sum;
+  expect(sgn(t) != 0, "certificate: the point is on a face");
+  return sgn(t) > 0 ? std::optional(t) : std::nullopt;
+}
+
 }  // namespace touchstone::certify

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "oracle/certificates/check_space.h"
@@ -24,5 +25,11 @@ Mesh mesh(const json& value, const std::string& what);
 /// reference/polyhedra/point_in_convex_polyhedron.h.) Returns the faces' planes, positive outside. Takes faces times
 /// vertices steps.
 std::vector<Plane> outward_planes(const Mesh& mesh, const std::string& what);
+
+/// Where the ray along `direction` crosses a face, whose corners are given as the point sees them: at t > 0, or not at
+/// all. Its line misses every edge: it passes beside it, which the sign of a volume tells; or the edge lies on a line
+/// through the point, which is not between its ends, and the direction is another. So the face, whether it has an area
+/// or not, is crossed if the line passes all its edges on one side, and if not, it does not hold the point either.
+std::optional<Rational> crossing(const std::array<Triple, 3>& corners, const Triple& direction);
 
 }  // namespace touchstone::certify

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -63,26 +62,6 @@ void expect_even(const Mesh& mesh, const std::string& what) {
              field + ": closed: the edge " + edge + " must be in an even number of faces");
     }
   }
-}
-
-/// Where the ray along `direction` crosses a face, whose corners are given as the point sees them: at t > 0, or not at
-/// all. Its line misses every edge: it passes beside it, which the sign of a volume tells; or the edge lies on a line
-/// through the point, which is not between its ends, and the direction is another. So the face, whether it has an area
-/// or not, is crossed if the line passes all its edges on one side, and if not, it does not hold the point either.
-std::optional<Rational> crossing(const std::array<Triple, 3>& corners, const Triple& direction) {
-  Rational sum;
-  int left = 0, right = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Triple &a = corners[k], &b = corners[(k + 1) % 3], span = cross(a, b), none{0, 0, 0};
-    const Rational side = dot(direction, span);
-    const bool away = span == none && sgn(dot(a, b)) > 0 && !(cross(direction, a) == none);
-    expect(sgn(side) != 0 || away, "certificate: the ray's line meets an edge");
-    left += sgn(side) > 0, right += sgn(side) < 0, sum += side;
-  }
-  if (left != 3 && right != 3) return std::nullopt;
-  const Rational t = dot(corners[0], cross(corners[1], corners[2])) / sum;
-  expect(sgn(t) != 0, "certificate: the point is on a face");
-  return sgn(t) > 0 ? std::optional(t) : std::nullopt;
 }
 
 void check_point_in_polyhedron(const Claim& claim) {

@@ -5,9 +5,13 @@
 #include <array>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "oracle/exact/rational_validation.h"
+#include "oracle/exact/two_faces.h"
+#include "oracle/exact/whole_cloud.h"
+#include "oracle/polyhedra/point_in_polyhedron.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -40,12 +44,13 @@ bool runs(const Face& f, Index from, Index to) {
   return (f.a == from && f.b == to) || (f.b == from && f.c == to) || (f.c == from && f.a == to);
 }
 
-Index components(const std::vector<Face>& list, const Surface& surface) {
+/// The places of the faces of each component, in the order of their first ones.
+std::vector<std::set<std::size_t>> components(const std::vector<Face>& list, const Surface& surface) {
   std::set<std::size_t> left;
   for (std::size_t i = 0; i < list.size(); ++i) left.insert(i);
-  Index count = 0;
-  for (; !left.empty(); ++count) {
-    const auto part = reached(*left.begin(), [&](std::size_t face) {
+  std::vector<std::set<std::size_t>> found;
+  while (!left.empty()) {
+    found.push_back(reached(*left.begin(), [&](std::size_t face) {
       std::vector<std::size_t> others;
       const Face& f = list[face];
       for (const Index v : {f.a, f.b, f.c}) {
@@ -53,10 +58,10 @@ Index components(const std::vector<Face>& list, const Surface& surface) {
         others.insert(others.end(), faces.begin(), faces.end());
       }
       return others;
-    });
-    for (const std::size_t face : part) left.erase(face);
+    }));
+    for (const std::size_t face : found.back()) left.erase(face);
   }
-  return count;
+  return found;
 }
 
 /// The faces at the vertex are neighbours of neighbours of one of them, by edges that end there.
@@ -73,17 +78,121 @@ bool one_fan(const std::vector<Face>& list, const Surface& surface, Index vertex
          }).size() == faces.size();
 }
 
-/// What the surface is not, at the first place where it is not.
-struct Defects {
-  std::vector<Rational> open, turned, crowded, pinched;
+using Answer = PolyhedronComplexity<Rational>;
+
+template <class Witness>
+void note(std::optional<Witness>& first, const Witness& witness) {
+  if (!first) first = witness;
+}
+
+/// What the indices tell.
+Answer counted(const std::vector<Face>& list, const Surface& surface) {
+  Answer found{};
+  for (const auto& [edge, faces] : surface.at_edge) {
+    const IndexPair ends{*edge.begin(), *edge.rbegin()};
+    const auto along = [&](Index from, Index to) {
+      return std::count_if(faces.begin(), faces.end(), [&](std::size_t i) { return runs(list[i], from, to); });
+    };
+    const auto forth = along(ends.i, ends.j), back = along(ends.j, ends.i);
+    if (faces.size() % 2 != 0) note(found.open_edge, ends);
+    if (forth - back > 1 || back - forth > 1) note(found.turned_edge, ends);
+    if (faces.size() > 2) note(found.crowded_edge, ends);
+  }
+  for (const auto& [vertex, faces] : surface.at_vertex) {
+    if (!one_fan(list, surface, vertex)) note(found.pinched_vertex, vertex);
+  }
+  found.vertices = static_cast<Index>(surface.at_vertex.size()), found.edges = static_cast<Index>(surface.at_edge.size());
+  found.faces = static_cast<Index>(list.size());
+  found.euler = Rational(Rational(found.vertices) - Rational(found.edges) + Rational(found.faces));
+  found.closed = !found.open_edge, found.oriented = !found.turned_edge, found.edge_manifold = !found.crowded_edge;
+  found.vertex_manifold = found.edge_manifold && !found.pinched_vertex;
+  return found;
+}
+
+/// The planes between pairs of faces that need one, and the weights of the common point of those that meet.
+struct Pairs {
+  std::vector<WitnessPlane> planes;
+  std::vector<Rational> weights;
 };
 
-void note(std::vector<Rational>& defect, const Edge& at) {
-  if (defect.empty()) defect.assign(at.begin(), at.end());
+/// All faces have areas.
+Pairs paired(const std::vector<Face>& list, const WholeCloud& cloud, Answer& found) {
+  Pairs pairs;
+  for (Index i = 0; i < list.size(); ++i) {
+    for (Index j = i + 1; j < list.size(); ++j) {
+      if (boxes_apart(cloud, list[i], list[j])) continue;
+      const TwoFaces two(cloud, list[i], list[j]);
+      if (two.meet) {
+        found.meeting_faces = IndexPair{i, j};
+        pairs.weights.assign(two.on_first.begin(), two.on_first.end());
+        pairs.weights.insert(pairs.weights.end(), two.on_second.begin(), two.on_second.end());
+        return pairs;
+      }
+      if (!plainly_apart(cloud, list[i], list[j])) pairs.planes.push_back(two.between);
+    }
+  }
+  return pairs;
+}
+
+void look_for_flat_face(const std::vector<Face>& list, const WholeCloud& cloud, Answer& found) {
+  for (Index i = 0; i < list.size(); ++i)
+    if (zero(cloud.normal(list[i].a, list[i].b, list[i].c))) note(found.flat_face, i);
+}
+
+void look_for_splitting_face(const std::vector<Face>& list, const Surface& surface, const WholeCloud& cloud,
+                             Answer& found) {
+  for (Index i = 0; i < list.size() && !found.splitting_face; ++i) {
+    const Face& f = list[i];
+    const SupportingPlane plane = cloud.plane(cloud.normal(f.a, f.b, f.c), f.a);
+    std::map<int, Index> first;  // by the side
+    for (const auto& [vertex, faces] : surface.at_vertex) first.emplace(sgn(cloud.height(plane, vertex)), vertex);
+    if (first.contains(1) && first.contains(-1))
+      found.splitting_face = SplittingFace{i, std::min(first[1], first[-1]), std::max(first[1], first[-1])};
+  }
+}
+
+/// Six times the volume: of each face the doubled area seen from above, times the sum of the heights of its corners.
+VolumeSign sign_of_volume(const std::vector<Face>& list, const WholeCloud& cloud) {
+  Integer sum;
+  for (const Face& f : list) sum += cloud.normal(f.a, f.b, f.c).z * (cloud[f.a].z + cloud[f.b].z + cloud[f.c].z);
+  return sgn(sum) > 0 ? VolumeSign::positive : sgn(sum) < 0 ? VolumeSign::negative : VolumeSign::zero;
+}
+
+/// Of a closed embedded mesh. Returns the directions of the rays, one after the other.
+template <class Number>
+std::vector<Rational> nest(const Mesh<Number>& mesh, const std::vector<std::set<std::size_t>>& components,
+                           const WholeCloud& cloud, Answer& found) {
+  std::vector<Rational> directions;
+  found.nesting.emplace();
+  for (Index i = 0; i < components.size(); ++i) {
+    Mesh<Number> outer{mesh.vertices, {}};
+    std::set<Index> corners;
+    for (const std::size_t face : components[i]) {
+      const Face& f = mesh.faces[face];
+      outer.faces.push_back(f), corners.insert({f.a, f.b, f.c});
+    }
+    const auto in_box = [&](Index vertex) {
+      for (Integer Point3<Integer>::*axis : {&Point3<Integer>::x, &Point3<Integer>::y, &Point3<Integer>::z}) {
+        const auto below = [&](Index one, Index other) { return cloud[one].*axis < cloud[other].*axis; };
+        const auto [least, greatest] = std::minmax_element(corners.begin(), corners.end(), below);
+        if (below(vertex, *least) || below(*greatest, vertex)) return false;
+      }
+      return true;
+    };
+    for (Index j = 0; j < components.size(); ++j) {
+      const Index inner = mesh.faces[*components[j].begin()].a;
+      if (i == j || !in_box(inner)) continue;
+      const Truth<Location> where = point_in_polyhedron(outer, mesh.vertices[inner]);
+      if (where.answer == Location::inside) found.nesting->push_back({i, j});
+      for (const auto& [name, values] : where.certificate().facts)
+        if (name == "direction") directions.insert(directions.end(), values.begin(), values.end());
+    }
+  }
+  return directions;
 }
 
 template <class Number>
-Truth<PolyhedronComplexity<Rational>> truth_of(const Mesh<Number>& mesh) {
+Truth<Answer> truth_of(const Mesh<Number>& mesh) {
   validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh);
   Surface surface;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
@@ -91,44 +200,35 @@ Truth<PolyhedronComplexity<Rational>> truth_of(const Mesh<Number>& mesh) {
     for (const Index v : {f.a, f.b, f.c}) surface.at_vertex[v].push_back(i);
     for (const Edge& edge : edges_of(f)) surface.at_edge[edge].push_back(i);
   }
-  Defects found;
-  for (const auto& [edge, faces] : surface.at_edge) {
-    const auto along = [&](Index from, Index to) {
-      return std::count_if(faces.begin(), faces.end(), [&](std::size_t i) { return runs(mesh.faces[i], from, to); });
-    };
-    const auto forth = along(*edge.begin(), *edge.rbegin()), back = along(*edge.rbegin(), *edge.begin());
-    if (faces.size() % 2 != 0) note(found.open, edge);
-    if (forth - back > 1 || back - forth > 1) note(found.turned, edge);
-    if (faces.size() > 2) note(found.crowded, edge);
+  Answer found = counted(mesh.faces, surface);
+  const auto parts = components(mesh.faces, surface);
+  found.components = static_cast<Index>(parts.size());
+  const WholeCloud cloud(mesh.vertices);
+  if (found.closed && found.oriented) found.volume = sign_of_volume(mesh.faces, cloud);
+  look_for_flat_face(mesh.faces, cloud, found);
+  Pairs pairs;
+  if (!found.flat_face) pairs = paired(mesh.faces, cloud, found);
+  found.embedded = !found.flat_face && !found.meeting_faces;
+  std::vector<Rational> directions;
+  if (found.closed && found.embedded) {
+    look_for_splitting_face(mesh.faces, surface, cloud, found);
+    found.convex = !found.splitting_face;
+    directions = nest(mesh, parts, cloud, found);
   }
-  for (const auto& [vertex, faces] : surface.at_vertex) {
-    if (!one_fan(mesh.faces, surface, vertex)) note(found.pinched, {vertex});
-  }
-  const auto vertices = static_cast<Index>(surface.at_vertex.size()),
-             edges = static_cast<Index>(surface.at_edge.size()), faces = static_cast<Index>(mesh.faces.size());
-  const bool manifold = found.crowded.empty();
-  return {{.vertices = vertices,
-           .edges = edges,
-           .faces = faces,
-           .components = components(mesh.faces, surface),
-           .euler = Rational(Rational(vertices) - Rational(edges) + Rational(faces)),
-           .closed = found.open.empty(),
-           .oriented = found.turned.empty(),
-           .edge_manifold = manifold,
-           .vertex_manifold = manifold && found.pinched.empty()},
-          std::nullopt,
-          [found] {
-            return Certificate{"complexity",
-                               {{"open_edge", found.open},
-                                {"turned_edge", found.turned},
-                                {"crowded_edge", found.crowded},
-                                {"pinched_vertex", found.pinched}}};
+  return {found, std::nullopt, [pairs = std::move(pairs), directions = std::move(directions), unit = cloud.unit] {
+            std::vector<Rational> planes;
+            for (const auto& [normal, offset] : pairs.planes)
+              planes.insert(planes.end(), {Rational(normal.x), Rational(normal.y), Rational(normal.z),
+                                           Rational(offset * unit)});
+            return Certificate{
+                "complexity",
+                {{"planes", planes}, {"common_point", pairs.weights}, {"directions", directions}}};
           }};
 }
 
 }  // namespace
 
-Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Meshd& mesh) { return truth_of(mesh); }
+Truth<Answer> polyhedron_complexity(const Meshd& mesh) { return truth_of(mesh); }
 
 template <Exact Number>
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Number>& mesh) {

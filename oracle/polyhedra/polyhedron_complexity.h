@@ -8,10 +8,16 @@
 namespace touchstone::oracle {
 
 /// Truth: from the definitions: sets of vertices and edges; components by walking from face to face; at every vertex a
-/// walk through its faces, which has to come past all of them. Margin: none, nothing is measured.
+/// walk through its faces, which has to come past all of them; for each pair of faces whose boxes meet an exact linear
+/// program for a plane between them (oracle/exact/two_faces.h); every vertex against the plane of every face; the sum
+/// of the prisms under the faces; the place of a vertex of each component in every other one, by rays
+/// (oracle/polyhedra/point_in_polyhedron.h). Margin: none: several quantities decide several words.
 ///
-/// Certificate: "complexity": an edge or a vertex for every word that is false, `open_edge`, `turned_edge`,
-/// `crowded_edge`, `pinched_vertex`, else empty lists; the rest is counted once more.
+/// Certificate: "complexity": what indices tell is counted once more, and so are areas, sides of planes and the volume.
+/// planes: the normal and the offset of a plane for each pair of faces before the meeting ones that neither a plane
+/// across an axis nor the faces' own planes hold apart. common_point: six weights of the corners of the meeting faces.
+/// directions: of a ray that misses all edges, for each two components of which the first vertex of the one is in the
+/// box of the other.
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Meshd& mesh);
 template <Exact Number>
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Mesh<Number>& mesh);

@@ -1,92 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/polyhedra/polyhedron_complexity.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <cstdlib>
-#include <numeric>
 #include <vector>
 
 #include "geometry/validation.h"
+#include "robust/kernel/ordered_bits.h"
+#include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/structures/connected_mesh.h"
+#include "robust/structures/embedded_mesh.h"
+#include "robust/structures/solid_mesh.h"
+#include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
 namespace {
 
-/// Sets of numbers that were joined.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : up_(count) { std::iota(up_.begin(), up_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
-    while (up_[i] != i) i = up_[i] = up_[up_[i]];
-    return i;
+/// Each component of the mesh alone, over its own vertices, in the order in which its faces name them.
+std::vector<Meshd> parts_of(const Meshd& mesh, const std::vector<Index>& components) {
+  std::vector<Meshd> parts;
+  std::vector<Index> place(mesh.vertices.size());
+  std::vector<bool> placed(mesh.vertices.size());
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    if (components[i] == parts.size()) parts.emplace_back();
+    Meshd& part = parts[components[i]];
+    const Face& f = mesh.faces[i];
+    for (const Index v : {f.a, f.b, f.c}) {
+      if (placed[v]) continue;
+      placed[v] = true, place[v] = static_cast<Index>(part.vertices.size());
+      part.vertices.push_back(mesh.vertices[v]);
+    }
+    part.faces.push_back({place[f.a], place[f.b], place[f.c]});
   }
-  void join(std::size_t i, std::size_t j) {
-    const std::size_t p = root(i), q = root(j);
-    up_[std::max(p, q)] = std::min(p, q);
+  return parts;
+}
+
+Aabb3d box_of(const Meshd& part) {
+  Aabb3d box{part.vertices[0], part.vertices[0]};
+  for (const Point3d& p : part.vertices) {
+    for (double Point3d::*axis : structures::coordinates) {
+      const std::int64_t at = kernel::ordered_bits(p.*axis);
+      if (at < kernel::ordered_bits(box.min.*axis)) box.min.*axis = p.*axis;
+      if (at > kernel::ordered_bits(box.max.*axis)) box.max.*axis = p.*axis;
+    }
   }
+  return box;
+}
 
- private:
-  std::vector<std::size_t> up_;
-};
-
-/// A side of a face: corner k to the next, k = 3 * face + 0, 1 or 2.
-struct Side {
-  Index low, high;
-  std::size_t corner;
-  bool along;  ///< from low to high
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
-};
-
-std::size_t next(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+/// Which component of a closed embedded mesh contains which, by a vertex of each. components: of each face.
+std::vector<IndexPair> nesting(const Meshd& mesh, const std::vector<Index>& components) {
+  const std::vector<Meshd> parts = parts_of(mesh, components);
+  std::vector<Aabb3d> boxes;
+  for (const Meshd& part : parts) boxes.push_back(box_of(part));
+  std::vector<IndexPair> found;
+  const auto note = [&](Index outer, Index inner) {
+    const auto inside = stages::point_in_polyhedron::of_valid(parts[outer], parts[inner].vertices[0]).answer;
+    if (inside == Location::inside) found.push_back({outer, inner});
+  };
+  for (const auto& [i, j] : structures::swept_pairs(boxes)) note(i, j), note(j, i);
+  using structures::sorted_by;
+  return sorted_by(&IndexPair::i, sorted_by(&IndexPair::j, found, parts.size()), parts.size());
+}
 
 }  // namespace
 
 PolyhedronComplexity<double> polyhedron_complexity(const Meshd& mesh) {
   validation::validate("mesh", mesh), validation::validate_triangles("mesh", mesh);
-  std::vector<Index> corners;
-  for (const Face& f : mesh.faces) corners.insert(corners.end(), {f.a, f.b, f.c});
-  std::vector<Side> sides;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Index from = corners[k], to = corners[next(k)];
-    sides.push_back({std::min(from, to), std::max(from, to), k, from < to});
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return s.low != t.low ? s.low < t.low : s.high != t.high ? s.high < t.high : s.corner < t.corner;
-  });
-  PolyhedronComplexity<double> found{.vertices = 0,
-                                     .edges = 0,
-                                     .faces = static_cast<Index>(mesh.faces.size()),
-                                     .components = 0,
-                                     .euler = 0,
-                                     .closed = true,
-                                     .oriented = true,
-                                     .edge_manifold = true,
-                                     .vertex_manifold = true};
-  Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex, joined by the edges there
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(), [first](const Side& s) { return !s.same_edge(*first); });
-    const auto count = last - first, along = std::count_if(first, last, [](const Side&s) { return s.along; });
-    ++found.edges;
-    found.closed &= count % 2 == 0;
-    found.oriented &= std::abs(2 * along - count) <= 1;
-    found.edge_manifold &= count <= 2;
-    parts.join(first->low, first->high);
-    const auto at = [](const Side& s, bool low) { return s.along == low ? s.corner : next(s.corner); };
-    for (auto side = first + 1; side != last; ++side) {
-      fans.join(at(*first, true), at(*side, true)), fans.join(at(*first, false), at(*side, false));
-    }
-    first = last;
-  }
-  std::vector<bool> used(mesh.vertices.size());
-  std::vector<std::size_t> fan(mesh.vertices.size());  // of the first corner
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Index v = corners[k];
-    if (!used[v]) fan[v] = fans.root(k), ++found.vertices, found.components += parts.root(v) == v;
-    used[v] = true;
-    found.vertex_manifold &= fans.root(k) == fan[v];
-  }
-  found.vertex_manifold &= found.edge_manifold;
-  found.euler = static_cast<double>(std::int64_t{found.vertices} - found.edges + found.faces);
+  const structures::ConnectedMesh connected(mesh);
+  PolyhedronComplexity<double> found = connected.found;
+  if (found.closed && found.oriented) found.volume = structures::sign_of_volume(mesh);
+  found.flat_face = structures::first_flat_face(mesh);
+  if (!found.flat_face) found.meeting_faces = structures::first_meeting_faces(mesh);
+  found.embedded = !found.flat_face && !found.meeting_faces;
+  if (!found.closed || !found.embedded) return found;
+  const bool one_surface = found.components == 1 && found.vertex_manifold && found.oriented;
+  if (!one_surface || !structures::locally_convex(mesh)) found.splitting_face = structures::first_splitting_face(mesh);
+  found.convex = !found.splitting_face;
+  found.nesting = nesting(mesh, connected.component);
   return found;
 }
 

@@ -8,10 +8,18 @@
 
 namespace touchstone::robust {
 
-/// How many vertices, edges, faces and components a mesh has, and whether it is closed, oriented and a manifold, at its
-/// edges and at its vertices. Nothing is measured, so nothing is rounded; the time is that of sorting its edges. NaN
-/// and infinities throw InvalidInput, and so does a face that is no triangle of the mesh. Contract:
-/// reference/polyhedra/polyhedron_complexity.h.
+/// How many vertices, edges, faces and components a mesh has; whether it is closed, oriented, a manifold at its edges
+/// and at its vertices, embedded (no face without area, no two faces that meet beyond what they share) and convex, each
+/// with the first place where it is not; the sign of its volume; which component contains which.
+///
+/// Right for all finite doubles in every floating-point environment; nothing is rounded. NaN and infinities throw
+/// InvalidInput, and so does a face that is no triangle of the mesh. Faces share the vertices that they name: merge
+/// repeated positions first. Contract: reference/polyhedra/polyhedron_complexity.h.
+///
+/// Time: sorting the edges, and sorting and sweeping the faces' boxes (robust/structures/sort_and_sweep.h), each pair
+/// whose boxes meet being looked at once. A closed embedded mesh that is not convex costs one look at all vertices for
+/// each face before the first that has vertices on both sides; one of several components a look at the faces of each
+/// for every component whose box meets its own.
 PolyhedronComplexity<double> polyhedron_complexity(const Meshd& mesh);
 
 }  // namespace touchstone::robust

@@ -3,10 +3,8 @@
 
 #include <array>
 #include <utility>
-#include <vector>
 
 #include "geometry/validation_of_triangles.h"
-#include "robust/kernel/integers.h"
 #include "robust/kernel/triangle_clip.h"
 #include "robust/kernel/valid_space.h"
 
@@ -14,8 +12,6 @@ namespace touchstone::robust {
 namespace {
 
 using filters::Sign;
-using kernel::HomogeneousPoint;
-using kernel::zero;
 using Relation = TriangleTriangleRelation;
 using Plane = filters::FacePlane<double>;
 using Sides = std::array<Sign, 3>;
@@ -41,18 +37,6 @@ struct Tip {
 
 Sign lone_side(const Sides& sides) {
   return sides[1] == sides[2] ? sides[0] : sides[0] == sides[2] ? sides[1] : sides[2];
-}
-
-struct Question {
-  Triangle3<mpz_class> a, b;
-};
-
-Question as_integers(const Triangle3d& a, const Triangle3d& b) {
-  const auto n = kernel::integers_of(a.a.x, a.a.y, a.a.z, a.b.x, a.b.y, a.b.z, a.c.x, a.c.y, a.c.z, b.a.x, b.a.y, b.a.z,
-                                     b.b.x, b.b.y, b.b.z, b.c.x, b.c.y, b.c.z)
-                     .at;
-  const auto point = [&n](std::size_t i) { return Point3<mpz_class>{n[i], n[i + 1], n[i + 2]}; };
-  return {{point(0), point(3), point(6)}, {point(9), point(12), point(15)}};
 }
 
 void validate(const Triangle3d& a, const Triangle3d& b) {
@@ -83,18 +67,8 @@ Perhaps<Relation> stages::triangle_triangle::filter(const Triangle3d& a, const T
   return Relation::segment;
 }
 
-/// The dimension of the smallest convex set around the ends of the parts that edges have in the other triangle.
 Relation stages::triangle_triangle::exact(const Triangle3d& a, const Triangle3d& b) {
-  const Question q = as_integers(a, b);
-  const std::vector<HomogeneousPoint> ends = kernel::ends_of_common_part(q.a, q.b);
-  if (ends.empty()) return Relation::none;
-  Vector3<mpz_class> along{0, 0, 0};
-  for (const HomogeneousPoint& end : ends)
-    if (zero(along)) along = way(ends.front(), end);
-  if (zero(along)) return Relation::point;
-  for (const HomogeneousPoint& end : ends)
-    if (!zero(cross(along, way(ends.front(), end)))) return Relation::area;
-  return Relation::segment;
+  return static_cast<Relation>(1 + kernel::dimension_of_common_part(a, b));
 }
 
 Decided<Relation> stages::triangle_triangle::past_filter(const Triangle3d& a, const Triangle3d& b) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/contact_mesh_draws.h"
 #include "catalogue/families/mesh_draws.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
@@ -22,7 +23,7 @@ struct polyhedron_complexity {
         .name = "polyhedron_complexity",
         .chapter = "polyhedra",
         .pages = "26",
-        .question = "How many vertices, edges, faces and parts has the mesh, and is it a surface?",
+        .question = "Of how many vertices, edges, faces and parts is the mesh; is it a surface, and where not?",
         .kind = Kind::measure,
         .fields = {"mesh"},
         .margin_degree = 0,
@@ -48,10 +49,35 @@ struct polyhedron_complexity {
                  mesh.faces.erase(mesh.faces.begin() + static_cast<std::ptrdiff_t>(c.below(mesh.faces.size())));
                return {mesh};
              }},
-            {"opened", [](DrawStream& c) -> Question {
+            {"opened",
+             [](DrawStream& c) -> Question {
                const Meshd mesh = lattice_solid(c);
                return {opened(mesh, c)};
-             }}};
+             }},
+            {"small_lattice", [](DrawStream& c) -> Question { return {small_lattice_faces(c)}; }},
+            {"flat_part", [](DrawStream& c) -> Question { return {flat_part(c)}; }},
+            {"flat_vertex",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = lattice_polyhedron(c);
+               return {with_flat_vertex(mesh, c)};
+             }},
+            {"folded_flap", [](DrawStream& c) -> Question { return {folded_flap(c)}; }},
+            {"touching_solids", [](DrawStream& c) -> Question { return {touching_solids(c)}; }},
+            {"fans_at_a_vertex", [](DrawStream& c) -> Question { return {fans_at_a_vertex(c)}; }},
+            {"nested_shells", [](DrawStream& c) -> Question { return {nested_shells(c)}; }},
+            {"repeated_vertices",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = lattice_polyhedron(c);
+               return {with_repeated_vertices(mesh, c)};
+             }},
+            {"reported", [](DrawStream& c) -> Question { return {reported_faces(c)}; }},
+            {"stretched",
+             [](DrawStream& c) -> Question {
+               const Meshd mesh = c.below(2) == 0 ? lattice_solid(c) : small_lattice_faces(c);
+               return {with_stretched_axes(mesh, c)};
+             }},
+            {"named_mesh", [](DrawStream& c) -> Question { return {named_mesh(c)}; }, /*unscaled=*/true},
+            {"named_solid", [](DrawStream& c) -> Question { return {named_solid(c)}; }, /*unscaled=*/true}};
   }
 
   static void repair(Question& question) { make_solid(std::get<0>(question)); }
@@ -77,7 +103,7 @@ struct polyhedron_complexity {
     return {.repair = repair,
             .domain_count = domain_count,
             .domain_at = domain_at,
-            .laws = {.maps = Laws::Maps::affine, .scales = true}};
+            .laws = {.maps = Laws::Maps::affine, .scales = true, .reflected = {{"positive", "negative"}}}};
   }
 };
 

@@ -2,9 +2,13 @@
 #include "catalogue/rows/polyhedra/polyhedron_complexity.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 #include "catalogue/families/cube_surface.h"
 #include "proptests/space_laws.h"
+#include "robust/polyhedra/triangle_triangle.h"
 
 namespace touchstone::proptests::polyhedron_complexity_tests {
 namespace {
@@ -20,69 +24,203 @@ Meshd with_faces(Meshd mesh, const std::vector<Face>& more) {
   return mesh;
 }
 
-/// The words, in the order of the answer.
-struct Said {
-  bool closed, oriented, edge_manifold, vertex_manifold;
-};
-void worked(const Meshd& mesh, Index vertices, Index edges, Index components, const Said& said,
-            const std::string& by_reference = "agree") {
-  const auto faces = static_cast<Index>(mesh.faces.size());
-  const int euler = static_cast<int>(vertices) - static_cast<int>(edges) + static_cast<int>(faces);
-  example<Row>({mesh},
-               {vertices, edges, faces, components, Rational(euler), said.closed, said.oriented, said.edge_manifold,
-                said.vertex_manifold},
-               by_reference);
+using Answer = exact_answer_t<Row>;
+
+/// An embedded surface that is the whole boundary of one convex solid, of so many vertices and edges; `but` says what
+/// else is true.
+template <class But>
+void worked(const Meshd& mesh, Index vertices, Index edges, const But& but, const std::string& by_reference = "agree") {
+  Answer answer{};
+  answer.vertices = vertices, answer.edges = edges, answer.faces = static_cast<Index>(mesh.faces.size());
+  answer.components = 1, answer.volume = VolumeSign::positive;
+  answer.nesting.emplace();
+  but(answer);
+  answer.euler = Rational(Rational(vertices) - Rational(edges) + Rational(answer.faces));
+  answer.closed = !answer.open_edge, answer.oriented = !answer.turned_edge, answer.edge_manifold = !answer.crowded_edge;
+  answer.vertex_manifold = answer.edge_manifold && !answer.pinched_vertex;
+  answer.embedded = !answer.flat_face && !answer.meeting_faces;
+  answer.convex = answer.closed && answer.embedded && !answer.splitting_face;
+  if (!answer.closed || !answer.embedded) answer.nesting = std::nullopt;
+  if (!answer.closed || !answer.oriented) answer.volume = VolumeSign::none;
+  example<Row>({mesh}, answer, by_reference);
+}
+const auto nothing_else = [](Answer&) {};
+
+Meshd moved(Meshd mesh, const Vector3d& by) {
+  for (Point3d& p : mesh.vertices) p = p + by;
+  return mesh;
+}
+Meshd scaled(Meshd mesh, double by) {
+  for (Point3d& p : mesh.vertices) p = {by * p.x, by * p.y, by * p.z};
+  return mesh;
+}
+Meshd together(Meshd mesh, const Meshd& other) {
+  const auto shift = static_cast<Index>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
+  return mesh;
+}
+
+/// The answer without its witnesses, which are places in the lists.
+template <class Complexity>
+Complexity without_places(Complexity answer) {
+  answer.open_edge = answer.turned_edge = answer.crowded_edge = answer.meeting_faces = std::nullopt;
+  answer.pinched_vertex = answer.flat_face = std::nullopt;
+  answer.splitting_face = std::nullopt;
+  if (answer.nesting) answer.nesting->assign(answer.nesting->size(), IndexPair{0, 0});
+  return answer;
+}
+
+VolumeSign opposite(VolumeSign sign) {
+  return sign == VolumeSign::positive   ? VolumeSign::negative
+         : sign == VolumeSign::negative ? VolumeSign::positive
+                                        : sign;
 }
 
 }  // namespace
 
 LAW("polyhedron_complexity: it does not matter in which order faces and vertices are listed", mesh) {
-  const auto found = ask(asked);
+  const auto found = without_places(ask(asked));
   Meshd other = mesh;
   std::reverse(other.faces.begin(), other.faces.end());
   const auto last = static_cast<Index>(mesh.vertices.size() - 1);
   for (Face& f : other.faces) f = {last - f.b, last - f.c, last - f.a};
   std::reverse(other.vertices.begin(), other.vertices.end());
+  return without_places(ask(Row::Question{other})) == found;
+}
+
+LAW("polyhedron_complexity: turned inside out, only the sign of the volume is another", mesh) {
+  auto found = ask(asked);
+  found.volume = opposite(found.volume);
+  Meshd other = mesh;
+  for (Face& f : other.faces) std::swap(f.a, f.b);
   return ask(Row::Question{other}) == found;
 }
 
-LAW("polyhedron_complexity: turned inside out, and with its vertices elsewhere, a mesh is the same", mesh) {
-  Meshd other = mesh;
-  for (Face& f : other.faces) std::swap(f.a, f.b);
-  for (Point3d& p : other.vertices) p = {0, 0, 0};
-  return ask(Row::Question{other}) == ask(asked);
+LAW("polyhedron_complexity: with all vertices in one place, what indices tell is the same, and face 0 is flat", mesh) {
+  const auto found = ask(asked);
+  auto other = ask(Row::Question{Meshd{std::vector<Point3d>(mesh.vertices.size()), mesh.faces}});
+  if (other.flat_face != Index{0} || other.embedded || other.convex) return false;
+  const auto by_indices = [](auto answer) {
+    answer.volume = VolumeSign::none, answer.embedded = answer.convex = false;
+    answer.flat_face = std::nullopt, answer.meeting_faces = std::nullopt, answer.splitting_face = std::nullopt;
+    answer.nesting = std::nullopt;
+    return answer;
+  };
+  return by_indices(other) == by_indices(found);
 }
 
-LAW("polyhedron_complexity: two copies have twice of everything, and the words of one", mesh) {
+LAW("polyhedron_complexity: a copy in the same place doubles all counts, and is in contact", mesh) {
+  const auto found = ask(asked), both = ask(Row::Question{together(mesh, mesh)});
+  return both.vertices == 2 * found.vertices && both.edges == 2 * found.edges && both.faces == 2 * found.faces &&
+         both.components == 2 * found.components && both.euler == found.euler + found.euler &&
+         both.volume == found.volume && both.closed == found.closed && both.oriented == found.oriented &&
+         both.flat_face == found.flat_face && both.meeting_faces.has_value() == !found.flat_face;
+}
+
+LAW("polyhedron_complexity: a copy beyond is another component, outside of the first ones", mesh) {
+  if (!on_small_lattice(asked)) return true;
+  double width = 1;
+  for (const Point3d& p : mesh.vertices) width += 2 * std::fabs(p.x);
   auto found = ask(asked);
-  Meshd both = mesh;
-  const auto shift = static_cast<Index>(mesh.vertices.size());
-  both.vertices.insert(both.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-  for (const Face& f : mesh.faces) both.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
-  found.vertices *= 2, found.edges *= 2, found.faces *= 2, found.components *= 2, found.euler += found.euler;
-  return ask(Row::Question{both}) == found;
+  const auto both = ask(Row::Question{together(mesh, moved(mesh, {width, 0, 0}))});
+  if (found.nesting) {
+    for (const auto& [i, j] : std::vector(*found.nesting))
+      found.nesting->push_back({i + found.components, j + found.components});
+  }
+  return both.embedded == found.embedded && both.meeting_faces == found.meeting_faces && !both.convex &&
+         both.flat_face == found.flat_face && both.nesting == found.nesting && both.volume == found.volume;
+}
+
+LAW("polyhedron_complexity: a convex mesh is one sphere", mesh) {
+  const auto found = ask(asked);
+  return !found.convex || (found.euler == 2 && found.components == 1 && found.vertex_manifold && found.nesting->empty());
+}
+
+LAW("polyhedron_complexity: the first faces that meet are the first without the faces behind them, too", mesh) {
+  const auto found = ask(asked);
+  if (!found.meeting_faces || found.meeting_faces->j < 3) return true;
+  Meshd fewer = mesh;
+  fewer.faces.resize(found.meeting_faces->j + 1);
+  return ask(Row::Question{fewer}).meeting_faces == found.meeting_faces;
+}
+
+ROBUST_LAW("polyhedron_complexity: an embedded mesh's faces meet as triangles in what they share, pair by pair", mesh) {
+  const auto found = ask(asked);
+  const auto triangle = [&](const Face& f) {
+    return Triangle3d{mesh.vertices[f.a], mesh.vertices[f.b], mesh.vertices[f.c]};
+  };
+  std::optional<IndexPair> first;
+  for (Index i = 0; i < mesh.faces.size() && !first && !found.flat_face; ++i) {
+    for (Index j = i + 1; j < mesh.faces.size() && !first; ++j) {
+      const Face &s = mesh.faces[i], &t = mesh.faces[j];
+      const auto has = [&t](Index v) { return v == t.a || v == t.b || v == t.c; };
+      const int shared = has(s.a) + has(s.b) + has(s.c);
+      const auto dimension = static_cast<int>(robust::triangle_triangle(triangle(s), triangle(t))) - 1;
+      if (shared == 3 || dimension >= shared) first = IndexPair{i, j};
+    }
+  }
+  return first == found.meeting_faces;
 }
 
 TEST_CASE("polyhedron_complexity: p. 26's formula of Euler, of solids with handles, hollows and several parts") {
-  const Said surface{true, true, true, true};
-  worked(four, 4, 6, 1, surface);                        // 2; vertices of no face are none
-  worked(cube_surface({{0, 0, 0}}), 8, 18, 1, surface);  // 8 - 18 + 12 = 2
-  worked(cube_surface({{0, 0, 0}, {2, 0, 0}}), 16, 36, 2, surface);
+  worked(four, 4, 6, nothing_else);                      // 2; vertices of no face are none
+  worked(cube_surface({{0, 0, 0}}), 8, 18, nothing_else);  // 8 - 18 + 12 = 2
+  worked(cube_surface({{0, 0, 0}, {2, 0, 0}}), 16, 36, [](Answer& answer) {
+    answer.components = 2, answer.splitting_face = SplittingFace{2, 0, 8};
+  });
   // A ring of eight cubes: 4 x 4 points in two layers, all on the surface; four sides of 8 squares: 32 - 96 + 64 = 0.
   worked(cube_surface({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}, {0, 2, 0}, {1, 2, 0}, {2, 2, 0}}), 32, 96,
-         1, surface);
+         [](Answer& answer) { answer.splitting_face = SplittingFace{28, 0, 16}; });
 }
 
 TEST_CASE("polyhedron_complexity: what is no surface, and where") {
-  worked(with_faces(four, {{0, 5, 4}, {0, 4, 6}, {0, 6, 5}, {4, 5, 6}}), 7, 12, 1, {true, true, true, false},
-         "algorithm");  // a vertex in common: 7 - 12 + 8 = 3
-  worked(with_faces(four, {{0, 5, 1}, {0, 1, 4}, {0, 4, 5}, {1, 5, 4}}), 6, 11, 1, {true, true, false, false});
-  worked(with_faces(four, {{4, 5, 6}}), 7, 9, 2, {false, true, true, true});
-  worked(with_faces(four, {{1, 2, 4}}), 5, 8, 1, {false, true, false, false});
-  worked(with_faces(four, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}), 4, 6, 1, {true, true, false, false});
+  // Edges and vertices in common, solids beside each other: 7 - 12 + 8 = 3; the plane of face 0 is z = 0.
+  worked(with_faces(four, {{0, 5, 4}, {0, 4, 6}, {0, 6, 5}, {4, 5, 6}}), 7, 12, [](Answer& answer) {
+    answer.pinched_vertex = 0, answer.splitting_face = SplittingFace{0, 3, 6}, answer.volume = VolumeSign::zero;
+  }, "algorithm");
+  worked(with_faces(four, {{0, 5, 1}, {0, 1, 4}, {0, 4, 5}, {1, 5, 4}}), 6, 11, [](Answer& answer) {
+    answer.crowded_edge = {0, 1}, answer.flat_face = 4;
+  });
+  worked(with_faces(four, {{4, 5, 6}}), 7, 9, [](Answer& answer) {
+    answer.components = 2, answer.open_edge = {4, 5};
+  });
+  worked(with_faces(four, {{1, 2, 4}}), 5, 8, [](Answer& answer) {
+    answer.open_edge = {1, 2}, answer.crowded_edge = {1, 2}, answer.meeting_faces = {0, 4};
+  }, "algorithm");
+  worked(with_faces(four, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}), 4, 6, [](Answer& answer) {
+    answer.crowded_edge = {0, 1}, answer.turned_edge = {0, 1}, answer.meeting_faces = {0, 4};
+  }, "algorithm");
   Meshd turned = four;
   std::swap(turned.faces[3].a, turned.faces[3].b);
-  worked(turned, 4, 6, 1, {true, false, true, true});
+  worked(turned, 4, 6, [](Answer& answer) { answer.turned_edge = {1, 2}; });  // a convex solid all the same
+}
+
+TEST_CASE("polyhedron_complexity: a triangle cut into four is embedded, flat as it is; its folded corner is not") {
+  Meshd flat{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 3, 5}, {3, 1, 4}, {3, 4, 5}, {5, 4, 2}}};
+  worked(flat, 6, 9, [](Answer& answer) { answer.open_edge = {0, 3}; });
+  flat.vertices[0] = {1, 0.5, 0};
+  worked(flat, 6, 9, [](Answer& answer) { answer.open_edge = {0, 3}, answer.meeting_faces = {0, 2}; }, "algorithm");
+}
+
+TEST_CASE("polyhedron_complexity: a vertex that touches a face without being one of its corners is contact") {
+  const Meshd inside = moved(scaled(four, 0.25), {0.5, 0.5, 0});  // on the face z = 0
+  worked(together(four, inside), 8, 12, [](Answer& answer) {
+    answer.components = 2, answer.meeting_faces = {0, 4};
+  }, "algorithm");
+  const Meshd tip = moved(scaled(four, -0.5), {1, 1, 0});  // a vertex on it, the rest beneath
+  worked(together(four, tip), 8, 12, [](Answer& answer) {
+    answer.components = 2, answer.meeting_faces = {0, 4};
+    answer.volume = VolumeSign::positive;
+  });
+}
+
+TEST_CASE("polyhedron_complexity: shells within shells, in any order, and which contains which") {
+  const Meshd cube = moved(cube_surface({{0, 0, 0}}), {-6, -6, -6});
+  worked(together(together(scaled(cube, 2), cube), scaled(cube, 4)), 24, 54, [](Answer& answer) {
+    answer.components = 3, answer.splitting_face = SplittingFace{0, 16, 0};
+    answer.nesting->assign({{0, 1}, {2, 0}, {2, 1}});
+  });
 }
 
 TEST_CASE("polyhedron_complexity: meshes are refused by the first rule that they break") {

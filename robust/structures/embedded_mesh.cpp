@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/structures/embedded_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "robust/kernel/face_filter.h"
+#include "robust/kernel/ordered_bits.h"
+#include "robust/kernel/triangle_clip.h"
+#include "robust/lines/orientation.h"
+#include "robust/structures/sort_and_sweep.h"
+
+namespace touchstone::robust::structures {
+namespace {
+
+using filters::Sign;
+
+Triangle3d triangle_of(const Meshd& mesh, const Face& f) {
+  return {mesh.vertices[f.a], mesh.vertices[f.b], mesh.vertices[f.c]};
+}
+
+/// The corners are on one line if they are seen so along every axis.
+bool flat(const Triangle3d& t) {
+  const auto on_one_line = [&t](double Point3d::*u, double Point3d::*v) {
+    const auto seen = [u, v](const Point3d& p) { return Point2d{p.*u, p.*v}; };
+    return orientation(seen(t.a), seen(t.b), seen(t.c)) == Side::on;
+  };
+  return on_one_line(&Point3d::x, &Point3d::y) && on_one_line(&Point3d::y, &Point3d::z) &&
+         on_one_line(&Point3d::z, &Point3d::x);
+}
+
+Aabb3d box_of(const Triangle3d& t) {
+  Aabb3d box{t.a, t.a};
+  for (double Point3d::*axis : coordinates) {
+    const auto [least, greatest] = std::minmax({t.a.*axis, t.b.*axis, t.c.*axis}, [](double x, double y) {
+      return kernel::ordered_bits(x) < kernel::ordered_bits(y);
+    });
+    box.min.*axis = least, box.max.*axis = greatest;
+  }
+  return box;
+}
+
+/// A face as another one sees it: its corners, and which of them that one names too.
+struct Seen {
+  std::array<const Point3d*, 3> corners;
+  std::array<bool, 3> common;
+
+  Seen(const Meshd& mesh, const Face& f, const Face& other)
+      : corners{&mesh.vertices[f.a], &mesh.vertices[f.b], &mesh.vertices[f.c]} {
+    const auto has = [&other](Index v) { return v == other.a || v == other.b || v == other.c; };
+    common = {has(f.a), has(f.b), has(f.c)};
+  }
+  int count() const { return static_cast<int>(std::count(common.begin(), common.end(), true)); }
+};
+
+/// s is below a plane across the axis, or on it, and t above it or on it; on it, of one of them, nothing but common
+/// corners. What they have in common is then spanned by those.
+bool below(const Seen& s, const Seen& t, double Point3d::*axis) {
+  const auto places = [axis](const Seen& face) {
+    return std::array{kernel::ordered_bits((*face.corners[0]).*axis), kernel::ordered_bits((*face.corners[1]).*axis),
+                      kernel::ordered_bits((*face.corners[2]).*axis)};
+  };
+  const auto of_s = places(s), of_t = places(t);
+  const std::int64_t top = *std::max_element(of_s.begin(), of_s.end()),
+                     bottom = *std::min_element(of_t.begin(), of_t.end());
+  if (top != bottom) return top < bottom;
+  const auto only_common = [top](const Seen& face, const auto& at) {
+    bool only = true;
+    for (std::size_t k = 0; k < 3; ++k) only &= face.common[k] || at[k] != top;
+    return only;
+  };
+  return only_common(s, of_s) || only_common(t, of_t);
+}
+
+/// All corners of t but the common ones are certainly on one side of the plane of s.
+bool beside(const Seen& s, const Seen& t) {
+  const filters::FacePlane<double> plane(*s.corners[0], *s.corners[1], *s.corners[2]);
+  Sign side = Sign::unknown;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (t.common[k]) continue;
+    const Sign here = plane.side(*t.corners[k]);
+    if (here == Sign::unknown || (side != Sign::unknown && here != side)) return false;
+    side = here;
+  }
+  return true;
+}
+
+/// Two faces with areas have what their common vertices span in common: nothing, a corner or an edge. They meet nowhere
+/// else if the common part has no greater dimension.
+bool meet(const Meshd& mesh, const Face& f, const Face& g) {
+  const Seen s(mesh, f, g), t(mesh, g, f);
+  const int common = s.count();
+  if (common == 3) return true;
+  for (double Point3d::*axis : coordinates)
+    if (below(s, t, axis) || below(t, s, axis)) return false;
+  if (beside(s, t) || beside(t, s)) return false;
+  return kernel::dimension_of_common_part(triangle_of(mesh, f), triangle_of(mesh, g)) >= common;
+}
+
+}  // namespace
+
+std::optional<Index> first_flat_face(const Meshd& mesh) {
+  for (Index i = 0; i < mesh.faces.size(); ++i)
+    if (flat(triangle_of(mesh, mesh.faces[i]))) return i;
+  return std::nullopt;
+}
+
+std::optional<IndexPair> first_meeting_faces(const Meshd& mesh) {
+  std::vector<Aabb3d> boxes;
+  boxes.reserve(mesh.faces.size());
+  for (const Face& face : mesh.faces) boxes.push_back(box_of(triangle_of(mesh, face)));
+  for (const auto& [i, j] : swept_pairs(boxes))
+    if (meet(mesh, mesh.faces[i], mesh.faces[j])) return IndexPair{i, j};
+  return std::nullopt;
+}
+
+}  // namespace touchstone::robust::structures

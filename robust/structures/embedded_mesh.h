@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "geometry/polyhedra.h"
+#include "geometry/volumes.h"
+#include "robust/kernel/strict_math.h"
+
+/// Whether the faces of a valid mesh have areas, and meet in common edges and corners only. The words' meaning stands
+/// in reference/polyhedra/polyhedron_complexity.h.
+namespace touchstone::robust::structures {
+
+/// The first face without an area.
+std::optional<Index> first_flat_face(const Meshd& mesh);
+
+/// The first pair of faces, in ascending order, that meet elsewhere; all faces have areas. Sorts and sweeps the faces'
+/// boxes. Of the pairs whose boxes meet, most are held apart by a plane across an axis or by the plane of one of the
+/// two; the others cost some ten microseconds each: neighbours in one plane that is askew, the rim of a saddle.
+std::optional<IndexPair> first_meeting_faces(const Meshd& mesh);
+
+}  // namespace touchstone::robust::structures
