@@ -13,9 +13,8 @@ struct Words<VolumeSign> {
 template <>
 struct Described<SplittingFace> {
   static constexpr Form form = Form::record;
-  static constexpr auto members =
-      std::tuple{member("face", &SplittingFace::face), member("one", &SplittingFace::one),
-                 member("other", &SplittingFace::other)};
+  static constexpr auto members = std::tuple{member("face", &SplittingFace::face), member("one", &SplittingFace::one),
+                                             member("other", &SplittingFace::other)};
 };
 template <class R>
 struct Described<PolyhedronComplexity<R>> {

@@ -46,21 +46,21 @@ class Space:
         sides = {self.side(self.planes[i], v) for v in self.faces[j] if v not in self.faces[i]}
         return len(sides) == 1 and sides != {0}
 
-    def between(self, plane, i, j):
-        """Face i is behind the plane, j in front of it; on it, of one of them, nothing but common corners."""
+    def held_apart(self, normal, i, j):
+        """The plane across the normal through the farthest corner of face i has face j on its other side; and on it, of
+        one of the two, nothing but common corners."""
         s, t = self.faces[i], self.faces[j]
-        behind, front = [[self.side(plane, v) for v in face] for face in (s, t)]
-        only_common = [all(side != 0 or v in other for side, v in zip(sides, face))
-                       for sides, face, other in ((behind, s, t), (front, t, s))]
-        return max(behind) <= 0 and min(front) >= 0 and any(only_common)
+        of_s, of_t = [[dot(normal, self.vertices[v]) for v in face] for face in (s, t)]
+        top, bottom = max(of_s), min(of_t)
+        only_common = [all(at != top or v in other for at, v in zip(along, face))
+                       for along, face, other in ((of_s, s, t), (of_t, t, s))]
+        return top < bottom or (top == bottom and any(only_common))
 
     def across_an_axis(self, i, j):
-        """A plane across an axis, through the greatest coordinate of face i, does that."""
-        for k, axis in enumerate(((1, 0, 0), (0, 1, 0), (0, 0, 1))):
-            top, bottom = self.boxes[i][k][1], self.boxes[j][k][0]
-            if top < bottom or (top == bottom and self.between((axis, -top), i, j)):
-                return True
-        return False
+        """One of these planes does that, the normal along an axis."""
+        axes = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+        return any(self.boxes[a][k][1] <= self.boxes[b][k][0] and self.held_apart(axis, a, b)
+                   for a, b in ((i, j), (j, i)) for k, axis in enumerate(axes))
 
 
 class Given:
@@ -106,7 +106,7 @@ def expect_meeting(space, s, t, weights):
     expect(beyond, "certificate: the faces share the point")
 
 
-def first_meeting(claim, space, planes, weights):
+def first_meeting(claim, space, normals, weights):
     """Of faces with areas: the first pair in the order of their places that meets beyond what both name."""
     faces, named = space.faces, named_pair(claim, len(space.faces))
     for i, s in enumerate(faces):
@@ -115,11 +115,10 @@ def first_meeting(claim, space, planes, weights):
                 expect_meeting(space, s, faces[j], weights)
                 return [i, j]
             expect(set(s) != set(faces[j]), f"certificate: faces {i} and {j} coincide")
-            if any(hold(*pair) for hold in (space.across_an_axis, space.beside) for pair in ((i, j), (j, i))):
+            if space.across_an_axis(i, j) or space.beside(i, j) or space.beside(j, i):
                 continue
-            *normal, offset = *planes.next(3), *planes.next(1)
-            apart = space.between((normal, -offset), i, j)
-            expect(apart, f"certificate.planes: faces {i} and {j} are not held apart")
+            apart = space.held_apart(normals.next(3), i, j)
+            expect(apart, f"certificate.normals: faces {i} and {j} are not held apart")
     return None
 
 
@@ -158,7 +157,7 @@ def sign_of_volume(vertices, faces):
 def check_polyhedron_complexity(claim):
     claim.inputs("mesh")
     vertices, faces = mesh(claim.input["mesh"], "mesh")
-    claim.expect_kind("complexity"), claim.facts("planes", "common_point", "directions")
+    claim.expect_kind("complexity"), claim.facts("normals", "common_point", "directions")
     uses, around, whole = defaultdict(lambda: [0, 0]), defaultdict(list), []
     for face in faces:
         for a, b, c in (face, face[1:] + face[:1], face[2:] + face[:2]):
@@ -178,13 +177,13 @@ def check_polyhedron_complexity(claim):
     opened = first_edge(lambda forth, back: (forth + back) % 2 != 0)
     turned = first_edge(lambda forth, back: abs(forth - back) > 1)
     crowded = first_edge(lambda forth, back: forth + back > 2)
-    planes, weights, directions = (Given(claim, fact) for fact in ("planes", "common_point", "directions"))
-    meeting = first_meeting(claim, space, planes, weights) if flat is None else None
+    normals, weights, directions = (Given(claim, fact) for fact in ("normals", "common_point", "directions"))
+    meeting = first_meeting(claim, space, normals, weights) if flat is None else None
     embedded = flat is None and meeting is None
     solid = embedded and opened is None
     splitting = first_splitting_face(space, used) if solid else None
     nested = nesting(vertices, components, directions) if solid else None
-    planes.expect_used(), weights.expect_used(), directions.expect_used()
+    normals.expect_used(), weights.expect_used(), directions.expect_used()
     answers = {"vertices": len(around), "edges": len(uses), "faces": len(faces), "components": len(components),
                "euler": str(len(around) - len(uses) + len(faces)),
                "volume": sign_of_volume(vertices, faces) if opened is None and turned is None else "none",

@@ -94,32 +94,29 @@ struct Space {
     }
     return side_of_t != 0;
   }
-  /// s is behind the plane, t in front of it; on it, of one of them, nothing but common corners: what both have is
-  /// spanned by these.
-  bool between(const Plane& plane, const Face& s, const Face& t) const {
+  /// The plane across the normal through the farthest corner of s has t on its other side; and on it, of one of the
+  /// two, nothing but common corners: what both have is spanned by these.
+  bool held_apart(const Triple& normal, const Face& s, const Face& t) const {
+    const auto along = [&](Vertex v) { return dot(normal, mesh.vertices[v]); };
+    const Rational top = std::max({along(s[0]), along(s[1]), along(s[2])}),
+                   bottom = std::min({along(t[0]), along(t[1]), along(t[2])});
     const auto only_common = [&](const Face& f, const Face& other) {
-      return std::all_of(f.begin(), f.end(), [&](Vertex v) { return side(plane, v) != 0 || has(other, v); });
+      return std::all_of(f.begin(), f.end(), [&](Vertex v) { return along(v) != top || has(other, v); });
     };
-    return std::all_of(s.begin(), s.end(), [&](Vertex v) { return side(plane, v) <= 0; }) &&
-           std::all_of(t.begin(), t.end(), [&](Vertex v) { return side(plane, v) >= 0; }) &&
-           (only_common(s, t) || only_common(t, s));
+    return top < bottom || (top == bottom && (only_common(s, t) || only_common(t, s)));
   }
-  /// A plane across an axis, through the greatest coordinate of s, does that.
+  /// One of these planes does that, the normal along an axis.
   bool across_an_axis(const Face& s, const Face& t) const {
-    static const std::array<std::pair<Rational Triple::*, Triple>, 3> axes{
-        {{&Triple::x, {1, 0, 0}}, {&Triple::y, {0, 1, 0}}, {&Triple::z, {0, 0, 1}}}};
-    return std::any_of(axes.begin(), axes.end(), [&](const auto& axis) {
-      const auto at = [&](Vertex v) { return mesh.vertices[v].*axis.first; };
-      return between({axis.second, Rational(-std::max({at(s[0]), at(s[1]), at(s[2])}))}, s, t);
-    });
+    const Triple x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+    return held_apart(x, s, t) || held_apart(y, s, t) || held_apart(z, s, t) || held_apart(x, t, s) ||
+           held_apart(y, t, s) || held_apart(z, t, s);
   }
 };
 
 /// Numbers of a fact, so many at a time.
 class Given {
  public:
-  Given(const Claim& claim, const char* fact)
-      : name_(std::string("certificate.") + fact), values_(claim.list(fact)) {}
+  Given(const Claim& claim, const char* fact) : name_(std::string("certificate.") + fact), values_(claim.list(fact)) {}
   const Rational& next() {
     expect(used_ < values_.size(), name_ + ": more are needed");
     return values_[used_++];
@@ -167,7 +164,7 @@ void expect_meeting(const Space& space, const Face& s, const Face& t, Given& wei
 }
 
 /// Of faces with areas: the first pair in the order of their places that meets beyond what both name.
-json first_meeting(const Claim& claim, const Space& space, Given& planes, Given& weights) {
+json first_meeting(const Claim& claim, const Space& space, Given& normals, Given& weights) {
   const auto& faces = space.mesh.faces;
   const std::optional<Edge> named = named_pair(claim, faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -179,10 +176,8 @@ json first_meeting(const Claim& claim, const Space& space, Given& planes, Given&
       }
       const std::string both = "faces " + std::to_string(i) + " and " + std::to_string(j);
       expect(common(s, t) < 3, "certificate: " + both + " coincide");
-      if (space.across_an_axis(s, t) || space.across_an_axis(t, s) || space.beside(i, t) || space.beside(j, s)) continue;
-      const Triple normal = planes.next_triple();
-      const bool apart = space.between({normal, Rational(-planes.next())}, s, t);
-      expect(apart, "certificate.planes: " + both + " are not held apart");
+      if (space.across_an_axis(s, t) || space.beside(i, t) || space.beside(j, s)) continue;
+      expect(space.held_apart(normals.next_triple(), s, t), "certificate.normals: " + both + " are not held apart");
     }
   }
   return nullptr;
@@ -254,7 +249,7 @@ void check_polyhedron_complexity(const Claim& claim) {
   claim.inputs({"mesh"});
   const Mesh surface = mesh(claim.input["mesh"], "mesh");
   expect(claim.kind() == "complexity", "certificate: no such kind for this truth");
-  claim.facts({"planes", "common_point", "directions"});
+  claim.facts({"normals", "common_point", "directions"});
   Counted counted(surface);
   const Space space(surface);
   const auto parts = components(surface, counted);
@@ -265,12 +260,12 @@ void check_polyhedron_complexity(const Claim& claim) {
     if (space.planes[i].normal == Triple{0, 0, 0}) flat = i;
   const json open = counted.first_edge(&Uses::odd), turned = counted.first_edge(&Uses::turned),
              crowded = counted.first_edge(&Uses::crowded);
-  Given planes(claim, "planes"), weights(claim, "common_point"), directions(claim, "directions");
-  const json meeting = flat.is_null() ? first_meeting(claim, space, planes, weights) : json();
+  Given normals(claim, "normals"), weights(claim, "common_point"), directions(claim, "directions");
+  const json meeting = flat.is_null() ? first_meeting(claim, space, normals, weights) : json();
   const bool embedded = flat.is_null() && meeting.is_null(), solid = embedded && open.is_null();
   const json splitting = solid ? first_splitting_face(space, counted) : json(),
              nested = solid ? nesting(surface, parts, directions) : json();
-  planes.expect_used(), weights.expect_used(), directions.expect_used();
+  normals.expect_used(), weights.expect_used(), directions.expect_used();
   const std::size_t vertices = counted.around.size(), edges = counted.edges.size(), faces = surface.faces.size();
   const Rational euler = Rational(vertices) - Rational(edges) + Rational(faces);
   const std::vector<std::pair<const char*, json>> answers{

@@ -87,8 +87,7 @@ TwoFaces::TwoFaces(const WholeCloud& cloud, const Face& f, const Face& g) {
   meet = !program.feasible();
   if (!meet) {
     const auto number = [&program](int i) { return Integer(program.numerator(2 * i) - program.numerator(2 * i + 1)); };
-    const Vector3<Integer> normal{number(0), number(1), number(2)};
-    between = WitnessPlane::of(normal, Rational(Integer(number(3) + cloud.along(normal, first[0]))));
+    normal = WitnessPlane::of({number(0), number(1), number(2)}, 0).normal;
     return;
   }
   Rational sum;

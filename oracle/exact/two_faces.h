@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "geometry/polyhedra.h"
 #include "oracle/exact/triangles.h"
@@ -20,8 +19,9 @@ struct TwoFaces {
   TwoFaces(const WholeCloud& cloud, const Face& first, const Face& second);
 
   bool meet = false;
-  /// Not meet: normal . p <= offset on the first face, >= on the second.
-  WitnessPlane between{{0, 0, 0}, 0};
+  /// Not meet: normal . p is nowhere greater on the first face than on the second; on one of them, only common corners
+  /// have the greatest value of the first.
+  Vector3<Integer> normal{0, 0, 0};
   /// Meet: weights of the corners of each. Faces with three common vertices: of the first corner.
   std::array<Rational, 3> on_first, on_second;
 };

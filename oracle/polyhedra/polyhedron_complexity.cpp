@@ -101,7 +101,8 @@ Answer counted(const std::vector<Face>& list, const Surface& surface) {
   for (const auto& [vertex, faces] : surface.at_vertex) {
     if (!one_fan(list, surface, vertex)) note(found.pinched_vertex, vertex);
   }
-  found.vertices = static_cast<Index>(surface.at_vertex.size()), found.edges = static_cast<Index>(surface.at_edge.size());
+  found.vertices = static_cast<Index>(surface.at_vertex.size()),
+  found.edges = static_cast<Index>(surface.at_edge.size());
   found.faces = static_cast<Index>(list.size());
   found.euler = Rational(Rational(found.vertices) - Rational(found.edges) + Rational(found.faces));
   found.closed = !found.open_edge, found.oriented = !found.turned_edge, found.edge_manifold = !found.crowded_edge;
@@ -109,10 +110,9 @@ Answer counted(const std::vector<Face>& list, const Surface& surface) {
   return found;
 }
 
-/// The planes between pairs of faces that need one, and the weights of the common point of those that meet.
+/// The normals of planes between pairs of faces that need one, and the weights of the common point of those that meet.
 struct Pairs {
-  std::vector<WitnessPlane> planes;
-  std::vector<Rational> weights;
+  std::vector<Rational> normals, weights;
 };
 
 /// All faces have areas.
@@ -128,7 +128,8 @@ Pairs paired(const std::vector<Face>& list, const WholeCloud& cloud, Answer& fou
         pairs.weights.insert(pairs.weights.end(), two.on_second.begin(), two.on_second.end());
         return pairs;
       }
-      if (!plainly_apart(cloud, list[i], list[j])) pairs.planes.push_back(two.between);
+      if (plainly_apart(cloud, list[i], list[j])) continue;
+      for (const Integer& n : {two.normal.x, two.normal.y, two.normal.z}) pairs.normals.emplace_back(n);
     }
   }
   return pairs;
@@ -215,14 +216,10 @@ Truth<Answer> truth_of(const Mesh<Number>& mesh) {
     found.convex = !found.splitting_face;
     directions = nest(mesh, parts, cloud, found);
   }
-  return {found, std::nullopt, [pairs = std::move(pairs), directions = std::move(directions), unit = cloud.unit] {
-            std::vector<Rational> planes;
-            for (const auto& [normal, offset] : pairs.planes)
-              planes.insert(planes.end(), {Rational(normal.x), Rational(normal.y), Rational(normal.z),
-                                           Rational(offset * unit)});
+  return {found, std::nullopt, [pairs = std::move(pairs), directions = std::move(directions)] {
             return Certificate{
                 "complexity",
-                {{"planes", planes}, {"common_point", pairs.weights}, {"directions", directions}}};
+                {{"normals", pairs.normals}, {"common_point", pairs.weights}, {"directions", directions}}};
           }};
 }
 

@@ -14,8 +14,8 @@ namespace touchstone::oracle {
 /// (oracle/polyhedra/point_in_polyhedron.h). Margin: none: several quantities decide several words.
 ///
 /// Certificate: "complexity": what indices tell is counted once more, and so are areas, sides of planes and the volume.
-/// planes: the normal and the offset of a plane for each pair of faces before the meeting ones that neither a plane
-/// across an axis nor the faces' own planes hold apart. common_point: six weights of the corners of the meeting faces.
+/// normals: of a plane for each pair of faces before the meeting ones that neither a plane across an axis nor the
+/// faces' own planes hold apart. common_point: six weights of the corners of the meeting faces.
 /// directions: of a ray that misses all edges, for each two components of which the first vertex of the one is in the
 /// box of the other.
 Truth<PolyhedronComplexity<Rational>> polyhedron_complexity(const Meshd& mesh);

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "robust/kernel/face_filter.h"
+#include "robust/kernel/face_side.h"
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/triangle_clip.h"
 #include "robust/lines/orientation.h"
@@ -13,8 +13,6 @@
 
 namespace touchstone::robust::structures {
 namespace {
-
-using filters::Sign;
 
 Triangle3d triangle_of(const Meshd& mesh, const Face& f) {
   return {mesh.vertices[f.a], mesh.vertices[f.b], mesh.vertices[f.c]};
@@ -73,14 +71,13 @@ bool below(const Seen& s, const Seen& t, double Point3d::*axis) {
   return only_common(s, of_s) || only_common(t, of_t);
 }
 
-/// All corners of t but the common ones are certainly on one side of the plane of s.
-bool beside(const Seen& s, const Seen& t) {
-  const filters::FacePlane<double> plane(*s.corners[0], *s.corners[1], *s.corners[2]);
-  Sign side = Sign::unknown;
+/// All corners of g but the common ones are on one side of the plane of f.
+bool beside(const kernel::FaceSide& f, const Seen& g) {
+  int side = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (t.common[k]) continue;
-    const Sign here = plane.side(*t.corners[k]);
-    if (here == Sign::unknown || (side != Sign::unknown && here != side)) return false;
+    if (g.common[k]) continue;
+    const int here = f.of(*g.corners[k]).answer;
+    if (here == 0 || here == -side) return false;
     side = here;
   }
   return true;
@@ -94,7 +91,7 @@ bool meet(const Meshd& mesh, const Face& f, const Face& g) {
   if (common == 3) return true;
   for (double Point3d::*axis : coordinates)
     if (below(s, t, axis) || below(t, s, axis)) return false;
-  if (beside(s, t) || beside(t, s)) return false;
+  if (beside(kernel::FaceSide(mesh, f), t) || beside(kernel::FaceSide(mesh, g), s)) return false;
   return kernel::dimension_of_common_part(triangle_of(mesh, f), triangle_of(mesh, g)) >= common;
 }
 

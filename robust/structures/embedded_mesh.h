@@ -16,7 +16,8 @@ std::optional<Index> first_flat_face(const Meshd& mesh);
 
 /// The first pair of faces, in ascending order, that meet elsewhere; all faces have areas. Sorts and sweeps the faces'
 /// boxes. Of the pairs whose boxes meet, most are held apart by a plane across an axis or by the plane of one of the
-/// two; the others cost some ten microseconds each: neighbours in one plane that is askew, the rim of a saddle.
+/// two; the others cost some microseconds each, in GMP's integers: neighbours in one plane that is askew, and those
+/// around the vertex of a saddle.
 std::optional<IndexPair> first_meeting_faces(const Meshd& mesh);
 
 }  // namespace touchstone::robust::structures

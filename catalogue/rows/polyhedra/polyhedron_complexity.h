@@ -27,7 +27,7 @@ struct polyhedron_complexity {
         .kind = Kind::measure,
         .fields = {"mesh"},
         .margin_degree = 0,
-        .cost = 30,
+        .cost = 80,
         .list_length = 5};
     return metadata;
   }

@@ -82,28 +82,3 @@ def truth_point_in_polyhedron(question):
     apex = next(apex for apex in candidates if in_no_plane(faces, p, apex))
     inside = sum(holds((apex, *face), p) for face in faces) % 2 == 1
     return {"location": "inside" if inside else "outside"}, margin
-
-
-def truth_polyhedron_complexity(question):
-    """At each vertex the edges away from it are walked along, from face to face, as are all faces from one of them."""
-    faces = [tuple(face) for face in question["mesh"]["faces"]]
-    directed = [(f[k], f[(k + 1) % 3]) for f in faces for k in range(3)]
-    edges, vertices = {frozenset(edge) for edge in directed}, {v for f in faces for v in f}
-    times = {edge: (directed.count(tuple(edge)), directed.count(tuple(edge)[::-1])) for edge in edges}
-    manifold = all(sum(both) <= 2 for both in times.values())
-
-    def pieces(sets):
-        sets = list(map(set, sets))
-        for i in range(len(sets)):  # each into a later one that it meets
-            later = next((other for other in sets[i + 1:] if other & sets[i]), None)
-            if later is not None:
-                later |= sets[i]
-                sets[i] = set()
-        return sum(map(bool, sets))
-
-    fans = all(pieces([set(f) - {v} for f in faces if v in f]) == 1 for v in vertices)
-    return {"vertices": len(vertices), "edges": len(edges), "faces": len(faces), "components": pieces(faces),
-            "euler": str(len(vertices) - len(edges) + len(faces)),
-            "closed": all(sum(both) % 2 == 0 for both in times.values()),
-            "oriented": all(abs(forth - back) <= 1 for forth, back in times.values()),
-            "edge_manifold": manifold, "vertex_manifold": manifold and fans}, None

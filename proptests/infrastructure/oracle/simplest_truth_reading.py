@@ -41,9 +41,9 @@ def cut(interval, slope, height):
         return None
     low, high = interval
     if slope > 0:
-        low = max(low, -height / slope)
+        low = max(low, Fraction(-height, slope))
     elif slope < 0:
-        high = -height / slope if high is ENDLESS else min(high, -height / slope)
+        high = Fraction(-height, slope) if high is ENDLESS else min(high, Fraction(-height, slope))
     return interval if slope == 0 else None if high is not ENDLESS and low > high else (low, high)
 
 
