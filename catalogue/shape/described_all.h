@@ -7,4 +7,5 @@
 #include "catalogue/shape/described_commands.h"
 #include "catalogue/shape/described_complexity.h"
 #include "catalogue/shape/described_simultaneous.h"
+#include "catalogue/shape/described_solids.h"
 #include "catalogue/shape/described_triangles.h"

@@ -5,8 +5,8 @@ import json
 from collections import defaultdict
 
 from certify_meshes import height, mesh, plane_through
-from certify_polyhedra import crossing
 from certify_reading import expect
+from certify_solids import crossing
 from certify_space import cross, dot
 
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "oracle/exact/linear_program.h"
+#include "oracle/exact/plane_between.h"
 #include "oracle/exact/whole_cloud.h"
 
 namespace touchstone::oracle {
@@ -35,33 +36,6 @@ std::vector<Vector> ways(const Corners& corners) {
   std::vector<Vector> found;
   for (const Point& p : corners) found.push_back(p - corners.front());
   return found;
-}
-
-/// normal . p - offset <= 0 at all of a, >= 0 at all of b, and the sum of all sizes is 1; normal and offset as
-/// differences of numbers that are not negative.
-std::optional<WitnessPlane> plane_between(const Corners& a, const Corners& b) {
-  std::vector<Row> rows(a.size() + b.size(), Row::at_most);
-  rows.push_back(Row::equal);
-  const int last = static_cast<int>(rows.size()) - 1;
-  Program program(8, rows);
-  std::array<Integer, 4> sum;
-  int row = 0;
-  const auto add = [&](const Point& p, int sign) {
-    const std::array<Integer, 4> column{Integer(sign * p.x), Integer(sign * p.y), Integer(sign * p.z), Integer(-sign)};
-    for (int i = 0; i < 4; ++i) {
-      program.set_coefficient(row, 2 * i, column[i]), program.set_coefficient(row, 2 * i + 1, Integer(-column[i]));
-      sum[i] -= column[i];
-    }
-    ++row;
-  };
-  for (const Point& p : a) add(p, 1);
-  for (const Point& p : b) add(p, -1);
-  for (int i = 0; i < 4; ++i)
-    program.set_coefficient(last, 2 * i, sum[i]), program.set_coefficient(last, 2 * i + 1, Integer(-sum[i]));
-  program.set_right_side(last, 1);
-  if (!program.feasible()) return std::nullopt;
-  const auto number = [&program](int i) { return Integer(program.numerator(2 * i) - program.numerator(2 * i + 1)); };
-  return WitnessPlane::of({number(0), number(1), number(2)}, Rational(number(3)));
 }
 
 Corners in_plane(const Corners& corners, const WitnessPlane& plane) {

@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "geometry/closed_mesh.h"
+#include "oracle/exact/closed_mesh.h"
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/whole_cloud.h"
 #include "oracle/exact/wide.h"
@@ -17,20 +16,6 @@ namespace touchstone::oracle {
 namespace {
 
 using Whole = Vector3<Integer>;
-
-std::array<std::pair<Index, Index>, 3> edges_of(const Face& f) { return {{{f.a, f.b}, {f.b, f.c}, {f.c, f.a}}}; }
-
-void validate_closed(const std::string& field, const std::vector<Face>& faces) {
-  std::map<std::pair<Index, Index>, int> times;
-  for (const Face& face : faces) {
-    for (const auto& [from, to] : edges_of(face)) ++times[std::minmax(from, to)];
-  }
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    for (const auto& [from, to] : edges_of(faces[i])) {
-      if (times[std::minmax(from, to)] % 2 != 0) validation::refuse_odd_edge(field, i, from, to);
-    }
-  }
-}
 
 /// A face as the point sees it, in integers, the point at the origin; and what its edges span with the origin.
 struct Seen {

@@ -12,14 +12,25 @@ namespace {
 using Point = Point3<mpz_class>;
 using Vector = Vector3<mpz_class>;
 
+/// segment / w, w > 0, as seen from a point: times w.
+struct Seen {
+  const Segment3<mpz_class>& segment;
+  const mpz_class& w;
+  Vector a(const Point& from) const { return seen(segment.a, from); }
+  Vector b(const Point& from) const { return seen(segment.b, from); }
+  Vector seen(const Point& p, const Point& from) const {
+    return {mpz_class(p.x - w * from.x), mpz_class(p.y - w * from.y), mpz_class(p.z - w * from.z)};
+  }
+};
+
 /// normal . (x - at) >= 0
-void keep_above(Clipped& part, const Segment3<mpz_class>& s, const Vector& normal, const Point& at) {
-  part.keep(dot(normal, s.a - at), dot(normal, s.b - at));
+void keep_above(Clipped& part, const Seen& s, const Vector& normal, const Point& at) {
+  part.keep(dot(normal, s.a(at)), dot(normal, s.b(at)));
 }
 
 /// Within the plane: on the inner side of all edges. cross(normal, to - from) points inwards.
-void keep_triangle(Clipped& part, const Segment3<mpz_class>& s, const Triangle3<mpz_class>& t, const Vector& normal) {
-  part.keep_zero(dot(normal, s.a - t.a), dot(normal, s.b - t.a));
+void keep_triangle(Clipped& part, const Seen& s, const Triangle3<mpz_class>& t, const Vector& normal) {
+  part.keep_zero(dot(normal, s.a(t.a)), dot(normal, s.b(t.a)));
   keep_above(part, s, cross(normal, t.b - t.a), t.a);
   keep_above(part, s, cross(normal, t.c - t.b), t.b);
   keep_above(part, s, cross(normal, t.a - t.c), t.c);
@@ -27,14 +38,15 @@ void keep_triangle(Clipped& part, const Segment3<mpz_class>& s, const Triangle3<
 
 /// Corners on one line: the points of that line in the box around the corners. If the corners are one point, the box
 /// is that point, and there is no line to ask.
-void keep_without_area(Clipped& part, const Segment3<mpz_class>& s, const Triangle3<mpz_class>& t) {
+void keep_without_area(Clipped& part, const Seen& s, const Triangle3<mpz_class>& t) {
   const Vector along = t.b == t.a ? t.c - t.a : t.b - t.a;
-  const Vector from_a = cross(along, s.a - t.a), from_b = cross(along, s.b - t.a);
+  const Vector from_a = cross(along, s.a(t.a)), from_b = cross(along, s.b(t.a));
   for (mpz_class Vector::*axis : {&Vector::x, &Vector::y, &Vector::z}) part.keep_zero(from_a.*axis, from_b.*axis);
   for (mpz_class Point::*axis : {&Point::x, &Point::y, &Point::z}) {
     const auto [least, greatest] = std::minmax({t.a.*axis, t.b.*axis, t.c.*axis});
-    part.keep(s.a.*axis - least, s.b.*axis - least);
-    part.keep(greatest - s.a.*axis, greatest - s.b.*axis);
+    const mpz_class low = s.w * least, high = s.w * greatest;
+    part.keep(s.segment.a.*axis - low, s.segment.b.*axis - low);
+    part.keep(high - s.segment.a.*axis, high - s.segment.b.*axis);
   }
 }
 
@@ -80,11 +92,12 @@ void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
   empty = empty || last < first;
 }
 
-Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle) {
+Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle, const mpz_class& w) {
   Clipped part;
+  const Seen seen{segment, w};
   const Vector normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-  if (zero(normal)) keep_without_area(part, segment, triangle);
-  else keep_triangle(part, segment, triangle, normal);
+  if (zero(normal)) keep_without_area(part, seen, triangle);
+  else keep_triangle(part, seen, triangle, normal);
   return part;
 }
 

@@ -28,8 +28,8 @@ struct Clipped {
   void keep_zero(const mpz_class& at_p, const mpz_class& at_q) { keep(at_p, at_q), keep(-at_p, -at_q); }
 };
 
-/// The part of a segment in a triangle, which may have no area.
-Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle);
+/// The part of segment / w, w > 0, in a triangle, which may have no area.
+Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle, const mpz_class& w = 1);
 
 /// p / w, w > 0.
 struct HomogeneousPoint {

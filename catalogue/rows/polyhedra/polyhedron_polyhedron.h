@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "catalogue/families/cube_surface.h"
+#include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/solid_draws.h"
+#include "catalogue/families/space_draws.h"
+#include "catalogue/operation/digits.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_solids.h"
+#include "oracle/polyhedra/polyhedron_polyhedron.h"
+#include "reference/polyhedra/polyhedron_polyhedron.h"
+#include "robust/polyhedra/polyhedron_polyhedron.h"
+
+namespace touchstone::catalogue::rows {
+
+struct polyhedron_polyhedron {
+  TOUCHSTONE_MODULES(polyhedron_polyhedron)
+  using stages = ::touchstone::robust::stages::polyhedron_polyhedron;
+  using Question = std::tuple<Meshd, Meshd>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "polyhedron_polyhedron",
+        .chapter = "polyhedra",
+        .pages = "25, 52-54",
+        .question = "Do two polyhedra collide, convex or not, and which step of the test tells?",
+        .kind = Kind::decision,
+        .fields = {"a", "b"},
+        .margin_degree = 2,
+        .cost = 300,
+        .list_length = 5};
+    return metadata;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"lattice",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_solid(c), b = lattice_solid(c);
+           return {a, moved(b, c, 12, 3)};
+         }},
+        {"feature_to_feature",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_solid(c), b = lattice_solid(c);
+           const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+           return {a, shifted(b, p - q)};
+         }},
+        {"convex",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+           const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+           return {a, shifted(b, p - q)};
+         }},
+        {"equal",
+         [](DrawStream& c) -> Question {
+           // Or cut in other triangles, turned inside out, a little way off.
+           const Meshd a = lattice_solid(c);
+           Meshd b = a;
+           if (c.below(2) == 1) b = with_flat_vertex(b, c);
+           if (c.below(2) == 1) {
+             for (Face& face : b.faces) std::swap(face.b, face.c);
+           }
+           return {a, moved(b, c, 6, 1)};
+         }},
+        {"one_within",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_solid(c), b = lattice_polyhedron(c);
+           return {scaled(a, 3), moved(b, c, 12, 4)};
+         }},
+        {"interlocked",
+         [](DrawStream& c) -> Question {
+           // Links of a chain, or crossing sticks: no vertex is within the other.
+           const Meshd a = link(c), b = mapped(link(c), [](const Point3d&p) { return Point3d{p.y, p.z, p.x}; });
+           return {a, moved(b, c, 6, 3)};
+         }},
+        {"cubes",
+         [](DrawStream& c) -> Question {
+           const Meshd a = cube_surface(cells(c)), b = cube_surface(cells(c));
+           return {a, moved(b, c, 12, 2)};
+         }},
+        {"tetrahedra",
+         [](DrawStream& c) -> Question {
+           const Meshd a = tetrahedra_together(c), b = tetrahedra_together(c);
+           return {a, moved(b, c, 12, 1)};
+         }},
+        {"needless_faces",
+         [](DrawStream& c) -> Question {
+           Meshd a = scaled(lattice_solid(c), 6);
+           a = with_needless_faces(a, c);
+           const Meshd b = scaled(lattice_polyhedron(c), 1 + static_cast<double>(c.below(6)));
+           const Point3d p = c.below(2) == 0 ? on_a_face_plane(a, c) : a.vertices.back();
+           return {a, shifted(b, p - between_vertices(b, c))};
+         }},
+        {"mapped",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_polyhedron(c), b = dented_tetrahedron(24, {6, 6, 6});
+           const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+           return split(a, shifted(b, p - q), [&c](Meshd& all) {
+             Point3d none{0, 0, 0};
+             map_linearly(all, none, c);
+           });
+         }},
+        {"stretched",
+         [](DrawStream& c) -> Question {
+           // Each axis by its own power of two: past any lattice, past the filters' guards, to both ends of the range.
+           const Meshd a = lattice_polyhedron(c), b = dented_tetrahedron(24, {6, 6, 6});
+           const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+           static constexpr int exponents[] = {0, 60, 255, -170, 300, -300, 1013, -1074};
+           const int x = exponents[c.below(8)], y = exponents[c.below(8)], z = exponents[c.below(8)];
+           const auto stretch = [=](const Point3d& v) {
+             return Point3d{std::ldexp(v.x, x), std::ldexp(v.y, y), std::ldexp(v.z, z)};
+           };
+           return {mapped(a, stretch), mapped(shifted(b, p - q), stretch)};
+         }},
+        {"rounded_onto",
+         [](DrawStream& c) -> Question {
+           // A corner of one, as far as doubles can tell, on a face of the other.
+           const Meshd a = ordinary_solid(c), b = ordinary_solid(c);
+           const auto& [p, q, r] = std::array{a.vertices[1], a.vertices[2], a.vertices[4]};
+           const double s = std::fabs(ordinary(c)) / 2, t = std::fabs(ordinary(c)) / 2;
+           const Point3d onto = p + (s * (q - p)) + (t * (r - p));
+           return {a, shifted(b, onto - b.vertices[c.below(5)])};
+         }},
+        {"opened",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_solid(c), b = lattice_solid(c);
+           if (c.below(2) == 0) return {opened(a, c), b};
+           return {a, opened(b, c)};
+         }},
+        {"named_solid",
+         [](DrawStream& c) -> Question {
+           const Meshd& a = named_solid(c);
+           const Meshd b = dented_tetrahedron(24, {6, 6, 6});
+           const Point3d p = c.below(3) == 2 ? between_vertices(a, c) : on_a_face_plane(a, c);
+           return {a, shifted(b, p - on_a_face_plane(b, c))};
+         },
+         /*unscaled=*/true},
+    };
+  }
+
+  static void repair(Question& question) { make_solid(std::get<0>(question)), make_solid(std::get<1>(question)); }
+
+  /// Two tetrahedra of size 12, the first with a dent or a spike: it and the other's place run over the numbers from 0
+  /// in thirds of 12.
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
+    Digits digit(size, index);
+    const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
+    Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
+    make_tetrahedron(b);
+    return {dented_tetrahedron(12, {4 * x, 4 * y, 4 * z}), shifted(b, {4 * u, 4 * v, 4 * w})};
+  }
+
+  /// A corner at the end of a dent: moves the dent.
+  static Question map_centre() {
+    const Meshd spike{{{2, 2, 2}, {22, 10, 10}, {10, 22, 10}, {10, 10, 22}},
+                      {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+    return {spike, dented_tetrahedron(12, {2, 2, 2})};
+  }
+
+  /// Open solids that touch are disjoint.
+  static std::optional<PolyhedronPolyhedron> as_open_sets(const PolyhedronPolyhedron& truth, const Question&) {
+    if (truth.relation != Contact::touching) return std::nullopt;
+    return PolyhedronPolyhedron{Contact::disjoint, truth.decided_by};
+  }
+
+  static Hooks<polyhedron_polyhedron> hooks() {
+    return {.as_open_sets = as_open_sets,
+            .repair = repair,
+            .map_centre = map_centre,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
+            .laws = {.maps = Laws::Maps::axes, .scales = true, .exchanges = {{0, 1}}}};
+  }
+
+ private:
+  template <class Change>
+  static Meshd mapped(Meshd mesh, const Change& change) {
+    for (Point3d& p : mesh.vertices) p = change(p);
+    return mesh;
+  }
+  static Meshd shifted(const Meshd& mesh, const Vector3d& by) {
+    return mapped(mesh, [&by](const Point3d& p) { return p + by; });
+  }
+  static Meshd scaled(const Meshd& mesh, double factor) {
+    return mapped(mesh, [factor](const Point3d& p) { return Point3d{factor * p.x, factor * p.y, factor * p.z}; });
+  }
+  static Meshd moved(const Meshd& mesh, DrawStream& c, double unit, int most) {
+    const double x = unit * small_integer(c, most), y = unit * small_integer(c, most);
+    return shifted(mesh, {x, y, unit * small_integer(c, most)});
+  }
+
+  /// Both in one list of vertices, and again in two.
+  template <class Change>
+  static Question split(Meshd a, Meshd b, const Change& change) {
+    Meshd all{a.vertices, {}};
+    all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
+    change(all);
+    const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
+    a.vertices.assign(all.vertices.begin(), middle), b.vertices.assign(middle, all.vertices.end());
+    return {a, b};
+  }
+
+  static std::vector<Whole> cells(DrawStream& c) {
+    std::vector<Whole> drawn{{0, 0, 0}};
+    for (const Whole& cell : {Whole{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}})
+      if (c.below(2) == 1) drawn.push_back(cell);
+    return drawn;
+  }
+
+  /// A ring of cubes, or three in a row, its bars of another width and height.
+  static Meshd link(DrawStream& c) {
+    std::vector<Whole> of_cells;
+    const bool ring = c.below(3) > 0;
+    for (long i = 0; i < 9; ++i)
+      if (ring ? i != 4 : i / 3 == 1) of_cells.push_back({i % 3, i / 3, 0});
+    const double bar = 6 * static_cast<double>(2 - c.below(2)), height = 6 * static_cast<double>(1 + c.below(2));
+    const auto narrowed = [bar](double n) { return n == 12 ? bar : n == 24 ? 36 - bar : n; };
+    return mapped(cube_surface(of_cells), [=](const Point3d& p) {
+      return Point3d{narrowed(p.x), narrowed(p.y), p.z == 0 ? 0 : height};
+    });
+  }
+
+  static Meshd ordinary_solid(DrawStream& c) {
+    Meshd mesh;
+    for (int i = 0; i < 5; ++i) {
+      const double x = ordinary(c), y = ordinary(c), z = ordinary(c);
+      mesh.vertices.push_back({x, y, z});
+    }
+    make_solid(mesh);
+    return mesh;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/polyhedra/polyhedron_polyhedron.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "oracle/exact/closed_mesh.h"
+#include "oracle/exact/common_dimension.h"
+#include "oracle/exact/plane_between.h"
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/space_partition.h"
+#include "oracle/exact/whole_cloud.h"
+#include "oracle/polyhedra/point_in_polyhedron.h"
+
+namespace touchstone::oracle {
+namespace {
+
+using Triangle = Triangle3<Integer>;
+using Point = Point3<Rational>;
+using Cells = SpacePartition::Cells;
+using Answer = Truth<PolyhedronPolyhedron>;
+
+template <class Number>
+void validate_solid(const std::string& field, const Mesh<Number>& mesh) {
+  validation::validate(field, mesh), validation::validate_triangles(field, mesh);
+  validate_closed(field, mesh.faces);
+}
+
+template <class Number>
+Mesh<Rational> exact_mesh(const Mesh<Number>& mesh) {
+  Mesh<Rational> found{{}, mesh.faces};
+  for (const Point3<Number>& p : mesh.vertices) found.vertices.push_back(exact(p));
+  return found;
+}
+
+/// Both meshes as they are given, and their faces in integers, which count units.
+struct Solids {
+  Solids(Mesh<Rational> a, Mesh<Rational> b) : meshes{std::move(a), std::move(b)} {
+    std::vector<Point> all = meshes[0].vertices;
+    all.insert(all.end(), meshes[1].vertices.begin(), meshes[1].vertices.end());
+    const WholeCloud cloud(all);
+    unit = cloud.unit;
+    Index first = 0;
+    for (const std::size_t solid : {0, 1}) {
+      for (const Face& f : meshes[solid].faces)
+        faces[solid].push_back({cloud[first + f.a], cloud[first + f.b], cloud[first + f.c]});
+      first = static_cast<Index>(meshes[0].vertices.size());
+    }
+  }
+
+  Point actual(const Point& p) const { return {Rational(p.x * unit), Rational(p.y * unit), Rational(p.z * unit)}; }
+  Rational actual_square(const Rational& square) const { return Rational(square * unit * unit); }
+
+  std::array<Mesh<Rational>, 2> meshes;
+  FacesOfBoth faces;
+  Rational unit;
+};
+
+struct Box {
+  std::array<Integer, 3> low, high;
+
+  explicit Box(const std::vector<Triangle>& faces) : low{faces[0].a.x, faces[0].a.y, faces[0].a.z}, high(low) {
+    for (const Triangle& t : faces) {
+      for (const auto* p : {&t.a, &t.b, &t.c}) {
+        const std::array at{&p->x, &p->y, &p->z};
+        for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], *at[i]), high[i] = std::max(high[i], *at[i]);
+      }
+    }
+  }
+};
+
+/// How far two boxes are apart along each axis; the other way about what they have in common there.
+std::array<Integer, 3> gaps(const Box& a, const Box& b) {
+  std::array<Integer, 3> found;
+  for (std::size_t i = 0; i < 3; ++i) found[i] = std::max(Integer(a.low[i] - b.high[i]), Integer(b.low[i] - a.high[i]));
+  return found;
+}
+
+Integer squared_distance(const Box& a, const Box& b) {
+  Integer sum(0);
+  for (const Integer& gap : gaps(a, b))
+    if (sgn(gap) > 0) sum += gap * gap;
+  return sum;
+}
+
+/// Of two that have no common point.
+Rational squared_distance(const Triangle& a, const Triangle& b) {
+  std::vector<Rational> ways;
+  for (const auto& [t, other] : {std::pair{&a, &b}, {&b, &a}})
+    for (const auto& edge : {Segment3<Integer>{t->a, t->b}, {t->b, t->c}, {t->c, t->a}})
+      ways.push_back(squared_way_to_touch(edge, *other));
+  return *std::min_element(ways.begin(), ways.end());
+}
+
+std::vector<Box> boxes_of(const std::vector<Triangle>& faces) {
+  std::vector<Box> boxes;
+  for (const Triangle& face : faces) boxes.emplace_back(std::vector<Triangle>{face});
+  return boxes;
+}
+
+/// On a face of each.
+std::optional<Point> common_point_of_faces(const FacesOfBoth& faces) {
+  const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
+  for (std::size_t i = 0; i < boxes_a.size(); ++i) {
+    for (std::size_t j = 0; j < boxes_b.size(); ++j) {
+      if (sgn(squared_distance(boxes_a[i], boxes_b[j])) > 0) continue;
+      const Triangle &s = faces[0][i], &t = faces[1][j];
+      if (plane_apart({s.a, s.b, s.c}, {t.a, t.b, t.c})) continue;
+      const PointOfBoth common = points_of_both(s, t, 0)[0];
+      const auto& [u, v, w] = common.on_a;
+      return Point{Rational(u * s.a.x + v * s.b.x + w * s.c.x), Rational(u * s.a.y + v * s.b.y + w * s.c.y),
+                   Rational(u * s.a.z + v * s.b.z + w * s.c.z)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Of the faces of one from those of the other, where none has a common point.
+Rational least_squared_distance(const FacesOfBoth& faces) {
+  const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
+  Rational least = squared_distance(faces[0][0], faces[1][0]);
+  for (std::size_t i = 0; i < boxes_a.size(); ++i) {
+    for (std::size_t j = 0; j < boxes_b.size(); ++j)
+      if (squared_distance(boxes_a[i], boxes_b[j]) < least)
+        least = std::min(least, squared_distance(faces[0][i], faces[1][j]));
+  }
+  return least;
+}
+
+using Located = Truth<Location>;
+
+std::vector<Certificate> certificates_of(const std::vector<Located>& located) {
+  std::vector<Certificate> proofs;
+  for (const Located& one : located) proofs.push_back(one.certificate());
+  return proofs;
+}
+
+void append(std::vector<Rational>& list, const Point& p) { list.insert(list.end(), {p.x, p.y, p.z}); }
+
+/// Cells and a proof of each that its point is outside.
+struct Proved {
+  SpacePartition partition;
+  std::vector<Located> outside;
+
+  void add_to(Certificate& certificate, const Solids& s) const {
+    std::vector<Rational> tree(partition.tree.begin(), partition.tree.end()), planes, points;
+    for (const WitnessPlane& plane : partition.planes) {
+      const auto& [x, y, z] = plane.normal;
+      planes.insert(planes.end(), {Rational(x), Rational(y), Rational(z), Rational(plane.offset * s.unit)});
+    }
+    for (const Point& p : partition.points) append(points, s.actual(p));
+    certificate.facts.insert(certificate.facts.end(), {{"tree", tree}, {"planes", planes}, {"points", points}});
+    certificate.parts.emplace_back("outside", certificates_of(outside));
+  }
+};
+
+Proved cut(const Solids& s, Cells cells) {
+  std::vector<Located> outside;
+  SpacePartition partition(s.faces, cells, [&](std::size_t solid, const Point& point) {
+    Located located = point_in_polyhedron(s.meshes[solid], s.actual(point));
+    const Location location = located.answer;
+    if (location == Location::outside) outside.push_back(std::move(located));
+    return location;
+  });
+  return {std::move(partition), std::move(outside)};
+}
+
+/// Where the vertices that faces name lie in the other solid: those of a first.
+struct Vertices {
+  explicit Vertices(const Solids& s) {
+    for (const std::size_t solid : {0, 1}) {
+      std::set<Index> named;
+      for (const Face& f : s.meshes[solid].faces) named.insert({f.a, f.b, f.c});
+      for (const Index i : named) {
+        Located located = point_in_polyhedron(s.meshes[1 - solid], s.meshes[solid].vertices[i]);
+        const bool better = farthest_in.empty() || located.margin > margin;
+        if (located.answer == Location::inside && better) {
+          farthest_in = {Rational(solid), Rational(i)}, margin = located.margin;
+          proofs.assign(1, std::move(located));
+        } else if (farthest_in.empty()) {
+          margin = proofs.empty() ? located.margin : std::min(margin, located.margin);
+          proofs.push_back(std::move(located));
+        }
+      }
+    }
+  }
+
+  PolyhedraStep step() const {
+    return farthest_in.empty() ? PolyhedraStep::edge_against_face : PolyhedraStep::vertex_inside;
+  }
+  void add_to(Certificate& certificate) const {
+    certificate.facts.emplace_back("vertex", farthest_in);
+    certificate.parts.emplace_back("vertices", certificates_of(proofs));
+  }
+
+  std::vector<Rational> farthest_in;  ///< the solid and the place of the vertex that is farthest inside, or nothing
+  std::vector<Located> proofs;        ///< of that vertex, or of all
+  std::optional<Rational> margin;
+};
+
+Answer apart_by_boxes(const Solids& s, const Box& a, const Box& b, std::size_t axis) {
+  const Integer gap = gaps(a, b)[axis], doubled = a.high[axis] < b.low[axis] ? Integer(a.high[axis] + b.low[axis])
+                                                                             : Integer(b.high[axis] + a.low[axis]);
+  const Rational value = quotient(doubled, Integer(2)) * s.unit;
+  return {{Contact::disjoint, PolyhedraStep::bounding_volumes}, s.actual_square(Rational(Integer(gap * gap))), [=] {
+            return Certificate{"separating_axis", {{"axis", {Rational(axis)}}, {"value", {value}}}};
+          }};
+}
+
+/// The margin is that of the faces or, if it is less, what the boxes have in common along an axis.
+Answer disjoint(const Solids& s, const Integer& common_length, Proved proved) {
+  const Rational least = std::min(least_squared_distance(s.faces), Rational(Integer(common_length * common_length)));
+  return {
+      {Contact::disjoint, PolyhedraStep::edge_against_face}, s.actual_square(least), [s, proved = std::move(proved)] {
+        Certificate certificate{"partition", {}};
+        proved.add_to(certificate, s);
+        return certificate;
+      }};
+}
+
+/// A common point of both, with its proofs.
+Certificate common_point(const char* kind, const Solids& s, const Point& p) {
+  Certificate certificate{kind, {}};
+  append(certificate.facts.emplace_back("point", std::vector<Rational>{}).second, s.actual(p));
+  certificate.parts.emplace_back("in_a", certificates_of({point_in_polyhedron(s.meshes[0], s.actual(p))}));
+  certificate.parts.emplace_back("in_b", certificates_of({point_in_polyhedron(s.meshes[1], s.actual(p))}));
+  return certificate;
+}
+
+Answer in_contact(const Solids& s, const Point& common) {
+  Proved proved = cut(s, Cells::open);
+  Vertices vertices(s);
+  const auto inside = proved.partition.common;
+  if (inside) {
+    return {{Contact::overlapping, vertices.step()}, vertices.margin, [=] {
+              Certificate certificate = common_point("common_interior_point", s, *inside);
+              vertices.add_to(certificate);
+              return certificate;
+            }};
+  }
+  return {{Contact::touching, vertices.step()}, Rational(0), [=] {
+            Certificate certificate = common_point("touching", s, common);
+            proved.add_to(certificate, s), vertices.add_to(certificate);
+            return certificate;
+          }};
+}
+
+template <class Number>
+Answer truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  validate_solid("a", a), validate_solid("b", b);
+  const Solids s(exact_mesh(a), exact_mesh(b));
+  const Box box_a(s.faces[0]), box_b(s.faces[1]);
+  const std::array<Integer, 3> between = gaps(box_a, box_b);
+  const auto widest = std::max_element(between.begin(), between.end());
+  if (sgn(*widest) > 0) return apart_by_boxes(s, box_a, box_b, static_cast<std::size_t>(widest - between.begin()));
+  std::optional<Point> common = common_point_of_faces(s.faces);
+  if (!common) {
+    Proved proved = cut(s, Cells::closed);
+    common = proved.partition.common;
+    if (!common) return disjoint(s, *widest, std::move(proved));
+  }
+  return in_contact(s, *common);
+}
+
+}  // namespace
+
+Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Meshd& a, const Meshd& b) { return truth_of(a, b); }
+
+template <Exact Number>
+Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Number>& a, const Mesh<Number>& b) {
+  return truth_of(a, b);
+}
+template Truth<PolyhedronPolyhedron> polyhedron_polyhedron(const Mesh<Rational>&, const Mesh<Rational>&);
+
+}  // namespace touchstone::oracle

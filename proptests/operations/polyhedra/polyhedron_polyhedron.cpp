@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "catalogue/rows/polyhedra/polyhedron_polyhedron.h"
+
+#include <algorithm>
+
+#include "proptests/solids.h"
+#include "proptests/space_laws.h"
+#include "robust/polyhedra/point_in_polyhedron.h"
+#include "robust/sweeps/swept_convex_polyhedra.h"
+
+namespace touchstone::proptests::polyhedron_polyhedron_tests {
+namespace {
+
+using Row = rows::polyhedron_polyhedron;
+using namespace solids;
+
+constexpr PolyhedronPolyhedron apart{Contact::disjoint, PolyhedraStep::bounding_volumes},
+    clear{Contact::disjoint, PolyhedraStep::edge_against_face},
+    touching{Contact::touching, PolyhedraStep::edge_against_face},
+    touching_inside{Contact::touching, PolyhedraStep::vertex_inside},
+    crossing{Contact::overlapping, PolyhedraStep::edge_against_face},
+    inside{Contact::overlapping, PolyhedraStep::vertex_inside};
+
+constexpr Worked<Row> worked;
+
+Meshd turned_over(const Meshd& mesh) {
+  return with_each_face(mesh, [](Face& f) { std::swap(f.b, f.c); });
+}
+/// x to y, y to z, z to x.
+Meshd turned(Meshd mesh) {
+  for (Point3d& p : mesh.vertices) p = {p.z, p.x, p.y};
+  return mesh;
+}
+
+}  // namespace
+
+LAW("polyhedron_polyhedron: the order of faces and vertices is nothing, nor is which way faces turn", a, b) {
+  Meshd other = turned_over(b);
+  const auto last = static_cast<Index>(b.vertices.size() - 1);
+  for (Face& f : other.faces) f = {last - f.b, last - f.c, last - f.a};
+  std::reverse(other.vertices.begin(), other.vertices.end());
+  std::reverse(other.faces.begin(), other.faces.end());
+  return equal(ask(Row::Question{a, other}), ask(asked));
+}
+
+LAW("polyhedron_polyhedron: a face that comes twice more changes nothing", a, b) {
+  return equal(ask(Row::Question{with_faces(a, {a.faces.back(), a.faces.back()}), b}), ask(asked));
+}
+
+LAW("polyhedron_polyhedron: a solid shares its faces with itself", a) {
+  return ask(Row::Question{a, a}).relation != Contact::disjoint;
+}
+
+LAW("polyhedron_polyhedron: of a mesh that is listed twice there is no interior to overlap", a, b) {
+  const PolyhedronPolyhedron before = ask(asked), twice = ask(Row::Question{together(a, a), b});
+  return twice.relation != Contact::overlapping && (before.relation != Contact::disjoint || equal(twice, before));
+}
+
+LAW("polyhedron_polyhedron: what is disjoint from a solid overlaps all else within a shell around both", a, b) {
+  if (!on_small_lattice(asked) || ask(asked).relation != Contact::disjoint) return true;
+  if (ask(Row::Question{a, a}).relation != Contact::overlapping) return true;  // a has no interior
+  const Meshd shell = mapped(cube, 0x1p40, -0x1p42);
+  return ask(Row::Question{a, together(b, shell)}).relation == Contact::overlapping;
+}
+
+ROBUST_LAW("polyhedron_polyhedron: point_in_polyhedron finds a vertex inside where the second step decides", a, b) {
+  const PolyhedraStep step = ask(asked).decided_by;
+  if (step == PolyhedraStep::bounding_volumes) return true;
+  const auto any_inside = [](const Meshd& mesh, const Meshd& solid) {
+    return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& f) {
+      const auto at = [&](Index i) { return robust::point_in_polyhedron(solid, mesh.vertices[i]) == Location::inside; };
+      return at(f.a) || at(f.b) || at(f.c);
+    });
+  };
+  return (any_inside(a, b) || any_inside(b, a)) == (step == PolyhedraStep::vertex_inside);
+}
+
+TEST_CASE("polyhedron_polyhedron: convex meshes meet where swept_convex_polyhedra finds a contact at once") {
+  const auto complaint = [](const Question& question) -> std::string {
+    const auto& [a, b, velocity] = catalogue::unpacked<std::tuple<Meshd, Meshd, Vector3d>>(question);
+    static_cast<void>(velocity);
+    try {
+      const bool met = robust::swept_convex_polyhedra(a, b, {0, 0, 0}).relation == HitRelation::hit;
+      return (robust::polyhedron_polyhedron(a, b).relation != Contact::disjoint) == met ? "" : "another answer";
+    } catch (const InvalidInput&) {
+      return "";
+    }
+  };
+  never(*catalogue::find_operation("swept_convex_polyhedra"), "convex meshes at rest", complaint, 4);
+}
+
+TEST_CASE("polyhedron_polyhedron: cubes worked by hand") {
+  worked({cube, shifted(cube, {13, 12, 0})}, apart, 1);
+  worked({cube, shifted(cube, {14, 13, 0})}, apart, 4);  // the greatest gap
+  worked({cube, shifted(cube, {12, 0, 0})}, touching, 0);
+  worked({cube, shifted(cube, {12, 6, 3})}, touching, 0);
+  worked({cube, shifted(cube, {12, 12, 0})}, touching, 0);  // a whole edge, a part of one, a corner
+  worked({cube, shifted(cube, {12, 12, 5})}, touching, 0);
+  worked({cube, shifted(cube, {-12, 12, -12})}, touching, 0);
+  worked({cube, cube}, crossing, 0, "algorithm");
+  worked({cube, turned_over(cube)}, crossing, 0, "algorithm");
+  worked({cube, shifted(cube, {6, 0, 0})}, crossing, 0);
+  worked({cube, shifted(cube, {5, 4, 3})}, inside, 9);  // (5, 4, 3) and (12, 12, 12), both 3 from a face
+  worked({cube, shifted(mapped(cube, 0.75), {1, 7, 7})}, inside, 1);
+  worked({cube, shifted(mapped(cube, 0.5), {0, 3, 3})}, inside, 9);  // a face on a face, from within
+  worked({cube, shifted(mapped(cube, 0.5), {2, 3, 1})}, inside, 9);  // (8, 9, 7): of eight the one farthest in
+}
+
+TEST_CASE("polyhedron_polyhedron: notches, holes and hollows worked by hand") {
+  worked({angle, shifted(cube, {12, 12, 0})}, touching, 0);
+  worked({angle, shifted(cube, {13, 14, 0})}, clear, 1);
+  worked({angle, shifted(cube, {13, 14, 11.5})}, clear, Rational(1, 4));  // so much the boxes share in z
+  worked({angle, shifted(cube, {11, 12, 0})}, crossing, 0, "algorithm");  // its edges end in faces, or lie in them
+  worked({ring, shifted(cube, {12, 12, 0})}, touching, 0);                // fills the hole
+  const Meshd pin = shifted(mapped(cube, 0.5), {15, 16, 2});
+  worked({ring, pin}, clear, 4);  // from x = 15 to 12, from y = 22 to 24
+  worked({hollow, shifted(cube, {12, 12, 12})}, touching, 0);
+  worked({hollow, shifted(pin, {0, 0, 13})}, clear, 4);  // in the hollow
+  worked({mapped(cube, 4, -18), cube}, inside, 324);     // from 12 to 30
+  worked({mapped(cube, 2, 0), cube}, inside, 144);       // in a corner: (12, 12, 12) is 12 from three faces
+  worked({mapped(cube, 2, 0), octahedron}, inside, 48, "algorithm");  // the origin; its ray meets a corner
+}
+
+TEST_CASE("polyhedron_polyhedron: no vertex is within the other") {
+  Meshd stick = mapped(cube, 0.5);  // [0, 6]^2 by [0, 18]
+  for (Point3d& p : stick.vertices) p.z *= 3;
+  worked({ring, shifted(stick, {15, 16, -3})}, clear, 4);
+  worked({ring, shifted(stick, {15, 18, -3})}, touching, 0, "algorithm");  // edges of the ring end faces of the stick
+  worked({ring, shifted(stick, {15, 19, -3})}, crossing, 9);               // (15, 25, -3) and (12, 24, 0)
+  // Two rings of sixteen cubes as in a chain, 12 from each other everywhere.
+  std::vector<catalogue::Whole> cells;
+  for (long i = 0; i < 25; ++i)
+    if (i % 5 % 4 == 0 || i / 5 % 4 == 0) cells.push_back({i % 5, i / 5, 0});
+  const Meshd chain = cube_surface(cells);
+  worked({chain, shifted(turned(chain), {24, 24, -24})}, clear, 144);
+  worked({chain, shifted(turned(chain), {24, 36, -24})}, touching, 0, "algorithm");
+}
+
+TEST_CASE("polyhedron_polyhedron: faces that separate nothing touch, and do not overlap") {
+  const Meshd sail = with_faces(with_vertex(octahedron, {36, 0, 12}), {{0, 4, 6}, {6, 4, 0}});
+  const Meshd around = shifted(cube, {30, -6, 6});
+  worked({sail, around}, touching_inside, 0, "algorithm");
+}
+
+TEST_CASE("polyhedron_polyhedron: huge, subnormal, and an ulp apart") {
+  worked({mapped(cube, tiny), shifted(mapped(cube, tiny), {12 * tiny, 0, 0})}, touching, 0, "rounding");
+  worked({mapped(cube, tiny), shifted(mapped(cube, tiny), {13 * tiny, 0, 0})}, apart, power_of_two(-2148));
+  const Row::Question far{mapped(octahedron, huge / 12), mapped(octahedron, huge / 24)};
+  CHECK(equal(catalogue::ask_robust<Row>(far), inside));
+  CHECK(equal(catalogue::ask_oracle<Row>(far).answer, inside));
+}
+
+TEST_CASE("polyhedron_polyhedron: meshes are refused by the first rule that they break") {
+  const Meshd bad = with_vertex(cube, {0, infinity, 0});
+  refused<Row>({cube, bad}, "b.vertices[8][1]", "finite number");
+  refused<Row>({bad, bad}, "a.vertices[8][1]", "finite number");
+  refused<Row>({with_faces(cube, {{0, 1, 8}}), bad}, "b.vertices[8][1]", "finite number");
+  refused<Row>({cube, with_faces(cube, {{0, 1, 8}})}, "b.faces[12][2]", "index of a vertex");
+  refused<Row>({with_faces(cube, {{0, 1, 1}}), with_faces(cube, {{0, 1, 8}})}, "a.faces[12]",
+               "three different vertices");
+  refused<Row>({cube, Meshd{}}, "b", "at least 4 faces");
+  const Meshd four{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {0, 2, 1}}};
+  refused<Row>({cube, four}, "b.faces[0]",
+               "closed: the edge from vertex 0 to vertex 2 must be in an even number of faces");
+}
+
+}  // namespace touchstone::proptests::polyhedron_polyhedron_tests

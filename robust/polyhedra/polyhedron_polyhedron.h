@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/invalid_input.h"
+#include "geometry/polyhedra.h"
+#include "geometry/solids.h"
+#include "robust/kernel/staged.h"
+
+namespace touchstone::robust {
+
+/// How the solids within two closed meshes lie to each other: `disjoint`, `touching` or `overlapping`; and which step
+/// of the test decides: `bounding_volumes`, `vertex_inside` or `edge_against_face`.
+///
+/// The meshes are closed: every edge, a pair of vertices in whichever order, is in an even number of faces. They may be
+/// concave, of several parts, cross themselves, have faces twice or without area, turn either way: inside is what a ray
+/// leaves through an odd number of faces. The time is the number of faces of one times that of the other; where the
+/// surfaces meet and the interiors may not, many times that. Right for all finite doubles in every floating-point
+/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a mesh that
+/// is not closed (with the face and the edge). Contract: reference/polyhedra/polyhedron_polyhedron.h.
+PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The latest stage that one of its decisions needed.
+struct polyhedron_polyhedron : Signatures<decltype(robust::polyhedron_polyhedron)> {
+  static Staged ask;
+};
+
+}  // namespace stages
+
+}  // namespace touchstone::robust
