@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/rays.h"
 #include "geometry/volumes.h"
 
 /// A question that is a program: bodies to start with, then commands, one after another.
@@ -31,27 +32,68 @@ enum class Query { pairs };
 struct Ask {
   Query query;
 };
+/// Which bodies meet this box?
 template <class Real>
-using Command = std::variant<Insert<Real>, Move<Real>, Remove, Ask>;
+struct InBox {
+  Aabb3<Real> box;
+};
+/// In which bodies is this point?
+template <class Real>
+struct AtPoint {
+  Point3<Real> point;
+};
+/// Which bodies does this ray meet, one after another?
+template <class Real>
+struct AlongRay {
+  Ray3<Real> ray;
+};
+template <class Real>
+using Command = std::variant<Insert<Real>, Move<Real>, Remove, Ask, InBox<Real>, AtPoint<Real>, AlongRay<Real>>;
 
-/// What is answered to a query: the pairs of bodies i < j, sorted.
+/// What is answered to `pairs`: the pairs of bodies i < j, sorted.
 struct PairsReply {
   std::vector<IndexPair> pairs;
   friend bool operator==(const PairsReply&, const PairsReply&) = default;
 };
-using Replies = std::vector<PairsReply>;
+/// To `in_box` and `at_point`: bodies, sorted.
+struct BodiesReply {
+  std::vector<Index> bodies;
+  friend bool operator==(const BodiesReply&, const BodiesReply&) = default;
+};
+/// To `along_ray`: bodies in the order in which the ray meets them; of those that it meets at once, the lesser index
+/// first.
+struct RayReply {
+  std::vector<Index> in_order;
+  friend bool operator==(const RayReply&, const RayReply&) = default;
+};
+using QueryReply = std::variant<PairsReply, BodiesReply, RayReply>;
+using Replies = std::vector<QueryReply>;
 
 using Insertd = Insert<double>;
 using Moved = Move<double>;
+using InBoxd = InBox<double>;
+using AtPointd = AtPoint<double>;
+using AlongRayd = AlongRay<double>;
 using Commandd = Command<double>;
 
-/// What keeps bodies and tells which of them meet. `move` and `remove` are asked of bodies that are there.
+/// Whether a command asks for a reply.
+template <class Real>
+bool is_query(const Command<Real>& command) {
+  return command.index() >= 3;
+}
+
+/// What keeps bodies and tells which of them meet each other, a box, a point or a ray. `move` and `remove` are asked of
+/// bodies that are there.
 template <class Structure, class Real>
-concept BroadPhase = requires(Structure structure, const Aabb3<Real>& box, Index body) {
+concept BroadPhase = requires(Structure structure, const Aabb3<Real>& box, Index body, const Point3<Real>& point,
+                              const Ray3<Real>& ray) {
   { structure.insert(box) } -> std::convertible_to<Index>;
   structure.move(body, box);
   structure.remove(body);
   { structure.pairs() } -> std::convertible_to<std::vector<IndexPair>>;
+  { structure.in_box(box) } -> std::convertible_to<std::vector<Index>>;
+  { structure.at_point(point) } -> std::convertible_to<std::vector<Index>>;
+  { structure.along_ray(ray) } -> std::convertible_to<std::vector<Index>>;
 };
 
 /// Has a structure carry out a program of valid commands. `after_each` sees it when the boxes are in it, and after
@@ -67,7 +109,10 @@ requires BroadPhase<Structure, Real> Replies replies(Structure structure, const 
     void operator()(const Insert<Real>& command) const { structure.insert(command.box); }
     void operator()(const Move<Real>& command) const { structure.move(command.body, command.box); }
     void operator()(const Remove& command) const { structure.remove(command.body); }
-    void operator()(const Ask&) const { found.push_back({structure.pairs()}); }
+    void operator()(const Ask&) const { found.push_back(PairsReply{structure.pairs()}); }
+    void operator()(const InBox<Real>& query) const { found.push_back(BodiesReply{structure.in_box(query.box)}); }
+    void operator()(const AtPoint<Real>& query) const { found.push_back(BodiesReply{structure.at_point(query.point)}); }
+    void operator()(const AlongRay<Real>& query) const { found.push_back(RayReply{structure.along_ray(query.ray)}); }
   };
   for (const Aabb3<Real>& box : boxes) structure.insert(box);
   after_each(structure);

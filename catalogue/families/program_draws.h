@@ -15,6 +15,29 @@ namespace touchstone::catalogue {
 
 using Program = std::tuple<std::vector<Aabb3d>, std::vector<Commandd>>;
 
+/// A direction is not zero.
+inline Ray3d repaired(Ray3d ray) {
+  Vector3d& v = ray.direction;
+  if (v.x == 0 && v.y == 0 && v.z == 0) v.x = 1;
+  return ray;
+}
+
+/// From a corner of one box towards a corner of another; or along an axis, forwards or backwards, or along a face, with
+/// zeros of both signs.
+inline Ray3d ray_between(const Aabb3d& a, const Aabb3d& b, DrawStream& c) {
+  const Point3d from = c.below(2) == 1 ? a.max : a.min, to = c.below(2) == 1 ? b.min : b.max;
+  Ray3d ray{from, to - from};
+  auto& [x, y, z] = ray.direction;
+  for (double* component : {&x, &y, &z}) {
+    switch (c.below(5)) {
+      case 0: *component = 0; break;
+      case 1: *component = -0.0; break;
+      default: break;
+    }
+  }
+  return repaired(ray);
+}
+
 /// A program that grows by one command after another and keeps account of the bodies that are there.
 class Programming {
  public:
@@ -39,12 +62,31 @@ class Programming {
     there_.erase(place);
   }
   void ask() { commands_.push_back(Ask{Query::pairs}); }
+  void ask_in(const Aabb3d& box) { commands_.push_back(InBoxd{box}); }
+  void ask_at(const Point3d& point) { commands_.push_back(AtPointd{point}); }
+  void ask_along(const Ray3d& ray) { commands_.push_back(AlongRayd{ray}); }
 
-  /// Any of these; `box()` draws one.
+  /// Any query, of boxes as `box()` draws them, their corners, and rays between these.
+  template <class Draw>
+  void any_query(const Draw& box) {
+    switch (choices_.below(4)) {
+      case 0: return ask();
+      case 1: return ask_in(box());
+      case 2: {
+        const Aabb3d at = box();
+        return ask_at(choices_.below(2) == 1 ? at.max : at.min);
+      }
+      default: {
+        const Aabb3d from = box(), to = box();
+        return ask_along(ray_between(from, to, choices_));
+      }
+    }
+  }
+  /// Any command.
   template <class Draw>
   void any(const Draw& box) {
     switch (choices_.below(4)) {
-      case 0: return ask();
+      case 0: return any_query(box);
       case 1: return insert(box());
       case 2: return move(box());
       default: return remove();
@@ -69,7 +111,7 @@ Program any_program(DrawStream& c, const Draw& box, std::size_t bodies, std::siz
   Programming p(c);
   for (std::size_t left = bodies; left > 0 && c.below(bodies) != 0; --left) p.start_with(box(c));
   for (std::size_t left = commands; left > 0 && c.below(commands) != 0; --left) p.any([&] { return box(c); });
-  p.ask();
+  p.any_query([&] { return box(c); });
   return p.program();
 }
 
@@ -87,7 +129,9 @@ inline void repair_program(Program& program) {
       there.push_back(next++);
       continue;
     }
-    if (std::holds_alternative<Ask>(command)) continue;
+    if (auto* query = std::get_if<InBoxd>(&command)) put_in_order(query->box);
+    if (auto* query = std::get_if<AlongRayd>(&command)) query->ray = repaired(query->ray);
+    if (is_query(command)) continue;
     if (there.empty()) {
       command = Ask{Query::pairs};
     } else if (auto* move = std::get_if<Moved>(&command)) {
@@ -100,8 +144,7 @@ inline void repair_program(Program& program) {
       there.erase(place);
     }
   }
-  const auto asks = [](const Commandd& command) { return std::holds_alternative<Ask>(command); };
-  if (std::none_of(commands.begin(), commands.end(), asks)) commands.emplace_back(Ask{Query::pairs});
+  if (std::none_of(commands.begin(), commands.end(), is_query<double>)) commands.emplace_back(Ask{Query::pairs});
 }
 
 }  // namespace touchstone::catalogue

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <map>
 
 #include "catalogue/numbers/true_number.h"
 #include "catalogue/numbers/ulps.h"
@@ -153,22 +155,42 @@ template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&,
 
 namespace {
 
-void collect(const Shape& shape, const Word*& at, std::vector<Listed>& lists) {
+void collect(const Shape& shape, const char* name, const Word*& at, std::vector<Listed>& lists) {
+  if (shape.kind == Shape::Kind::choice) {
+    const Word which = *at++;
+    return collect(*shape.parts[which].shape, name, at, lists);
+  }
   if (shape.kind != Shape::Kind::list) {
-    for (const Shape::Part& part : shape.parts) collect(*part.shape, at, lists);
+    for (const Shape::Part& part : shape.parts) collect(*part.shape, part.name, at, lists);
     return;
   }
   const Shape& element = *shape.parts[0].shape;
   const Word length = *at++;
-  if (element.fixed) lists.emplace_back();
+  if (element.fixed) lists.push_back({name, element.word_count});
   for (Word i = 0; i < length; ++i) {
     if (!element.fixed) {
-      collect(element, at, lists);
+      collect(element, "", at, lists);
       continue;
     }
-    lists.back().emplace_back(at, at + element.word_count);
+    lists.back().elements.emplace_back(at, at + element.word_count);
     at += element.word_count;
   }
+}
+
+/// How many elements of the first list, which has each once, must be taken out for the others to be in the second one
+/// in this order: all but the longest ascent of their first places there.
+std::uint64_t out_of_order(const Listed& right, const Listed& said) {
+  std::map<std::vector<Word>, std::size_t> first;
+  for (std::size_t i = 0; i < said.elements.size(); ++i) first.emplace(said.elements[i], i);
+  std::vector<std::size_t> least_end;  // of an ascent of one, two ... places
+  for (const auto& element : right.elements) {
+    const auto place = first.find(element);
+    if (place == first.end()) continue;
+    const auto longer = std::lower_bound(least_end.begin(), least_end.end(), place->second);
+    if (longer == least_end.end()) least_end.push_back(place->second);
+    else *longer = place->second;
+  }
+  return right.elements.size() - least_end.size();
 }
 
 }  // namespace
@@ -176,7 +198,7 @@ void collect(const Shape& shape, const Word*& at, std::vector<Listed>& lists) {
 std::vector<Listed> listed(const Shape& shape, const std::vector<Word>& words) {
   std::vector<Listed> lists;
   const Word* at = words.data();
-  collect(shape, at, lists);
+  collect(shape, "", at, lists);
   return lists;
 }
 
@@ -185,13 +207,16 @@ Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::
   said.resize(right.size());
   Covering found;
   for (std::size_t i = 0; i < right.size(); ++i) {
-    for (Listed* list : {&right[i], &said[i]}) {
+    const std::uint64_t misplaced = std::strcmp(right[i].name, "in_order") == 0 ? out_of_order(right[i], said[i]) : 0;
+    for (auto* list : {&right[i].elements, &said[i].elements}) {
       for (auto& element : *list) std::sort(element.begin(), element.end());
       std::sort(list->begin(), list->end());
     }
-    Listed common;
-    std::set_intersection(right[i].begin(), right[i].end(), said[i].begin(), said[i].end(), std::back_inserter(common));
-    found.missing += right[i].size() - common.size(), found.surplus += said[i].size() - common.size();
+    const auto &all = right[i].elements, &given = said[i].elements;
+    std::vector<std::vector<Word>> common;
+    std::set_intersection(all.begin(), all.end(), given.begin(), given.end(), std::back_inserter(common));
+    found.missing += std::max<std::uint64_t>(all.size() - common.size(), misplaced);
+    found.surplus += given.size() - common.size();
   }
   return found;
 }

@@ -41,12 +41,17 @@ std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& tru
                                          Reading reading);
 
 /// One of the innermost lists of an answer, each element the words that it holds: the pairs of one reply.
-using Listed = std::vector<std::vector<Word>>;
+struct Listed {
+  const char* name;   ///< of the member that it is; "" where it is none
+  std::size_t width;  ///< words of an element
+  std::vector<std::vector<Word>> elements{};
+};
 /// The innermost lists of an answer without numbers, in order.
 std::vector<Listed> listed(const Shape& shape, const std::vector<Word>& words);
 
 /// The elements of each innermost list without regard to order, neither of the elements nor within one; what is listed
-/// twice is surplus.
+/// twice is surplus. Of a list of the name `in_order` those count as missing, too, that must be taken out for the
+/// others to be in the truth's order.
 struct Covering {
   std::uint64_t missing = 0, surplus = 0;
 };

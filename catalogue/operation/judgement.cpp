@@ -2,6 +2,7 @@
 #include "catalogue/operation/judgement.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 #include <span>
 #include <utility>
@@ -29,10 +30,11 @@ std::uint64_t most_surplus(const Examination& question) {
       row.places != nullptr
           ? row.places(question.question())
           : std::vector<std::uint64_t>(truth.size(), elements_of_lists(*row.question, question.question()));
-  constexpr std::uint64_t each = 2;  // pairs
   std::uint64_t most = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-    most += places[i] < each ? 0 : places[i] * (places[i] - 1) / each - truth[i].size();
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const std::uint64_t n = places[i], all = truth[i].width == 1 ? n : n < 2 ? 0 : n * (n - 1) / 2;  // or pairs
+    most += all - truth[i].elements.size();
+  }
   return most;
 }
 
@@ -177,22 +179,27 @@ EncodedValue<double> read_answer(const Examination& question, const Json& json) 
   return answer;
 }
 
-/// What is listed are tuples of different places in the question's lists, in as many lists as the truth has.
+/// What is listed are tuples of different places in the question's lists, in as many lists as the truth has, and of the
+/// same names.
 void require_places(const Examination& question, const EncodedValue<double>& answer) {
   const RowFunctions& row = question.row();
   const std::string field = "answer." + std::string(row.metadata->answer);
   const Word places = elements_of_lists(*row.question, question.question());
-  const std::vector<Listed> lists = listed(*row.answer, answer.words);
-  const std::size_t expected = listed(*row.answer, question.solution().answer.words).size();
-  if (lists.size() != expected)
-    throw InvalidInput(field, "a reply to each of the " + std::to_string(expected) + " queries");
-  for (const Listed& list : lists) {
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      const std::set<Word> different(list[i].begin(), list[i].end());
-      if (different.size() == list[i].size() && *different.rbegin() < places) continue;
-      const std::string reply =
-          row.answer->parts[0].shape->fixed ? "" : "[" + std::to_string(&list - lists.data()) + "].pairs";
-      throw InvalidInput(field + reply + "[" + std::to_string(i) + "]", "different places in the list");
+  const std::vector<Listed> lists = listed(*row.answer, answer.words),
+                            truth = listed(*row.answer, question.solution().answer.words);
+  if (lists.size() != truth.size())
+    throw InvalidInput(field, "a reply to each of the " + std::to_string(truth.size()) + " queries");
+  const bool replies = !row.answer->parts[0].shape->fixed;
+  for (std::size_t k = 0; k < lists.size(); ++k) {
+    const std::string reply = replies ? field + "[" + std::to_string(k) + "]" : field;
+    if (std::strcmp(lists[k].name, truth[k].name) != 0)
+      throw InvalidInput(reply, std::string("a reply of ") + truth[k].name);
+    for (std::size_t i = 0; i < lists[k].elements.size(); ++i) {
+      const auto& element = lists[k].elements[i];
+      const std::set<Word> different(element.begin(), element.end());
+      if (different.size() == element.size() && *different.rbegin() < places) continue;
+      throw InvalidInput((replies ? reply + "." + lists[k].name : reply) + "[" + std::to_string(i) + "]",
+                         element.size() == 1 ? "a place in the list" : "different places in the list");
     }
   }
 }

@@ -4,7 +4,8 @@
 #include "catalogue/shape/described_shapes.h"
 #include "geometry/commands.h"
 
-/// Programs: {"insert":box}, {"move":body,"box":box}, {"remove":body}, {"ask":"pairs"}.
+/// Programs: {"insert":box}, {"move":body,"box":box}, {"remove":body}; {"ask":"pairs"}, {"in_box":box},
+/// {"at_point":point}, {"along_ray":ray}.
 namespace touchstone::catalogue {
 
 template <class R>
@@ -27,10 +28,42 @@ struct Described<Ask> {
   static constexpr Form form = Form::record;
   static constexpr auto members = std::tuple{member("ask", &Ask::query)};
 };
+template <class R>
+struct Described<Ray3<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members =
+      std::tuple{member("origin", &Ray3<R>::origin), member("direction", &Ray3<R>::direction)};
+};
+template <class R>
+struct Described<InBox<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{member("in_box", &InBox<R>::box)};
+};
+template <class R>
+struct Described<AtPoint<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{member("at_point", &AtPoint<R>::point)};
+};
+template <class R>
+struct Described<AlongRay<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{member("along_ray", &AlongRay<R>::ray)};
+};
 template <>
 struct Described<PairsReply> {
   static constexpr Form form = Form::record;
   static constexpr auto members = std::tuple{member("pairs", &PairsReply::pairs)};
+};
+template <>
+struct Described<BodiesReply> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{member("bodies", &BodiesReply::bodies)};
+};
+/// What is called `in_order` is judged with its order (catalogue/judge/compare.h).
+template <>
+struct Described<RayReply> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{member("in_order", &RayReply::in_order)};
 };
 
 template <>

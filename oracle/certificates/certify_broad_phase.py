@@ -2,7 +2,7 @@
 """Which solids of a list meet, as in check_broad_phase.cpp, where the proof is written down."""
 
 from certify_reading import WRONG_KIND, Claim, expect, only
-from certify_space import ball, box_holds, box_in_space, dot, exact_triple
+from certify_space import ball, box_holds, box_in_space, dot, exact_triple, point_in_space, triple
 
 
 class Ball:
@@ -129,6 +129,26 @@ def body(bodies, index, what):
     return index
 
 
+def ray_in_space(value, what):
+    only(value, what, ["origin", "direction"])
+    origin = point_in_space(value["origin"], what + ".origin")
+    direction = point_in_space(value["direction"], what + ".direction")
+    expect(direction != (0, 0, 0), what + ".direction: nonzero direction")
+    return origin, direction
+
+
+def query(command, what):
+    if "in_box" in command:
+        only(command, what, ["in_box"]), box_in_space(command["in_box"], what + ".in_box")
+    elif "at_point" in command:
+        only(command, what, ["at_point"]), point_in_space(command["at_point"], what + ".at_point")
+    elif "along_ray" in command:
+        only(command, what, ["along_ray"]), ray_in_space(command["along_ray"], what + ".along_ray")
+    else:
+        only(command, what, ["ask"])
+        expect(command["ask"] == "pairs", what + ".ask: pairs")
+
+
 def carry_out(command, bodies, count, what):
     """How many bodies there have been after the command."""
     expect(isinstance(command, dict), what + ": a command")
@@ -146,13 +166,12 @@ def carry_out(command, bodies, count, what):
         only(command, what, ["remove"])
         del bodies[body(bodies, command["remove"], what + ".remove")]
     else:
-        only(command, what, ["ask"])
-        expect(command["ask"] == "pairs", what + ".ask: pairs")
+        query(command, what)
     return count
 
 
 def worlds(claim):
-    """The bodies that are there at each query."""
+    """Each query, and the bodies that are there."""
     expect(isinstance(claim.input["boxes"], list), "boxes: a list")
     bodies, count = {}, 0
     for box in claim.input["boxes"]:
@@ -162,11 +181,11 @@ def worlds(claim):
     expect(isinstance(claim.input["commands"], list), "commands: a list")
     for i, command in enumerate(claim.input["commands"]):
         count = carry_out(command, bodies, count, f"commands[{i}]")
-        if "ask" in command:
-            yield dict(bodies)
+        if not {"insert", "move", "remove"} & set(command):
+            yield command, dict(bodies)
 
 
-def check_reply(bodies, reply, certificate):
+def check_pairs(bodies, reply, certificate):
     """That of all_pairs, where the bodies that are there have their places in the list."""
     only(reply, "truth.replies", ["pairs"])
     expect(isinstance(reply["pairs"], list), "truth.pairs: a list")
@@ -179,6 +198,76 @@ def check_reply(bodies, reply, certificate):
     check_all_pairs(Claim({"input": {"boxes": boxes}, "truth": {"pairs": pairs}, "certificate": certificate}))
 
 
+def meets_box(proof, low, high, body_low, body_high):
+    """Whether a body meets a box, as the proof says."""
+    if proof.kind() == "common_point":
+        proof.facts("point")
+        p = triple(proof, "point")
+        expect(box_holds(low, high, p) and box_holds(body_low, body_high, p), "certificate: a point is not in both")
+        return True
+    proof.expect_kind("gap"), proof.facts("axis")
+    along = axis(proof)
+    gap = high[along] < body_low[along] or body_high[along] < low[along]
+    expect(gap, "certificate: a body is not apart")
+    return False
+
+
+def first_on_ray(proof, origin, direction, low, high):
+    """The first t at which a ray is in a body, as the proof says; None: never."""
+    if proof.kind() == "apart":
+        proof.facts("below", "above")
+        below, above = proof.list("below"), proof.list("above")
+        expect(len(below) == 3 and len(above) == 3, "certificate: a weight for each face")
+        expect(all(weight >= 0 for weight in below + above), "certificate: a weight is negative")
+        total = sum(b * (least - o) + a * (o - most)
+                    for b, a, o, least, most in zip(below, above, origin, low, high))
+        slope = sum((a - b) * d for b, a, d in zip(below, above, direction))
+        expect(total > 0 and slope >= 0, "certificate: the weights prove nothing")
+        return None
+    start = proof.kind() == "start"
+    expect(start or proof.kind() == "entry", WRONG_KIND)
+    proof.facts(*([] if start else ["first", "axis"]))
+    first = 0 if start else proof.single("first")
+    expect(first >= 0, "certificate: before the ray starts")
+    p = [o + first * d for o, d in zip(origin, direction)]
+    expect(box_holds(low, high, p), "certificate: the ray is not in the body")
+    if not start:
+        k = axis(proof)
+        enters = (direction[k] > 0 and p[k] == low[k]) or (direction[k] < 0 and p[k] == high[k])
+        expect(enters, "certificate: the ray does not enter there")
+    return first
+
+
+def met(command, bodies, proofs):
+    """The bodies that the proofs, one for each, show to be met: of a ray, in the order of the first t."""
+    found = []
+    for index, written in zip(sorted(bodies), proofs):
+        low, high = box_in_space(bodies[index], "body")
+        proof = Claim({"input": command, "truth": command, "certificate": written})
+        if "along_ray" in command:
+            first = first_on_ray(proof, *ray_in_space(command["along_ray"], "ray"), low, high)
+            found += [] if first is None else [(first, index)]
+        else:
+            p = command.get("at_point")
+            ends = box_in_space(command["in_box"], "box") if p is None else (point_in_space(p, "point"),) * 2
+            found += [(0, index)] if meets_box(proof, *ends, low, high) else []
+    return [index for _, index in sorted(found)]
+
+
+def check_reply(command, bodies, reply, certificate):
+    if "ask" in command:
+        return check_pairs(bodies, reply, certificate)
+    name, kind = ("in_order", "each_along") if "along_ray" in command else ("bodies", "each_body")
+    only(reply, "truth.replies", [name])
+    expect(isinstance(reply[name], list), f"truth.{name}: a list")
+    expected = [body(bodies, index, "truth." + name) for index in reply[name]]
+    claim = Claim({"input": command, "truth": reply, "certificate": certificate})
+    claim.expect_kind(kind), claim.facts("each")
+    expect(isinstance(certificate["each"], list), "certificate.each: a list")
+    expect(len(certificate["each"]) == len(bodies), "certificate: a proof for each body")
+    expect(met(command, bodies, certificate["each"]) == expected, "truth: not the bodies that are proved")
+
+
 def check_broad_phase(claim):
     claim.inputs("boxes", "commands")
     asked = list(worlds(claim))
@@ -188,5 +277,11 @@ def check_broad_phase(claim):
     expect(isinstance(replies, list), "truth.replies: a list")
     expect(isinstance(proofs, list), "certificate.replies: a list")
     expect(len(asked) == len(replies) == len(proofs), "certificate: a reply and its proof for each query")
-    for bodies, reply, proof in zip(asked, replies, proofs):
-        check_reply(bodies, reply, proof)
+    for (command, bodies), reply, proof in zip(asked, replies, proofs):
+        check_reply(command, bodies, reply, proof)
+
+
+# What other structures answer is proved in the same way.
+check_sphere_hierarchy = check_all_pairs
+check_bounding_volume_hierarchy = check_uniform_grid = check_broad_phase
+check_quadtree = check_octree = check_bsp_tree = check_broad_phase

@@ -16,7 +16,10 @@
 /// after the first in it that begins beyond a solid's upper end begins beyond it too, and has no point in common with
 /// that solid. Each pair that is left is listed, or its own proof shows it to be apart. So no pair is missing. The time
 /// is that of reading the claim, but for looking pairs up.
-/// Of a program, the commands are carried out on a plain list, and each reply is proved like this on its own.
+/// Of a program, the commands are carried out on a plain list, and each reply is proved on its own: pairs like this;
+/// whatever meets a box, a point or a ray by a proof for each body, in the order of their indices. A ray enters a body
+/// where it crosses the plane of a face that it was beyond until then, into the body. It misses a body where the
+/// inequalities of faces, with weights that are not negative, sum up to c + s t <= 0 with c > 0 and s >= 0.
 namespace touchstone::certify {
 namespace {
 
@@ -161,6 +164,60 @@ auto there(Map& bodies, const json& index, const std::string& what) {
   return body;
 }
 
+Rational of_axis(const Triple& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/// Whether a body meets a box, as the proof says.
+bool proved(const Claim& proof, const Box& query, const Box& body) {
+  if (proof.kind() == "common_point") {
+    proof.facts({"point"});
+    const Triple p = triple(proof, "point");
+    expect(query.holds({p.x, p.y, p.z}) && body.holds({p.x, p.y, p.z}), "certificate: a point is not in both");
+    return true;
+  }
+  expect(proof.kind() == "gap", "certificate: no such kind for this truth");
+  proof.facts({"axis"});
+  const std::size_t along = axis(proof);
+  expect(query.max[along] < body.min[along] || body.max[along] < query.min[along], "certificate: a body is not apart");
+  return false;
+}
+
+struct RayInSpace {
+  Triple origin, direction;
+};
+
+/// The first t at which a ray is in a body, as the proof says; empty: never.
+std::optional<Rational> proved(const Claim& proof, const RayInSpace& ray, const Box& body) {
+  const auto& [o, d] = ray;
+  if (proof.kind() == "apart") {
+    proof.facts({"below", "above"});
+    const std::vector<Rational> below = proof.list("below"), above = proof.list("above");
+    expect(below.size() == 3 && above.size() == 3, "certificate: a weight for each face");
+    Rational sum, slope;
+    for (std::size_t k = 0; k < 3; ++k) {
+      expect(sgn(below[k]) >= 0 && sgn(above[k]) >= 0, "certificate: a weight is negative");
+      sum += below[k] * (body.min[k] - of_axis(o, k)) + above[k] * (of_axis(o, k) - body.max[k]);
+      slope += (above[k] - below[k]) * of_axis(d, k);
+    }
+    expect(sgn(sum) > 0 && sgn(slope) >= 0, "certificate: the weights prove nothing");
+    return std::nullopt;
+  }
+  const bool start = proof.kind() == "start";
+  expect(start || proof.kind() == "entry", "certificate: no such kind for this truth");
+  if (start) proof.facts({});
+  else proof.facts({"first", "axis"});
+  const Rational first = start ? Rational(0) : proof.single("first");
+  expect(sgn(first) >= 0, "certificate: before the ray starts");
+  const Triple p = along(o, first, d);
+  expect(body.holds({p.x, p.y, p.z}), "certificate: the ray is not in the body");
+  if (!start) {
+    const std::size_t k = axis(proof);
+    const Rational by = of_axis(d, k), at = of_axis(p, k);
+    expect((sgn(by) > 0 && at == body.min[k]) || (sgn(by) < 0 && at == body.max[k]),
+           "certificate: the ray does not enter there");
+  }
+  return first;
+}
+
 /// Bodies by their indices, as commands make them. A command has one of these names.
 class World {
  public:
@@ -180,14 +237,74 @@ class World {
     } else if (command.contains("remove")) {
       only(command, what, {"remove"}), bodies_.erase(there(bodies_, command["remove"], what + ".remove"));
     } else {
-      only(command, what, {"ask"}), expect(command["ask"] == "pairs", what + ".ask: pairs");
+      query(command, what);
       return true;
     }
     return false;
   }
 
+  void check(const json& command, const json& reply, const json& certificate) const {
+    if (command.contains("ask")) return check_pairs(reply, certificate);
+    const char* const name = command.contains("along_ray") ? "in_order" : "bodies";
+    only(reply, "truth.replies", {name});
+    std::vector<std::uint64_t> expected;
+    for (const json& index : list(reply, name, std::string("truth.") + name))
+      expected.push_back(there(bodies_, index, std::string("truth.") + name)->first);
+    const Claim claim{command, reply, certificate};
+    expect(claim.kind() == (command.contains("along_ray") ? "each_along" : "each_body"),
+           "certificate: no such kind for this truth");
+    claim.facts({"each"});
+    expect(list(certificate, "each", "certificate.each").size() == bodies_.size(),
+           "certificate: a proof for each body");
+    expect(met(command, certificate["each"]) == expected, "truth: not the bodies that are proved");
+  }
+
+ private:
+  static void query(const json& command, const std::string& what) {
+    if (command.contains("in_box")) {
+      only(command, what, {"in_box"}), box_in_space(command["in_box"], what + ".in_box");
+    } else if (command.contains("at_point")) {
+      only(command, what, {"at_point"}), point_in_space(command["at_point"], what + ".at_point");
+    } else if (command.contains("along_ray")) {
+      only(command, what, {"along_ray"}), ray(command["along_ray"], what + ".along_ray");
+    } else {
+      only(command, what, {"ask"}), expect(command["ask"] == "pairs", what + ".ask: pairs");
+    }
+  }
+  static RayInSpace ray(const json& value, const std::string& what) {
+    only(value, what, {"origin", "direction"});
+    const RayInSpace result{point_in_space(value["origin"], what + ".origin"),
+                            point_in_space(value["direction"], what + ".direction")};
+    expect(!(result.direction == Triple{0, 0, 0}), what + ".direction: nonzero direction");
+    return result;
+  }
+
+  /// The bodies that the proofs, one for each, show to be met: of a ray, in the order of the first t.
+  std::vector<std::uint64_t> met(const json& command, const json& proofs) const {
+    std::vector<std::pair<Rational, std::uint64_t>> met;
+    std::size_t count = 0;
+    for (const auto& [index, written] : bodies_) {
+      const Box body = box_in_space(written, "body");
+      const Claim proof{command, command, proofs[count++]};
+      std::optional<Rational> first;
+      if (command.contains("along_ray")) {
+        first = proved(proof, ray(command["along_ray"], "ray"), body);
+      } else if (command.contains("in_box")) {
+        if (proved(proof, box_in_space(command["in_box"], "box"), body)) first = 0;
+      } else {
+        const Triple p = point_in_space(command["at_point"], "point");
+        if (proved(proof, Box{{p.x, p.y, p.z}, {p.x, p.y, p.z}}, body)) first = 0;
+      }
+      if (first) met.emplace_back(*first, index);
+    }
+    std::sort(met.begin(), met.end());
+    std::vector<std::uint64_t> bodies;
+    for (const auto& [first, index] : met) bodies.push_back(index);
+    return bodies;
+  }
+
   /// The reply is that of all_pairs, where the bodies that are there have their places in the list.
-  void check(const json& reply, const json& certificate) const {
+  void check_pairs(const json& reply, const json& certificate) const {
     only(reply, "truth.replies", {"pairs"});
     json input{{"boxes", json::array()}}, truth{{"pairs", list(reply, "pairs", "truth.pairs")}};
     for (const auto& [index, box] : bodies_) input["boxes"].push_back(box);
@@ -200,7 +317,6 @@ class World {
     check_all_pairs({input, truth, certificate});
   }
 
- private:
   void insert(const json& box, const std::string& what) { box_in_space(box, what), bodies_.emplace(next_++, box); }
 
   std::map<std::uint64_t, json> bodies_;
@@ -209,15 +325,15 @@ class World {
 
 void check_broad_phase(const Claim& claim) {
   claim.inputs({"boxes", "commands"});
-  // Calls see(world) at each query.
+  // Calls see(world, command) at each query.
   const auto carry_out = [&claim](const auto& see) {
     World world(claim);
     std::size_t count = 0;
     for (const json& command : list(claim.input, "commands", "commands"))
-      if (world.carry_out(command, "commands[" + std::to_string(count++) + "]")) see(world);
+      if (world.carry_out(command, "commands[" + std::to_string(count++) + "]")) see(world, command);
   };
   std::size_t queries = 0;
-  carry_out([&queries](const World&) { ++queries; });
+  carry_out([&queries](const World&, const json&) { ++queries; });
   claim.answers({"replies"});
   expect(claim.kind() == "replies", "certificate: no such kind for this truth");
   claim.facts({"replies"});
@@ -225,11 +341,23 @@ void check_broad_phase(const Claim& claim) {
              &proofs = list(claim.certificate, "replies", "certificate.replies");
   expect(queries == replies.size() && queries == proofs.size(), "certificate: a reply and its proof for each query");
   queries = 0;
-  carry_out([&](const World& world) { world.check(replies[queries], proofs[queries]), ++queries; });
+  carry_out([&](const World& world, const json& command) {
+    world.check(command, replies[queries], proofs[queries]), ++queries;
+  });
 }
 
 }  // namespace
 
-Checks checks_of_broad_phase() { return {{"all_pairs", check_all_pairs}, {"broad_phase", check_broad_phase}}; }
+/// What other structures answer is proved in the same way.
+Checks checks_of_broad_phase() {
+  return {{"all_pairs", check_all_pairs},
+          {"sphere_hierarchy", check_all_pairs},
+          {"broad_phase", check_broad_phase},
+          {"bounding_volume_hierarchy", check_broad_phase},
+          {"uniform_grid", check_broad_phase},
+          {"quadtree", check_broad_phase},
+          {"octree", check_broad_phase},
+          {"bsp_tree", check_broad_phase}};
+}
 
 }  // namespace touchstone::certify

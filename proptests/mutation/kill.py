@@ -24,6 +24,16 @@ BASELINE = {"test": 1}  # how long fuzzing runs the baseline, by share, in secon
 BASELINE_OTHERWISE = 5
 
 
+ROWS = pathlib.Path(__file__).resolve().parents[2] / "catalogue/rows"
+
+
+def question_of(operation):
+    """The operation whose question it answers: itself, unless it is another implementation."""
+    row = next(ROWS.glob(f"*/{operation}.h"), None)
+    found = re.search(r'implementation_of = "(\w+)"', row.read_text(encoding="utf-8")) if row else None
+    return found.group(1) if found else operation
+
+
 def run(command, limit=None, cwd=None, **environment):
     """(exit code or None after `limit` seconds, seconds, standard output)"""
     started = time.monotonic()
@@ -53,7 +63,14 @@ class Killers:
                            TOUCHSTONE_CASES=str(float(self.cases)), RC_PARAMS="noshrink=1")
 
     def by_vectors(self, operation, numbers):
-        return self.in_one([self.programs / "mutant_vectors", self.vectors / f"{operation}.jsonl"], numbers)
+        question = question_of(operation)
+        with tempfile.TemporaryDirectory() as folder:
+            vectors = self.vectors / f"{question}.jsonl"
+            if question != operation:  # another implementation is asked what the operation is asked
+                text = vectors.read_text(encoding="utf-8").replace(f'"op":"{question}"', f'"op":"{operation}"')
+                vectors = pathlib.Path(folder, vectors.name)
+                vectors.write_text(text, encoding="utf-8")
+            return self.in_one([self.programs / "mutant_vectors", vectors], numbers)
 
     def fuzzing(self, operation, numbers):
         def fuzz(number):

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/broad_phase/broad_phase.h"
 
-#include "geometry/validation.h"
-#include "geometry/validation_of_commands.h"
 #include "robust/structures/swept_boxes.h"
+#include "robust/structures/valid_program.h"
 
 namespace touchstone::robust {
 
 Replies broad_phase(const std::vector<Aabb3d>& boxes, const std::vector<Commandd>& commands) {
-  validation::validate_program(
-      boxes, commands, [](const std::string& field, const Aabb3d& box) { validation::validate_numbers(field, box); },
-      [](const std::string& field, const Aabb3d& box) { validation::validate(field, box); });
+  structures::validate_program(boxes, commands);
   return replies(SweptBoxes{}, boxes, commands);
 }
 

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
-#include "geometry/validation.h"
+#include "geometry/validation_of_rays.h"
+#include "robust/structures/along_ray.h"
+#include "robust/structures/box_order.h"
 #include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
@@ -37,6 +39,28 @@ std::vector<IndexPair> SweptBoxes::pairs() const {
   std::vector<IndexPair> pairs = structures::swept_pairs(boxes_);
   for (IndexPair& pair : pairs) pair = IndexPair{bodies_[pair.i], bodies_[pair.j]};
   return pairs;
+}
+
+std::vector<Index> SweptBoxes::in_box(const Aabb3d& box) const {
+  validation::validate("box", box);
+  std::vector<Index> bodies;
+  for (std::size_t i = 0; i < boxes_.size(); ++i)
+    if (structures::meet(boxes_[i], box)) bodies.push_back(bodies_[i]);
+  return bodies;
+}
+
+std::vector<Index> SweptBoxes::at_point(const Point3d& point) const {
+  validation::validate("point", point);
+  return in_box({point, point});
+}
+
+std::vector<Index> SweptBoxes::along_ray(const Ray3d& ray) const {
+  validation::validate("ray", ray);
+  const kernel::ControlWord guard;
+  std::vector<std::pair<structures::Moment, Index>> met;
+  for (std::size_t i = 0; i < boxes_.size(); ++i)
+    if (const auto first = structures::first_moment(ray, boxes_[i])) met.emplace_back(*first, bodies_[i]);
+  return structures::in_order(std::move(met));
 }
 
 }  // namespace touchstone::robust

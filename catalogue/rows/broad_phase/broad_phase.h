@@ -11,6 +11,7 @@
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_commands.h"
 #include "oracle/broad_phase/broad_phase.h"
+#include "oracle/exact/queries_of_boxes.h"
 #include "oracle/volumes/aabb_aabb.h"
 #include "reference/broad_phase/broad_phase.h"
 #include "robust/broad_phase/broad_phase.h"
@@ -28,7 +29,9 @@ struct broad_phase {
     static const Metadata metadata{.name = "broad_phase",
                                    .chapter = "broad_phase",
                                    .pages = "45-47, 55-56",
-                                   .question = "Which of these boxes meet, while some come, move and go?",
+                                   .question =
+                                       "Which of these boxes meet each other, a box, a point or a ray, while "
+                                       "some come, move and go?",
                                    .kind = Kind::covering,
                                    .fields = {"boxes", "commands"},
                                    .answer = "replies",
@@ -90,10 +93,11 @@ struct broad_phase {
            Programming p(c);
            const std::size_t bodies = 2 + c.below(3);
            while (p.there().size() < bodies) p.start_with(cell(c));
+           const auto any = [&c] { return cell(c); };
            while (c.below(4) != 0) {
-             p.ask();
+             p.any_query(any);
              p.move(shifted(cell(c), 100, 0, 0));
-             p.ask();
+             p.any_query(any);
              p.move(cell(c));
            }
            p.ask();
@@ -122,6 +126,104 @@ struct broad_phase {
            p.ask();
            return p.program();
          }},
+        {"many_moves",
+         [](DrawStream& c) -> Question {
+           // One body goes farther and farther, and others stay.
+           Programming p(c);
+           const std::size_t bodies = 1 + c.below(4);
+           while (p.there().size() < bodies) p.start_with(cell(c));
+           const double step = static_cast<double>(1 + c.below(3));
+           double at = 0;
+           for (std::size_t left = 4 + c.below(28); left > 0; --left) {
+             p.move(shifted(cell(c), at += step, 0, 0));
+             if (c.below(4) == 1) p.ask_in({{at - 1, 0, 0}, {at + 1, 1, 1}});
+           }
+           p.ask_along({{0, 0, 0}, {1, 0, 0}});
+           p.ask();
+           return p.program();
+         }},
+        {"on_one_plane",
+         [](DrawStream& c) -> Question {
+           const double height = small_integer(c);
+           const auto flat = [height](DrawStream& d) {
+             Aabb3d box = small_box(d);
+             box.min.z = box.max.z = height;
+             return box;
+           };
+           return any_program(c, flat, 8, 8);
+         }},
+        {"one_over_all",
+         [](DrawStream& c) -> Question {
+           Programming p(c);
+           const auto any = [&c] { return cell(c); };
+           const double end = c.below(2) == 1 ? greatest_number : 0x1p60;
+           p.start_with({{-end, -end, -end}, {end, end, end}});
+           for (std::size_t left = c.below(8); left > 0; --left) p.start_with(cell(c));
+           p.any_query(any);
+           p.move(cell(c));
+           p.any_query(any);
+           p.ask();
+           return p.program();
+         }},
+        {"duplicates",
+         [](DrawStream& c) -> Question {
+           const Aabb3d one = small_box(c);
+           return any_program(
+               c, [&one](DrawStream& d) { return d.below(4) == 3 ? small_box(d) : one; }, 6, 8);
+         }},
+        {"along_faces",
+         [](DrawStream& c) -> Question {
+           // Along lines of the lattice: through corners, along edges and faces, or beside all of them.
+           Programming p(c);
+           for (std::size_t left = 1 + c.below(8); left > 0; --left) p.start_with(cell(c));
+           for (std::size_t left = 1 + c.below(3); left > 0; --left) {
+             const auto at = [&c] { return static_cast<double>(c.below(6)) - 1; };
+             const auto step = [&c] { return std::array{0.0, 1.0, -0.0, -1.0}[c.below(4)]; };
+             const double x = at(), y = at(), z = at(), u = step(), v = step();
+             p.ask_along(repaired({{x, y, z}, {u, v, step()}}));
+           }
+           return p.program();
+         }},
+        {"met_at_once",
+         [](DrawStream& c) -> Question {
+           // Boxes that begin where the ray is at an integer t, on an axis each; between them, perhaps, some others.
+           Programming p(c);
+           const Point3d o = lattice_point_of_box(c, 6);
+           const auto speed = [&c] { return static_cast<double>(1 + c.below(7)) * (c.below(2) == 1 ? -1 : 1); };
+           const double u = speed(), v = speed(), w = speed();
+           for (std::size_t left = 2 + c.below(6); left > 0; --left) {
+             const double t = static_cast<double>(c.below(3)), more = 8 + static_cast<double>(c.below(3));
+             const auto entered = [t](double from, double by) { return from + t * by; };
+             Aabb3d box{{entered(o.x, u), entered(o.y, v), entered(o.z, w)},
+                        {entered(o.x, u), entered(o.y, v), entered(o.z, w)}};
+             double Point3d::*const axis = std::array{&Point3d::x, &Point3d::y, &Point3d::z}[c.below(3)];
+             for (double Point3d::*other : {&Point3d::x, &Point3d::y, &Point3d::z})
+               if (other != axis) box.min.*other -= more, box.max.*other += more;
+             const double by = axis == &Point3d::x ? u : axis == &Point3d::y ? v : w;
+             (by > 0 ? box.max : box.min).*axis += by > 0 ? more : -more;
+             p.start_with(box);
+           }
+           p.ask_along({o, {u, v, w}});
+           return p.program();
+         }},
+        {"reciprocals",
+         [](DrawStream& c) -> Question {
+           // Quotients beyond the range or below it, and products of 1e30.
+           static constexpr std::array sizes{1.0, 1e30, 1e-30, 0x1p-1074, 0x1p-1022, 0x1p1000, greatest_number};
+           const auto number = [&c] { return sizes[c.below(sizes.size())] * small_integer(c, 2); };
+           Programming p(c);
+           for (std::size_t left = 1 + c.below(4); left > 0; --left) {
+             const double x = number(), y = number(), z = number(), u = number(), v = number();
+             Aabb3d box{{x, y, z}, {u, v, number()}};
+             put_in_order(box);
+             p.start_with(box);
+           }
+           for (std::size_t left = 1 + c.below(2); left > 0; --left) {
+             const double x = number(), y = number(), z = number(), u = number(), v = number();
+             p.ask_along(repaired({{x, y, z}, {u, v, number()}}));
+           }
+           return p.program();
+         }},
         {"many_bodies", [](DrawStream& c) -> Question { return any_program(c, wide_box, 80, 4); }, /*unscaled=*/true},
         {"long_program", [](DrawStream& c) -> Question { return any_program(c, small_box, 4, 80); }, /*unscaled=*/true},
         {"perhaps_not_there",
@@ -142,14 +244,20 @@ struct broad_phase {
   static Question map_centre() { return {{{{0, 0, 0}, {1, 1, 1}}, {{1, 1, 1}, {2, 2, 2}}}, {Ask{Query::pairs}}}; }
   static std::pair<std::size_t, std::size_t> map_axes() { return {3, 4}; }
 
-  /// Boxes that only touch are no pair.
+  /// Without what only touches.
   static std::optional<Replies> as_open_sets(const Replies& truth, const Question& question) {
     Replies open = truth;
-    std::size_t query = 0;
-    each_query(question, [&](const std::vector<std::optional<Aabb3d>>& boxes) {
-      std::erase_if(open[query++].pairs, [&](const IndexPair& pair) {
-        return ::touchstone::oracle::aabb_aabb(*boxes[pair.i], *boxes[pair.j]).answer == Contact::touching;
-      });
+    auto reply = open.begin();
+    each_query(question, [&](const std::vector<std::optional<Aabb3d>>& boxes, const Commandd& query) {
+      if (auto* pairs = std::get_if<PairsReply>(&*reply)) {
+        std::erase_if(pairs->pairs, [&](const IndexPair& pair) { return touching(*boxes[pair.i], *boxes[pair.j]); });
+      } else if (auto* met = std::get_if<BodiesReply>(&*reply)) {
+        std::erase_if(met->bodies, [&](Index body) { return only_touches(query, *boxes[body]); });
+      } else {
+        std::erase_if(std::get<RayReply>(*reply).in_order,
+                      [&](Index body) { return only_touches(query, *boxes[body]); });
+      }
+      ++reply;
     });
     if (open == truth) return std::nullopt;
     return open;
@@ -158,7 +266,7 @@ struct broad_phase {
   /// The bodies that are there at each query.
   static std::vector<std::uint64_t> places(const Question& question) {
     std::vector<std::uint64_t> there;
-    each_query(question, [&](const std::vector<std::optional<Aabb3d>>& boxes) {
+    each_query(question, [&](const std::vector<std::optional<Aabb3d>>& boxes, const Commandd&) {
       there.push_back(static_cast<std::uint64_t>(
           std::count_if(boxes.begin(), boxes.end(), [](const auto& box) { return box.has_value(); })));
     });
@@ -168,7 +276,7 @@ struct broad_phase {
   /// The bodies that are there at the last query, by their indices.
   static void draw(Drawing& drawing, const Question& question, const Replies&) {
     std::vector<std::optional<Aabb3d>> last;
-    each_query(question, [&](const auto& boxes) { last = boxes; });
+    each_query(question, [&](const auto& boxes, const Commandd&) { last = boxes; });
     for (std::size_t i = 0; i < last.size(); ++i)
       if (last[i]) catalogue::draw(drawing, std::to_string(i), *last[i], false);
     drawing.notes.push_back("boxes at the last query, after " + std::to_string(std::get<1>(question).size()) +
@@ -247,24 +355,28 @@ struct broad_phase {
     return {{x, y, z}, {x + 1, y + 1, z + 1}};
   }
 
-  /// Calls `see` at each query with the boxes by index, empty where a body was removed.
+  static bool touching(const Aabb3d& a, const Aabb3d& b) {
+    return ::touchstone::oracle::aabb_aabb(a, b).answer == Contact::touching;
+  }
+  /// Of a body that the query meets.
+  static bool only_touches(const Commandd& query, const Aabb3d& body) {
+    using ::touchstone::oracle::exact, ::touchstone::oracle::in_interior;
+    if (const auto* box = std::get_if<InBoxd>(&query)) return touching(box->box, body);
+    if (const auto* at = std::get_if<AtPointd>(&query)) return !in_interior(exact(at->point), exact(body));
+    return !in_interior(exact(std::get<AlongRayd>(query).ray), exact(body));
+  }
+
+  /// Calls `see` at each query with the boxes by index, empty where a body was removed, and the query.
   template <class See>
   static void each_query(const Question& question, const See& see) {
-    struct Seen {
-      const See& see;
-      std::vector<std::optional<Aabb3d>> boxes{};
-      Index insert(const Aabb3d& box) {
-        boxes.push_back(box);
-        return static_cast<Index>(boxes.size() - 1);
-      }
-      void move(Index body, const Aabb3d& box) { boxes[body] = box; }
-      void remove(Index body) { boxes[body].reset(); }
-      std::vector<IndexPair> pairs() const {
-        see(boxes);
-        return {};
-      }
-    };
-    replies(Seen{see}, std::get<0>(question), std::get<1>(question));
+    const auto& [start, commands] = question;
+    std::vector<std::optional<Aabb3d>> boxes(start.begin(), start.end());
+    for (const Commandd& command : commands) {
+      if (const auto* insert = std::get_if<Insertd>(&command)) boxes.emplace_back(insert->box);
+      else if (const auto* move = std::get_if<Moved>(&command)) boxes[move->body] = move->box;
+      else if (const auto* remove = std::get_if<Remove>(&command)) boxes[remove->body].reset();
+      else see(boxes, command);
+    }
   }
 };
 

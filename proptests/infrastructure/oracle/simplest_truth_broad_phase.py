@@ -24,8 +24,54 @@ def truth_all_pairs(q):
     return {"pairs": pairs}, min(map(size, lacks.values()), default=None)
 
 
+def lines(ray, box):
+    """How far origin + t direction is beyond each face: (height, slope), height + slope t."""
+    origin, direction = point(ray["origin"]), point(ray["direction"])
+    low, high = point(box["min"]), point(box["max"])
+    return [(least - o, -d) for least, o, d in zip(low, origin, direction)] + [
+        (o - most, d) for most, o, d in zip(high, origin, direction)]
+
+
+def on_ray(ray, box):
+    """What the ray lacks to meet the box, the least over t >= 0 of how far it is beyond a face; and when it enters. The
+    least is at the start or where two faces are equally far, the entry where one is on a face."""
+    faces = lines(ray, box)
+    beyond = lambda t: max(height + slope * t for height, slope in faces)
+    level = [(g - h) / (s - r) for h, s in faces for g, r in faces if s != r]
+    lack = min(map(beyond, [0, *(t for t in level if t > 0)]))
+    entry = None if lack > 0 else min(t for t in (-h / s for h, s in faces if s) if beyond(t) <= 0)
+    return lack, entry
+
+
+def truth_along_ray(ray, bodies):
+    margins, entries = [], {}
+    for name, box in bodies.items():
+        lack, entry = on_ray(ray, box)
+        margins.append(lack**2)
+        if lack <= 0:
+            entries[name] = entry
+    order = sorted(entries, key=lambda name: (max(entries[name], 0), name))
+    unit = max(map(abs, point(ray["direction"])))
+    for one, other in zip(order, order[1:]):
+        lead = entries[other] - max(entries[one], 0) if entries[other] > 0 else -entries[one]
+        margins.append((unit * lead) ** 2)
+    return {"in_order": order}, min(margins, default=None)
+
+
+def truth_in_box(box, bodies):
+    lacks = {name: lack_of_boxes(box, body) for name, body in bodies.items()}
+    met = sorted(name for name, lack in lacks.items() if lack <= 0)
+    return {"bodies": met}, min((lack**2 for lack in lacks.values()), default=None)
+
+
+def truth_of_pairs(bodies):
+    names = sorted(bodies)
+    reply, margin = truth_all_pairs({"boxes": [bodies[name] for name in names]})
+    return {"pairs": [[names[i], names[j]] for i, j in reply["pairs"]]}, margin
+
+
 def truth_broad_phase(q):
-    bodies, replies, margins = dict(enumerate(q["boxes"])), [], []
+    bodies, replies = dict(enumerate(q["boxes"])), []
     count = len(bodies)
     for command in q["commands"]:
         if "insert" in command:
@@ -35,9 +81,13 @@ def truth_broad_phase(q):
             bodies[command["move"]] = command["box"]
         elif "remove" in command:
             del bodies[command["remove"]]
+        elif "in_box" in command:
+            replies.append(truth_in_box(command["in_box"], bodies))
+        elif "at_point" in command:
+            replies.append(truth_in_box({"min": command["at_point"], "max": command["at_point"]}, bodies))
+        elif "along_ray" in command:
+            replies.append(truth_along_ray(command["along_ray"], bodies))
         else:
-            names = sorted(bodies)
-            reply, margin = truth_all_pairs({"boxes": [bodies[name] for name in names]})
-            replies.append({"pairs": [[names[i], names[j]] for i, j in reply["pairs"]]})
-            margins += [] if margin is None else [margin]
-    return {"replies": replies}, min(margins, default=None)
+            replies.append(truth_of_pairs(bodies))
+    margins = [margin for _, margin in replies if margin is not None]
+    return {"replies": [reply for reply, _ in replies]}, min(margins, default=None)

@@ -2,7 +2,6 @@
 #include "catalogue/rows/broad_phase/broad_phase.h"
 
 #include "proptests/space_laws.h"
-#include "robust/broad_phase/all_pairs.h"
 #include "robust/structures/swept_boxes.h"
 
 namespace touchstone::proptests::broad_phase_tests {
@@ -22,10 +21,18 @@ const Aabb3d far_away = along_x(2000, 2001);
 void gives(const Boxes& boxes, const Commands& commands, const std::vector<Pairs>& expected,
            const std::optional<Rational>& margin) {
   Replies replies;
-  for (const Pairs& reply : expected) replies.push_back({reply});
+  for (const Pairs& reply : expected) replies.push_back(PairsReply{reply});
   example<Row>({boxes, commands}, replies);
   CHECK(examined<Row>({boxes, commands})->margin() == margin);
 }
+
+/// The same of one query.
+void finds(const Boxes& boxes, const Commandd& query, const QueryReply& expected,
+           const std::optional<Rational>& margin) {
+  example<Row>({boxes, {query}}, {expected});
+  CHECK(examined<Row>({boxes, {query}})->margin() == margin);
+}
+AlongRayd ray(const Point3d& from, const Vector3d& by) { return {{from, by}}; }
 
 /// What the judge says of an engine's replies where the boxes 0 and 1 touch, 1 goes away, and comes back into 0.
 catalogue::Judgement judged(const std::string& answer, catalogue::Declaration::Boundary boundary) {
@@ -43,8 +50,15 @@ bool touches(const Commandd& command, Index body) {
 }
 
 Replies without(Replies replies, Index body) {
-  for (PairsReply& reply : replies)
-    std::erase_if(reply.pairs, [body](const IndexPair& pair) { return pair.i == body || pair.j == body; });
+  struct Erase {
+    Index body;
+    void operator()(PairsReply& reply) const {
+      std::erase_if(reply.pairs, [this](const IndexPair& pair) { return pair.i == body || pair.j == body; });
+    }
+    void operator()(BodiesReply& reply) const { std::erase(reply.bodies, body); }
+    void operator()(RayReply& reply) const { std::erase(reply.in_order, body); }
+  };
+  for (QueryReply& reply : replies) std::visit(Erase{body}, reply);
   return replies;
 }
 
@@ -63,7 +77,7 @@ LAW("broad_phase: a query changes nothing", boxes, commands) {
   const Replies once = ask(asked);
   for (const Commandd& command : commands) {
     twice.push_back(command);
-    if (!std::holds_alternative<Ask>(command)) continue;
+    if (!is_query(command)) continue;
     twice.push_back(command);
     expected.insert(expected.end(), 2, once[expected.size() / 2]);
   }
@@ -86,6 +100,47 @@ LAW("broad_phase: moving a body to where it is changes nothing", boxes, commands
   return ask(Row::Question{boxes, moved}) == ask(asked);
 }
 
+LAW("broad_phase: the bodies around a point meet its box, and a ray that starts there first", boxes, commands) {
+  Commands at, in, along;
+  for (const Aabb3d& box : boxes) {
+    at.emplace_back(AtPointd{box.min}), in.emplace_back(InBoxd{{box.min, box.min}});
+    along.emplace_back(ray(box.min, {1, 0, -0.0}));
+  }
+  const Replies points = ask(Row::Question{boxes, at});
+  if (points != ask(Row::Question{boxes, in})) return false;
+  const Replies rays = ask(Row::Question{boxes, along});
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const std::vector<Index>&bodies = std::get<BodiesReply>(points[i]).bodies,
+          &met = std::get<RayReply>(rays[i]).in_order;
+    if (met.size() < bodies.size() || !std::equal(bodies.begin(), bodies.end(), met.begin())) return false;
+  }
+  return true;
+}
+
+LAW("broad_phase: pairs are what each body's box meets", boxes, commands) {
+  Commands each{pairs};
+  for (const Aabb3d& box : boxes) each.emplace_back(InBoxd{box});
+  const Replies replies = ask(Row::Question{boxes, each});
+  Pairs found;
+  for (Index i = 0; i < boxes.size(); ++i)
+    for (const Index j : std::get<BodiesReply>(replies[i + 1]).bodies)
+      if (i < j) found.push_back({i, j});
+  return std::get<PairsReply>(replies[0]).pairs == found;
+}
+
+LAW("broad_phase: a ray of twice the direction meets the same", boxes, commands) {
+  Commands rays, doubled;
+  for (const Commandd& command : commands) {
+    const auto* query = std::get_if<AlongRayd>(&command);
+    if (query == nullptr) continue;
+    const auto& [o, d] = query->ray;
+    const Vector3d twice{2 * d.x, 2 * d.y, 2 * d.z};
+    if (!std::isfinite(twice.x) || !std::isfinite(twice.y) || !std::isfinite(twice.z)) continue;
+    rays.push_back(command), doubled.emplace_back(ray(o, twice));
+  }
+  return ask(Row::Question{boxes, rays}) == ask(Row::Question{boxes, doubled});
+}
+
 TEST_CASE("broad_phase: p. 56's loop between commands, worked by hand") {
   gives({along_x(0, 1), along_x(1, 2)}, {pairs}, {{{0, 1}}}, 0);
   // 1 apart, 2 apart; the inserted body is the second, and the first is removed.
@@ -100,6 +155,61 @@ TEST_CASE("broad_phase: p. 56's loop between commands, worked by hand") {
   gives({along_x(0, 4), along_x(2, 6)}, {}, {}, std::nullopt);
 }
 
+TEST_CASE("broad_phase: a box and a point against intervals, worked by hand") {
+  const Boxes three{along_x(0, 1), along_x(1, 2), along_x(4, 6)};
+  // 1 is an end of two bodies; 2.5 is a half beyond the nearest end, and the point a half inside on y.
+  finds(three, InBoxd{along_x(1, 1)}, BodiesReply{{0, 1}}, 0);
+  finds(three, InBoxd{along_x(2.5, 3)}, BodiesReply{}, Rational(1, 4));
+  finds(three, AtPointd{{1, 0.5, 0.5}}, BodiesReply{{0, 1}}, 0);
+  finds(three, AtPointd{{5, 0.5, 0.5}}, BodiesReply{{2}}, Rational(1, 4));
+  finds(three, AtPointd{{-0.0, 0, 1}}, BodiesReply{{0}}, 0);
+  finds({}, InBoxd{far_away}, BodiesReply{}, std::nullopt);
+  finds({}, ray({0, 0, 0}, {1, 0, 0}), RayReply{}, std::nullopt);
+  finds({far_away}, AtPointd{{0, 0, 0}}, BodiesReply{}, Rational(2000 * 2000));
+}
+
+TEST_CASE("broad_phase: a ray's bodies are in the order of their first t, worked by hand") {
+  const Boxes three{{{6, -4, -4}, {8, 4, 4}}, {{2, -3, -3}, {4, 3, 3}}, {{-4, -2, -2}, {-2, 2, 2}}};
+  // t = 6/2 and 2/2; 2/2. Halfway through, the ray is 1 from both faces on x, and farther from the others.
+  finds(three, ray({0, 0, 0}, {2, 0.5, 0.5}), RayReply{{1, 0}}, 1);
+  finds(three, ray({0, 0, 0}, {-2, 0.5, 0.5}), RayReply{{2}}, 1);
+  // From within the second; into the first at t = 3, and out of it on y at 3.75.
+  finds(three, ray({3, 0.25, 0.25}, {1, 1, 1}), RayReply{{1, 0}}, Rational(9, 64));
+  // Through a corner of one and a face of the other: both at t = 1, by their indices.
+  const Boxes corner{{{1, 1, 1}, {2, 2, 2}}, {{0, 1, 0}, {2, 2, 2}}};
+  finds(corner, ray({0, 0, 0}, {1, 1, 1}), RayReply{{0, 1}}, 0);
+  // Around the origin: t = 0, by their indices; the first begins 1 behind it.
+  const Boxes around{{{-1, -1, -1}, {5, 5, 5}}, {{-3, -3, -3}, {2, 2, 2}}};
+  finds(around, ray({0, 0, 0}, {1, 1, 1}), RayReply{{0, 1}}, 1);
+}
+
+TEST_CASE("broad_phase: along a face, and with 0 and -0.0 in the direction") {
+  const Boxes box{along_x(0, 1)};
+  finds(box, ray({0, -1, 0}, {0, 1, 0}), RayReply{{0}}, 0);
+  finds(box, ray({0, -1, 0}, {-0.0, 1, -0.0}), RayReply{{0}}, 0);
+  finds(box, ray({1, 2, 1}, {0, -1, 0}), RayReply{{0}}, 0);
+  CHECK(robust::broad_phase(box, {ray({2, -1, 0.5}, {0, 1, 0})}) == Replies{RayReply{}});
+}
+
+TEST_CASE("broad_phase: first parameters that round alike, overflow or are subnormal are told apart") {
+  const auto order = [](const Boxes& boxes, const AlongRayd& query) {
+    const Replies found = robust::broad_phase(boxes, {query});
+    CHECK(found == oracle::broad_phase(boxes, {Commandd(query)}).answer);
+    return std::get<RayReply>(found[0]).in_order;
+  };
+  using Order = std::vector<Index>;
+  // 1/3 on x; on y a number below it by far less than an ulp of either.
+  const double third = 1.0 / 3;
+  const Boxes thirds{{{1, -9, -9}, {9, 9, 9}}, {{-9, third, -9}, {9, 9, 9}}};
+  CHECK(order(thirds, ray({0, 0, 0}, {3, 1, 0})) == Order{1, 0});
+  // 2^1023 / 2^-1074 and the next.
+  const Boxes beyond{{{0x1.8p1023, 0, 0}, {greatest, 1, 1}}, {{0x1p1023, 0, 0}, {greatest, 1, 1}}};
+  CHECK(order(beyond, ray({-greatest, 0.5, 0.5}, {tiny, 0, 0})) == Order{1, 0});
+  // 3 and 2 times 2^-1074 / 2^1000.
+  const Boxes least{{{3 * tiny, -1, -1}, {1, 1, 1}}, {{2 * tiny, -1, -1}, {1, 1, 1}}};
+  CHECK(order(least, ray({0, 0, 0}, {0x1p1000, 0, 0})) == Order{1, 0});
+}
+
 TEST_CASE("broad_phase: boxes in order, then commands; a command's body before its box") {
   const Aabb3d wrong = along_x(1, 0), not_finite = along_x(0, infinity);
   const std::string there = "index of a body that is there", order = "min <= max", finite = "finite number";
@@ -109,6 +219,12 @@ TEST_CASE("broad_phase: boxes in order, then commands; a command's body before i
   refused<Row>({{wrong}, {Remove{7}, Moved{0, not_finite}}}, "commands[1].box.max[0]", finite);
   refused<Row>({{far_away}, {Remove{0}, pairs, Remove{0}}}, "commands[2].remove", there);
   refused<Row>({{far_away}, {Remove{0}, Insertd{far_away}, Moved{0, far_away}}}, "commands[2].move", there);
+  refused<Row>({{}, {InBoxd{wrong}}}, "commands[0].in_box.max[0]", order);
+  refused<Row>({{wrong}, {InBoxd{not_finite}}}, "commands[0].in_box.max[0]", finite);
+  refused<Row>({{}, {AtPointd{{0, 0, not_a_number}}}}, "commands[0].at_point[2]", finite);
+  refused<Row>({{}, {ray({0, infinity, 0}, {0, 0, 0})}}, "commands[0].along_ray.origin[1]", finite);
+  refused<Row>({{}, {ray({0, 0, 0}, {0, -0.0, 0}), InBoxd{not_finite}}}, "commands[1].in_box.max[0]", finite);
+  refused<Row>({{}, {pairs, ray({0, 0, 0}, {0, -0.0, 0})}}, "commands[1].along_ray.direction", "nonzero direction");
 }
 
 TEST_CASE("broad_phase: an engine must miss nothing in any reply") {
@@ -133,13 +249,36 @@ TEST_CASE("broad_phase: an engine must miss nothing in any reply") {
   CHECK(judged(twin, closed).remark == "answer.replies[1].pairs[0]: different places in the list");
 }
 
+TEST_CASE("broad_phase: an engine's bodies may come in any order, but along a ray in the truth's") {
+  using catalogue::Verdict;
+  const auto judge = [](const Commandd& query, const std::string& reply) {
+    const Boxes boxes{along_x(4, 5), along_x(2, 3), along_x(0, 1), along_x(9, 9.5)};
+    const auto examination = examined<Row>({boxes, {query}});
+    return examination->judge_engine(catalogue::parse_line(R"({"replies":[)" + reply + "]}"),
+                                     {"by hand", catalogue::Declaration::Boundary::closed});
+  };
+  const Commandd along = ray({-1, 0.5, 0.5}, {1, 0, 0}), in = InBoxd{along_x(0.5, 4.5)};
+  CHECK(judge(in, R"({"bodies":[2,0,1]})").verdict == Verdict::agree);
+  CHECK(judge(in, R"({"bodies":[2,1]})").verdict == Verdict::algorithm);
+  CHECK(judge(along, R"({"in_order":[2,1,0,3]})").verdict == Verdict::agree);
+  for (const char* reply : {"[2,0,1,3]", "[0,1,2,3]", "[2,1,0]", "[3,2,1,0]", "[]"}) {
+    INFO(reply);
+    CHECK(judge(along, R"({"in_order":)" + std::string(reply) + "}").verdict == Verdict::algorithm);
+  }
+  const auto twice = judge(along, R"({"in_order":[2,1,2,0,3]})");
+  CHECK(twice.verdict == Verdict::agree);
+  CHECK(twice.surplus == 1);
+  CHECK(judge(along, R"({"bodies":[2,1,0,3]})").remark == "answer.replies[0]: a reply of in_order");
+  CHECK(judge(in, R"({"bodies":[4000]})").remark == "answer.replies[0].bodies[0]: a place in the list");
+}
+
 TEST_CASE("broad_phase: a structure is seen after the start and after each command") {
   const Row::Question question{{along_x(0, 4), along_x(2, 6)}, {pairs, Remove{0}, Insertd{far_away}, pairs}};
   std::vector<std::size_t> seen;
   const auto see = [&seen](const robust::SweptBoxes& bodies) { seen.push_back(bodies.pairs().size()); };
   const Replies found = replies(robust::SweptBoxes{}, std::get<0>(question), std::get<1>(question), see);
   CHECK(seen == std::vector<std::size_t>{1, 1, 0, 0, 0});
-  CHECK(found == Replies{{{{0, 1}}}, {}});
+  CHECK(found == Replies{PairsReply{{{0, 1}}}, PairsReply{}});
 }
 
 TEST_CASE("SweptBoxes: what is refused changes nothing") {
@@ -154,6 +293,9 @@ TEST_CASE("SweptBoxes: what is refused changes nothing") {
   refuses([&] { bodies.move(0, along_x(0, infinity)); }, "box.max[0]: finite number");
   refuses([&] { bodies.move(2, far_away); }, "body: index of a body that is there");
   refuses([&] { bodies.remove(9); }, "body: index of a body that is there");
+  refuses([&] { bodies.in_box(along_x(1, 0)); }, "box.max[0]: min <= max");
+  refuses([&] { bodies.at_point({0, infinity, 0}); }, "point[1]: finite number");
+  refuses([&] { bodies.along_ray({{0, 0, 0}, {0, 0, 0}}); }, "ray.direction: nonzero direction");
   bodies.remove(0);
   CHECK(bodies.insert(along_x(5, 9)) == 2);
   CHECK(bodies.pairs() == Pairs{{1, 2}});

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/rows/broad_phase/broad_phase.h"
+#include "reference/broad_phase/bounding_volume_hierarchy.h"
+#include "robust/broad_phase/bounding_volume_hierarchy.h"
+
+namespace touchstone::catalogue::rows {
+
+/// Another structure for the same question.
+struct bounding_volume_hierarchy : broad_phase {
+  static auto reference(const auto&... q) { return ::touchstone::reference::bounding_volume_hierarchy(q...); }
+  static auto robust(const auto&... q) { return ::touchstone::robust::bounding_volume_hierarchy(q...); }
+
+  static const Metadata& metadata() {
+    static const Metadata metadata = [] {
+      Metadata other = broad_phase::metadata();
+      other.name = "bounding_volume_hierarchy";
+      other.pages = "58-61";
+      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a hierarchy of boxes?";
+      other.implementation_of = "broad_phase";
+      return other;
+    }();
+    return metadata;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

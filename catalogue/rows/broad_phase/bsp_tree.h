@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/rows/broad_phase/broad_phase.h"
+#include "reference/broad_phase/bsp_tree.h"
+
+namespace touchstone::catalogue::rows {
+
+/// Another structure for the same question.
+struct bsp_tree : broad_phase {
+  static auto reference(const auto&... q) { return ::touchstone::reference::bsp_tree(q...); }
+
+  static const Metadata& metadata() {
+    static const Metadata metadata = [] {
+      Metadata other = broad_phase::metadata();
+      other.name = "bsp_tree";
+      other.pages = "63";
+      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a tree of planes?";
+      other.implementation_of = "broad_phase";
+      return other;
+    }();
+    return metadata;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

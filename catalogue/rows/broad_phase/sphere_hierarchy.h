@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/rows/broad_phase/all_pairs.h"
+#include "reference/broad_phase/sphere_hierarchy.h"
+#include "robust/broad_phase/sphere_hierarchy.h"
+
+namespace touchstone::catalogue::rows {
+
+/// A structure for the same question.
+struct sphere_hierarchy : all_pairs {
+  using stages = void;
+  static auto reference(const auto&... q) { return ::touchstone::reference::sphere_hierarchy(q...); }
+  static auto robust(const auto&... q) { return ::touchstone::robust::sphere_hierarchy(q...); }
+
+  static const Metadata& metadata() {
+    static const Metadata metadata = [] {
+      Metadata other = all_pairs::metadata();
+      other.name = "sphere_hierarchy";
+      other.pages = "58-61";
+      other.question = "Which of these balls, or boxes, meet, by a hierarchy of spheres?";
+      other.implementation_of = "all_pairs";
+      return other;
+    }();
+    return metadata;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/rows/broad_phase/broad_phase.h"
+#include "reference/broad_phase/uniform_grid.h"
+
+namespace touchstone::catalogue::rows {
+
+/// Another structure for the same question.
+struct uniform_grid : broad_phase {
+  static auto reference(const auto&... q) { return ::touchstone::reference::uniform_grid(q...); }
+
+  static const Metadata& metadata() {
+    static const Metadata metadata = [] {
+      Metadata other = broad_phase::metadata();
+      other.name = "uniform_grid";
+      other.pages = "62";
+      other.question = "Which of these boxes meet each other, a box, a point or a ray, by a uniform grid?";
+      other.implementation_of = "broad_phase";
+      return other;
+    }();
+    return metadata;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "geometry/commands.h"
+#include "geometry/invalid_input.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// A bounding volume hierarchy: bodies that come, move and go, in a balanced tree of boxes. For many bodies of which
+/// few move between two queries, or few meet; `SweptBoxes` is for all pairs of bodies that all move.
+///
+/// A body has the index that `insert` returned for as long as it is there; no other gets it afterwards. A box that is
+/// not valid throws InvalidInput ("box", "finite number" or "min <= max"), and so do a point that is not finite
+/// ("point"), a ray that is not or has no direction ("ray.direction", "nonzero direction"), and the index of a body
+/// that is not there ("body", "index of a body that is there"); nothing has changed then.
+///
+/// All answers are right for all finite doubles in every floating-point environment. The box of each node is the least
+/// that holds the two below it, exactly, after every command: boxes are compared and not computed with. The paths from
+/// the root differ by so little in length that the longest has at most 1.45 log2 n nodes, whatever the commands were:
+/// each command takes so many steps, as does a query for each body that it finds, where boxes overlap little.
+class BoxTree {
+ public:
+  Index insert(const Aabb3d& box);
+  void move(Index body, const Aabb3d& box);
+  void remove(Index body);
+
+  /// The pairs of bodies i < j that meet, sorted.
+  std::vector<IndexPair> pairs() const;
+  /// The bodies that meet a box, or hold a point, sorted.
+  std::vector<Index> in_box(const Aabb3d& box) const;
+  std::vector<Index> at_point(const Point3d& point) const;
+  /// The bodies that a ray meets, in the order in which it does; those that it meets at once by their indices.
+  std::vector<Index> along_ray(const Ray3d& ray) const;
+
+  /// What does not hold of the tree that should, for tests: "" if all does.
+  std::string defect() const;
+
+ private:
+  using Place = std::uint32_t;
+  static constexpr Place none = ~Place{0};
+  struct Node {
+    Aabb3d box;
+    Place parent = none, left = none, right = none;
+    int height = 0;  ///< of a body 0
+    Index body = 0;
+  };
+
+  Place leaf_of(Index body) const;
+  Place made(const Node& node);
+  Place& link_to(Place node);
+  void hang(Place leaf);
+  void unhang(Place leaf);
+  Place best_sibling(const Aabb3d& box) const;
+  void refit(Place node);
+  void refit_upwards(Place node);
+  Place balanced(Place node);
+  template <class Meet, class Found>
+  void search(const Meet& meet, const Found& found) const;
+
+  std::vector<Node> nodes_;
+  std::vector<Place> free_;    ///< places of nodes that are not in use
+  std::vector<Place> leaves_;  ///< by body; none where it was removed
+  Place root_ = none;
+};
+
+}  // namespace touchstone::robust
