@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace touchstone::certify {
+
 std::size_t index(const Rational& value, std::size_t count) {
   const bool there = value.get_den() == 1 && sgn(value) >= 0 && value < static_cast<unsigned long>(count);
   expect(there, "certificate: not an index");
