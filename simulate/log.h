@@ -23,7 +23,7 @@ struct Touch {
 struct Asked {
   Touch touch;
   const char* operation;
-  Json question, answer;  ///< as `touchstone ask` takes and gives them
+  Json question, answer;  ///< as `touchstone ask` takes them, and gives them but for the name of one bare word
 };
 using Log = std::vector<Asked>;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "simulate/parting.h"
 
+#include "catalogue/operation/operation.h"
+
 namespace touchstone::simulate {
 namespace {
 
@@ -17,9 +19,19 @@ bool same_question(const Asked& a, const Asked& b) {
   return a.touch == b.touch && std::string(a.operation) == b.operation;
 }
 
+/// The answer as the catalogue prints it.
+Asked named(Asked asked) {
+  if (!asked.answer.is_string()) return asked;
+  Json answer = Json::object();
+  answer[catalogue::find_operation(asked.operation)->metadata().answer] = asked.answer;
+  asked.answer = std::move(answer);
+  return asked;
+}
+
 bool about_time(const Asked& asked) {
   const Json& answer = asked.answer;
-  return answer.is_object() && (answer.contains("t") || (answer.contains("option_2") && answer["option_2"].contains("t")));
+  return answer.is_object() &&
+         (answer.contains("t") || (answer.contains("option_2") && answer["option_2"].contains("t")));
 }
 
 }  // namespace
@@ -30,11 +42,11 @@ std::optional<Parting> parting(std::uint64_t step, const Run& first, const State
   std::size_t last_time = a.size();
   for (std::size_t i = 0; i < a.size() && i < b.size() && same_question(a[i], b[i]); ++i) {
     if (word_of(a[i].answer) != word_of(b[i].answer))
-      return Parting{step, first.name(), second.name(), a[i].touch, a[i], b[i]};
+      return Parting{step, first.name(), second.name(), a[i].touch, named(a[i]), named(b[i])};
     if (about_time(a[i])) last_time = i;
   }
   if (last_time == a.size()) return std::nullopt;
-  return Parting{step, first.name(), second.name(), a[last_time].touch, a[last_time], b[last_time]};
+  return Parting{step, first.name(), second.name(), a[last_time].touch, named(a[last_time]), named(b[last_time])};
 }
 
 std::string name_of(const Scene& scene, const Touch& touch) {

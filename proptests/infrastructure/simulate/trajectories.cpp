@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <map>
 #include <sstream>
 
 #include "catalogue/operation/operation.h"
@@ -9,6 +10,7 @@
 namespace touchstone::proptests::trajectories_tests {
 namespace {
 
+using catalogue::Json;
 using simulate::Frame;
 using simulate::Scene;
 using simulate::Simulation;
@@ -16,11 +18,11 @@ using simulate::Simulation;
 const std::vector<std::string> every{"float", "double", "robust"};
 
 const Scene& two_balls() {
-  static const Scene scene = scene_from(
-      scene_text(R"("steps_per_second":60,"option":2)",
-                 R"("gravity":[0,-9.81,0],"room":{"min":[0,0,-1],"max":[2,2,1]},"bodies":[)" +
-                     sphere(0.15625, "[0.4375,1.25,0]", "[0.375,-0.9375,0]") + "," +
-                     sphere(0.15625, "[1.5625,1.0625,0]", "[-0.6875,-0.4375,0]") + "]"));
+  static const Scene scene =
+      scene_from(scene_text(R"("steps_per_second":60,"option":2)",
+                            R"("gravity":[0,-9.81,0],"room":{"min":[0,0,-1],"max":[2,2,1]},"bodies":[)" +
+                                sphere(0.15625, "[0.4375,1.25,0]", "[0.375,-0.9375,0]") + "," +
+                                sphere(0.15625, "[1.5625,1.0625,0]", "[-0.6875,-0.4375,0]") + "]"));
   return scene;
 }
 
@@ -66,12 +68,13 @@ std::string with(std::string text, std::size_t line, const std::string& from, co
 TEST_CASE("trajectory: cut anywhere and resumed, it is the same bytes") {
   const std::string& text = whole();
   std::size_t end = text.find('\n') + 1;  // the header
-  for (const std::size_t cut : {std::size_t(0), end - 1, end, end + 1, text.size() / 3, text.size() / 2,
-                                text.size() - 1, text.size()}) {
+  for (const std::size_t cut :
+       {std::size_t(0), end - 1, end, end + 1, text.size() / 3, text.size() / 2, text.size() - 1, text.size()}) {
     Simulation simulation(two_balls(), every);
     std::istringstream in(text.substr(0, cut));
     std::uint64_t frames = 0;
-    const std::uint64_t length = read_trajectory(in, simulation, [&](const Frame& frame) { CHECK(frame.step == frames++); });
+    const std::uint64_t length =
+        read_trajectory(in, simulation, [&](const Frame& frame) { CHECK(frame.step == frames++); });
     CHECK(length <= cut);
     std::string resumed = text.substr(0, length);
     if (length == end) {  // the header alone: the start is written next
@@ -107,7 +110,8 @@ TEST_CASE("trajectory: of another scene or other runs, with a line missing or a 
   const std::string& text = whole();
   CHECK(refusal_of(text) == "read");
   CHECK(refusal_of(text, two_balls(), {"double"}) == "line 1: the trajectory is of another scene, or of other runs");
-  CHECK(refusal_of(with(text, 1, "0.9375", "0.9376")) == "line 1: the trajectory is of another scene, or of other runs");
+  CHECK(refusal_of(with(text, 1, "0.9375", "0.9376")) ==
+        "line 1: the trajectory is of another scene, or of other runs");
   CHECK(refusal_of(with(text, 4, "{\"step\":2", "{\"step\":3")) == "line 4.step: expected 2, got 3");
   CHECK(refusal_of(with(text, 4, "\"bodies\":[[0", "\"bodies\":[[1")).substr(0, 18) == "line 4.float.hash:");
   CHECK(refusal_of(with(text, 4, "\"energy\":\"", "\"energy\":\"1")).substr(0, 20) == "line 4.float.energy:");
@@ -167,6 +171,44 @@ TEST_CASE("trajectory: where two runs part, the question is one that the catalog
       // Both were right for their own numbers: what came before had moved them apart.
       CHECK(operation->examine(question)->outcome() == asked.answer["relation"]);
     }
+  }
+}
+
+TEST_CASE("trajectory: what a run asks, the catalogue takes, and answers as that run was answered") {
+  // Spheres and boxes that meet one another and walls, with both options.
+  const std::string box = R"({"shape":{"box":{"half_extents":[0.4,0.3,0.2]}},"position":)";
+  const std::string boxes =
+      box + R"([0.7,1.1,0],"velocity":[-1.3,-2,0.1]},)" + box + R"([-0.6,0.9,0.1],"velocity":[1.1,-1,0]})";
+  const std::string balls =
+      sphere(0.3, "[0.1,2.7,0]", "[0.3,-2.9,0]") + "," + sphere(0.2, "[0.2,1.9,0.1]", "[0.2,0.7,0]");
+  const std::string room =
+      R"("gravity":[0,-9.81,0],"walls":[{"normal":[0,1,0],"offset":0},{"normal":[1,2,0],"offset":3}],"bodies":[)";
+  std::map<std::string, int> operations;
+  for (const auto& [option, bodies] : {std::pair{R"("timestep":0.1,"option":1)", balls + "," + boxes},
+                                       {R"("timestep":0.1,"option":2)", balls},
+                                       {R"("timestep":0.1,"option":2)", boxes}}) {
+    const Scene scene = scene_from(scene_text(option, room + bodies + "]"));
+    Simulation simulation(scene, every);
+    for (int step = 0; step < 8; ++step) {
+      for (std::size_t i = 0; i < every.size(); ++i) {
+        for (const simulate::Asked& asked : simulation.run(i).log_from(simulation.run(i).now().state)) {
+          const catalogue::Operation& operation = *catalogue::find_operation(asked.operation);
+          INFO(every[i] << ": " << asked.operation << " " << asked.question);
+          const auto examination =
+              operation.examine(operation.parse(catalogue::parse_line(catalogue::one_line(asked.question))));
+          const Json answer =
+              every[i] == "robust" ? examination->robust() : examination->reference(every[i] == "float");
+          REQUIRE((asked.answer.is_string() ? answer[operation.metadata().answer] : answer) == asked.answer);
+          ++operations[asked.operation];
+        }
+      }
+      simulation.advance();
+    }
+  }
+  for (const char* name : {"point_plane", "sphere_plane", "sphere_sphere", "sphere_aabb", "aabb_aabb", "contact_state",
+                           "swept_sphere_plane", "swept_sphere_sphere", "swept_aabb_aabb", "point_plane_toi"}) {
+    INFO(name);
+    CHECK(operations[name] > 0);
   }
 }
 
