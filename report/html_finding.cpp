@@ -79,14 +79,17 @@ Drawing answered_alone(Drawing drawing) {
 }
 
 std::string figures(const Operation& operation, const Finding& finding, const Drawing& drawing, const Json& truth,
-                    const std::string& who, bool magnify) {
+                    const std::string& who, const std::string& margin, bool magnify) {
   std::string notes;
   for (const std::string& note : drawing.notes) {
     if (is_said(note, truth)) continue;
     notes += (notes.empty() ? "" : "; ") + in_short(note);
   }
   const std::string title = operation.name() + ": the input " + one_line(operation.print(finding.question));
-  const std::string right = "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, truth)) + ".",
+  // A figure of the plane magnifies it.
+  const bool unseen = drawing.figures.empty() && !drawing.space.empty() && magnify && !margin.empty();
+  const std::string right = "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, truth)) + "." +
+                            (unseen ? " The figure cannot show the margin, " + escaped(margin) + "." : ""),
                     wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
                             escaped(sentence(operation, plain(finding.answer))) + ".";
   Drawing both = drawing;
@@ -217,7 +220,8 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
     drawing = drawing_of_refused(operation, finding.question, refused);
     said = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
   }
-  text += "<div class=\"seen\">" + figures(operation, finding, drawing, truth, name_of(speaker, declaration), magnify) +
+  text += "<div class=\"seen\">" + figures(operation, finding, drawing, truth, name_of(speaker, declaration), margin,
+                                            magnify) +
           said + "</div>";
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
