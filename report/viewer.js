@@ -267,6 +267,7 @@ function framed(model, drawing) {
   const line = i => height + 14 + 15 * i;
   const bar = ([steps, words]) => {
     const long = tenths(steps * room / drawing.reach);
+    if (long > width / 2) return '';  // a single point has no scale
     return `<path class="tick" d="M${tenths(width - long)} ${height + 7}v6m0 -3h${long}m0 -3v6"/>` +
            text(width - long - 6, line(0), 'end', words);
   };
