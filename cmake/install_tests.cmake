@@ -65,6 +65,11 @@ if(TOUCHSTONE_TEST_ROBUST_ALONE)
   return()
 endif()
 
+if(TARGET touchstone_alone)
+  add_test(NAME install/carried
+           COMMAND sh ${install_tests}/carried.sh ${PROJECT_BINARY_DIR} ${CMAKE_COMMAND} ${CMAKE_CPACK_COMMAND})
+endif()
+
 set(package_holds ${Python3_EXECUTABLE} ${install_tests}/package_holds.py)
 add_test(NAME install/package_holds COMMAND ${package_holds} ${PROJECT_SOURCE_DIR} ${installed})
 set_tests_properties(install/package_holds PROPERTIES FIXTURES_REQUIRED installed)
