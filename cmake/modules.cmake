@@ -177,7 +177,7 @@ if(TARGET touchstone_audit)
     endif()
     touchstone_library(module_${module} ${${module}_sources})
     touchstone_links(module_${module} PUBLIC ${below})
-    touchstone_links(module_${module} PRIVATE fmt::fmt)
+    touchstone_links(module_${module} PRIVATE ${touchstone_fmt})
     # One set of precompiled headers for those compiled alike.
     set(like catalogue)
     if(module MATCHES "^(report|program)$")
