@@ -5,6 +5,7 @@
 
 #include "catalogue/draw/figures.h"
 #include "catalogue/shape/described_bodies.h"
+#include "catalogue/shape/described_capsules.h"
 #include "catalogue/shape/described_triangles.h"
 #include "geometry/bodies.h"
 
@@ -14,6 +15,15 @@ namespace touchstone::catalogue {
 static void draw(Drawing& drawing, const std::string& label, const Inertiad& inertia, bool) {
   const auto row = [](const Vector3d& v) { return in_words(Point3d{v.x, v.y, v.z}); };
   drawing.notes.push_back(label + ": " + row(inertia.x) + ", " + row(inertia.y) + ", " + row(inertia.z));
+}
+
+/// The segment, and a ball at each of its ends.
+static void draw(Drawing& drawing, const std::string& label, const Capsule3d& capsule, bool answer) {
+  const auto& [segment, radius] = capsule;
+  draw(drawing, label, segment, answer);
+  for (const Point3d& p : {segment.a, segment.b})
+    drawing.space.push_back({SpaceFigure::Kind::sphere, label, {p.x, p.y, p.z, radius}, {}, answer});
+  drawing.notes.push_back(label + ": radius " + decimal(radius));
 }
 
 namespace {
@@ -36,7 +46,7 @@ std::map<const Shape*, Draw> figures_of() {
 Draw figure_of(const Shape& shape) {
   static const std::map<const Shape*, Draw> figures =
       figures_of<Point2d, Vector2d, Segment2d, Line2d, ParametricLine2d, Ray2d, Polygon2d, Circle2d, Aabb2d, Point3d,
-                 Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d,
+                 Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d, Capsule3d,
                  Inertiad>();
   const auto found = figures.find(&shape);
   return found == figures.end() ? nullptr : found->second;

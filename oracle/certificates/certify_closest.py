@@ -1,8 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """What certify.py checks of nearest points, and of the contacts that follow from them, as in check_closest.cpp."""
 
-from certify_reading import WRONG_KIND, expect
-from certify_space import box_holds, box_in_space, dot, plane, triple
+import math
+
+from certify_reading import WRONG_KIND, exact_value, expect, number, only
+from certify_rounding import expect_rounds_alike
+from certify_space import ball, box_holds, box_in_space, plane, triple, two_or_three
+
+
+def dot(p, q):
+    return sum(x * y for x, y in zip(p, q))
+
+
+def minus(p, q):
+    return tuple(x - y for x, y in zip(p, q))
 
 
 def is_lowest(low, high, slopes, x):
@@ -36,3 +47,152 @@ def check_aabb_plane(claim):
         expect(is_lowest(low, high, normal, x), "certificate: a point of the box is lower")
         held = height > 0 if contact == "disjoint" else height == 0
         expect(held, "certificate: the height of the point proves another truth")
+
+
+def hull(value, what, count, axes=None):
+    """The ends of a segment, or the corners of a triangle: all that is between them."""
+    named = {2: "two", 3: "three"}[count]
+    expect(isinstance(value, list) and len(value) == count, f"{what}: a list of {named}")
+    points = []
+    for i, point in enumerate(value):
+        points.append(two_or_three(point, f"{what}[{i}]"))
+        expect(len(points[i]) == (axes or len(points[0])), f"{what}[{i}]: as many coordinates as the others")
+    return points
+
+
+def weighted(claim, fact, points):
+    """The point of the hull that the fact's weights give."""
+    weights = claim.list(fact)
+    expect(len(weights) == len(points), "certificate: as many weights as points")
+    expect(all(weight >= 0 for weight in weights), "certificate: a weight is negative")
+    expect(sum(weights) == 1, "certificate: the weights do not add up to 1")
+    return tuple(dot(weights, along_axis) for along_axis in zip(*points))
+
+
+def expect_nearest(points, x, y):
+    nearest = all(dot(minus(x, y), minus(p, x)) >= 0 for p in points)
+    expect(nearest, "certificate: a point of the hull is nearer")
+
+
+def expect_position(claim, name, x):
+    value = claim.truth[name]
+    expect(isinstance(value, list) and len(value) == len(x), f"truth.{name}: as many coordinates as the input")
+    for axis, coordinate in enumerate(x):
+        expect(exact_value(value[axis], f"truth.{name}[{axis}]") == coordinate, f"truth: {name} is wrong")
+
+
+def is_square(value):
+    return all(math.isqrt(part) ** 2 == part for part in (value.numerator, value.denominator))
+
+
+def expect_distance(claim, square):
+    """The squared distance, and its root: exactly, or by bounds if that is not rational."""
+    expect(claim.exact("squared_distance") == square, "truth: squared_distance is wrong")
+    distance = claim.exact("distance")
+    if claim.kind() == "root":
+        expect(distance >= 0 and distance**2 == square, "truth: distance is wrong")
+        return
+    low, high = claim.pair("distance")
+    expect(0 < low <= high and low**2 <= square <= high**2, "certificate: the bounds of distance are wrong")
+    expect(not is_square(square), "certificate: the root is rational")
+    expect_rounds_alike("distance", distance, low, high)
+
+
+def distance_facts(claim, *facts):
+    expect(claim.kind() in ("enclosure", "root"), WRONG_KIND)
+    claim.facts(*facts, *(("distance",) if claim.kind() == "enclosure" else ()))
+
+
+def closest_point(claim, shape, corners):
+    claim.inputs("point", shape)
+    p = two_or_three(claim.input["point"], "point")
+    points = hull(claim.input[shape], shape, corners, len(p))
+    expect(corners == 2 or len(p) == 3, "point: a list of three")
+    claim.answers("point", "squared_distance", "distance")
+    distance_facts(claim, "weights")
+    x = weighted(claim, "weights", points)
+    expect_nearest(points, x, p)
+    expect_position(claim, "point", x)
+    expect_distance(claim, dot(minus(x, p), minus(x, p)))
+
+
+def check_closest_point_on_segment(claim):
+    closest_point(claim, "segment", 2)
+
+
+def check_closest_point_on_triangle(claim):
+    closest_point(claim, "triangle", 3)
+
+
+def expect_first(a, b, x, y):
+    """Why there is no pair with a smaller parameter on a stands in check_closest.cpp."""
+    v, w = minus(a[1], a[0]), minus(b[1], b[0])
+    along = dot(v, w)
+    if along == 0 or dot(v, v) * dot(w, w) != along**2 or x == a[0]:
+        return
+    expect(y == (b[0] if along > 0 else b[1]), "certificate: a pair with a smaller parameter on a is as near")
+
+
+def check_segment_segment_distance(claim):
+    claim.inputs("a", "b")
+    a = hull(claim.input["a"], "a", 2)
+    b = hull(claim.input["b"], "b", 2, len(a[0]))
+    claim.answers("on_a", "on_b", "squared_distance", "distance")
+    distance_facts(claim, "on_a", "on_b")
+    x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
+    expect_nearest(a, x, y), expect_nearest(b, y, x), expect_first(a, b, x, y)
+    expect_position(claim, "on_a", x), expect_position(claim, "on_b", y)
+    expect_distance(claim, dot(minus(x, y), minus(x, y)))
+
+
+KINDS = {"disjoint": ("nearest_points",), "touching": ("tangent", "no_interior"), "overlapping": ("near_points",)}
+
+
+def capsule(value, what):
+    only(value, what, ["segment", "radius"])
+    segment, radius = hull(value["segment"], what + ".segment", 2, 3), number(value["radius"], what + ".radius")
+    expect(radius >= 0, what + ".radius: radius >= 0")
+    return segment, radius
+
+
+def expect_contact(claim, a, x, b, y, radii):
+    """The contact of two solids, or of a solid and a triangle, from points of what is inside of them."""
+    kind, interiors = claim.kind(), all(radius > 0 for radius in radii)
+    beyond = dot(minus(x, y), minus(x, y)) - sum(radii) ** 2
+    if kind == "near_points":
+        expect(beyond < 0 and interiors, "certificate: the points are no common interior")
+    elif kind == "no_interior":
+        expect(beyond <= 0 and not interiors, "certificate: the points do not touch, or there are interiors")
+    else:
+        expect_nearest(a, x, y), expect_nearest(b, y, x)
+        held = beyond == 0 if kind == "tangent" else beyond > 0
+        expect(held, "certificate: the distance proves another truth")
+
+
+def expect_kind_of_contact(claim):
+    claim.answers("contact")
+    contact, kind = claim.word("contact"), claim.kind()
+    expect(contact in KINDS, "truth: contact is wrong")
+    expect(kind in KINDS[contact], WRONG_KIND)
+
+
+def check_sphere_triangle(claim):
+    claim.inputs("sphere", "triangle")
+    (center, radius), corners = ball(claim.input["sphere"], "sphere"), hull(claim.input["triangle"], "triangle", 3, 3)
+    expect_kind_of_contact(claim), claim.facts("weights")
+    expect_contact(claim, corners, weighted(claim, "weights", corners), [center], center, [radius])
+
+
+def check_sphere_capsule(claim):
+    claim.inputs("sphere", "capsule")
+    (center, r), (segment, s) = ball(claim.input["sphere"], "sphere"), capsule(claim.input["capsule"], "capsule")
+    expect_kind_of_contact(claim), claim.facts("weights")
+    expect_contact(claim, segment, weighted(claim, "weights", segment), [center], center, [r, s])
+
+
+def check_capsule_capsule(claim):
+    claim.inputs("a", "b")
+    (a, r), (b, s) = capsule(claim.input["a"], "a"), capsule(claim.input["b"], "b")
+    expect_kind_of_contact(claim), claim.facts("on_a", "on_b")
+    x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
+    expect_contact(claim, a, x, b, y, [r, s])

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <string>
 
+#include "oracle/certificates/check_rounding.h"
 #include "oracle/certificates/check_space.h"
 
 namespace touchstone::certify {
@@ -49,8 +51,210 @@ void check_aabb_plane(const Claim& claim) {
   }
 }
 
+using Position = std::vector<Rational>;
+
+Position operator-(const Position& p, const Position& q) {
+  Position way;
+  for (std::size_t k = 0; k < p.size(); ++k) way.push_back(Rational(p[k] - q[k]));
+  return way;
+}
+Rational dot(const Position& p, const Position& q) {
+  Rational sum;
+  for (std::size_t k = 0; k < p.size(); ++k) sum += p[k] * q[k];
+  return sum;
+}
+
+/// The ends of a segment, or the corners of a triangle: all that is between them. Of as many coordinates each as the
+/// first, or as `axes`, if that is not 0.
+using Hull = std::vector<Position>;
+
+Hull hull(const json& value, const std::string& what, std::size_t count, std::size_t axes) {
+  expect(value.is_array() && value.size() == count, what + ": a list of " + (count == 2 ? "two" : "three"));
+  Hull points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string of = what + "[" + std::to_string(i) + "]";
+    points.push_back(two_or_three(value[i], of));
+    if (axes == 0) axes = points[0].size();
+    expect(points[i].size() == axes, of + ": as many coordinates as the others");
+  }
+  return points;
+}
+
+/// The point of the hull that the fact's weights give.
+Position weighted(const Claim& claim, const char* fact, const Hull& hull) {
+  const std::vector<Rational> weights = claim.list(fact);
+  expect(weights.size() == hull.size(), "certificate: as many weights as points");
+  Position sum(hull[0].size());
+  Rational whole;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    expect(sgn(weights[i]) >= 0, "certificate: a weight is negative");
+    whole += weights[i];
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += weights[i] * hull[i][k];
+  }
+  expect(whole == 1, "certificate: the weights do not add up to 1");
+  return sum;
+}
+
+/// No point of the hull is nearer to y than x, which is one of them, nor is one to any point behind y, seen from x.
+void expect_nearest(const Hull& hull, const Position& x, const Position& y) {
+  for (const Position& p : hull) expect(sgn(dot(x - y, p - x)) >= 0, "certificate: a point of the hull is nearer");
+}
+
+void expect_position(const Claim& claim, const char* name, const Position& x) {
+  const std::string what = std::string("truth.") + name;
+  const json& value = claim.truth[name];
+  expect(value.is_array() && value.size() == x.size(), what + ": as many coordinates as the input");
+  for (std::size_t k = 0; k < x.size(); ++k)
+    expect(exact_value(value[k], what + "[" + std::to_string(k) + "]") == x[k],
+           "truth: " + what.substr(6) + " is wrong");
+}
+
+bool is_square(const Rational& x) {
+  return mpz_perfect_square_p(x.get_num_mpz_t()) != 0 && mpz_perfect_square_p(x.get_den_mpz_t()) != 0;
+}
+
+/// The squared distance, and its root: exactly, or by bounds if that is not rational.
+void expect_distance(const Claim& claim, const Rational& square) {
+  expect(exact_value(claim.truth["squared_distance"], "truth.squared_distance") == square,
+         "truth: squared_distance is wrong");
+  const Rational distance = exact_value(claim.truth["distance"], "truth.distance");
+  if (claim.kind() == "root") {
+    expect(sgn(distance) >= 0 && distance * distance == square, "truth: distance is wrong");
+    return;
+  }
+  const auto [low, high] = claim.pair("distance");
+  expect(sgn(low) > 0 && low <= high && low * low <= square && square <= high * high,
+         "certificate: the bounds of distance are wrong");
+  expect(!is_square(square), "certificate: the root is rational");
+  expect_rounds_alike("distance", distance, low, high);
+}
+
+/// Which of the two kinds of distances it is.
+bool is_enclosed(const Claim& claim) {
+  const bool enclosed = claim.kind() == "enclosure";
+  expect(enclosed || claim.kind() == "root", wrong_kind);
+  return enclosed;
+}
+
+void check_closest_point(const Claim& claim, const char* shape, std::size_t corners) {
+  claim.inputs({"point", shape});
+  const Position p = two_or_three(claim.input["point"], "point");
+  const Hull points = hull(claim.input[shape], shape, corners, p.size());
+  expect(corners == 2 || p.size() == 3, "point: a list of three");
+  claim.answers({"point", "squared_distance", "distance"});
+  if (is_enclosed(claim)) claim.facts({"weights", "distance"});
+  else claim.facts({"weights"});
+  const Position x = weighted(claim, "weights", points);
+  expect_nearest(points, x, p);
+  expect_position(claim, "point", x);
+  expect_distance(claim, dot(x - p, x - p));
+}
+void check_closest_point_on_segment(const Claim& claim) { check_closest_point(claim, "segment", 2); }
+void check_closest_point_on_triangle(const Claim& claim) { check_closest_point(claim, "triangle", 3); }
+
+bool parallel(const Position& v, const Position& w) { return dot(v, v) * dot(w, w) == dot(v, w) * dot(v, w); }
+
+/// Of parallel segments the parameter on a is the least: it is 0, or a step back along both would leave b. No step
+/// along others keeps the distance.
+void expect_first(const Hull& a, const Hull& b, const Position& x, const Position& y) {
+  const Position v = a[1] - a[0], w = b[1] - b[0];
+  const Rational along = dot(v, w);
+  if (sgn(along) == 0 || !parallel(v, w) || x == a[0]) return;
+  expect(y == (sgn(along) > 0 ? b[0] : b[1]), "certificate: a pair with a smaller parameter on a is as near");
+}
+
+void check_segment_segment_distance(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Hull a = hull(claim.input["a"], "a", 2, 0), b = hull(claim.input["b"], "b", 2, a[0].size());
+  claim.answers({"on_a", "on_b", "squared_distance", "distance"});
+  if (is_enclosed(claim)) claim.facts({"on_a", "on_b", "distance"});
+  else claim.facts({"on_a", "on_b"});
+  const Position x = weighted(claim, "on_a", a), y = weighted(claim, "on_b", b);
+  expect_nearest(a, x, y), expect_nearest(b, y, x), expect_first(a, b, x, y);
+  expect_position(claim, "on_a", x), expect_position(claim, "on_b", y);
+  expect_distance(claim, dot(x - y, x - y));
+}
+
+struct Capsule {
+  Hull segment;
+  Rational radius;
+};
+Capsule capsule(const json& value, const std::string& what) {
+  only(value, what, {"segment", "radius"});
+  Hull segment = hull(value["segment"], what + ".segment", 2, 3);
+  const Rational radius = number(value["radius"], what + ".radius");
+  expect(sgn(radius) >= 0, what + ".radius: radius >= 0");
+  return {std::move(segment), radius};
+}
+
+/// The contact of two solids, or of a solid and a triangle, from points x and y: nothing of the one is nearer to the
+/// other than they are, for which each fact has the weights; and the sum of the radii.
+void expect_contact(const Claim& claim, const Hull& a, const Position& x, const Hull& b, const Position& y,
+                    const std::vector<Rational>& radii) {
+  const std::string kind = claim.kind();
+  const Rational square = dot(x - y, x - y);
+  Rational sum;
+  for (const Rational& radius : radii) sum += radius;
+  const int beyond = sgn(Rational(square - sum * sum));
+  const bool interiors = std::all_of(radii.begin(), radii.end(), [](const Rational& r) { return sgn(r) > 0; });
+  if (kind == "near_points") {
+    expect(beyond < 0 && interiors, "certificate: the points are no common interior");
+  } else if (kind == "no_interior") {
+    expect(beyond <= 0 && !interiors, "certificate: the points do not touch, or there are interiors");
+  } else {
+    expect_nearest(a, x, y), expect_nearest(b, y, x);
+    expect(kind == "tangent" ? beyond == 0 : beyond > 0, "certificate: the distance proves another truth");
+  }
+}
+
+/// The kind that belongs to the contact.
+void expect_kind_of_contact(const Claim& claim) {
+  claim.answers({"contact"});
+  const std::string contact = claim.word("contact"), kind = claim.kind();
+  expect(contact == "disjoint" || contact == "touching" || contact == "overlapping", "truth: contact is wrong");
+  expect(contact == "disjoint"   ? kind == "nearest_points"
+         : contact == "touching" ? kind == "tangent" || kind == "no_interior"
+                                 : kind == "near_points",
+         wrong_kind);
+}
+
+void check_sphere_triangle(const Claim& claim) {
+  claim.inputs({"sphere", "triangle"});
+  const Ball sphere = ball(claim.input["sphere"], "sphere");
+  const Hull corners = hull(claim.input["triangle"], "triangle", 3, 3);
+  expect_kind_of_contact(claim), claim.facts({"weights"});
+  const Position center{sphere.center.x, sphere.center.y, sphere.center.z};
+  expect_contact(claim, corners, weighted(claim, "weights", corners), {center}, center, {sphere.radius});
+}
+
+void check_sphere_capsule(const Claim& claim) {
+  claim.inputs({"sphere", "capsule"});
+  const Ball sphere = ball(claim.input["sphere"], "sphere");
+  const Capsule other = capsule(claim.input["capsule"], "capsule");
+  expect_kind_of_contact(claim), claim.facts({"weights"});
+  const Position center{sphere.center.x, sphere.center.y, sphere.center.z};
+  expect_contact(claim, other.segment, weighted(claim, "weights", other.segment), {center}, center,
+                 {sphere.radius, other.radius});
+}
+
+void check_capsule_capsule(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Capsule a = capsule(claim.input["a"], "a"), b = capsule(claim.input["b"], "b");
+  expect_kind_of_contact(claim), claim.facts({"on_a", "on_b"});
+  const Position x = weighted(claim, "on_a", a.segment), y = weighted(claim, "on_b", b.segment);
+  expect_contact(claim, a.segment, x, b.segment, y, {a.radius, b.radius});
+}
+
 }  // namespace
 
-Checks checks_of_closest() { return {{"aabb_plane", check_aabb_plane}}; }
+Checks checks_of_closest() {
+  return {{"aabb_plane", check_aabb_plane},
+          {"closest_point_on_segment", check_closest_point_on_segment},
+          {"closest_point_on_triangle", check_closest_point_on_triangle},
+          {"segment_segment_distance", check_segment_segment_distance},
+          {"sphere_triangle", check_sphere_triangle},
+          {"sphere_capsule", check_sphere_capsule},
+          {"capsule_capsule", check_capsule_capsule}};
+}
 
 }  // namespace touchstone::certify

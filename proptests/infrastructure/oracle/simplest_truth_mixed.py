@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of shapes of two chapters, for simplest_truth.py."""
-from simplest_truth_reading import dot, number, point
+from fractions import Fraction
+
+from simplest_truth_reading import Root, dot, minus, number, point
 
 
 def truth_sphere_plane(q):
@@ -27,3 +29,100 @@ def truth_aabb_plane(q):
         return {"contact": "disjoint"}, margin
     margin = min(margin, 4 * min(half) ** 2)
     return {"contact": "overlapping" if margin else "touching"}, margin
+
+
+def clamped(p, a, b):
+    """The nearest point of a segment: the vertex of a parabola in t, moved into [0, 1]."""
+    v = minus(b, a)
+    length = dot(v, v)
+    t = min(max(dot(minus(p, a), v) / length, Fraction(0)), Fraction(1)) if length else Fraction(0)
+    return tuple(x + t * y for x, y in zip(a, v))
+
+
+def square(p, q):
+    return dot(minus(p, q), minus(p, q))
+
+
+def closest(p, candidates):
+    x = min(candidates, key=lambda candidate: square(p, candidate))
+    found = square(p, x)
+    return {"point": [str(n) for n in x], "squared_distance": str(found), "distance": Root(found, 1)}, None
+
+
+def truth_closest_point_on_segment(q):
+    p = point(q["point"])
+    return closest(p, [clamped(p, *map(point, q["segment"]))])
+
+
+def solved(matrix, right):
+    """Two linear equations, by Cramer; nothing where they are dependent."""
+    (a, b), (c, d) = matrix
+    whole = a * d - b * c
+    return ((right[0] * d - b * right[1]) / whole, (a * right[1] - right[0] * c) / whole) if whole else None
+
+
+def foot_on_face(p, a, b, c):
+    """Where the foot of the perpendicular is in the triangle: [the foot], else []."""
+    v, w, way = minus(b, a), minus(c, a), minus(p, a)
+    weights = solved(((dot(v, v), dot(v, w)), (dot(v, w), dot(w, w))), (dot(way, v), dot(way, w)))
+    if weights is None or min(*weights, 1 - sum(weights)) < 0:
+        return []
+    return [tuple(x + weights[0] * y + weights[1] * z for x, y, z in zip(a, v, w))]
+
+
+def truth_closest_point_on_triangle(q):
+    p, (a, b, c) = point(q["point"]), map(point, q["triangle"])
+    return closest(p, [clamped(p, a, b), clamped(p, b, c), clamped(p, c, a), *foot_on_face(p, a, b, c)])
+
+
+def nearest_pairs(a, b):
+    """Pairs among which the nearest are: an end of one and its nearest point on the other, and the feet of the common
+    perpendicular where both are within."""
+    pairs = [(p, clamped(p, *b)) for p in a] + [(clamped(p, *a), p) for p in b]
+    v, w, way = minus(a[1], a[0]), minus(b[1], b[0]), minus(b[0], a[0])
+    feet = solved(((dot(v, v), -dot(v, w)), (dot(v, w), -dot(w, w))), (dot(way, v), dot(way, w)))
+    if feet and 0 <= min(feet) and max(feet) <= 1:
+        pairs.append(tuple(tuple(x + t * y for x, y in zip(s, way)) for t, s, way in zip(feet, (a[0], b[0]), (v, w))))
+    return pairs
+
+
+def truth_segment_segment_distance(q):
+    """Of several pairs the one whose point on a is nearest to the beginning of a."""
+    a, b = (tuple(map(point, q[name])) for name in "ab")
+    x, y = min(nearest_pairs(a, b), key=lambda pair: (square(*pair), square(pair[0], a[0])))
+    return {"on_a": [str(n) for n in x], "on_b": [str(n) for n in y], "squared_distance": str(square(x, y)),
+            "distance": Root(square(x, y), 1)}, None
+
+
+def contact(distance, radii):
+    """Margin: how far the square of the distance is from that of the sum of the radii; where they meet, how far it may
+    shrink."""
+    reach = sum(radii)
+    if distance > reach**2:
+        return {"contact": "disjoint"}, distance - reach**2
+    margin = min(reach**2 - distance, *(reach**2 - (reach - radius) ** 2 for radius in radii))
+    return {"contact": "overlapping" if margin else "touching"}, margin
+
+
+def ball(solid):
+    return point(solid["center"]), number(solid["radius"])
+
+
+def truth_sphere_triangle(q):
+    (p, radius), (a, b, c) = ball(q["sphere"]), map(point, q["triangle"])
+    near = [clamped(p, a, b), clamped(p, b, c), clamped(p, c, a), *foot_on_face(p, a, b, c)]
+    return contact(min(square(p, x) for x in near), [radius])
+
+
+def capsule(solid):
+    return tuple(map(point, solid["segment"])), number(solid["radius"])
+
+
+def truth_sphere_capsule(q):
+    (p, r), (segment, s) = ball(q["sphere"]), capsule(q["capsule"])
+    return contact(square(p, clamped(p, *segment)), [r, s])
+
+
+def truth_capsule_capsule(q):
+    (a, r), (b, s) = capsule(q["a"]), capsule(q["b"])
+    return contact(min(square(*pair) for pair in nearest_pairs(a, b)), [r, s])

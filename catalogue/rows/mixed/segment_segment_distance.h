@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/closest_draws.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_closest.h"
+#include "oracle/mixed/segment_segment_distance.h"
+#include "reference/mixed/segment_segment_distance.h"
+#include "robust/mixed/segment_segment_distance.h"
+
+namespace touchstone::catalogue::rows {
+
+struct segment_segment_distance {
+  template <class Real>
+  using Answers = std::variant<ClosestPair2<Real>, ClosestPair3<Real>>;
+  TOUCHSTONE_MODULES_EITHER(segment_segment_distance)
+  using InPlane = std::tuple<Segment2d, Segment2d>;
+  using InSpace = std::tuple<Segment3d, Segment3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "segment_segment_distance",
+        .chapter = "mixed",
+        .pages = "9, 12-13, 48-50",
+        .question = "Which points of two segments are nearest to each other, and how far is it?",
+        .kind = Kind::measure,
+        .fields = {"a", "b"},
+        .ulps = 51,
+        .margin_degree = 0,
+        .cost = 20,
+        .longest_vector = 2300};
+    return metadata;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"crossing_or_skew", crossing_or_skew},
+        {"parallel",
+         [](DrawStream& c) -> Question {
+           const LatticeLine line = LatticeLine::of(c);
+           return side_by_side(c, line, line.across);
+         }},
+        {"collinear",
+         [](DrawStream& c) -> Question {
+           const LatticeLine line = LatticeLine::of(c);
+           return side_by_side(c, line, {0, 0, 0});
+         }},
+        {"nearly_parallel",
+         [](DrawStream& c) -> Question {
+           const LatticeLine line = LatticeLine::of(c);
+           auto [a, b] = in_space(c, line, line.across);
+           b.b.x += small_integer(c, 1) * 0x1p-20;
+           return seen(a, b, line.in_plane);
+         }},
+        {"common_end",
+         [](DrawStream& c) -> Question {
+           const LatticeLine line = LatticeLine::of(c), other = LatticeLine::of(c);
+           const bool in_plane = line.in_plane || other.in_plane;
+           const Point3d end = along(line.origin, small_integer(c), other.way);
+           return seen({line.origin, end}, {end, along(end, small_integer(c), line.way)}, in_plane);
+         }},
+        {"zero_length",
+         [](DrawStream& c) -> Question {
+           const LatticeLine line = LatticeLine::of(c);
+           const double i = small_integer(c, 3), j = c.below(2) == 1 ? i : small_integer(c, 3);
+           const Point3d p = line.at(small_integer(c, 3)) + line.across;
+           const bool first = c.below(2) == 1;
+           return first ? seen({p, p}, line.between(i, j), line.in_plane)
+                        : seen(line.between(i, j), {p, p}, line.in_plane);
+         }},
+        {"whole_distance",
+         [](DrawStream& c) -> Question {
+           const Step step = whole_step(c);
+           const Point3d p = lattice_point_in_space(c, 20), q = p + step.way;
+           return seen({along(p, -static_cast<double>(c.below(3)), step.way), p},
+                       {q, along(q, static_cast<double>(c.below(3)), step.way)}, false);
+         }},
+        {"needles",
+         [](DrawStream& c) -> Question {
+           const LatticeLine line = LatticeLine::of(c);
+           const double length = scaled_up(c, 8, 30), shorter = scaled_up(c, 8, 30);
+           const Point3d p = line.at(small_integer(c)) + line.across;
+           return seen(line.between(-length, length), {p, along(p, shorter, lattice_normal(c, 3))}, line.in_plane);
+         }},
+        {"rounded_crossing",
+         [](DrawStream& c) -> Question {
+           const Point3d a = ordinary_point_in_space(c), b = ordinary_point_in_space(c), d = ordinary_point_in_space(c);
+           const Point3d on_a = along(a, ordinary(c), b - a);
+           return seen({a, b}, {d, along(d, c.below(2) == 1 ? 1.0 : 2.0, on_a - d)}, c.below(2) == 1);
+         }},
+        {"full_mantissa",
+         [](DrawStream& c) -> Question {
+           const LongPlane plane = LongPlane::of(c);
+           const Point3d p = plane.point(c), q = plane.point(c), r = plane.point(c);
+           return seen({p, q}, {r, plane.point(c)}, c.below(2) == 1);
+         }},
+        {"rounding",
+         [](DrawStream& c) -> Question {
+           // The foot of b's end on a diagonal is half an odd step along: x is halfway between two doubles.
+           const HalfwayNumber x = halfway_number(c);
+           const double odd = 1 + 2 * static_cast<double>(c.below(8)), far = 1 + static_cast<double>(c.below(8));
+           const Point3d end{x.most + odd, 0, hair(c)};
+           return seen({{x.most, 0, 0}, {x.most + 64, 64, 0}}, {{end.x + far, -far, end.z}, end}, c.below(2) == 1);
+         }},
+        {"rounding_of_distance",
+         [](DrawStream& c) -> Question {
+           const HalfwayStep step = halfway_step(c);
+           return seen({{-1, 0, 0}, {0, 0, 0}}, {{step.x, step.y, hair(c)}, {step.x, 2 * step.y, 0}}, c.below(2) == 1);
+         }},
+        {"stretched",
+         [](DrawStream& c) -> Question {
+           Question question = crossing_or_skew(c);
+           if (auto* space = std::get_if<InSpace>(&question)) {
+             auto& [a, b] = *space;
+             stretch(c, a.a, a.b, b.a, b.b);
+           }
+           return question;
+         }},
+        {"typed",
+         [](DrawStream& c) -> Question {
+           const Point3d p = typed_point(c), q = typed_point(c), r = typed_point(c);
+           return seen({p, q}, {r, typed_point(c)}, c.below(2) == 1);
+         }},
+        {"subnormal",
+         [](DrawStream& c) -> Question {
+           const Point3d p = subnormal_point(c), q = subnormal_point(c), r = subnormal_point(c);
+           const Point3d last = c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c);
+           return seen({p, q}, {r, last}, c.below(2) == 1);
+         }},
+        {"whole_range",
+         [](DrawStream& c) -> Question {
+           const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), r = point_of_whole_range(c);
+           return seen({p, q}, {r, point_of_whole_range(c)}, c.below(2) == 1);
+         }},
+        {"either_zero",
+         [](DrawStream& c) -> Question {
+           const Point3d p = zero_point(c), q = zero_point(c), r = zero_point(c), s = zero_point(c);
+           const double x = static_cast<double>(c.below(2)), y = static_cast<double>(c.below(2));
+           return seen({p, x == 0 ? q : Point3d{1, q.y, q.z}}, {r, y == 0 ? s : Point3d{s.x, 1, s.z}}, c.below(2) == 1);
+         }},
+    };
+  }
+
+  /// Segments that cross at (12, 12); moves the beginning of the first.
+  static Question map_centre() { return InPlane{{{0.5, 0.5}, {24, 24}}, {{24, 0}, {12, 12}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<segment_segment_distance> hooks() {
+    return {.map_centre = map_centre, .map_axes = map_axes, .laws = {.maps = Laws::Maps::axes}};
+  }
+
+ private:
+  /// Both leave a point, or pass it by, or end there; one of them on a parallel plane.
+  static Question crossing_or_skew(DrawStream& c) {
+    const LatticeLine line = LatticeLine::of(c);
+    const Vector3d way = line.in_plane ? Vector3d{line.way.y, small_integer(c), 0} : lattice_normal(c, 6);
+    const double height = line.in_plane ? 0.0 : small_integer(c, 3);
+    const Segment3d a = segment_through(c, line.origin, line.way);
+    return seen(a, segment_through(c, line.origin + height * cross(line.way, way), way), line.in_plane);
+  }
+
+  static InSpace in_space(DrawStream& c, const LatticeLine& line, const Vector3d& aside) {
+    const double i = small_integer(c, 3), j = small_integer(c, 3), k = small_integer(c, 3);
+    const Segment3d b = line.between(k, small_integer(c, 3));
+    return {line.between(i, j), {b.a + aside, b.b + aside}};
+  }
+  static Question side_by_side(DrawStream& c, const LatticeLine& line, const Vector3d& aside) {
+    const auto [a, b] = in_space(c, line, aside);
+    return seen(a, b, line.in_plane);
+  }
+
+  static Question seen(const Segment3d& a, const Segment3d& b, bool in_plane) {
+    if (!in_plane) return InSpace{a, b};
+    return InPlane{without_z(a), without_z(b)};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

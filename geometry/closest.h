@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/points.h"
+#include "geometry/space.h"
+
+/// What operations answer about nearest points.
+namespace touchstone {
+
+/// The point of a shape that is nearest to another point, and their distance.
+template <class Real>
+struct ClosestPoint2 {
+  Point2<Real> point;
+  Real squared_distance, distance;
+};
+template <class Real>
+struct ClosestPoint3 {
+  Point3<Real> point;
+  Real squared_distance, distance;
+};
+
+/// A point of each of two shapes, as near to each other as any, and their distance.
+template <class Real>
+struct ClosestPair2 {
+  Point2<Real> on_a, on_b;
+  Real squared_distance, distance;
+};
+template <class Real>
+struct ClosestPair3 {
+  Point3<Real> on_a, on_b;
+  Real squared_distance, distance;
+};
+
+}  // namespace touchstone

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/closest.h"
+#include "oracle/exact/space.h"
+#include "oracle/exact/square_root.h"
+
+namespace touchstone::oracle {
+
+/// The convex hull of a few points: of two, a segment; of three, a triangle. The plane is z = 0.
+using Hull = std::vector<Point3<Rational>>;
+
+/// Points of two hulls that are nearest to each other, by weights of their points.
+struct NearestPair {
+  Point3<Rational> on_a, on_b;
+  std::vector<Rational> weights_of_a, weights_of_b;
+  Rational squared_distance;
+};
+
+/// By the conditions of Karush, Kuhn and Tucker: with x and y the points and w = x - y, the weights are not negative
+/// and of sum 1, and no point of a has a smaller scalar product with w than x, none of b a greater one than y. They
+/// suffice because all is convex. Each choice of points that may have a weight above 0 gives linear equations; one
+/// whose solution satisfies the conditions is there. Of several pairs of nearest points the one is taken whose first
+/// point of a has the greatest weight: on segments, the least parameter on a.
+NearestPair nearest_pair(const Hull& a, const Hull& b);
+
+template <class Number>
+Point3<Rational> exact_in_space(const Point2<Number>& p) {
+  return {exact(p.x), exact(p.y), 0};
+}
+template <class Number>
+Point3<Rational> exact_in_space(const Point3<Number>& p) {
+  return exact(p);
+}
+inline Point2<Rational> in_plane(const Point3<Rational>& p) { return {p.x, p.y}; }
+
+/// The points, a distance, and the certificate of both: "root" or, where the distance is not rational, "enclosure".
+template <class Answer>
+Truth<Answer> truth_of_distance(Answer answer, const Rational& squared_distance,
+                                std::vector<std::pair<std::string, std::vector<Rational>>> weights) {
+  Enclosed distance = signed_root(squared_distance, 1);
+  answer.squared_distance = squared_distance, answer.distance = distance.value;
+  return {std::move(answer), std::nullopt,
+          [facts = std::move(weights), distance = std::move(distance)]() -> Certificate {
+            if (distance.rational()) return {"root", facts};
+            Certificate enclosure{"enclosure", facts};
+            enclosure.facts.push_back({"distance", {distance.low, distance.high}});
+            return enclosure;
+          }};
+}
+
+}  // namespace touchstone::oracle

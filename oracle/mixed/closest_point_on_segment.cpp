@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/closest_point_on_segment.h"
+
+#include "geometry/validation_of_triangles.h"
+#include "oracle/exact/nearest_pair.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Point, class Segment>
+NearestPair solved(const Point& point, const Segment& segment) {
+  validation::validate_numbers("point", point), validation::validate_numbers("segment", segment);
+  return nearest_pair({exact_in_space(segment.a), exact_in_space(segment.b)}, {exact_in_space(point)});
+}
+
+template <class Number>
+Truth<ClosestPoint2<Rational>> truth_of(const Point2<Number>& point, const Segment2<Number>& segment) {
+  const NearestPair nearest = solved(point, segment);
+  return truth_of_distance(ClosestPoint2<Rational>{in_plane(nearest.on_a), {}, {}}, nearest.squared_distance,
+                           {{"weights", nearest.weights_of_a}});
+}
+template <class Number>
+Truth<ClosestPoint3<Rational>> truth_of(const Point3<Number>& point, const Segment3<Number>& segment) {
+  const NearestPair nearest = solved(point, segment);
+  return truth_of_distance(ClosestPoint3<Rational>{nearest.on_a, {}, {}}, nearest.squared_distance,
+                           {{"weights", nearest.weights_of_a}});
+}
+
+}  // namespace
+
+Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2d& point, const Segment2d& segment) {
+  return truth_of(point, segment);
+}
+Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3d& point, const Segment3d& segment) {
+  return truth_of(point, segment);
+}
+
+template <Exact Number>
+Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2<Number>& point, const Segment2<Number>& segment) {
+  return truth_of(point, segment);
+}
+template <Exact Number>
+Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3<Number>& point, const Segment3<Number>& segment) {
+  return truth_of(point, segment);
+}
+template Truth<ClosestPoint2<Rational>> closest_point_on_segment(const Point2<Rational>&, const Segment2<Rational>&);
+template Truth<ClosestPoint3<Rational>> closest_point_on_segment(const Point3<Rational>&, const Segment3<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/closest_point_on_triangle.h"
+
+#include "geometry/validation_of_triangles.h"
+#include "oracle/exact/nearest_pair.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<ClosestPoint3<Rational>> truth_of(const Point3<Number>& point, const Triangle3<Number>& triangle) {
+  validation::validate_numbers("point", point), validation::validate_numbers("triangle", triangle);
+  const NearestPair nearest = nearest_pair({exact(triangle.a), exact(triangle.b), exact(triangle.c)}, {exact(point)});
+  return truth_of_distance(ClosestPoint3<Rational>{nearest.on_a, {}, {}}, nearest.squared_distance,
+                           {{"weights", nearest.weights_of_a}});
+}
+
+}  // namespace
+
+Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle) {
+  return truth_of(point, triangle);
+}
+
+template <Exact Number>
+Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3<Number>& point,
+                                                         const Triangle3<Number>& triangle) {
+  return truth_of(point, triangle);
+}
+template Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3<Rational>&, const Triangle3<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/closest.h"
+#include "geometry/triangles.h"
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+
+/// Truth: the point of the triangle of least squared distance, in rationals, by the conditions of Karush, Kuhn and
+/// Tucker (oracle/exact/nearest_pair.h). The distance is as closest_point_on_segment has it. Nothing is decided: there
+/// is no margin.
+///
+/// Certificate: "root" or "enclosure", as closest_point_on_segment has them; `weights` of the three corners.
+Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);
+template <Exact Number>
+Truth<ClosestPoint3<Rational>> closest_point_on_triangle(const Point3<Number>& point,
+                                                         const Triangle3<Number>& triangle);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/segment_segment_distance.h"
+
+#include "geometry/validation_of_triangles.h"
+#include "oracle/exact/nearest_pair.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Segment>
+NearestPair solved(const Segment& a, const Segment& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  return nearest_pair({exact_in_space(a.a), exact_in_space(a.b)}, {exact_in_space(b.a), exact_in_space(b.b)});
+}
+
+template <class Answer>
+Truth<Answer> proved(Answer answer, const NearestPair& nearest) {
+  return truth_of_distance(std::move(answer), nearest.squared_distance,
+                           {{"on_a", nearest.weights_of_a}, {"on_b", nearest.weights_of_b}});
+}
+
+template <class Number>
+Truth<ClosestPair2<Rational>> truth_of(const Segment2<Number>& a, const Segment2<Number>& b) {
+  const NearestPair nearest = solved(a, b);
+  return proved(ClosestPair2<Rational>{in_plane(nearest.on_a), in_plane(nearest.on_b), {}, {}}, nearest);
+}
+template <class Number>
+Truth<ClosestPair3<Rational>> truth_of(const Segment3<Number>& a, const Segment3<Number>& b) {
+  const NearestPair nearest = solved(a, b);
+  return proved(ClosestPair3<Rational>{nearest.on_a, nearest.on_b, {}, {}}, nearest);
+}
+
+}  // namespace
+
+Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2d& a, const Segment2d& b) {
+  return truth_of(a, b);
+}
+Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3d& a, const Segment3d& b) {
+  return truth_of(a, b);
+}
+
+template <Exact Number>
+Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2<Number>& a, const Segment2<Number>& b) {
+  return truth_of(a, b);
+}
+template <Exact Number>
+Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3<Number>& a, const Segment3<Number>& b) {
+  return truth_of(a, b);
+}
+template Truth<ClosestPair2<Rational>> segment_segment_distance(const Segment2<Rational>&, const Segment2<Rational>&);
+template Truth<ClosestPair3<Rational>> segment_segment_distance(const Segment3<Rational>&, const Segment3<Rational>&);
+
+}  // namespace touchstone::oracle
