@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/capsule_capsule.h"
+
+#include "robust/kernel/nearest_points.h"
+#include "robust/kernel/valid_capsules.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const Capsule3d& a, const Capsule3d& b) {
+  if (kernel::valid(a) && kernel::valid(b)) return;
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  validation::validate("a", a), validation::validate("b", b);
+}
+
+}  // namespace
+
+Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
+  using namespace kernel;
+  validate(a, b);
+  const auto [at, exponent] =
+      whole_points(a.segment.a, a.segment.b, b.segment.a, b.segment.b, Point3d{a.radius, b.radius, 0});
+  const QuotientPair nearest = nearest_pair({at[0], at[1]}, {at[2], at[3]});
+  const auto& [r, s, zero] = at[4];
+  return contact(squared_distance(nearest.on_a, nearest.on_b), r + s, sgn(r) != 0 && sgn(s) != 0);
+}
+
+}  // namespace touchstone::robust

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/answers.h"
+#include "geometry/capsules.h"
+#include "geometry/invalid_input.h"
+
+namespace touchstone::robust {
+
+/// Whether two capsules, as closed solids, are `disjoint`, only touch or overlap. A capsule is all that is no farther
+/// than its radius from its segment.
+///
+/// `touching`: they have a common point and no common interior point: one only reaches the other, or a radius is 0. A
+/// segment of length 0 is a point. Right for all finite doubles in every floating-point environment. NaN and infinities
+/// throw InvalidInput, which names the field and "finite number"; so does a negative radius ("radius >= 0"). Contract:
+/// reference/mixed/capsule_capsule.h.
+Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b);
+
+}  // namespace touchstone::robust

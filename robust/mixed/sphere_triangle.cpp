@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/sphere_triangle.h"
+
+#include "robust/kernel/around_box_filter.h"
+#include "robust/kernel/nearest_points.h"
+#include "robust/kernel/valid_capsules.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const Sphere3d& sphere, const Triangle3d& triangle) {
+  if (kernel::valid(sphere) && kernel::valid(triangle)) return;
+  validation::validate_numbers("sphere", sphere), validation::validate_numbers("triangle", triangle);
+  validation::validate("sphere", sphere);
+}
+
+}  // namespace
+
+Perhaps<Contact> stages::sphere_triangle::filter(const Sphere3d& sphere, const Triangle3d& triangle) {
+  if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or for validation to refuse
+  return filters::beyond_box(sphere.center, sphere.radius, triangle.a, triangle.b, triangle.c);
+}
+
+Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d& triangle) {
+  using namespace kernel;
+  const auto& [a, b, c] = triangle;
+  const auto [at, exponent] = whole_points(sphere.center, a, b, c, Point3d{sphere.radius, 0, 0});
+  const QuotientPoint nearest = nearest_on_triangle(at[0], {at[1], at[2], at[3]});
+  const mpz_class& radius = at[4].x;
+  return contact(squared_distance(nearest, {at[0], 1}), radius, sgn(radius) != 0);
+}
+
+Decided<Contact> stages::sphere_triangle::ask(const Sphere3d& sphere, const Triangle3d& triangle) {
+  return in_turn<sphere_triangle, Stage::filter, validate, Stage::exact>(sphere, triangle);
+}
+
+Contact sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle) {
+  return stages::sphere_triangle::ask(sphere, triangle).answer;
+}
+
+}  // namespace touchstone::robust
