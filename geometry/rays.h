@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "geometry/space.h"
+#include <optional>
 
+#include "geometry/answers.h"
+#include "geometry/triangles.h"
+
+/// Rays of space, and what operations answer about rays and segments.
 namespace touchstone {
 
 /// The closed set origin + t direction, t >= 0, in space; t counts in lengths of the direction as given. A zero
@@ -14,5 +18,39 @@ struct Ray3 {
 };
 
 using Ray3d = Ray3<double>;
+
+/// What a ray or a segment has in common with a plane: `inside` is all of it.
+enum class LinePlaneRelation { none, point, inside };
+
+/// relation `point`: the one common point and its t: origin + t direction of a ray, a + t (b - a) of a segment. `none`
+/// and `inside`: no numbers.
+template <class Real>
+struct LinePlane {
+  LinePlaneRelation relation;
+  std::optional<Real> t;
+  std::optional<Point3<Real>> point;
+};
+
+/// What a ray has in common with a triangle. relation `point`: the one common point, its t, and where it lies of the
+/// triangle: `inside`, or on its `boundary`, which is all of a triangle without area. `segment`: the first common point
+/// and its t. `none`: no numbers.
+template <class Real>
+struct RayTriangle {
+  SegmentTriangleRelation relation;
+  std::optional<Real> t;
+  std::optional<Point3<Real>> point;
+  std::optional<Location> location;
+};
+
+/// Whether a ray or a segment meets a solid.
+enum class PassageRelation { none, hit };
+
+/// relation `hit`: the first and the last t of a common point; both are 0 on a segment of length zero. `none`: no
+/// numbers.
+template <class Real>
+struct Passage {
+  PassageRelation relation;
+  std::optional<Real> first, last;
+};
 
 }  // namespace touchstone

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
-
 #include "geometry/rays.h"
-#include "geometry/validation.h"
+#include "geometry/validation_of_triangles.h"
 
+/// Validation of rays of space: see validation.h.
 namespace touchstone::validation {
 
-inline void validate_numbers(const std::string& field, const Ray3d& r) {
-  validate_numbers(field + ".origin", r.origin), validate_numbers(field + ".direction", r.direction);
+inline void validate_numbers(const std::string& field, const Ray3d& ray) {
+  validate_numbers(field + ".origin", ray.origin), validate_numbers(field + ".direction", ray.direction);
 }
-inline void validate(const std::string& field, const Ray3d& r) {
-  validate_numbers(field, r);
-  const auto& v = r.direction;
-  if (zero(v.x) && zero(v.y) && zero(v.z)) throw InvalidInput(field + ".direction", "nonzero direction");
+
+inline void validate(const std::string& field, const Ray3d& ray) {
+  validate_numbers(field, ray);
+  const auto& [x, y, z] = ray.direction;
+  if (zero(x) && zero(y) && zero(z)) throw InvalidInput(field + ".direction", "nonzero direction");
 }
 
 }  // namespace touchstone::validation

@@ -16,7 +16,8 @@
 namespace touchstone::program {
 namespace {
 
-/// The configurations of a grid, asked by one job: our reference, or an engine that is asked many at a time, and robust.
+/// The configurations of a grid, asked by one job: our reference, or an engine that is asked many at a time, and
+/// robust.
 class Job {
  public:
   using Start = std::function<std::unique_ptr<Engine>()>;

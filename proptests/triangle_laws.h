@@ -13,16 +13,23 @@ struct SideBound {
   bool overflow;
   Rational error;
 
-  SideBound(const Triangle3d& t, const Point3d& p) {
-    const Vector3d v = t.b - t.a, w = t.c - t.a, d = p - t.a, n = cross(v, w);
+  SideBound(const Triangle3d& t, const Point3d& p)
+      : SideBound(t, p - t.a, {gap(p.x, t.a.x), gap(p.y, t.a.y), gap(p.z, t.a.z)}) {}
+  /// Of a displacement instead of p - a, which is not rounded.
+  SideBound(const Triangle3d& t, const Vector3d& d) : SideBound(t, d, {size(d.x), size(d.y), size(d.z)}) {}
+
+ private:
+  static Rational gap(double a, double b) { return Rational(abs(exact(a) - exact(b))); }
+
+  SideBound(const Triangle3d& t, const Vector3d& d, const Vector3<Rational>& sizes) {
+    const Vector3d v = t.b - t.a, w = t.c - t.a, n = cross(v, w);
     computed = dot(n, d);
     overflow = !finite(v.x, v.y, v.z, w.x, w.y, w.z, d.x, d.y, d.z) || !finite(v.y * w.z, v.z * w.y, v.z * w.x) ||
                !finite(v.x * w.z, v.x * w.y, v.y * w.x, n.x, n.y, n.z) || !finite(n.x * d.x, n.y * d.y, n.z * d.z) ||
                !finite(n.x * d.x + n.y * d.y, computed);
-    const auto gap = [](double a, double b) { return Rational(abs(exact(a) - exact(b))); };
     const Rational vx = gap(t.b.x, t.a.x), vy = gap(t.b.y, t.a.y), vz = gap(t.b.z, t.a.z), wx = gap(t.c.x, t.a.x),
-                   wy = gap(t.c.y, t.a.y), wz = gap(t.c.z, t.a.z), dx = gap(p.x, t.a.x), dy = gap(p.y, t.a.y),
-                   dz = gap(p.z, t.a.z);
+                   wy = gap(t.c.y, t.a.y), wz = gap(t.c.z, t.a.z);
+    const auto& [dx, dy, dz] = sizes;
     const Rational products = (vy * wz + vz * wy) * dx + (vz * wx + vx * wz) * dy + (vx * wy + vy * wx) * dz;
     error = 8 * (1 + 4 * unit()) * unit() * products + power_of_two(-1073) * (dx + dy + dz + 2);
   }

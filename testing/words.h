@@ -6,7 +6,7 @@
 #include "catalogue/codec/shape_json.h"
 #include "catalogue/shape/described_bodies.h"
 #include "catalogue/shape/described_simultaneous.h"
-#include "catalogue/shape/described_triangles.h"
+#include "catalogue/shape/described_rays.h"
 
 namespace touchstone::audit {
 

@@ -6,6 +6,7 @@
 #include "catalogue/draw/figures.h"
 #include "catalogue/shape/described_bodies.h"
 #include "catalogue/shape/described_capsules.h"
+#include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/described_triangles.h"
 #include "geometry/bodies.h"
 
@@ -47,7 +48,7 @@ Draw figure_of(const Shape& shape) {
   static const std::map<const Shape*, Draw> figures =
       figures_of<Point2d, Vector2d, Segment2d, Line2d, ParametricLine2d, Ray2d, Polygon2d, Circle2d, Aabb2d, Point3d,
                  Vector3d, Plane3d, Polygon3d, Aabb3d, Sphere3d, Meshd, Obb3d, Slabd, Segment3d, Triangle3d, Capsule3d,
-                 Inertiad>();
+                 Ray3d, Inertiad>();
   const auto found = figures.find(&shape);
   return found == figures.end() ? nullptr : found->second;
 }

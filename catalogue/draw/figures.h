@@ -10,6 +10,7 @@
 #include "catalogue/draw/drawing.h"
 #include "geometry/polygons.h"
 #include "geometry/polyhedra.h"
+#include "geometry/rays.h"
 #include "geometry/space.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
@@ -97,6 +98,12 @@ inline void draw(Drawing& drawing, const std::string& label, const Segment3d& s,
 inline void draw(Drawing& drawing, const std::string& label, const Triangle3d& t, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::polygon, label, coordinates_of({t.a, t.b, t.c}), {}, answer});
   drawing.notes.push_back(label + ": " + in_words(t.a) + ", " + in_words(t.b) + ", " + in_words(t.c));
+}
+/// An arrow as long as its direction.
+inline void draw(Drawing& drawing, const std::string& label, const Ray3d& ray, bool answer) {
+  const auto& [origin, v] = ray;
+  drawing.space.push_back({SpaceFigure::Kind::arrow, label, coordinates_of({origin, origin + v}), {}, answer});
+  drawing.notes.push_back(label + ": from " + in_words(origin) + " along " + in_words({v.x, v.y, v.z}));
 }
 inline void draw(Drawing& drawing, const std::string& label, const Aabb3d& box, bool answer) {
   drawing.space.push_back({SpaceFigure::Kind::box, label, coordinates_of({box.min, box.max}), {}, answer});

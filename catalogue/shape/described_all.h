@@ -9,3 +9,4 @@
 #include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/shape/described_solids.h"
 #include "catalogue/shape/described_triangles.h"
+#include "catalogue/shape/described_rays.h"

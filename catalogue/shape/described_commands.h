@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/described_shapes.h"
 #include "geometry/commands.h"
 
@@ -28,11 +29,6 @@ struct Described<Ask> {
   static constexpr Form form = Form::record;
   static constexpr auto members = std::tuple{member("ask", &Ask::query)};
 };
-template <class R>
-struct Described<Ray3<R>> {
-  static constexpr Form form = Form::record;
-  static constexpr auto members =
-      std::tuple{member("origin", &Ray3<R>::origin), member("direction", &Ray3<R>::direction)};
 };
 template <class R>
 struct Described<InBox<R>> {

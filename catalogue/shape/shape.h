@@ -10,7 +10,8 @@
 
 namespace touchstone::catalogue {
 
-/// A type of questions or answers, described at run time: what the numbers and words of an encoded value mean, in order.
+/// A type of questions or answers, described at run time: what the numbers and words of an encoded value mean, in
+/// order.
 struct Shape {
   enum class Kind {
     number,

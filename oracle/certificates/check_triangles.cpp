@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
+#include "oracle/certificates/check_triangles.h"
+
 #include <string>
 
-#include "oracle/certificates/check_space.h"
-
 namespace touchstone::certify {
-namespace {
 
-/// Two points are the ends of a segment, three the corners of a triangle: all that is between them.
-template <std::size_t count>
-std::array<Triple, count> points(const json& value, const std::string& what) {
-  expect(value.is_array() && value.size() == count, what + ": a list of " + (count == 2 ? "two" : "three"));
-  std::array<Triple, count> found;
-  for (std::size_t i = 0; i < count; ++i) found[i] = point_in_space(value[i], what + "[" + std::to_string(i) + "]");
-  return found;
-}
-using Ends3 = std::array<Triple, 2>;
-using Corners = std::array<Triple, 3>;
-
-/// The point with these weights, which follow from place `from` on.
 Triple weighted(const Corners& corners, const std::vector<Rational>& weights, std::size_t from) {
   Triple sum{0, 0, 0};
   Rational whole;
@@ -31,8 +17,6 @@ Triple weighted(const Corners& corners, const std::vector<Rational>& weights, st
   return sum;
 }
 
-/// A plane with none of the triangle in front of it, `end` in front and x not behind: so is all from the end to x, but
-/// x itself.
 void expect_nothing_before(const std::vector<Rational>& numbers, const Corners& corners, const Triple& end,
                            const Triple& x) {
   const char* const reason = "certificate: the plane does not keep the triangle apart";
@@ -41,6 +25,8 @@ void expect_nothing_before(const std::vector<Rational>& numbers, const Corners& 
   for (const Triple& corner : corners) expect(sgn(plane.at(corner)) <= 0, reason);
   expect(sgn(plane.at(end)) > 0 && sgn(plane.at(x)) >= 0, reason);
 }
+
+namespace {
 
 void check_segment_triangle(const Claim& claim) {
   claim.inputs({"segment", "triangle"});

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "geometry/rays.h"
 #include "geometry/validation.h"
 #include "oracle/truth.h"
 
@@ -41,6 +42,10 @@ inline void validate(const std::string& field, const ParametricLine2<oracle::Rat
 }
 inline void validate(const std::string& field, const Ray2<oracle::Rational>& r) {
   validate_direction(field + ".direction", r.direction);
+}
+inline void validate(const std::string& field, const Ray3<oracle::Rational>& r) {
+  const auto& [x, y, z] = r.direction;
+  if (zero(x) && zero(y) && zero(z)) throw InvalidInput(field + ".direction", "nonzero direction");
 }
 inline void validate(const std::string& field, const Circle2<oracle::Rational>& c) {
   if (negative(c.radius)) throw InvalidInput(field + ".radius", "radius >= 0");

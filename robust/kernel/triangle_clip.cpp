@@ -81,8 +81,8 @@ Triangles as_integers(const Triangle3d& a, const Triangle3d& b) {
 
 void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
   const int p = sgn(at_p), q = sgn(at_q);
-  if (p >= 0 && q >= 0) return;
-  if (p < 0 && q < 0) {
+  if (p >= 0 && q >= 0 && !(endless && at_q < at_p)) return;
+  if (p < 0 && q < 0 && !(endless && at_p < at_q)) {
     empty = true;
   } else if (p < 0) {
     first = std::max(first, Parameter{-at_p, at_q - at_p});
@@ -92,8 +92,8 @@ void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
   empty = empty || last < first;
 }
 
-Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle, const mpz_class& w) {
-  Clipped part;
+Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle, const mpz_class& w,
+                Clipped part) {
   const Seen seen{segment, w};
   const Vector normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
   if (zero(normal)) keep_without_area(part, seen, triangle);

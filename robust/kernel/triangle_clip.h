@@ -10,8 +10,9 @@
 
 namespace touchstone::robust::kernel {
 
-/// The part of a segment p + t (q - p), 0 <= t <= 1, where linear functions are not negative, exactly. first and last
-/// are t as numerator / denominator > 0. p == q is one point for every t; first and last stay 0 and 1.
+/// The part of a segment p + t (q - p), 0 <= t <= 1, or of a ray, 0 <= t, where linear functions are not negative,
+/// exactly. first and last are t as numerator / denominator > 0; last of a ray that nothing ends is 1 / 0, greater than
+/// all others. p == q is one point for every t; first and last stay 0 and 1.
 struct Clipped {
   struct Parameter {
     mpz_class numerator, denominator;
@@ -21,15 +22,19 @@ struct Clipped {
   };
 
   Parameter first{0, 1}, last{1, 1};
-  bool empty = false;
+  bool empty = false, endless = false;
+
+  static Clipped ray() { return {{0, 1}, {1, 0}, false, true}; }
 
   /// Where a function with these values at p and q is >= 0.
   void keep(const mpz_class& at_p, const mpz_class& at_q);
   void keep_zero(const mpz_class& at_p, const mpz_class& at_q) { keep(at_p, at_q), keep(-at_p, -at_q); }
 };
 
-/// The part of segment / w, w > 0, in a triangle, which may have no area.
-Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle, const mpz_class& w = 1);
+/// The part of segment / w, w > 0, in a triangle, which may have no area; or of a ray, from the segment's a through its
+/// b.
+Clipped clipped(const Segment3<mpz_class>& segment, const Triangle3<mpz_class>& triangle, const mpz_class& w = 1,
+                Clipped part = {});
 
 /// p / w, w > 0.
 struct HomogeneousPoint {

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What certify.py checks of rays and segments: one function an operation, as in check_rays.cpp.
+
+A line is (from, way, ends): the points from + t way with t >= 0, and t <= 1 where it ends."""
+
+from certify_reading import WRONG_KIND, expect, list_of_two, only
+from certify_space import ball_or_disc, box, cross, dot, exact_triple, plane, point_in_space, two_or_three
+from certify_surd import exact_surd
+from certify_triangles import expect_nothing_before, points, weighted
+
+
+def along(start, t, way):
+    return tuple(x + t * v for x, v in zip(start, way))
+
+
+def segment_in_space(value, what):
+    a, b = points(value, what, 2, "two")
+    return a, tuple(y - x for x, y in zip(a, b)), True
+
+
+def ray_in_space(value, what):
+    only(value, what, ["origin", "direction"])
+    origin = point_in_space(value["origin"], what + ".origin")
+    way = point_in_space(value["direction"], what + ".direction")
+    expect(any(way), what + ".direction: nonzero direction")
+    return origin, way, False
+
+
+def prove_line_plane(claim, line, level):
+    """Why each proves it stands in check_rays.cpp."""
+    (start, way, ends), (normal, offset) = line, level
+    relation = claim.word("relation")
+    expect(relation in ("none", "point", "inside"), "truth: relation is wrong")
+    claim.answers("relation", *(["t", "point"] if relation == "point" else []))
+    claim.expect_kind("heights"), claim.facts("heights")
+    first, second = claim.pair("heights")
+    heights = tuple(dot(normal, along(start, t, way)) + offset for t in (0, 1))
+    expect((first, second) == heights, "certificate: the heights are wrong")
+    climb = second - first
+    if relation == "inside":
+        expect(first == second == 0, "truth: relation is wrong")
+    elif relation == "none":
+        misses = first * second > 0 if ends else first != 0 and first * climb >= 0
+        expect(misses, "truth: relation is wrong")
+    else:
+        t = claim.exact("t")
+        on_line = t >= 0 and (not ends or t <= 1)
+        expect(climb != 0 and on_line and first + t * climb == 0, "truth: t is wrong")
+        expect(exact_triple(claim.truth["point"], "truth.point") == along(start, t, way), "truth: point is not at t")
+
+
+def check_segment_plane(claim):
+    claim.inputs("segment", "plane")
+    line = segment_in_space(claim.input["segment"], "segment")
+    prove_line_plane(claim, line, plane(claim.input["plane"], "plane"))
+
+
+def check_ray_plane(claim):
+    claim.inputs("ray", "plane")
+    line = ray_in_space(claim.input["ray"], "ray")
+    prove_line_plane(claim, line, plane(claim.input["plane"], "plane"))
+
+
+def minus(p, q):
+    return tuple(x - y for x, y in zip(p, q))
+
+
+def prove_no_common_point(claim, ray, corners):
+    """Why it proves it stands in check_rays.cpp."""
+    claim.facts("plane", "until")
+    level = claim.list("plane")
+    expect(len(level) == 4, "certificate: a plane has four numbers")
+    normal, offset = level[:3], level[3]
+    start, way, _ = ray
+    end = along(start, claim.single("until"), way)
+    apart = dot(normal, start) > offset and dot(normal, end) > offset
+    expect(apart, "certificate: the plane does not separate")
+    for corner in corners:
+        expect(dot(normal, corner) < offset, "certificate: the plane does not separate")
+        expect(dot(way, minus(end, corner)) > 0, "certificate: a corner is farther ahead")
+
+
+def check_ray_triangle(claim):
+    claim.inputs("ray", "triangle")
+    ray = ray_in_space(claim.input["ray"], "ray")
+    corners = points(claim.input["triangle"], "triangle", 3, "three")
+    relation = claim.word("relation")
+    expect(relation in ("none", "point", "segment"), "truth: relation is wrong")
+    if relation == "none":
+        claim.answers("relation"), claim.expect_kind("separating_plane")
+        prove_no_common_point(claim, ray, corners)
+        return
+    one = relation == "point"
+    claim.answers("relation", "t", "point", *(["location"] if one else []))
+    claim.expect_kind("common_part"), claim.facts("on_ray", "weights", "before", "after")
+    t, weights, before, after = map(claim.list, ("on_ray", "weights", "before", "after"))
+    expect(len(t) == (1 if one else 2) and len(weights) == 3 * len(t), "certificate: one common point, or two")
+    expect(t[0] >= 0 and (one or t[0] < t[1]), "certificate: the parameters do not rise from 0")
+    start, way, _ = ray
+    common = [along(start, parameter, way) for parameter in t]
+    for i, point in enumerate(common):
+        expect(weighted(corners, weights[3 * i:3 * i + 3]) == point, "certificate: the weights give another point")
+    if t[0] > 0 or before:
+        expect_nothing_before(before, corners, start, common[0])
+    if one or after:
+        expect_nothing_before(after, corners, along(common[0], 1, way), common[0])
+    expect(claim.exact("t") == t[0], "truth: t is wrong")
+    expect(exact_triple(claim.truth["point"], "truth.point") == common[0], "truth: point is not at t")
+    if one:
+        area = any(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0])))
+        inside = area and all(weight > 0 for weight in weights)
+        expect(claim.word("location") == ("inside" if inside else "boundary"), "truth: location is wrong")
+
+
+def course(claim):
+    """The same in the plane or in space."""
+    ends = "segment" in claim.input
+    what = "segment" if ends else "ray"
+    value = claim.input[what]
+    if ends:
+        one, other = what + "[0]", what + "[1]"
+        start, way = list_of_two(value, what)
+    else:
+        only(value, what, ["origin", "direction"])
+        one, other = what + ".origin", what + ".direction"
+        start, way = value["origin"], value["direction"]
+    start, way = two_or_three(start, one), two_or_three(way, other)
+    expect(len(way) == len(start), f"{other}: as many coordinates as {one}")
+    expect(ends or any(way), other + ": nonzero direction")
+    return start, minus(way, start) if ends else way, ends
+
+
+def says_hit(claim):
+    relation = claim.word("relation")
+    expect(relation in ("hit", "none"), "truth: relation is wrong")
+    claim.answers("relation", *(["first", "last"] if relation == "hit" else []))
+    return relation == "hit"
+
+
+def inner(p, q):
+    return sum(x * y for x, y in zip(p, q))
+
+
+def prove_passage_of_box(claim, name):
+    """Why each proves it stands in check_rays.cpp."""
+    claim.inputs(name, "aabb")
+    start, way, ends = course(claim)
+    low, high = box(claim.input["aabb"], "aabb")
+    expect(len(low) == len(start), f"aabb: as many coordinates as {name}")
+    if not says_hit(claim):
+        claim.expect_kind("separating_plane"), claim.facts("normal")
+        normal = claim.list("normal")
+        expect(len(normal) == len(start), "certificate: as many coordinates as the line")
+        highest = sum(n * (most if n > 0 else least) for n, least, most in zip(normal, low, high))
+        first, slope = inner(normal, start), inner(normal, way)
+        beyond = first > highest and (first + slope > highest if ends else slope >= 0)
+        expect(beyond, "certificate: the plane does not separate")
+        return
+    claim.expect_kind("passage"), claim.facts()
+    first, last = claim.exact("first"), claim.exact("last")
+
+    def inside_and_leaves(t, direction):
+        axes = [(x, direction * v, least, most) for x, v, least, most in zip(along(start, t, way), way, low, high)]
+        inside = all(least <= x <= most for x, _, least, most in axes)
+        return inside, any((v > 0 and x == most) or (v < 0 and x == least) for x, v, least, most in axes)
+
+    inside, leaves = inside_and_leaves(first, -1)
+    expect(first >= 0 and inside and (first == 0 or leaves), "truth: first is wrong")
+    inside, leaves = inside_and_leaves(last, 1)
+    at_end = ends and (last == 1 or (last == 0 and not any(way)))
+    in_order = last >= first and (not ends or last <= 1)
+    expect(in_order and inside and (at_end or leaves), "truth: last is wrong")
+
+
+def is_positive(kind, constant, linear, square, ends):
+    if constant <= 0:
+        return False
+    if kind == "receding":
+        return linear >= 0
+    if kind == "too_late":
+        return ends and constant + linear + square > 0 and 2 * square + linear <= 0
+    expect(kind == "no_root", WRONG_KIND)
+    return 4 * square * constant - linear**2 > 0
+
+
+def prove_passage_of_ball(claim, name):
+    """Why each proves it stands in check_rays.cpp."""
+    claim.inputs(name, "sphere")
+    start, way, ends = course(claim)
+    center, radius = ball_or_disc(claim.input["sphere"], "sphere")
+    expect(len(center) == len(start), f"sphere: as many coordinates as {name}")
+    p = minus(start, center)
+    constant, linear, square = inner(p, p) - radius**2, 2 * inner(p, way), inner(way, way)
+    if not says_hit(claim):
+        claim.facts()
+        expect(is_positive(claim.kind(), constant, linear, square, ends), "certificate: the kind does not hold")
+        return
+    claim.expect_kind("passage"), claim.facts()
+    first, last = exact_surd(claim.truth["first"], "truth.first"), exact_surd(claim.truth["last"], "truth.last")
+
+    def is_zero(t, direction):
+        zero = (t.square() * square + t * linear + constant).sign() == 0
+        return zero and (t * (2 * square) + linear).sign() * direction >= 0
+
+    beyond = [(t + -1).sign() for t in (first, last)]
+    starts_inside = first.sign() == 0 and constant <= 0
+    is_first = square > 0 and first.sign() > 0 and is_zero(first, -1) and (not ends or beyond[0] <= 0)
+    expect(starts_inside or is_first, "truth: first is wrong")
+    if square == 0:
+        expect(last.sign() == 0, "truth: last is wrong")
+        return
+    ends_inside = ends and beyond[1] == 0 and constant + linear + square <= 0
+    is_last = last.sign() >= 0 and is_zero(last, 1) and (not ends or beyond[1] <= 0)
+    expect(ends_inside or is_last, "truth: last is wrong")
+
+
+def check_ray_aabb(claim):
+    prove_passage_of_box(claim, "ray")
+
+
+def check_segment_aabb(claim):
+    prove_passage_of_box(claim, "segment")
+
+
+def check_ray_sphere(claim):
+    prove_passage_of_ball(claim, "ray")
+
+
+def check_segment_sphere(claim):
+    prove_passage_of_ball(claim, "segment")

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <vector>
+
+#include "oracle/certificates/check_surd.h"
+#include "oracle/certificates/check_triangles.h"
+
+namespace touchstone::certify {
+namespace {
+
+const char* const wrong_kind = "certificate: no such kind for this truth";
+
+/// The points from + t way with t >= 0, and t <= 1 where it ends.
+struct Line {
+  Triple from, way;
+  bool ends;
+};
+
+Line segment_in_space(const json& value, const std::string& what) {
+  const Ends3 ends = points<2>(value, what);
+  return {ends[0], ends[1] - ends[0], true};
+}
+
+Line ray_in_space(const json& value, const std::string& what) {
+  only(value, what, {"origin", "direction"});
+  const Line line{point_in_space(value["origin"], what + ".origin"),
+                  point_in_space(value["direction"], what + ".direction"), false};
+  expect(!(line.way == Triple{0, 0, 0}), what + ".direction: nonzero direction");
+  return line;
+}
+
+/// The height over the plane is linear along the line: first + t climb.
+void prove_line_plane(const Claim& claim, const Line& line, const Plane& level) {
+  const std::string relation = claim.word("relation");
+  expect(relation == "none" || relation == "point" || relation == "inside", "truth: relation is wrong");
+  if (relation == "point") claim.answers({"relation", "t", "point"});
+  else claim.answers({"relation"});
+  expect(claim.kind() == "heights", wrong_kind), claim.facts({"heights"});
+  const auto [first, second] = claim.pair("heights");
+  expect(first == level.at(line.from) && second == level.at(along(line.from, 1, line.way)),
+         "certificate: the heights are wrong");
+  const Rational climb(second - first);
+  if (relation == "inside") {
+    expect(sgn(first) == 0 && sgn(second) == 0, "truth: relation is wrong");
+  } else if (relation == "none") {
+    // It is not 0 at the start, and on a line that ends has the same sign there; on one that does not, it grows.
+    expect(sgn(first) != 0 && (line.ends ? sgn(first) == sgn(second) : sgn(first) * sgn(climb) >= 0),
+           "truth: relation is wrong");
+  } else {
+    const Rational t = exact_value(claim.truth["t"], "truth.t");
+    const bool on_line = sgn(t) >= 0 && (!line.ends || t <= 1);
+    expect(sgn(climb) != 0 && on_line && sgn(Rational(first + t * climb)) == 0, "truth: t is wrong");
+    expect(exact_triple(claim.truth["point"], "truth.point") == along(line.from, t, line.way),
+           "truth: point is not at t");
+  }
+}
+
+void check_segment_plane(const Claim& claim) {
+  claim.inputs({"segment", "plane"});
+  const Line line = segment_in_space(claim.input["segment"], "segment");
+  prove_line_plane(claim, line, plane(claim.input["plane"], "plane"));
+}
+
+void check_ray_plane(const Claim& claim) {
+  claim.inputs({"ray", "plane"});
+  const Line line = ray_in_space(claim.input["ray"], "ray");
+  prove_line_plane(claim, line, plane(claim.input["plane"], "plane"));
+}
+
+/// Nothing is common: the plane has the triangle behind it, and the ray in front until t = until; from there on each of
+/// its points is farther along its direction than every corner.
+void prove_no_common_point(const Claim& claim, const Line& ray, const Corners& corners) {
+  claim.facts({"plane", "until"});
+  const std::vector<Rational> numbers = claim.list("plane");
+  expect(numbers.size() == 4, "certificate: a plane has four numbers");
+  const Plane plane{{numbers[0], numbers[1], numbers[2]}, Rational(-numbers[3])};
+  const Triple end = along(ray.from, claim.single("until"), ray.way);
+  expect(sgn(plane.at(ray.from)) > 0 && sgn(plane.at(end)) > 0, "certificate: the plane does not separate");
+  for (const Triple& corner : corners) {
+    expect(sgn(plane.at(corner)) < 0, "certificate: the plane does not separate");
+    expect(sgn(dot(ray.way, end - corner)) > 0, "certificate: a corner is farther ahead");
+  }
+}
+
+void check_ray_triangle(const Claim& claim) {
+  claim.inputs({"ray", "triangle"});
+  const Line ray = ray_in_space(claim.input["ray"], "ray");
+  const Corners corners = points<3>(claim.input["triangle"], "triangle");
+  const std::string relation = claim.word("relation");
+  expect(relation == "none" || relation == "point" || relation == "segment", "truth: relation is wrong");
+  const bool one = relation == "point";
+  if (relation == "none") {
+    claim.answers({"relation"});
+    expect(claim.kind() == "separating_plane", wrong_kind);
+    return prove_no_common_point(claim, ray, corners);
+  }
+  if (one) claim.answers({"relation", "t", "point", "location"});
+  else claim.answers({"relation", "t", "point"});
+  expect(claim.kind() == "common_part", wrong_kind);
+  claim.facts({"on_ray", "weights", "before", "after"});
+  const std::vector<Rational> t = claim.list("on_ray"), weights = claim.list("weights"), before = claim.list("before"),
+                              after = claim.list("after");
+  expect(t.size() == (one ? 1 : 2) && weights.size() == 3 * t.size(), "certificate: one common point, or two");
+  expect(sgn(t.front()) >= 0 && (one || t[0] < t[1]), "certificate: the parameters do not rise from 0");
+  const Triple first = along(ray.from, t[0], ray.way);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    expect(weighted(corners, weights, 3 * i) == along(ray.from, t[i], ray.way),
+           "certificate: the weights give another point");
+  }
+  // The first point, which is common, is on the plane: what has another point in front is in front from there on.
+  if (sgn(t[0]) > 0 || !before.empty()) expect_nothing_before(before, corners, ray.from, first);
+  if (one || !after.empty()) expect_nothing_before(after, corners, along(first, 1, ray.way), first);
+  expect(exact_value(claim.truth["t"], "truth.t") == t[0], "truth: t is wrong");
+  expect(exact_triple(claim.truth["point"], "truth.point") == first, "truth: point is not at t");
+  if (!one) return;
+  // A triangle with an area has one way only to give a point its weights.
+  const bool area = !(cross(corners[1] - corners[0], corners[2] - corners[0]) == Triple{0, 0, 0});
+  const bool inside = area && sgn(weights[0]) > 0 && sgn(weights[1]) > 0 && sgn(weights[2]) > 0;
+  expect(claim.word("location") == (inside ? "inside" : "boundary"), "truth: location is wrong");
+}
+
+/// The same in the plane or in space, coordinate by coordinate.
+struct Course {
+  std::vector<Rational> from, way;
+  bool ends;
+  std::size_t axes() const { return from.size(); }
+};
+
+Course course(const Claim& claim) {
+  const bool ends = claim.input.contains("segment");
+  const std::string what = ends ? "segment" : "ray";
+  const json& value = claim.input[what];
+  if (ends) expect(value.is_array() && value.size() == 2, what + ": a list of two");
+  else only(value, what, {"origin", "direction"});
+  const std::string one = what + (ends ? "[0]" : ".origin"), other = what + (ends ? "[1]" : ".direction");
+  Course found{two_or_three(ends ? value[0] : value["origin"], one),
+               two_or_three(ends ? value[1] : value["direction"], other), ends};
+  expect(found.way.size() == found.axes(), other + ": as many coordinates as " + one);
+  bool moves = false;
+  for (std::size_t k = 0; k < found.axes(); ++k) {
+    if (ends) found.way[k] -= found.from[k];
+    moves = moves || sgn(found.way[k]) != 0;
+  }
+  expect(ends || moves, other + ": nonzero direction");
+  return found;
+}
+
+/// Which answer is claimed, with its numbers.
+bool says_hit(const Claim& claim) {
+  const std::string relation = claim.word("relation");
+  expect(relation == "hit" || relation == "none", "truth: relation is wrong");
+  if (relation == "hit") claim.answers({"relation", "first", "last"});
+  else claim.answers({"relation"});
+  return relation == "hit";
+}
+
+/// All of the line is beyond all of the box along the normal.
+bool is_beyond(const Course& line, const Box& solid, const std::vector<Rational>& normal) {
+  Rational start, slope, highest;
+  for (std::size_t k = 0; k < line.axes(); ++k) {
+    start += normal[k] * line.from[k], slope += normal[k] * line.way[k];
+    highest += normal[k] * (sgn(normal[k]) > 0 ? solid.max[k] : solid.min[k]);
+  }
+  return start > highest && (line.ends ? Rational(start + slope) > highest : sgn(slope) >= 0);
+}
+
+/// Whether the line is in the box at t, and on some axis leaves it there towards greater t, or smaller ones.
+struct InBox {
+  bool inside = true, leaves_forwards = false, leaves_backwards = false;
+  InBox(const Course& line, const Box& solid, const Rational& t) {
+    for (std::size_t k = 0; k < line.axes(); ++k) {
+      const Rational x(line.from[k] + t * line.way[k]);
+      const int v = sgn(line.way[k]);
+      inside = inside && solid.min[k] <= x && x <= solid.max[k];
+      leaves_forwards = leaves_forwards || (v > 0 && x == solid.max[k]) || (v < 0 && x == solid.min[k]);
+      leaves_backwards = leaves_backwards || (v < 0 && x == solid.max[k]) || (v > 0 && x == solid.min[k]);
+    }
+  }
+};
+
+bool moves(const Course& line) {
+  for (const Rational& v : line.way)
+    if (sgn(v) != 0) return true;
+  return false;
+}
+
+void prove_passage_of_box(const Claim& claim, const char* name) {
+  claim.inputs({name, "aabb"});
+  const Course line = course(claim);
+  const Box solid = box(claim.input["aabb"], "aabb");
+  expect(solid.axes() == line.axes(), std::string("aabb: as many coordinates as ") + name);
+  if (!says_hit(claim)) {
+    expect(claim.kind() == "separating_plane", wrong_kind), claim.facts({"normal"});
+    const std::vector<Rational> normal = claim.list("normal");
+    expect(normal.size() == line.axes(), "certificate: as many coordinates as the line");
+    expect(is_beyond(line, solid, normal), "certificate: the plane does not separate");
+    return;
+  }
+  expect(claim.kind() == "passage", wrong_kind), claim.facts({});
+  const Rational first = exact_value(claim.truth["first"], "truth.first"),
+                 last = exact_value(claim.truth["last"], "truth.last");
+  const InBox at_first(line, solid, first), at_last(line, solid, last);
+  // The box is convex: what it leaves on one axis it does not come back to.
+  expect(sgn(first) >= 0 && at_first.inside && (sgn(first) == 0 || at_first.leaves_backwards), "truth: first is wrong");
+  const bool at_end = line.ends && (last == 1 || (sgn(last) == 0 && !moves(line)));
+  expect(last >= first && (!line.ends || last <= 1) && at_last.inside && (at_end || at_last.leaves_forwards),
+         "truth: last is wrong");
+}
+
+/// constant + linear t + square t^2, the squared distance from the center minus the squared radius: at most 0 in the
+/// ball.
+struct Polynomial {
+  Rational constant, linear, square;
+  Surd at(const Surd& t) const { return sum_over_one_root(certify::square(t) * square, t * linear) + constant; }
+  Surd slope_at(const Surd& t) const { return t * Rational(2 * square) + linear; }
+};
+
+/// It is positive for all t of the line: it is at the start, and its slope grows, and
+/// - that is not negative from the start on; or
+/// - it is at most 0 at the end, and the polynomial falls to something positive; or
+/// - 4 A f(t) = (2 A t + B)^2 + 4 A C - B^2 is positive for all t.
+bool is_positive(const std::string& kind, const Polynomial& f, bool ends) {
+  if (sgn(f.constant) <= 0) return false;
+  if (kind == "receding") return sgn(f.linear) >= 0;
+  if (kind == "too_late") {
+    return ends && sgn(Rational(f.constant + f.linear + f.square)) > 0 && sgn(Rational(2 * f.square + f.linear)) <= 0;
+  }
+  expect(kind == "no_root", wrong_kind);
+  return sgn(Rational(4 * f.square * f.constant - f.linear * f.linear)) > 0;
+}
+
+void prove_passage_of_ball(const Claim& claim, const char* name) {
+  claim.inputs({name, "sphere"});
+  const Course line = course(claim);
+  const BallOrDisc solid = ball_or_disc(claim.input["sphere"], "sphere");
+  expect(solid.axes() == line.axes(), std::string("sphere: as many coordinates as ") + name);
+  Polynomial f{Rational(-solid.radius * solid.radius), 0, 0};
+  for (std::size_t k = 0; k < line.axes(); ++k) {
+    const Rational p(line.from[k] - solid.center[k]);
+    f.constant += p * p, f.linear += 2 * p * line.way[k], f.square += line.way[k] * line.way[k];
+  }
+  if (!says_hit(claim)) {
+    claim.facts({});
+    expect(is_positive(claim.kind(), f, line.ends), "certificate: the kind does not hold");
+    return;
+  }
+  expect(claim.kind() == "passage", wrong_kind), claim.facts({});
+  const Surd first = exact_surd(claim.truth["first"], "truth.first"),
+             last = exact_surd(claim.truth["last"], "truth.last");
+  // Its slope grows: where it is not positive at a zero, all is positive before, where it is not negative, behind.
+  const bool starts_inside = sign(first) == 0 && sgn(f.constant) <= 0, moves = sgn(f.square) > 0;
+  const bool is_zero = sign(f.at(first)) == 0 && sign(f.slope_at(first)) <= 0;
+  expect(starts_inside || (moves && sign(first) > 0 && is_zero && (!line.ends || sign(first + Rational(-1)) <= 0)),
+         "truth: first is wrong");
+  const int beyond_end = sign(last + Rational(-1));
+  const bool ends_inside = line.ends && beyond_end == 0 && sgn(Rational(f.constant + f.linear + f.square)) <= 0;
+  const bool is_last_zero = sign(f.at(last)) == 0 && sign(f.slope_at(last)) >= 0;
+  expect(moves ? ends_inside || (sign(last) >= 0 && is_last_zero && (!line.ends || beyond_end <= 0)) : sign(last) == 0,
+         "truth: last is wrong");
+}
+
+void check_ray_aabb(const Claim& claim) { prove_passage_of_box(claim, "ray"); }
+void check_segment_aabb(const Claim& claim) { prove_passage_of_box(claim, "segment"); }
+void check_ray_sphere(const Claim& claim) { prove_passage_of_ball(claim, "ray"); }
+void check_segment_sphere(const Claim& claim) { prove_passage_of_ball(claim, "segment"); }
+
+}  // namespace
+
+Checks checks_of_rays() {
+  return {{"segment_plane", check_segment_plane},  {"ray_plane", check_ray_plane},
+          {"ray_triangle", check_ray_triangle},    {"ray_aabb", check_ray_aabb},
+          {"segment_aabb", check_segment_aabb},    {"ray_sphere", check_ray_sphere},
+          {"segment_sphere", check_segment_sphere}};
+}
+
+}  // namespace touchstone::certify

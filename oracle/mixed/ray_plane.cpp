@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/ray_plane.h"
+
+#include <algorithm>
+
+#include "geometry/validation_of_rays.h"
+#include "oracle/exact/line_plane.h"
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/space.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<LinePlane<Rational>> truth(const Ray3<Number>& ray, const Plane<Number>& plane) {
+  validation::validate_numbers("ray", ray), validation::validate_numbers("plane", plane);
+  validation::validate("ray", ray), validation::validate("plane", plane);
+  const auto& [x, y, z] = ray.direction;
+  const Point3<Rational> origin = exact(ray.origin);
+  const LinePlaneHeights heights(origin, origin + Vector3<Rational>{exact(x), exact(y), exact(z)}, exact(plane));
+  const Rational rise(heights.at_end() - heights.at_start());
+  return {heights.common(false), std::min(heights.squared_distance(heights.at_start()), heights.squared_distance(rise)),
+          [=] { return heights.certificate(); }};
+}
+
+}  // namespace
+
+Truth<LinePlane<Rational>> ray_plane(const Ray3d& ray, const Plane3d& plane) { return truth(ray, plane); }
+
+template <Exact Number>
+Truth<LinePlane<Rational>> ray_plane(const Ray3<Number>& ray, const Plane<Number>& plane) {
+  return truth(ray, plane);
+}
+template Truth<LinePlane<Rational>> ray_plane(const Ray3<Rational>&, const Plane<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/segment_plane.h"
+
+#include <algorithm>
+
+#include "geometry/validation_of_triangles.h"
+#include "oracle/exact/line_plane.h"
+#include "oracle/exact/rational_validation.h"
+#include "oracle/exact/space.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Number>
+Truth<LinePlane<Rational>> truth(const Segment3<Number>& segment, const Plane<Number>& plane) {
+  validation::validate_numbers("segment", segment), validation::validate_numbers("plane", plane);
+  validation::validate("plane", plane);
+  const LinePlaneHeights heights(exact(segment.a), exact(segment.b), exact(plane));
+  return {heights.common(true),
+          std::min(heights.squared_distance(heights.at_start()), heights.squared_distance(heights.at_end())),
+          [=] { return heights.certificate(); }};
+}
+
+}  // namespace
+
+Truth<LinePlane<Rational>> segment_plane(const Segment3d& segment, const Plane3d& plane) {
+  return truth(segment, plane);
+}
+
+template <Exact Number>
+Truth<LinePlane<Rational>> segment_plane(const Segment3<Number>& segment, const Plane<Number>& plane) {
+  return truth(segment, plane);
+}
+template Truth<LinePlane<Rational>> segment_plane(const Segment3<Rational>&, const Plane<Rational>&);
+
+}  // namespace touchstone::oracle

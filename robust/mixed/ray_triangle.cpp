@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/ray_triangle.h"
+
+#include "geometry/validation_of_rays.h"
+#include "robust/kernel/integers.h"
+#include "robust/kernel/rounding.h"
+#include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+using kernel::Clipped;
+using Relation = SegmentTriangleRelation;
+using Vector = Vector3<mpz_class>;
+
+/// In integers times 2^exponent; the part of the ray in the triangle.
+struct Question {
+  Point3<mpz_class> origin;
+  Vector direction;
+  Triangle3<mpz_class> triangle;
+  int exponent;
+  Clipped part;
+
+  Question(const Ray3d& ray, const Triangle3d& t) {
+    const auto& [o, v] = ray;
+    const auto whole = kernel::integers_of(o.x, o.y, o.z, v.x, v.y, v.z, t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z,
+                                           t.c.x, t.c.y, t.c.z);
+    const auto& n = whole.at;
+    const auto point = [&n](std::size_t i) { return Point3<mpz_class>{n[i], n[i + 1], n[i + 2]}; };
+    origin = point(0), direction = {n[3], n[4], n[5]}, triangle = {point(6), point(9), point(12)};
+    exponent = whole.exponent;
+    part = kernel::clipped({origin, origin + direction}, triangle, 1, Clipped::ray());
+  }
+
+  Relation relation() const {
+    if (part.empty) return Relation::none;
+    return part.first < part.last ? Relation::segment : Relation::point;
+  }
+
+  /// Of the first common point: inside of all three edges; without area there is no inside.
+  Location location() const {
+    const auto& [a, b, c] = triangle;
+    const auto& [n, d] = part.first;
+    const Vector normal = cross(b - a, c - a);
+    const auto inside = [&](const Point3<mpz_class>& from, const Point3<mpz_class>& to) {
+      const Vector inwards = cross(normal, to - from);
+      return d * dot(inwards, origin - from) + n * dot(inwards, direction) > 0;
+    };
+    return inside(a, b) && inside(b, c) && inside(c, a) ? Location::inside : Location::boundary;
+  }
+
+  /// The first common point, rounded.
+  Point3d first() const {
+    const auto& [n, d] = part.first;
+    const auto coordinate = [&](const mpz_class& from, const mpz_class& way) {
+      return kernel::round_quotient(mpz_class(d * from + n * way), d, exponent);
+    };
+    return {coordinate(origin.x, direction.x), coordinate(origin.y, direction.y), coordinate(origin.z, direction.z)};
+  }
+};
+
+void validate(const Ray3d& ray, const Triangle3d& t) {
+  using kernel::valid;
+  if (valid(ray.origin) && kernel::valid_normal(ray.direction) && valid(t.a) && valid(t.b) && valid(t.c)) return;
+  validation::validate_numbers("ray", ray), validation::validate_numbers("triangle", t);
+  validation::validate("ray", ray);
+}
+
+}  // namespace
+
+Relation stages::ray_triangle::decision::exact(const Ray3d& ray, const Triangle3d& triangle) {
+  return Question(ray, triangle).relation();
+}
+
+Decided<Relation> stages::ray_triangle::decision::past_filter(const Ray3d& ray, const Triangle3d& triangle) {
+  return in_turn<decision, validate, Stage::exact>(ray, triangle);
+}
+
+RayTriangle<double> stages::ray_triangle::exact(const Ray3d& ray, const Triangle3d& triangle) {
+  const Question q(ray, triangle);
+  RayTriangle<double> answer{q.relation(), {}, {}, {}};
+  if (answer.relation == Relation::none) return answer;
+  answer.t = kernel::round_quotient(q.part.first.numerator, q.part.first.denominator);
+  answer.point = q.first();
+  if (answer.relation == Relation::point) answer.location = q.location();
+  return answer;
+}
+
+/// The filter finds no number: it saves those who have none.
+RayTriangle<double> ray_triangle(const Ray3d& ray, const Triangle3d& triangle) {
+  const auto relation = stages::ray_triangle::decision::filter(ray, triangle);
+  if (relation && *relation == Relation::none) return {Relation::none, {}, {}, {}};
+  return answer_in_turn<stages::ray_triangle, validate, Stage::exact>(ray, triangle);
+}
+
+}  // namespace touchstone::robust
