@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/line_box_cases.h"
+#include "catalogue/operation/open_passages.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_rays.h"
+#include "oracle/mixed/ray_aabb.h"
+#include "reference/mixed/ray_aabb.h"
+#include "robust/mixed/ray_aabb.h"
+
+namespace touchstone::catalogue::rows {
+
+struct ray_aabb {
+  TOUCHSTONE_MODULES(ray_aabb)
+  using stages = ::touchstone::robust::stages::ray_aabb;
+  using InPlane = std::tuple<Ray2d, Aabb2d>;
+  using InSpace = std::tuple<Ray3d, Aabb3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "ray_aabb",
+                                   .chapter = "mixed",
+                                   .pages = "9, 45-47",
+                                   .question = "Where does the ray enter and leave the axis-aligned box?",
+                                   .kind = Kind::measure,
+                                   .fields = {"ray", "aabb"},
+                                   .ulps = 2};
+    return metadata;
+  }
+
+  static Question of(const Course& course, const Aabb3d& box, bool in_plane) {
+    const auto& [p, v] = course;
+    if (in_plane && (v.x != 0 || v.y != 0)) return InPlane{{{p.x, p.y}, {v.x, v.y}}, without_z(box)};
+    return InSpace{{p, v}, box};
+  }
+  static bool has_interior(const Aabb2d& box) { return box.min.x < box.max.x && box.min.y < box.max.y; }
+  static bool has_interior(const Aabb3d& box) { return has_interior(without_z(box)) && box.min.z < box.max.z; }
+
+  static std::vector<HardCase<Question>> hard_cases() { return line_box_cases<ray_aabb>(); }
+
+  static void repair(Question& question) {
+    std::visit([](auto& q) { put_in_order(std::get<1>(q)); }, question);
+  }
+
+  /// Through the corner (24, 36) of a box; moves the direction.
+  static Question map_centre() { return InPlane{{{0, 24}, {4, 2}}, {{24, 0}, {48, 36}}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
+
+  static Hooks<ray_aabb> hooks() {
+    return {.as_open_sets = none_if_grazing<ray_aabb>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/line_ball_cases.h"
+#include "catalogue/operation/open_passages.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_rays.h"
+#include "oracle/mixed/ray_sphere.h"
+#include "reference/mixed/ray_sphere.h"
+#include "robust/mixed/ray_sphere.h"
+
+namespace touchstone::catalogue::rows {
+
+struct ray_sphere {
+  TOUCHSTONE_MODULES(ray_sphere)
+  using stages = ::touchstone::robust::stages::ray_sphere;
+  using InPlane = std::tuple<Ray2d, Circle2d>;
+  using InSpace = std::tuple<Ray3d, Sphere3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "ray_sphere",
+                                   .chapter = "mixed",
+                                   .pages = "9, 23",
+                                   .question = "Where does the ray enter and leave the ball, or disc?",
+                                   .kind = Kind::measure,
+                                   .fields = {"ray", "sphere"},
+                                   .ulps = 24,
+                                   .margin_degree = 2};
+    return metadata;
+  }
+
+  static Question of(const Course& course, const Sphere3d& ball, bool in_plane) {
+    const auto& [p, v] = course;
+    if (in_plane && (v.x != 0 || v.y != 0))
+      return InPlane{{{p.x, p.y}, {v.x, v.y}}, {{ball.center.x, ball.center.y}, ball.radius}};
+    return InSpace{{p, v}, ball};
+  }
+  static bool has_interior(const Circle2d& disc) { return disc.radius > 0; }
+  static bool has_interior(const Sphere3d& ball) { return ball.radius > 0; }
+
+  static std::vector<HardCase<Question>> hard_cases() { return line_ball_cases<ray_sphere>(); }
+
+  static void repair(Question& question) {
+    std::visit([](auto& q) { std::get<1>(q).radius = std::fabs(std::get<1>(q).radius); }, question);
+  }
+
+  /// Tangent to a disc; moves the direction.
+  static Question map_centre() { return InPlane{{{1, 5}, {1, 0}}, {{16, 16}, 11}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
+
+  static Hooks<ray_sphere> hooks() {
+    return {.as_open_sets = none_if_grazing<ray_sphere>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/families/line_ball_cases.h"
+#include "catalogue/operation/open_passages.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_rays.h"
+#include "oracle/mixed/segment_sphere.h"
+#include "reference/mixed/segment_sphere.h"
+#include "robust/mixed/segment_sphere.h"
+
+namespace touchstone::catalogue::rows {
+
+struct segment_sphere {
+  TOUCHSTONE_MODULES(segment_sphere)
+  using stages = ::touchstone::robust::stages::segment_sphere;
+  using InPlane = std::tuple<Segment2d, Circle2d>;
+  using InSpace = std::tuple<Segment3d, Sphere3d>;
+  using Question = std::variant<InPlane, InSpace>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{.name = "segment_sphere",
+                                   .chapter = "mixed",
+                                   .pages = "23",
+                                   .question = "Where does the closed segment enter and leave the ball, or disc?",
+                                   .kind = Kind::measure,
+                                   .fields = {"segment", "sphere"},
+                                   .ulps = 27,
+                                   .margin_degree = 2};
+    return metadata;
+  }
+
+  static Question of(const Course& course, const Sphere3d& ball, bool in_plane) {
+    const auto& [p, v] = course;
+    const Point3d q = p + v;
+    if (in_plane) return InPlane{{{p.x, p.y}, {q.x, q.y}}, {{ball.center.x, ball.center.y}, ball.radius}};
+    return InSpace{{p, q}, ball};
+  }
+  static bool has_interior(const Circle2d& disc) { return disc.radius > 0; }
+  static bool has_interior(const Sphere3d& ball) { return ball.radius > 0; }
+
+  static std::vector<HardCase<Question>> hard_cases() { return line_ball_cases<segment_sphere>(); }
+
+  static void repair(Question& question) {
+    std::visit([](auto& q) { std::get<1>(q).radius = std::fabs(std::get<1>(q).radius); }, question);
+  }
+
+  /// Tangent to a disc; moves the end.
+  static Question map_centre() { return InPlane{{{1, 5}, {31, 5}}, {{16, 16}, 11}}; }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {2, 3}; }
+
+  static Hooks<segment_sphere> hooks() {
+    return {.as_open_sets = none_if_grazing<segment_sphere>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .laws = {.maps = Laws::Maps::similarities, .scales = true}};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

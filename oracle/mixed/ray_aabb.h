@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/rays.h"
+#include "geometry/volumes.h"
+#include "oracle/truth.h"
+
+namespace touchstone::oracle {
+
+/// Truth: the least and the greatest t of the linear program in t with the point in the box; `none` where Farkas' lemma
+/// contradicts it. Margin: a length, how far the ray has to be moved in the maximum norm until the relation changes.
+/// Certificate: hit: none is needed ("passage"), the answer is checked alone. none: a `normal` along which all of the
+/// ray is beyond the box ("separating_plane").
+Truth<Passage<Rational>> ray_aabb(const Ray2d& ray, const Aabb2d& aabb);
+Truth<Passage<Rational>> ray_aabb(const Ray3d& ray, const Aabb3d& aabb);
+template <Exact Number>
+Truth<Passage<Rational>> ray_aabb(const Ray2<Number>& ray, const Aabb2<Number>& aabb);
+template <Exact Number>
+Truth<Passage<Rational>> ray_aabb(const Ray3<Number>& ray, const Aabb3<Number>& aabb);
+
+}  // namespace touchstone::oracle

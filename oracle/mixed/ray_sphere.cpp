@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/ray_sphere.h"
+
+#include "geometry/validation_of_rays.h"
+#include "oracle/exact/passage.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Ray, class Ball>
+Truth<Passage<Surd>> truth(const Ray& ray, const Ball& sphere) {
+  validation::validate_numbers("ray", ray), validation::validate_numbers("sphere", sphere);
+  validation::validate("ray", ray), validation::validate("sphere", sphere);
+  return passage_of_ball(line_of(ray), coordinates(sphere.center), exact(sphere.radius));
+}
+
+}  // namespace
+
+Truth<Passage<Surd>> ray_sphere(const Ray2d& ray, const Circle2d& sphere) { return truth(ray, sphere); }
+Truth<Passage<Surd>> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) { return truth(ray, sphere); }
+
+template <Exact Number>
+Truth<Passage<Surd>> ray_sphere(const Ray2<Number>& ray, const Circle2<Number>& sphere) {
+  return truth(ray, sphere);
+}
+template <Exact Number>
+Truth<Passage<Surd>> ray_sphere(const Ray3<Number>& ray, const Sphere3<Number>& sphere) {
+  return truth(ray, sphere);
+}
+template Truth<Passage<Surd>> ray_sphere(const Ray2<Rational>&, const Circle2<Rational>&);
+template Truth<Passage<Surd>> ray_sphere(const Ray3<Rational>&, const Sphere3<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/segment_aabb.h"
+
+#include "geometry/validation_of_rays.h"
+#include "oracle/exact/passage.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Segment, class Box>
+Truth<Passage<Rational>> truth(const Segment& segment, const Box& aabb) {
+  validation::validate_numbers("segment", segment), validation::validate_numbers("aabb", aabb);
+  validation::validate("aabb", aabb);
+  return passage_of_box(line_of(segment), coordinates(aabb.min), coordinates(aabb.max));
+}
+
+}  // namespace
+
+Truth<Passage<Rational>> segment_aabb(const Segment2d& segment, const Aabb2d& aabb) { return truth(segment, aabb); }
+Truth<Passage<Rational>> segment_aabb(const Segment3d& segment, const Aabb3d& aabb) { return truth(segment, aabb); }
+
+template <Exact Number>
+Truth<Passage<Rational>> segment_aabb(const Segment2<Number>& segment, const Aabb2<Number>& aabb) {
+  return truth(segment, aabb);
+}
+template <Exact Number>
+Truth<Passage<Rational>> segment_aabb(const Segment3<Number>& segment, const Aabb3<Number>& aabb) {
+  return truth(segment, aabb);
+}
+template Truth<Passage<Rational>> segment_aabb(const Segment2<Rational>&, const Aabb2<Rational>&);
+template Truth<Passage<Rational>> segment_aabb(const Segment3<Rational>&, const Aabb3<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "oracle/mixed/segment_sphere.h"
+
+#include "geometry/validation_of_rays.h"
+#include "oracle/exact/passage.h"
+#include "oracle/exact/rational_validation.h"
+
+namespace touchstone::oracle {
+namespace {
+
+template <class Segment, class Ball>
+Truth<Passage<Surd>> truth(const Segment& segment, const Ball& sphere) {
+  validation::validate_numbers("segment", segment), validation::validate_numbers("sphere", sphere);
+  validation::validate("sphere", sphere);
+  return passage_of_ball(line_of(segment), coordinates(sphere.center), exact(sphere.radius));
+}
+
+}  // namespace
+
+Truth<Passage<Surd>> segment_sphere(const Segment2d& segment, const Circle2d& sphere) { return truth(segment, sphere); }
+Truth<Passage<Surd>> segment_sphere(const Segment3d& segment, const Sphere3d& sphere) { return truth(segment, sphere); }
+
+template <Exact Number>
+Truth<Passage<Surd>> segment_sphere(const Segment2<Number>& segment, const Circle2<Number>& sphere) {
+  return truth(segment, sphere);
+}
+template <Exact Number>
+Truth<Passage<Surd>> segment_sphere(const Segment3<Number>& segment, const Sphere3<Number>& sphere) {
+  return truth(segment, sphere);
+}
+template Truth<Passage<Surd>> segment_sphere(const Segment2<Rational>&, const Circle2<Rational>&);
+template Truth<Passage<Surd>> segment_sphere(const Segment3<Rational>&, const Sphere3<Rational>&);
+
+}  // namespace touchstone::oracle

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "geometry/rays.h"
+#include "oracle/exact/surd.h"
+#include "proptests/forward_error.h"
+
+/// Laws of a ray or a segment and a solid, in the plane and in space.
+namespace touchstone::proptests {
+
+using oracle::Surd;
+
+template <class Place>
+std::vector<double> coordinates(const Place& p) {
+  if constexpr (requires { p.z; }) return {p.x, p.y, p.z};
+  else return {p.x, p.y};
+}
+
+/// In space, at z = 0.
+inline Point3d in_space(const Point2d& p) { return {p.x, p.y, 0}; }
+inline Point3d in_space(const Point3d& p) { return p; }
+inline Vector3d in_space(const Vector2d& v) { return {v.x, v.y, 0}; }
+inline Vector3d in_space(const Vector3d& v) { return v; }
+inline Ray3d in_space(const Ray2d& r) { return {in_space(r.origin), in_space(r.direction)}; }
+inline Ray3d in_space(const Ray3d& r) { return r; }
+inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(s.b)}; }
+inline Segment3d in_space(const Segment3d& s) { return s; }
+inline Sphere3d in_space(const Circle2d& c) { return {in_space(c.center), c.radius}; }
+inline Sphere3d in_space(const Sphere3d& s) { return s; }
+inline Aabb3d in_space(const Aabb2d& b) { return {in_space(b.min), in_space(b.max)}; }
+inline Aabb3d in_space(const Aabb3d& b) { return b; }
+
+/// A solid that holds another is met wherever that is, and not later, and left not earlier.
+template <class Answer>
+bool held_by(const Answer& inner, const Answer& outer) {
+  if (inner.relation == PassageRelation::none) return true;
+  return outer.relation == PassageRelation::hit && *outer.first <= *inner.first && *inner.last <= *outer.last;
+}
+
+/// first comes before last, both of them from 0 on, and up to 1 where the line ends.
+template <class Answer>
+bool in_order(const Answer& answer, bool ends) {
+  using Number = std::decay_t<decltype(*answer.first)>;
+  if (answer.relation == PassageRelation::none) return !answer.first && !answer.last;
+  const Number zero(0), one(1);
+  return zero <= *answer.first && *answer.first <= *answer.last && (!ends || *answer.last <= one);
+}
+
+/// found 2^k = t
+inline bool divided(double t, double found, int k) { return scaled_number(t, found, -k); }
+inline bool divided(const Rational& t, const Rational& found, int k) { return t == found * exact(std::ldexp(1, k)); }
+inline bool divided(const Surd& t, const Surd& found, int k) { return t == found * Surd(exact(std::ldexp(1, k))); }
+
+/// A direction times a power of two divides first and last by it.
+template <class Row>
+inline constexpr auto directions_divide_t = [](const auto& ask, const auto& asked) {
+  return std::visit(
+      [&](const auto& question) {
+        const auto answer = ask(asked);
+        for (const int k : {1, -29, 300}) {
+          auto other = question;
+          auto& v = std::get<0>(other).direction;
+          const auto given = coordinates(v);
+          v = std::ldexp(1, k) * v;
+          if (coordinates(std::ldexp(1, -k) * v) != given) continue;
+          const auto found = ask(typename Row::Question(other));
+          if (found.relation != answer.relation) return false;
+          if (answer.first && !divided(*answer.first, *found.first, k)) return false;
+          if (answer.last && !divided(*answer.last, *found.last, k)) return false;
+        }
+        return true;
+      },
+      asked);
+};
+
+/// What one axis sees of a line and a box: `to` is the end of a segment, or the direction of a ray.
+struct SlabAxis {
+  double from, to, min, max;
+};
+
+/// What reference/mixed/ray_aabb.h and segment_aabb.h promise of times that are off by `roundings` u of themselves.
+template <class Truth, class Answer>
+bool slab_times_keep(const Truth& truth, const Answer& answer, const std::vector<SlabAxis>& axes, bool ends,
+                     int roundings) {
+  struct Time {
+    Rational value, error;
+    std::size_t axis;
+  };
+  std::vector<Time> entries{{0, 0, axes.size()}}, exits;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const auto& [from, to, min, max] = axes[k];
+    const double way = ends ? to - from : to;
+    if (!finite(min - from, max - from, way)) return true;
+    if (way == 0) {
+      if (from < min || max < from) return answer.relation == PassageRelation::none;
+      continue;
+    }
+    const Rational exactly(ends ? Rational(exact(to) - exact(from)) : exact(to));
+    if (!finite((min - from) / way, (max - from) / way)) return true;
+    const auto time = [&, from = from](double side) {
+      const Rational t((exact(side) - exact(from)) / exactly);
+      return Time{t, Rational(roundings * unit() * abs(t) + power_of_two(-1073)), k};
+    };
+    entries.push_back(time(way > 0 ? min : max)), exits.push_back(time(way > 0 ? max : min));
+  }
+  if (exits.empty()) return true;  // a segment of length zero
+  if (ends) exits.push_back({1, 0, axes.size() + 1});
+  for (const Time& entry : entries)
+    for (const Time& exit : exits)
+      if (entry.axis != exit.axis && abs(Rational(entry.value - exit.value)) <= entry.error + exit.error) return true;
+  if (answer.relation != truth.answer.relation) return false;
+  if (answer.relation == PassageRelation::none) return true;
+  const auto as_good = [&](double t, const Rational& right) {
+    return !finite(t) || within(t, right, Rational(roundings * unit() * right + power_of_two(-1073)));
+  };
+  return as_good(*answer.first, *truth.answer.first) && as_good(*answer.last, *truth.answer.last);
+}
+
+/// What reference/mixed/ray_sphere.h and segment_sphere.h promise: p and v as they are computed, q = p . p + r^2 and
+/// speed = v . v as they are.
+template <class Truth, class Answer, class Vector>
+bool roots_keep(const Truth& truth, const Answer& answer, const Vector& p, const Vector& v, double r, const Rational& q,
+                const Rational& speed, bool ends) {
+  for (const Rational& x : {q, speed})
+    if (x < power_of_two(-480) || x > power_of_two(480)) return true;
+  const double square = dot(v, v), linear = 2 * dot(p, v), constant = dot(p, p) - r * r;
+  const double d = linear * linear - 4 * square * constant;
+  const Rational error_of_d = 104 * unit() * speed * q;
+  const bool both_none = answer.relation == PassageRelation::none && truth.answer.relation == answer.relation;
+  const bool both_hit = answer.relation == PassageRelation::hit && truth.answer.relation == answer.relation;
+  if (exact(d) < -error_of_d) return both_none;
+  if (!(exact(d) > error_of_d)) return true;
+  const double s = std::sqrt(d), smaller = (-linear - s) / (2 * square), greater = (s - linear) / (2 * square);
+  // e(T), put together in double: (1 + 2^-40) is more than all roundings of that.
+  const auto error_of = [&](double t) {
+    const double e = (7 * std::sqrt(Rational(q / speed).get_d()) + 53 * q.get_d() / s + 9 * std::fabs(t)) * 0x1p-53;
+    return Rational(exact(e + tiny) * (1 + power_of_two(-40)));
+  };
+  const Rational e = error_of(smaller), f = error_of(greater), t = exact(smaller), w = exact(greater);
+  if (w < -f || (ends && t > 1 + e)) return both_none;
+  if (!(w > f) || (ends && !(t < 1 - e))) return true;
+  const auto near = [](double found, const Surd& right, const Rational& error) {
+    return Surd(Rational(exact(found) - error)) <= right && right <= Surd(Rational(exact(found) + error));
+  };
+  return both_hit && near(*answer.first, *truth.answer.first, e) && near(*answer.last, *truth.answer.last, f);
+}
+
+/// The squared distance of two points, exactly.
+template <class Place>
+Rational squared_distance(const Place& p, const Place& q) {
+  const auto x = coordinates(p), y = coordinates(q);
+  Rational sum;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    sum += Rational(exact(x[k]) - exact(y[k])) * Rational(exact(x[k]) - exact(y[k]));
+  return sum;
+}
+
+}  // namespace touchstone::proptests

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/kernel/box_passage.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "robust/kernel/integers.h"
+#include "robust/kernel/rounding.h"
+#include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/valid_space.h"
+#include "robust/kernel/window.h"
+
+namespace touchstone::robust::kernel {
+namespace {
+
+const Passage<double> none{PassageRelation::none, std::nullopt, std::nullopt};
+
+/// What one axis sees: `to` is the end of a segment, or the direction of a ray.
+struct Axis {
+  double from, to, min, max;
+
+  bool zero_way(bool ends) const { return ends ? validation::same(from, to) : validation::zero(to); }
+};
+
+std::array<Axis, 3> axes_of(const Line& line, const Box& box) {
+  const auto& [from, to, ends] = line;
+  return {{{from.x, to.x, box.min.x, box.max.x},
+           {from.y, to.y, box.min.y, box.max.y},
+           {from.z, to.z, box.min.z, box.max.z}}};
+}
+
+}  // namespace
+
+Perhaps<Passage<double>> BoxPassage::filter(const Line& line, const Box& box) {
+  for (const auto& [from, to, min, max] : axes_of(line, box)) {
+    const bool rises = !sign_bit(to) && !validation::zero(to), falls = sign_bit(to) && !validation::zero(to);
+    const bool stays_below = line.ends ? to < min : !rises, stays_above = line.ends ? to > max : !falls;
+    if ((from < min && stays_below) || (from > max && stays_above)) return none;
+  }
+  return std::nullopt;
+}
+
+Perhaps<Passage<double>> BoxPassage::enclosed(const Line& line, const Box& box) {
+  if (!rounds_to_nearest()) return std::nullopt;
+  double first = 0, last = line.ends ? 1 : std::numeric_limits<double>::infinity();
+  bool moves = false;
+  for (const auto& [from, to, min, max] : axes_of(line, box)) {
+    if (!in_window(Two(from, to), Two(min, max))) return std::nullopt;
+    const Pair<double> way = line.ends ? difference(to, from) : Pair<double>{to, 0};
+    if (way.high == 0) {
+      if (from < min || max < from) return none;
+      continue;
+    }
+    moves = true;
+    const Divisor<double> speed(Enclosed<double>{way.high, way.low, 0});
+    const auto time = [&speed, from = from](double side) {
+      const Pair<double> gap = difference(side, from);
+      return rounded(Enclosed<double>{gap.high, gap.low, 0} / speed);
+    };
+    const auto entry = time(way.high > 0 ? min : max), exit = time(way.high > 0 ? max : min);
+    if (!entry || !exit) return std::nullopt;
+    first = std::max(first, *entry), last = std::min(last, *exit);
+  }
+  if (last < first) return none;
+  if (!moves || !(first < last)) return std::nullopt;
+  return Passage<double>{PassageRelation::hit, first, last};
+}
+
+/// The differences of each axis in a unit of its own: t has none.
+Passage<double> BoxPassage::exact(const Line& line, const Box& box) {
+  Clipped part = line.ends ? Clipped{} : Clipped::ray();
+  bool moves = false;
+  for (const Axis& axis : axes_of(line, box)) {
+    const auto n = integers_of(axis.from, axis.to, axis.min, axis.max).at;
+    const mpz_class &from = n[0], &min = n[2], &max = n[3], to = line.ends ? n[1] : mpz_class(from + n[1]);
+    part.keep(from - min, to - min), part.keep(max - from, max - to);
+    moves = moves || !axis.zero_way(line.ends);
+  }
+  if (part.empty) return none;
+  if (!moves) return {PassageRelation::hit, 0.0, 0.0};
+  const auto rounded = [](const Clipped::Parameter& t) { return round_quotient(t.numerator, t.denominator); };
+  return {PassageRelation::hit, rounded(part.first), rounded(part.last)};
+}
+
+}  // namespace touchstone::robust::kernel

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/ray_aabb.h"
+
+#include "geometry/validation_of_rays.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const kernel::Line& line, const kernel::Box& aabb) {
+  if (kernel::valid(line.from) && kernel::valid_normal(line.ray().direction) && kernel::valid(aabb)) return;
+  validation::validate_numbers("ray", line.ray()), validation::validate_numbers("aabb", aabb);
+  validation::validate("ray", line.ray()), validation::validate("aabb", aabb);
+}
+
+}  // namespace
+
+/// The filter does not see what is not finite: lines and boxes are validated first.
+Decided<Passage<double>> stages::ray_aabb::ask(const kernel::Line& ray, const kernel::Box& aabb) {
+  return in_turn<ray_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(ray, aabb);
+}
+
+}  // namespace touchstone::robust

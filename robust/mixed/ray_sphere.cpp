@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/ray_sphere.h"
+
+#include "geometry/validation_of_rays.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const kernel::Line& line, const kernel::Ball& sphere) {
+  if (kernel::valid(line.from) && kernel::valid_normal(line.ray().direction) && kernel::valid(sphere)) return;
+  validation::validate_numbers("ray", line.ray()), validation::validate_numbers("sphere", sphere);
+  validation::validate("ray", line.ray()), validation::validate("sphere", sphere);
+}
+
+}  // namespace
+
+Decided<Passage<double>> stages::ray_sphere::ask(const kernel::Line& ray, const kernel::Ball& sphere) {
+  return in_turn<ray_sphere, Stage::filter, Stage::enclosed, validate, Stage::exact>(ray, sphere);
+}
+
+}  // namespace touchstone::robust

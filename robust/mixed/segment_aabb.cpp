@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/segment_aabb.h"
+
+#include "geometry/validation_of_rays.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const kernel::Line& line, const kernel::Box& aabb) {
+  if (kernel::valid(line.from) && kernel::valid(line.to) && kernel::valid(aabb)) return;
+  validation::validate_numbers("segment", line.segment()), validation::validate_numbers("aabb", aabb);
+  validation::validate("aabb", aabb);
+}
+
+}  // namespace
+
+/// The filter does not see what is not finite: lines and boxes are validated first.
+Decided<Passage<double>> stages::segment_aabb::ask(const kernel::Line& segment, const kernel::Box& aabb) {
+  return in_turn<segment_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(segment, aabb);
+}
+
+}  // namespace touchstone::robust

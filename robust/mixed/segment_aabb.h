@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/invalid_input.h"
+#include "robust/kernel/box_passage.h"
+
+namespace touchstone::robust {
+
+/// Where a closed segment enters and leaves an axis-aligned box, in the plane and in space: `hit` with the first and
+/// the last t, 0 at a and 1 at b; or `none`.
+///
+/// Touching is a hit, grazing along a face too; flat boxes are valid; zeros in the way are no special case. first is 0
+/// where a is in the box, last is 1 where b is; a segment of length 0 is a point, both are 0. Right for all finite
+/// doubles in every floating-point environment, and both numbers correctly rounded. NaN and infinities throw
+/// InvalidInput, which names the field and "finite number"; so does min > max ("min <= max"). Contract:
+/// reference/mixed/segment_aabb.h.
+inline Passage<double> segment_aabb(const Segment2d& segment, const Aabb2d& aabb);
+inline Passage<double> segment_aabb(const Segment3d& segment, const Aabb3d& aabb);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+/// The filter knows segments that miss: no number has to be found.
+struct segment_aabb : kernel::BoxPassage {
+  static Decided<Passage<double>> ask(const kernel::Line& segment, const kernel::Box& aabb);
+};
+
+}  // namespace stages
+
+inline Passage<double> segment_aabb(const Segment2d& segment, const Aabb2d& aabb) {
+  return stages::segment_aabb::ask(segment, aabb).answer;
+}
+inline Passage<double> segment_aabb(const Segment3d& segment, const Aabb3d& aabb) {
+  return stages::segment_aabb::ask(segment, aabb).answer;
+}
+
+}  // namespace touchstone::robust

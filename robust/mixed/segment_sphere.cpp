@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/segment_sphere.h"
+
+#include "geometry/validation_of_rays.h"
+#include "robust/kernel/valid_space.h"
+
+namespace touchstone::robust {
+namespace {
+
+void validate(const kernel::Line& line, const kernel::Ball& sphere) {
+  if (kernel::valid(line.from) && kernel::valid(line.to) && kernel::valid(sphere)) return;
+  validation::validate_numbers("segment", line.segment()), validation::validate_numbers("sphere", sphere);
+  validation::validate("sphere", sphere);
+}
+
+}  // namespace
+
+Decided<Passage<double>> stages::segment_sphere::ask(const kernel::Line& segment, const kernel::Ball& sphere) {
+  return in_turn<segment_sphere, Stage::filter, Stage::enclosed, validate, Stage::exact>(segment, sphere);
+}
+
+}  // namespace touchstone::robust
