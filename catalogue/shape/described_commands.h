@@ -29,7 +29,6 @@ struct Described<Ask> {
   static constexpr Form form = Form::record;
   static constexpr auto members = std::tuple{member("ask", &Ask::query)};
 };
-};
 template <class R>
 struct Described<InBox<R>> {
   static constexpr Form form = Form::record;

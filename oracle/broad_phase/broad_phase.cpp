@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/validation_of_commands.h"
+#include "geometry/validation_of_rays.h"
 #include "oracle/broad_phase/all_pairs.h"
 #include "oracle/exact/queries_of_boxes.h"
 #include "oracle/exact/rational_validation.h"
