@@ -25,7 +25,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 OF_ANGLES = {"parametric_circle", "interior_angles"}  # whose formulas call the library's cosine or arc tangent
 TRIANGULATION = "triangulate_polygon_10000"
 HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
-HULL_REPETITIONS = 3  # a time is up to half a minute
+MESH = "polyhedron_complexity_100000"
+FEW_REPETITIONS = 3  # of hulls and meshes: a time is up to half a minute
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
 
@@ -146,6 +147,13 @@ def hulls(timed):
                   "robust, to a tenth of them", "faces, or dimension"], rows)
 
 
+def meshes(timed):
+    rows = [[group.split("/")[1], *(written(t.least(name) / 1e6) for name in ["robust", "epick"]),
+             written(t.ratio("robust", "epick")), t.labels["robust"]]
+            for group, t in timed.items() if group.startswith(MESH)]
+    return table(["99,224 faces", "robust ms", "Epick ms", "robust / Epick", "robust says"], rows)
+
+
 def goals(lines, oracle):
     """(what, bound, sign, measured by least times, by medians): sign -1 for "at most"."""
     median = statistics.median
@@ -224,14 +232,15 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     timed = {}
-    for name in ["operations", "polygons", "triangulation", "hulls", "oracle"]:
+    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         if options.ops and not pathlib.Path(program).exists():
             continue  # ./dev check builds only the program that has every operation
         for group in groups(program, options.ops):
             print(group, file=sys.stderr)
-            repetitions = min(HULL_REPETITIONS, options.repetitions) if name == "hulls" else options.repetitions
+            few = name in ("hulls", "meshes")
+            repetitions = min(FEW_REPETITIONS, options.repetitions) if few else options.repetitions
             timed[name][group] = Times(program, group, repetitions)
     if not any(timed.values()):
         sys.exit(f"{', '.join(options.ops)}: no program in {options.build / 'bench'} measures this")
@@ -239,7 +248,8 @@ def main():
     decided = timed["operations"] | timed["polygons"]
     report = "\n\n".join([circumstances(options.build),
                           goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"]), decisions(decided),
-                          triangulations(timed["triangulation"]), hulls(timed["hulls"]), answers(timed["operations"]),
+                          triangulations(timed["triangulation"]), hulls(timed["hulls"]), meshes(timed["meshes"]),
+                          answers(timed["operations"]),
                           truths(timed["oracle"]),
                           exhausted(timed["oracle"])])
     print(report)
