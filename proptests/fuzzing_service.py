@@ -14,7 +14,7 @@ import tempfile
 import zipfile
 
 SOURCE, BUILD = map(pathlib.Path, sys.argv[1:3])
-OBJECTS = sys.argv[3:]
+OBJECTS = [name for name in sys.argv[3:] if name.endswith(".o")]  # and not a precompiled header
 sys.path.insert(0, str(SOURCE / "proptests" / "mutation"))
 from instrument import mutated  # noqa: E402
 from mutants import listed  # noqa: E402
