@@ -6,6 +6,8 @@
 
 #include "catalogue/families/hard_case.h"
 #include "catalogue/families/space_draws.h"
+#include "catalogue/shape/described_rays.h"
+#include "catalogue/shape/walk.h"
 #include "geometry/rays.h"
 
 /// Families of a plane and a line that starts at one point and leads to another.
@@ -150,15 +152,6 @@ void scale_line_and_plane(Question& question, int k) {
   auto& [line, plane] = question;
   for_each_number(line, [k](double& length) { length = std::ldexp(length, k); });
   plane.offset = std::ldexp(plane.offset, k);
-}
-
-/// Open: a segment without its ends, a ray without its origin. What has no length is empty then.
-template <class Row>
-std::optional<LinePlane<mpq_class>> without_ends(const LinePlane<mpq_class>& truth, const typename Row::Question& q) {
-  const LinePlane<mpq_class> none{LinePlaneRelation::none, std::nullopt, std::nullopt};
-  if (truth.relation == LinePlaneRelation::inside) return Row::has_length(q) ? std::nullopt : std::optional(none);
-  const bool at_end = truth.t && (sgn(*truth.t) == 0 || (Row::ends && *truth.t == 1));
-  return at_end ? std::optional(none) : std::nullopt;
 }
 
 }  // namespace touchstone::catalogue

@@ -9,6 +9,16 @@
 
 namespace touchstone::catalogue {
 
+/// The hook `as_open_sets` of a line and a plane: a segment without its ends, a ray without its origin. What has no
+/// length is empty then.
+template <class Row>
+std::optional<LinePlane<mpq_class>> without_ends(const LinePlane<mpq_class>& truth, const typename Row::Question& q) {
+  const LinePlane<mpq_class> none{LinePlaneRelation::none, std::nullopt, std::nullopt};
+  if (truth.relation == LinePlaneRelation::inside) return Row::has_length(q) ? std::nullopt : std::optional(none);
+  const bool at_end = truth.t && (sgn(*truth.t) == 0 || (Row::ends && *truth.t == 1));
+  return at_end ? std::optional(none) : std::nullopt;
+}
+
 /// The hook `as_open_sets` of a line and a solid: a line without its ends that only grazes a solid without its boundary
 /// never meets it, and a solid without an interior is empty then.
 template <class Row>

@@ -192,8 +192,9 @@ def prove_passage_of_ball(claim, name):
     p = minus(start, center)
     constant, linear, square = inner(p, p) - radius**2, 2 * inner(p, way), inner(way, way)
     if not says_hit(claim):
+        kind = claim.kind()
         claim.facts()
-        expect(is_positive(claim.kind(), constant, linear, square, ends), "certificate: the kind does not hold")
+        expect(is_positive(kind, constant, linear, square, ends), "certificate: the kind does not hold")
         return
     claim.expect_kind("passage"), claim.facts()
     first, last = exact_surd(claim.truth["first"], "truth.first"), exact_surd(claim.truth["last"], "truth.last")

@@ -240,8 +240,9 @@ void prove_passage_of_ball(const Claim& claim, const char* name) {
     f.constant += p * p, f.linear += 2 * p * line.way[k], f.square += line.way[k] * line.way[k];
   }
   if (!says_hit(claim)) {
+    const std::string kind = claim.kind();
     claim.facts({});
-    expect(is_positive(claim.kind(), f, line.ends), "certificate: the kind does not hold");
+    expect(is_positive(kind, f, line.ends), "certificate: the kind does not hold");
     return;
   }
   expect(claim.kind() == "passage", wrong_kind), claim.facts({});

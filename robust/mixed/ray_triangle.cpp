@@ -41,7 +41,7 @@ struct Question {
   /// Of the first common point: inside of all three edges; without area there is no inside.
   Location location() const {
     const auto& [a, b, c] = triangle;
-    const auto& [n, d] = part.first;
+    const mpz_class &n = part.first.numerator, &d = part.first.denominator;
     const Vector normal = cross(b - a, c - a);
     const auto inside = [&](const Point3<mpz_class>& from, const Point3<mpz_class>& to) {
       const Vector inwards = cross(normal, to - from);
@@ -52,7 +52,7 @@ struct Question {
 
   /// The first common point, rounded.
   Point3d first() const {
-    const auto& [n, d] = part.first;
+    const mpz_class &n = part.first.numerator, &d = part.first.denominator;
     const auto coordinate = [&](const mpz_class& from, const mpz_class& way) {
       return kernel::round_quotient(mpz_class(d * from + n * way), d, exponent);
     };

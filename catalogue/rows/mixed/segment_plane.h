@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/line_plane_cases.h"
+#include "catalogue/operation/open_passages.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/segment_plane.h"
