@@ -109,6 +109,11 @@ TEST_CASE("scene files: bodies may touch at the start, and not overlap; a subnor
   };
   CHECK(refusal_of(at("1")) == "read");
   CHECK(refusal_of(at("0.9999999999999999")) == "bodies[0].position: overlaps floor at the start");
+  const std::string on_floor = ",\"bodies\":[" + particle("[0,0,0]", "[0,0,0]") + "]";
+  CHECK(refusal_of(scene_text(step, floor_of_scene + on_floor)) == "read");
+  const std::string under_floor = ",\"bodies\":[" + particle("[0,-5e-324,0]", "[0,0,0]") + "]";
+  CHECK(refusal_of(scene_text(step, floor_of_scene + under_floor)) ==
+        "bodies[0].position: overlaps floor at the start");
   const auto two = [](const std::string& x) {
     return with_body(sphere(0.5, "[0,0,0]", "[0,0,0]") + "," + sphere(0.5, "[" + x + ",0,0]", "[0,0,0]"));
   };

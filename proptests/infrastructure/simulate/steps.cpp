@@ -43,6 +43,16 @@ TEST_CASE("step: p. 23, option 2: a particle turns where it meets the floor, wit
                  {{1, 0.25, 0, 1, 1, 0}, {2, 1.25, 0, 1, 1, 0}});
 }
 
+TEST_CASE("step: option 2: of two walls the one that is met first is answered first, whichever is listed first") {
+  const std::string below = R"({"normal":[0,1,0],"offset":0})", ahead = R"({"normal":[-1,0,0],"offset":1.5})";
+  for (const std::string& walls : {below + "," + ahead, ahead + "," + below}) {
+    // At the floor after half of the step, at the other wall after three quarters.
+    require_states(scene_from(scene_text(R"("timestep":1,"option":2)", "\"walls\":[" + walls + "],\"bodies\":[" +
+                                                                           particle("[0,1,0]", "[2,-2,0]") + "]")),
+                   {{1, 1, 0, -2, 2, 0}});
+  }
+}
+
 TEST_CASE("step: gravity enters before the move, after it, or as a parabola") {
   const std::string high = particle("[0,9,0]", "[0,1,0]");
   require_states(of(R"("timestep":0.5,"option":1)", high, gravity), {{0, 9, 0, 0, 0, 0}, {0, 8.5, 0, 0, -1, 0}});

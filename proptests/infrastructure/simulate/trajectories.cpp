@@ -174,6 +174,21 @@ TEST_CASE("trajectory: where two runs part, the question is one that the catalog
   }
 }
 
+TEST_CASE("trajectory: what parted two runs is the first other word, not the first other number") {
+  // Both see the first particle meet the floor, at times that differ; the second reaches the floor in float, whose
+  // velocity is -1, and not in double.
+  const Scene scene = scene_from(
+      scene_text(R"("timestep":1,"option":2)", floor_of_scene + ",\"bodies\":[" + particle("[0,0.3,0]", "[0,-0.9,0]") +
+                                                   "," + particle("[5,1,0]", "[0,-0.999999999,0]") + "]"));
+  Simulation simulation(scene, {"float", "double"});
+  simulation.advance();
+  REQUIRE(simulation.partings().size() == 1);
+  const simulate::Parting& parting = simulation.partings()[0];
+  CHECK(name_of(scene, parting.touch) == "bodies[1] and floor");
+  CHECK(parting.by_first.answer["option_2"]["relation"] == "hit");
+  CHECK(parting.by_second.answer["option_2"]["relation"] == "never");
+}
+
 TEST_CASE("trajectory: what a run asks, the catalogue takes, and answers as that run was answered") {
   // Spheres and boxes that meet one another and walls, with both options.
   const std::string box = R"({"shape":{"box":{"half_extents":[0.4,0.3,0.2]}},"position":)";
