@@ -92,7 +92,8 @@ struct polyhedron_polyhedron {
          [](DrawStream& c) -> Question {
            Meshd a = scaled(lattice_solid(c), 6);
            a = with_needless_faces(a, c);
-           const Meshd b = scaled(lattice_polyhedron(c), 1 + static_cast<double>(c.below(6)));
+           const double size = 1 + static_cast<double>(c.below(6));
+           const Meshd b = scaled(lattice_polyhedron(c), size);
            const Point3d p = c.below(2) == 0 ? on_a_face_plane(a, c) : a.vertices.back();
            return {a, shifted(b, p - between_vertices(b, c))};
          }},
