@@ -70,6 +70,7 @@ std::string type_text() {
     text.erase(text.find_first_of(";]"));
     const std::string space = "touchstone::";
     for (std::size_t at; (at = text.find(space)) != std::string::npos;) text.erase(at, space.size());
+    for (std::size_t at; (at = text.find("> >")) != std::string::npos;) text.erase(at + 1, 1);  // as g++ writes it
     return text;
   }
 }

@@ -10,6 +10,7 @@
 #include "robust/kernel/control_word.h"
 #include "robust/kernel/ordered_bits.h"
 #include "robust/kernel/spheres.h"
+#include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
 namespace {
@@ -133,9 +134,8 @@ std::vector<IndexPair> BallTree::pairs() const {
     if (nodes_[one].leaf || (!nodes_[other].leaf && other > one)) std::swap(one, other);
     waiting.insert(waiting.end(), {{nodes_[one].left, other}, {nodes_[one].right, other}});
   }
-  std::sort(pairs.begin(), pairs.end(),
-            [](const IndexPair& p, const IndexPair& q) { return p.i != q.i ? p.i < q.i : p.j < q.j; });
-  return pairs;
+  const std::size_t balls = nodes_.size() / 2 + 1;
+  return structures::sorted_by(&IndexPair::i, structures::sorted_by(&IndexPair::j, pairs, balls), balls);
 }
 
 }  // namespace touchstone::robust

@@ -8,6 +8,7 @@
 #include "geometry/validation_of_rays.h"
 #include "robust/structures/along_ray.h"
 #include "robust/structures/box_order.h"
+#include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
 
@@ -149,21 +150,29 @@ void BoxTree::search(const Meet& meet, const Found& found) const {
   }
 }
 
+/// Two nodes that meet, or one and itself: the higher is opened.
 std::vector<IndexPair> BoxTree::pairs() const {
   std::vector<IndexPair> pairs;
-  std::vector<Index> others;
-  for (Index i = 0; i < leaves_.size(); ++i) {
-    if (leaves_[i] == none) continue;
-    const Aabb3d& own = nodes_[leaves_[i]].box;
-    others.clear();
-    search([&own](const Aabb3d& box) { return meet(own, box); },
-           [&](const Node& leaf) {
-             if (leaf.body > i) others.push_back(leaf.body);
-           });
-    std::sort(others.begin(), others.end());
-    for (const Index j : others) pairs.push_back({i, j});
+  std::vector<std::pair<Place, Place>> waiting;
+  if (root_ != none) waiting.emplace_back(root_, root_);
+  while (!waiting.empty()) {
+    const auto [one, other] = waiting.back();
+    waiting.pop_back();
+    const Node &a = nodes_[one], &b = nodes_[other];
+    if (one == other) {
+      if (a.height > 0) waiting.insert(waiting.end(), {{a.left, a.left}, {a.right, a.right}, {a.left, a.right}});
+    } else if (!meet(a.box, b.box)) {
+      continue;
+    } else if (a.height == 0 && b.height == 0) {
+      pairs.push_back({std::min(a.body, b.body), std::max(a.body, b.body)});
+    } else if (a.height >= b.height) {
+      waiting.insert(waiting.end(), {{a.left, other}, {a.right, other}});
+    } else {
+      waiting.insert(waiting.end(), {{one, b.left}, {one, b.right}});
+    }
   }
-  return pairs;
+  const std::size_t bodies = leaves_.size();
+  return structures::sorted_by(&IndexPair::i, structures::sorted_by(&IndexPair::j, pairs, bodies), bodies);
 }
 
 std::vector<Index> BoxTree::in_box(const Aabb3d& box) const {

@@ -43,7 +43,7 @@ def on_ray(ray, box):
     return lack, entry
 
 
-def truth_along_ray(ray, bodies):
+def reply_along_ray(ray, bodies):
     margins, entries = [], {}
     for name, box in bodies.items():
         lack, entry = on_ray(ray, box)
@@ -58,13 +58,13 @@ def truth_along_ray(ray, bodies):
     return {"in_order": order}, min(margins, default=None)
 
 
-def truth_in_box(box, bodies):
+def reply_in_box(box, bodies):
     lacks = {name: lack_of_boxes(box, body) for name, body in bodies.items()}
     met = sorted(name for name, lack in lacks.items() if lack <= 0)
     return {"bodies": met}, min((lack**2 for lack in lacks.values()), default=None)
 
 
-def truth_of_pairs(bodies):
+def reply_of_pairs(bodies):
     names = sorted(bodies)
     reply, margin = truth_all_pairs({"boxes": [bodies[name] for name in names]})
     return {"pairs": [[names[i], names[j]] for i, j in reply["pairs"]]}, margin
@@ -82,12 +82,12 @@ def truth_broad_phase(q):
         elif "remove" in command:
             del bodies[command["remove"]]
         elif "in_box" in command:
-            replies.append(truth_in_box(command["in_box"], bodies))
+            replies.append(reply_in_box(command["in_box"], bodies))
         elif "at_point" in command:
-            replies.append(truth_in_box({"min": command["at_point"], "max": command["at_point"]}, bodies))
+            replies.append(reply_in_box({"min": command["at_point"], "max": command["at_point"]}, bodies))
         elif "along_ray" in command:
-            replies.append(truth_along_ray(command["along_ray"], bodies))
+            replies.append(reply_along_ray(command["along_ray"], bodies))
         else:
-            replies.append(truth_of_pairs(bodies))
+            replies.append(reply_of_pairs(bodies))
     margins = [margin for _, margin in replies if margin is not None]
     return {"replies": [reply for reply, _ in replies]}, min(margins, default=None)
