@@ -21,13 +21,13 @@ Perhaps<Contact> stages::sphere_triangle::filter(const Sphere3d& sphere, const T
   return filters::beyond_box(sphere.center, sphere.radius, triangle.a, triangle.b, triangle.c);
 }
 
+/// No distance is less than the radius of a point: that it has no interior needs no case.
 Contact stages::sphere_triangle::exact(const Sphere3d& sphere, const Triangle3d& triangle) {
   using namespace kernel;
   const auto& [a, b, c] = triangle;
   const auto [at, exponent] = whole_points(sphere.center, a, b, c, Point3d{sphere.radius, 0, 0});
   const QuotientPoint nearest = nearest_on_triangle(at[0], {at[1], at[2], at[3]});
-  const mpz_class& radius = at[4].x;
-  return contact(squared_distance(nearest, {at[0], 1}), radius, sgn(radius) != 0);
+  return contact(squared_distance(nearest, {at[0], 1}), at[4].x, true);
 }
 
 Decided<Contact> stages::sphere_triangle::ask(const Sphere3d& sphere, const Triangle3d& triangle) {

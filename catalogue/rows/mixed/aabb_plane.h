@@ -35,18 +35,21 @@ struct aabb_plane {
         {"corner_on_plane",
          [](DrawStream& c) -> Question {
            const Vector3d n = lattice_normal(c);
-           return over_plane(c, lattice_box(c), n, small_integer(c, 1));
+           const Aabb3d box = lattice_box(c);
+           return over_plane(c, box, n, small_integer(c, 1));
          }},
         {"edge_or_face_on_plane",
          [](DrawStream& c) -> Question {
            const auto slope = [&c] { return c.below(2) == 1 ? small_integer(c, 3) : 0.0; };
            const double x = slope(), z = slope(), y = x == 0 && z == 0 ? 1 : slope();
-           return over_plane(c, lattice_box(c), {x, y, z}, small_integer(c, 1));
+           const Aabb3d box = lattice_box(c);
+           return over_plane(c, box, {x, y, z}, small_integer(c, 1));
          }},
         {"behind_plane",
          [](DrawStream& c) -> Question {
            const Vector3d n = lattice_normal(c, 4);
-           return over_plane(c, lattice_box(c, 8), n, -static_cast<double>(c.below(1000)));
+           const Aabb3d box = lattice_box(c, 8);
+           return over_plane(c, box, n, -static_cast<double>(c.below(1000)));
          }},
         {"flat",
          [](DrawStream& c) -> Question {

@@ -76,26 +76,30 @@ struct closest_point_on_segment {
         {"rounded_onto_segment",
          [](DrawStream& c) -> Question {
            const Point3d a = ordinary_point_in_space(c), b = ordinary_point_in_space(c);
-           return seen(along(a, ordinary(c), b - a), {a, b}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen(along(a, ordinary(c), b - a), {a, b}, in_plane);
          }},
         {"full_mantissa",
          [](DrawStream& c) -> Question {
            const LongPlane plane = LongPlane::of(c);
            const Point3d p = plane.point(c), a = plane.point(c);
-           return seen(p, {a, plane.point(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen(p, {a, plane.point(c)}, in_plane);
          }},
         {"rounding", rounding},
         {"rounding_of_distance",
          [](DrawStream& c) -> Question {
            const HalfwayStep step = halfway_step(c);
            const double turn = c.below(2) == 1 ? -1 : 1;
-           return seen({step.x, step.y, hair(c)}, {{-1, 0, 0}, {0, 0, turn}}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({step.x, step.y, hair(c)}, {{-1, 0, 0}, {0, 0, turn}}, in_plane);
          }},
         {"rounding_of_square",
          [](DrawStream& c) -> Question {
            // (2^27 + 2 k + 1)^2 + 1, whose last digit but one is the last that a double has.
            const double x = 0x1p27 + 1 + 2 * static_cast<double>(c.below(1 << 20)), y = c.below(2) == 1 ? -1 : 1;
-           return seen({x, y, hair(c)}, {{-x, 0, 0}, {0, 0, 0}}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({x, y, hair(c)}, {{-x, 0, 0}, {0, 0, 0}}, in_plane);
          }},
         {"stretched",
          [](DrawStream& c) -> Question {
@@ -109,22 +113,26 @@ struct closest_point_on_segment {
         {"typed",
          [](DrawStream& c) -> Question {
            const Point3d p = typed_point(c), a = typed_point(c);
-           return seen(p, {a, typed_point(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen(p, {a, typed_point(c)}, in_plane);
          }},
         {"subnormal",
          [](DrawStream& c) -> Question {
            const Point3d p = subnormal_point(c), a = subnormal_point(c);
-           return seen(p, {a, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen(p, {a, c.below(2) == 1 ? lattice_point_in_space(c, 4) : subnormal_point(c)}, in_plane);
          }},
         {"whole_range",
          [](DrawStream& c) -> Question {
            const Point3d p = point_of_whole_range(c), a = point_of_whole_range(c);
-           return seen(p, {a, point_of_whole_range(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen(p, {a, point_of_whole_range(c)}, in_plane);
          }},
         {"either_zero",
          [](DrawStream& c) -> Question {
            const Point3d p = zero_point(c), a = zero_point(c), b = zero_point(c);
-           return seen(p, {a, c.below(2) == 1 ? b : Point3d{1, b.y, b.z}}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen(p, {a, c.below(2) == 1 ? b : Point3d{1, b.y, b.z}}, in_plane);
          }},
     };
   }
@@ -143,7 +151,9 @@ struct closest_point_on_segment {
     const HalfwayNumber x = halfway_number(c);
     const double odd = 1 + 2 * static_cast<double>(c.below(8)), length = 64, far = c.below(2) == 1 ? -1 : 1;
     const Point3d start{x.most, 0, 0}, end{x.most + length, far * length, 0};
-    return seen({x.most + odd, 0, hair(c)}, {start, {end.x, end.y, c.below(2) == 1 ? 1.0 : 0.0}}, c.below(2) == 1);
+    const double z = c.below(2) == 1 ? 1 : 0;
+    const bool in_plane = c.below(2) == 1;
+    return seen({x.most + odd, 0, hair(c)}, {start, {end.x, end.y, z}}, in_plane);
   }
 
   static Question seen(const Point3d& p, const Segment3d& s, bool in_plane) {

@@ -74,8 +74,8 @@ struct segment_segment_distance {
          [](DrawStream& c) -> Question {
            const Step step = whole_step(c);
            const Point3d p = lattice_point_in_space(c, 20), q = p + step.way;
-           return seen({along(p, -static_cast<double>(c.below(3)), step.way), p},
-                       {q, along(q, static_cast<double>(c.below(3)), step.way)}, false);
+           const double back = -static_cast<double>(c.below(3)), on = static_cast<double>(c.below(3));
+           return seen({along(p, back, step.way), p}, {q, along(q, on, step.way)}, false);
          }},
         {"needles",
          [](DrawStream& c) -> Question {
@@ -88,13 +88,15 @@ struct segment_segment_distance {
          [](DrawStream& c) -> Question {
            const Point3d a = ordinary_point_in_space(c), b = ordinary_point_in_space(c), d = ordinary_point_in_space(c);
            const Point3d on_a = along(a, ordinary(c), b - a);
-           return seen({a, b}, {d, along(d, c.below(2) == 1 ? 1.0 : 2.0, on_a - d)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({a, b}, {d, along(d, c.below(2) == 1 ? 1.0 : 2.0, on_a - d)}, in_plane);
          }},
         {"full_mantissa",
          [](DrawStream& c) -> Question {
            const LongPlane plane = LongPlane::of(c);
            const Point3d p = plane.point(c), q = plane.point(c), r = plane.point(c);
-           return seen({p, q}, {r, plane.point(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({p, q}, {r, plane.point(c)}, in_plane);
          }},
         {"rounding",
          [](DrawStream& c) -> Question {
@@ -107,7 +109,8 @@ struct segment_segment_distance {
         {"rounding_of_distance",
          [](DrawStream& c) -> Question {
            const HalfwayStep step = halfway_step(c);
-           return seen({{-1, 0, 0}, {0, 0, 0}}, {{step.x, step.y, hair(c)}, {step.x, 2 * step.y, 0}}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({{-1, 0, 0}, {0, 0, 0}}, {{step.x, step.y, hair(c)}, {step.x, 2 * step.y, 0}}, in_plane);
          }},
         {"stretched",
          [](DrawStream& c) -> Question {
@@ -121,7 +124,8 @@ struct segment_segment_distance {
         {"typed",
          [](DrawStream& c) -> Question {
            const Point3d p = typed_point(c), q = typed_point(c), r = typed_point(c);
-           return seen({p, q}, {r, typed_point(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({p, q}, {r, typed_point(c)}, in_plane);
          }},
         {"subnormal",
          [](DrawStream& c) -> Question {
@@ -132,7 +136,8 @@ struct segment_segment_distance {
         {"whole_range",
          [](DrawStream& c) -> Question {
            const Point3d p = point_of_whole_range(c), q = point_of_whole_range(c), r = point_of_whole_range(c);
-           return seen({p, q}, {r, point_of_whole_range(c)}, c.below(2) == 1);
+           const bool in_plane = c.below(2) == 1;
+           return seen({p, q}, {r, point_of_whole_range(c)}, in_plane);
          }},
         {"either_zero",
          [](DrawStream& c) -> Question {

@@ -73,6 +73,7 @@ TEST_CASE("sphere_capsule: of two broken rules the first is named: numbers, the 
   refused<Row>({{{0, 0, 0}, -1}, {{{0, 0, 0}, {1, infinity, 0}}, -1}}, "capsule.segment[1][1]", "finite number");
   refused<Row>({{{0, 0, 0}, -1}, {{{0, 0, 0}, {1, 1, 0}}, -1}}, "sphere.radius", "radius >= 0");
   refused<Row>({{{0, 0, 0}, 1}, {{{0, 0, 0}, {1, 1, 0}}, -tiny}}, "capsule.radius", "radius >= 0");
+  refused<Row>({{{90, 90, 90}, 1}, {{{0, 0, 0}, {1, 1, 1}}, -tiny}}, "capsule.radius", "radius >= 0");  // far away
 }
 
 CONTRACT("sphere_capsule: the formula in double keeps its contract", ball, capsule) {

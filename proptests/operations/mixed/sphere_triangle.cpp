@@ -81,6 +81,7 @@ TEST_CASE("sphere_triangle: rounding, huge and subnormal") {
 TEST_CASE("sphere_triangle: of two broken rules the first is named, numbers before the radius") {
   refused<Row>({{{0, 0, 0}, -1}, {{0, 0, 0}, {1, infinity, 0}, {0, 1, 0}}}, "triangle[1][1]", "finite number");
   refused<Row>({{{0, not_a_number, 0}, -1}, corner}, "sphere.center[1]", "finite number");
+  refused<Row>({{{90, 90, 90}, -tiny}, {{0, 0, 0}, {1, 1, 0}, {0, 1, 1}}}, "sphere.radius", "radius >= 0");  // far away
 }
 
 CONTRACT("sphere_triangle: beyond the corner a the formula in double keeps its contract", ball, t) {
