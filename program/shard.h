@@ -27,9 +27,9 @@ struct Shard {
 using Variable = std::function<const char*(const char*)>;
 
 /// The shard of --shard I/N; where that is empty, of the launcher that started this process: a Slurm array, a
-/// Kubernetes indexed job, GNU parallel, Open MPI, or a launcher with the process management interface PMI. A launcher
-/// that does not tell how many there are counts only if TOUCHSTONE_SHARDS does; with that, the tasks of a Slurm array
-/// are counted from 1, so that some of them can be submitted again. Throws UsageError.
+/// Kubernetes indexed job, GNU parallel, Open MPI, or another launcher with the interface PMI. A launcher that does not
+/// tell how many there are counts only if TOUCHSTONE_SHARDS does; with that, the tasks of a Slurm array count from 1,
+/// so that some of them can be submitted again. Throws UsageError.
 Shard shard_of(
     const std::string& option, const Variable& variable = [](const char* name) { return std::getenv(name); });
 

@@ -21,8 +21,8 @@ namespace {
 /// An operation's turn, in seconds: in a short run, too, each has some.
 constexpr double turn = 0.25;
 
-/// One question, to robust and the oracle alone. Where the oracle has a quick decision, decisions are compared, and
-/// every 16th answer as a whole; half of the answers are asked in another floating-point environment.
+/// Questions to robust and the oracle alone. Where the oracle has a quick decision, decisions are compared, and about
+/// every 16th answer as a whole; half of the answers are asked in any of the floating-point environments.
 class Soaked {
  public:
   Soaked(const Operation& operation, std::uint64_t seed) : operation_(operation), seed_(seed) {}
