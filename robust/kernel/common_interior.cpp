@@ -171,7 +171,8 @@ class Walls {
         }
       }
     }
-    return std::any_of(edges_.begin(), edges_.end(), [this](const Line& edge) { return any_of_both(edge); });
+    const auto within_both = [this](const Line& edge) { return any_of_both(edge); };
+    return std::any_of(edges_.begin(), edges_.end(), within_both);
   }
 
  private:
