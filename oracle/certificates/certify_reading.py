@@ -33,7 +33,7 @@ def binary64(value):
 
 NOT_FINITE = ("inf", "-inf", "nan")
 # Where a member stands among those of its shape. They come in the order of the letters, but for these.
-FIRST = ("origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity")
+FIRST = ("origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity", "segment")
 
 
 def rank(member):

@@ -77,7 +77,8 @@ bool not_finite(const json& value) { return value == "inf" || value == "-inf" ||
 
 /// Where a member stands among those of its shape. They come in the order of the letters, but for these.
 std::pair<std::size_t, std::string> rank(const std::string& member) {
-  constexpr std::array first{"origin", "min", "vertices", "mass", "inertia", "inverse_mass", "position", "velocity"};
+  constexpr std::array first{"origin",       "min",      "vertices", "mass",   "inertia",
+                             "inverse_mass", "position", "velocity", "segment"};
   const auto found = std::find(first.begin(), first.end(), member);
   return {static_cast<std::size_t>(found - first.begin()), member};
 }
