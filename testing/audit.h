@@ -30,12 +30,10 @@ class InProcess final : public audit::Engine {
   /// Of the operations that it has.
   std::vector<std::string> names() const { return {served_.hello.operations.begin(), served_.hello.operations.end()}; }
 
-  std::vector<audit::Reply> ask(const Operation& operation,
-                                const std::vector<catalogue::Question>& questions) override {
+  void ask_each(const Operation& operation, const std::vector<catalogue::Question>& questions,
+                const Take& take) override {
     const audit::Answerer& answerer = served_.operations.at(operation.name()).answer;
-    std::vector<audit::Reply> replies;
-    for (const catalogue::Question& question : questions) replies.push_back(reply(answerer, question));
-    return replies;
+    for (std::size_t i = 0; i < questions.size(); ++i) take(i, reply(answerer, questions[i]));
   }
 
  private:
