@@ -4,9 +4,11 @@
 
 #include "catalogue/shape/described_answers.h"
 #include "catalogue/shape/described_bodies.h"
+#include "catalogue/shape/described_capsules.h"
+#include "catalogue/shape/described_closest.h"
 #include "catalogue/shape/described_commands.h"
 #include "catalogue/shape/described_complexity.h"
+#include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/shape/described_solids.h"
 #include "catalogue/shape/described_triangles.h"
-#include "catalogue/shape/described_rays.h"

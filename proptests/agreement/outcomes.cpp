@@ -14,8 +14,8 @@ namespace {
 
 using robust::Stage;
 
-/// Of a family; a third of it where a question is dear, and no more where they have had that many numbers.
-constexpr std::uint64_t drawn = 1500, drawn_dear = 500, most_numbers = 30'000;
+/// Of a family; fewer where a question is dear or very dear, and no more where they have had that many numbers.
+constexpr std::uint64_t drawn = 1500, drawn_dear = 500, drawn_very_dear = 150, very_dear = 200, most_numbers = 30'000;
 /// The formula in double is judged on so many questions of a family.
 constexpr std::uint64_t judged = 500, judged_dear = 100;
 
@@ -70,7 +70,9 @@ Reached reached_by(const Operation& operation, std::size_t family) {
   Reached reached;
   const auto decided_by = told_stages(operation.row()).decided_by;
   const bool cheap = operation.metadata().cost == 1;
-  const std::uint64_t cases = cheap ? drawn : drawn_dear, judge = cheap ? judged : judged_dear;
+  const bool is_very_dear = operation.metadata().cost >= static_cast<int>(very_dear);
+  const std::uint64_t cases = cheap ? drawn : is_very_dear ? drawn_very_dear : drawn_dear,
+                      judge = cheap ? judged : judged_dear;
   std::uint64_t numbers = 0;
   for (std::uint64_t i = 0; i < cases && numbers < most_numbers; ++i) {
     DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, operation.families()[family].c_str(), i));

@@ -13,7 +13,7 @@ namespace touchstone::reference {
 template <class Real>
 class BoxHierarchy {
  public:
-  explicit BoxHierarchy(Bodies<Real> bodies) {
+  explicit BoxHierarchy(IndexedBoxes<Real> bodies) {
     if (bodies.empty()) return;
     box_.push_back(around(bodies));
     if (bodies.size() == 1) {
@@ -21,18 +21,18 @@ class BoxHierarchy {
       return;
     }
     const auto axis = longest_axis(box_[0]);
-    std::stable_sort(bodies.begin(), bodies.end(), [axis](const Body<Real>& a, const Body<Real>& b) {
+    std::stable_sort(bodies.begin(), bodies.end(), [axis](const IndexedBox<Real>& a, const IndexedBox<Real>& b) {
       return Real(a.box.min.*axis + a.box.max.*axis) < Real(b.box.min.*axis + b.box.max.*axis);
     });
     const auto half = bodies.begin() + static_cast<std::ptrdiff_t>(bodies.size() / 2);
-    children_.emplace_back(Bodies<Real>(bodies.begin(), half));
-    children_.emplace_back(Bodies<Real>(half, bodies.end()));
+    children_.emplace_back(IndexedBoxes<Real>(bodies.begin(), half));
+    children_.emplace_back(IndexedBoxes<Real>(half, bodies.end()));
   }
 
   template <class Query, class Found>
   void search(const Query& query, const Found& found) const {
     if (box_.empty() || !query.meets(box_[0])) return;
-    for (const Body<Real>& body : body_) found(body);
+    for (const IndexedBox<Real>& body : body_) found(body);
     for (const BoxHierarchy& child : children_) child.search(query, found);
   }
 
@@ -45,7 +45,7 @@ class BoxHierarchy {
   }
 
   std::vector<Aabb3<Real>> box_;  ///< one, unless there are no bodies
-  Bodies<Real> body_;             ///< of a leaf
+  IndexedBoxes<Real> body_;       ///< of a leaf
   std::vector<BoxHierarchy> children_;
 };
 

@@ -41,7 +41,7 @@ std::optional<Real> first_parameter(const Ray3<Real>& ray, const Aabb3<Real>& bo
   return std::nullopt;
 }
 
-/// Bodies in the order in which a ray meets them; inserted by their index, so that ties stay in its order.
+/// IndexedBoxes in the order in which a ray meets them; inserted by their index, so that ties stay in its order.
 template <class Real>
 class OrderAlongRay {
  public:
@@ -104,12 +104,12 @@ class PairLoop {
 };
 
 template <class Real>
-struct Body {
+struct IndexedBox {
   Index index;
   Aabb3<Real> box;
 };
 template <class Real>
-using Bodies = std::vector<Body<Real>>;
+using IndexedBoxes = std::vector<IndexedBox<Real>>;
 
 /// What is searched for in a structure.
 template <class Real>
@@ -123,7 +123,7 @@ struct RayQuery {
   bool meets(const Aabb3<Real>& box) const { return first_parameter(ray, box).has_value(); }
 };
 
-/// Bodies in a structure, which is made of those that are there when something is asked. `Structure<Real>(bodies)` has
+/// IndexedBoxes in a structure, which is made of those that are there when something is asked. `Structure<Real>(bodies)` has
 /// `search(query, found)`, which calls found(body) for those that the query may meet, perhaps more than once.
 template <template <class> class Structure, class Real>
 class InStructure {
@@ -155,8 +155,8 @@ class InStructure {
   }
 
  private:
-  Bodies<Real> there() const {
-    Bodies<Real> bodies;
+  IndexedBoxes<Real> there() const {
+    IndexedBoxes<Real> bodies;
     for (Index i = 0; i < boxes_.size(); ++i)
       if (boxes_[i]) bodies.push_back({i, *boxes_[i]});
     return bodies;
@@ -164,7 +164,7 @@ class InStructure {
   template <class Query>
   static std::set<Index> met(const Structure<Real>& structure, const Query& query) {
     std::set<Index> met;
-    structure.search(query, [&](const Body<Real>& body) {
+    structure.search(query, [&](const IndexedBox<Real>& body) {
       if (query.meets(body.box)) met.insert(body.index);
     });
     return met;
@@ -174,7 +174,7 @@ class InStructure {
 };
 
 template <class Real>
-Aabb3<Real> around(const Bodies<Real>& bodies) {
+Aabb3<Real> around(const IndexedBoxes<Real>& bodies) {
   Aabb3<Real> box = bodies[0].box;
   for (const auto& [index, other] : bodies) {
     for (Real Point3<Real>::*axis : {&Point3<Real>::x, &Point3<Real>::y, &Point3<Real>::z}) {

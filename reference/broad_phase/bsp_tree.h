@@ -44,10 +44,10 @@ Sides sides(const Plane<Real>& plane, const RayQuery<Real>& query) {
 template <class Real>
 class PlaneTree {
  public:
-  explicit PlaneTree(Bodies<Real> bodies) {
+  explicit PlaneTree(IndexedBoxes<Real> bodies) {
     if (bodies.size() > 1) plane_ = between(bodies.front().box, bodies.back().box);
-    Bodies<Real> front, back;
-    for (const Body<Real>& body : bodies) {
+    IndexedBoxes<Real> front, back;
+    for (const IndexedBox<Real>& body : bodies) {
       const Sides at = sides(plane_, body.box);
       if (at.front) front.push_back(body);
       if (at.back) back.push_back(body);
@@ -62,7 +62,7 @@ class PlaneTree {
 
   template <class Query, class Found>
   void search(const Query& query, const Found& found) const {
-    for (const Body<Real>& body : bodies_) found(body);
+    for (const IndexedBox<Real>& body : bodies_) found(body);
     if (parts_.empty()) return;
     const Sides at = sides(plane_, query);
     if (at.front) parts_[0].search(query, found);
@@ -82,7 +82,7 @@ class PlaneTree {
   }
 
   Plane<Real> plane_{{Real(0), Real(0), Real(0)}, Real(0)};
-  Bodies<Real> bodies_;
+  IndexedBoxes<Real> bodies_;
   std::vector<PlaneTree> parts_;
 };
 

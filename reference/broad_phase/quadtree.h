@@ -14,7 +14,7 @@ namespace touchstone::reference {
 template <class Real, bool in_space>
 class CellTree {
  public:
-  explicit CellTree(Bodies<Real> bodies) {
+  explicit CellTree(IndexedBoxes<Real> bodies) {
     if (bodies.empty()) return;
     const Aabb3<Real> all = around(bodies);
     *this = CellTree(all, std::move(bodies), 4);
@@ -23,12 +23,12 @@ class CellTree {
   template <class Query, class Found>
   void search(const Query& query, const Found& found) const {
     if ((bodies_.empty() && children_.empty()) || !query.meets(cell_)) return;
-    for (const Body<Real>& body : bodies_) found(body);
+    for (const IndexedBox<Real>& body : bodies_) found(body);
     for (const CellTree& child : children_) child.search(query, found);
   }
 
  private:
-  CellTree(const Aabb3<Real>& cell, Bodies<Real> bodies, int depth) : cell_(cell) {
+  CellTree(const Aabb3<Real>& cell, IndexedBoxes<Real> bodies, int depth) : cell_(cell) {
     if (bodies.size() <= 2 || depth == 0) {
       bodies_ = std::move(bodies);
       return;
@@ -37,8 +37,8 @@ class CellTree {
     halve(parts, &Point3<Real>::x), halve(parts, &Point3<Real>::y);
     if constexpr (in_space) halve(parts, &Point3<Real>::z);
     for (const Aabb3<Real>& part : parts) {
-      Bodies<Real> in;
-      for (const Body<Real>& body : bodies)
+      IndexedBoxes<Real> in;
+      for (const IndexedBox<Real>& body : bodies)
         if (pair_meets(part, body.box)) in.push_back(body);
       if (!in.empty()) children_.push_back(CellTree(part, std::move(in), depth - 1));
     }
@@ -54,7 +54,7 @@ class CellTree {
   }
 
   Aabb3<Real> cell_{};
-  Bodies<Real> bodies_;
+  IndexedBoxes<Real> bodies_;
   std::vector<CellTree> children_;
 };
 

@@ -14,7 +14,7 @@ namespace touchstone::reference {
 template <class Real>
 class Grid {
  public:
-  explicit Grid(const Bodies<Real>& bodies) {
+  explicit Grid(const IndexedBoxes<Real>& bodies) {
     if (bodies.empty()) return;
     int count = 1;
     while (static_cast<std::size_t>(count * count * count) < bodies.size()) ++count;
@@ -28,12 +28,12 @@ class Grid {
   void search(const Query& query, const Found& found) const {
     for (const auto& [cell, bodies] : cells_) {
       if (!query.meets(cell)) continue;
-      for (const Body<Real>& body : bodies) found(body);
+      for (const IndexedBox<Real>& body : bodies) found(body);
     }
   }
 
  private:
-  void add_cell(const Aabb3<Real>& all, const std::array<int, 3>& number, int count, const Bodies<Real>& bodies) {
+  void add_cell(const Aabb3<Real>& all, const std::array<int, 3>& number, int count, const IndexedBoxes<Real>& bodies) {
     Aabb3<Real> cell;
     const auto cut = [&](Real Point3<Real>::*axis, int place) {
       const Real size = Real((all.max.*axis - all.min.*axis) / Real(count));
@@ -41,13 +41,13 @@ class Grid {
       cell.max.*axis = Real(all.min.*axis + Real(place + 1) * size);
     };
     cut(&Point3<Real>::x, number[0]), cut(&Point3<Real>::y, number[1]), cut(&Point3<Real>::z, number[2]);
-    Bodies<Real> in;
-    for (const Body<Real>& body : bodies)
+    IndexedBoxes<Real> in;
+    for (const IndexedBox<Real>& body : bodies)
       if (pair_meets(cell, body.box)) in.push_back(body);
     if (!in.empty()) cells_.emplace_back(cell, std::move(in));
   }
 
-  std::vector<std::pair<Aabb3<Real>, Bodies<Real>>> cells_;
+  std::vector<std::pair<Aabb3<Real>, IndexedBoxes<Real>>> cells_;
 };
 
 /// What `broad_phase` asks, by a uniform grid.
