@@ -167,7 +167,7 @@ def prove_passage_of_box(claim, name):
     inside, leaves = inside_and_leaves(first, -1)
     expect(first >= 0 and inside and (first == 0 or leaves), "truth: first is wrong")
     inside, leaves = inside_and_leaves(last, 1)
-    at_end = ends and (last == 1 or (last == 0 and not any(way)))
+    at_end = ends and (last == 1 if any(way) else last == 0)
     in_order = last >= first and (not ends or last <= 1)
     expect(in_order and inside and (at_end or leaves), "truth: last is wrong")
 

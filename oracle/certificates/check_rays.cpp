@@ -202,7 +202,7 @@ void prove_passage_of_box(const Claim& claim, const char* name) {
   const InBox at_first(line, solid, first), at_last(line, solid, last);
   // The box is convex: what it leaves on one axis it does not come back to.
   expect(sgn(first) >= 0 && at_first.inside && (sgn(first) == 0 || at_first.leaves_backwards), "truth: first is wrong");
-  const bool at_end = line.ends && (last == 1 || (sgn(last) == 0 && !moves(line)));
+  const bool at_end = line.ends && (moves(line) ? last == 1 : sgn(last) == 0);
   expect(last >= first && (!line.ends || last <= 1) && at_last.inside && (at_end || at_last.leaves_forwards),
          "truth: last is wrong");
 }

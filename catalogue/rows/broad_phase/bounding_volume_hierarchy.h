@@ -19,6 +19,7 @@ struct bounding_volume_hierarchy : broad_phase {
       other.pages = "58-61";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a hierarchy of boxes?";
       other.implementation_of = "broad_phase";
+      other.cost = 4;  // in exact arithmetic it is made anew for each query
       return other;
     }();
     return metadata;

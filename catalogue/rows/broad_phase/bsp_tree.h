@@ -17,6 +17,7 @@ struct bsp_tree : broad_phase {
       other.pages = "63";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a tree of planes?";
       other.implementation_of = "broad_phase";
+      other.cost = 6;  // in exact arithmetic it is made anew for each query
       return other;
     }();
     return metadata;

@@ -17,6 +17,7 @@ struct quadtree : broad_phase {
       other.pages = "62";
       other.question = "Which of these boxes meet each other, a box, a point or a ray, by a quadtree?";
       other.implementation_of = "broad_phase";
+      other.cost = 20;  // in exact arithmetic it is made anew for each query
       return other;
     }();
     return metadata;

@@ -32,7 +32,7 @@ struct polyhedron_polyhedron {
         .kind = Kind::decision,
         .fields = {"a", "b"},
         .margin_degree = 2,
-        .cost = 300,
+        .cost = 1000,
         .list_length = 5};
     return metadata;
   }
