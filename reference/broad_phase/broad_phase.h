@@ -41,7 +41,7 @@ std::optional<Real> first_parameter(const Ray3<Real>& ray, const Aabb3<Real>& bo
   return std::nullopt;
 }
 
-/// IndexedBoxes in the order in which a ray meets them; inserted by their index, so that ties stay in its order.
+/// Bodies in the order in which a ray meets them; inserted by their index, so that ties stay in its order.
 template <class Real>
 class OrderAlongRay {
  public:
@@ -123,7 +123,7 @@ struct RayQuery {
   bool meets(const Aabb3<Real>& box) const { return first_parameter(ray, box).has_value(); }
 };
 
-/// IndexedBoxes in a structure, which is made of those that are there when something is asked. `Structure<Real>(bodies)` has
+/// Bodies in a structure, which is made of those that are there when something is asked. `Structure<Real>(bodies)` has
 /// `search(query, found)`, which calls found(body) for those that the query may meet, perhaps more than once.
 template <template <class> class Structure, class Real>
 class InStructure {
