@@ -17,6 +17,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
 
 LINK = re.compile(r"(?<!!)\[[^\]]*\]\(([^)\s]+)\)|!\[[^\]]*\]\(([^)\s]+)\)")
 PROGRAM = "build/release/touchstone"
@@ -73,18 +74,19 @@ def matches(shown, printed):
 
 
 def printed_on_terminal(command, root):
+    """What is last is a mark that this side writes when the command has ended: some systems lose what is still on its way when
+    the last writer closes a terminal."""
     terminal, side = pty.openpty()
+    end, printed = b"\0", b""
     with subprocess.Popen(command, shell=True, cwd=root, stdout=side, stderr=subprocess.DEVNULL) as running:
-        os.close(side)
-        printed = b""
-        try:
-            while part := os.read(terminal, 65536):
-                printed += part
-        except OSError:  # Linux's way to tell that the other side is closed
-            pass
-        running.wait()
+        waiting = threading.Thread(target=lambda: (running.wait(), os.write(side, end)))
+        waiting.start()
+        while not printed.endswith(end):
+            printed += os.read(terminal, 65536)
+        waiting.join()
+    os.close(side)
     os.close(terminal)
-    return printed.decode().splitlines()
+    return printed[:-len(end)].decode().splitlines()
 
 
 def shown_output(root, page, program):

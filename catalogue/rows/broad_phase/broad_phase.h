@@ -200,7 +200,9 @@ struct broad_phase {
              for (double Point3d::*other : {&Point3d::x, &Point3d::y, &Point3d::z})
                if (other != axis) box.min.*other -= more, box.max.*other += more;
              const double by = axis == &Point3d::x ? u : axis == &Point3d::y ? v : w;
-             (by > 0 ? box.max : box.min).*axis += by > 0 ? more : -more;
+             // In two steps: g++ 12 writes into a copy where the conditional is written before ".*" itself.
+             Point3d& far_corner = by > 0 ? box.max : box.min;
+             far_corner.*axis += by > 0 ? more : -more;
              p.start_with(box);
            }
            p.ask_along({o, {u, v, w}});

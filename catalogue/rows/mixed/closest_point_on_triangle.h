@@ -113,7 +113,8 @@ struct closest_point_on_triangle {
          [](DrawStream& c) -> Question {
            const LatticePlane plane = LatticePlane::of(c);
            Triangle3d t = plane.triangle(c);
-           Point3d p = plane.point(c) + lattice_normal(c, 4);
+           const Point3d foot = plane.point(c);
+           Point3d p = foot + lattice_normal(c, 4);
            stretch(c, p, t.a, t.b, t.c);
            return {p, t};
          }},
