@@ -57,6 +57,7 @@ struct ExhaustCommand {
   std::string engine;  ///< command of an engine, which is asked instead of our reference; empty: none
   double timeout = usual_timeout;
   int jobs = 0;  ///< 0: as many as the machine has, and with an engine one
+  std::size_t list_length = 0;  ///< elements of each list; 0: as many as Metadata says
 };
 
 /// Seconds of a soak that nothing else ends; and cases that none ends by.

@@ -8,6 +8,7 @@
 
 #include "audit/place.h"
 #include "catalogue/codec/plain.h"
+#include "program/names.h"
 
 namespace touchstone::program {
 namespace {
@@ -31,6 +32,8 @@ Counts read_counts(const Place& place) {
     counts.add(one);
   });
   place.at("outcomes").each_member([&](const std::string& word, const Place& n) { counts.outcomes[word] = n.count(); });
+  if (place.value.contains("of_grid"))
+    place.at("of_grid").each_member([&](const std::string& word, const Place& n) { counts.of_grid[word] = n.count(); });
   counts.wrong = place.at("wrong").count();
   counts.hash = place.at("hash").hexadecimal();
   std::uint64_t sum = 0;
@@ -66,6 +69,7 @@ void Counts::add(const Counts& other) {
   }
   counted = std::move(joined);
   for (const auto& [word, n] : other.outcomes) outcomes[word] += n;
+  for (const auto& [word, n] : other.of_grid) of_grid[word] += n;
   wrong += other.wrong;
   hash += other.hash;
   if (!other.first_wrong.is_null() && (first_wrong.is_null() || index_of(other.first_wrong) < index_of(first_wrong)))
@@ -123,6 +127,19 @@ void require_shares(const CountedRun& run) {
   }
 }
 
+void require_whole_grid(const CountedRun& run) {
+  if (run.shards > 1) return;
+  for (const Counts& counts : run.operations) {
+    if (counts.of_grid.empty()) continue;
+    const Operation& operation = operation_named(counts.operation);
+    const auto whole = operation.configurations_of_plain_grid(static_cast<int>(run.grid), operation.metadata().list_length);
+    std::uint64_t sum = 0;
+    for (const auto& [word, n] : counts.of_grid) sum += n;
+    if (whole != sum)
+      throw InvalidInput("of_grid", fmt::format("{} configurations, got {}", whole.value_or(0), sum));
+  }
+}
+
 Json json_of(const CountedRun& run) {
   Json operations = Json::array();
   for (const Counts& counts : run.operations) {
@@ -134,6 +151,7 @@ Json json_of(const CountedRun& run) {
                  {"outcomes", outcomes},
                  {"wrong", counts.wrong},
                  {"hash", fmt::format("{:016x}", counts.hash)}};
+    if (!counts.of_grid.empty()) json["of_grid"] = counts.of_grid;
     if (counts.wrong > 0) json["first_wrong"] = counts.first_wrong;
     operations.push_back(std::move(json));
   }

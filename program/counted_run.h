@@ -17,6 +17,7 @@ struct Counts {
   std::string operation;
   std::vector<Share> counted;                     ///< ascending, with gaps between them
   std::map<std::string, std::uint64_t> outcomes;  ///< what was true; "refused" where the input is outside the contract
+  std::map<std::string, std::uint64_t> of_grid;   ///< of the whole grid, where one case stands for several; else empty
   std::uint64_t wrong = 0;                        ///< of these, how often robust and oracle differ
   std::uint64_t hash = 0;  ///< a sum over the cases, so that neither order nor cut leaves a trace
   Json first_wrong;        ///< that of the least index: index, input, and what else is known; null where none is
@@ -47,6 +48,9 @@ Json json_of(const CountedRun& run);
 CountedRun read_counted_run(const Json& json);
 /// Throws InvalidInput unless the cases counted are those of the shards done; with a limit of time, some of each.
 void require_shares(const CountedRun& run);
+
+/// Throws InvalidInput where all was asked and, with symmetries, that is not the whole grid.
+void require_whole_grid(const CountedRun& run);
 
 /// A row an operation, and what is wrong with the line that asks it again.
 std::string table_of(const CountedRun& run);

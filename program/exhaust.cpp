@@ -22,8 +22,8 @@ class Job {
  public:
   using Start = std::function<std::unique_ptr<Engine>()>;
   /// The engine is started when it is first needed.
-  Job(const Operation& operation, int grid, Start start)
-      : operation_(operation), grid_(grid), start_(std::move(start)) {}
+  Job(const Operation& operation, const ExhaustCommand& command, Start start)
+      : operation_(operation), grid_(command.grid), list_length_(command.list_length), start_(std::move(start)) {}
 
   void examine(const Share& share) {
     if (start_) engine_ = start_(), start_ = nullptr;
@@ -42,7 +42,7 @@ class Job {
   };
 
   void examine(std::uint64_t i) {
-    const Question question = operation_.on_grid(grid_, i);
+    const Question question = operation_.on_grid(grid_, i, list_length_);
     try {
       auto examination = operation_.examine(question);
       count(robust_, {operation_, question, examination->outcome(), i}, examination->judge_robust());
@@ -87,6 +87,7 @@ class Job {
 
   const Operation& operation_;
   int grid_;
+  std::size_t list_length_;
   Start start_;
   std::unique_ptr<Engine> engine_;
   Cell answers_, robust_;
@@ -114,7 +115,7 @@ int examinations(const Operation& operation, const ExhaustCommand& command, cons
     robust.merge(stopped.robust.at(0).families.at(0).second);
   }
   std::vector<Job> jobs;
-  for (std::size_t i = 0; i < run.jobs(); ++i) jobs.emplace_back(operation, command.grid, start);
+  for (std::size_t i = 0; i < run.jobs(); ++i) jobs.emplace_back(operation, command, start);
   const auto take = [&] {
     for (Job& job : jobs) answers.merge(job.take_answers()), robust.merge(job.take_robust());
   };
@@ -133,19 +134,19 @@ int examinations(const Operation& operation, const ExhaustCommand& command, cons
   return bad_usage;
 }
 
-Counts counted(const Operation& operation, int grid, const Share& share) {
-  const auto decided = operation.count_decisions(grid, share.first, share.last);
-  Counts counts{operation.name(), {share}, decided->outcomes, decided->wrong, decided->hash, nullptr};
+Counts counted(const Operation& operation, const ExhaustCommand& command, const Share& share) {
+  const auto decided = operation.count_decisions(command.grid, share.first, share.last, command.list_length);
+  Counts counts{operation.name(), {share}, decided->outcomes, decided->of_grid, decided->wrong, decided->hash, nullptr};
   if (decided->wrong > 0)
     counts.first_wrong = {{"index", decided->first_wrong},
-                          {"input", operation.print(operation.on_grid(grid, decided->first_wrong))}};
+                          {"input", operation.print(operation.on_grid(command.grid, decided->first_wrong, command.list_length))}};
   return counts;
 }
 
 int decisions(const Operation& operation, const ExhaustCommand& command, const Shard& shard, std::ostream& out,
               std::ostream& err) {
   if (operation.row().count_decisions == nullptr)
-    throw UsageError("--decisions: expected an operation with a fast pair of decisions (segment_segment, orientation)");
+    throw UsageError("--decisions: expected an operation with a fast pair of decisions (orientation, segment_segment, point_in_polygon)");
   GridRun run(operation, command, shard, err);
   CountedRun sum;
   sum.kind = "decisions";
@@ -153,17 +154,18 @@ int decisions(const Operation& operation, const ExhaustCommand& command, const S
   sum.of = run.total();
   sum.shards = shard.of;
   sum.done = {shard.index};
-  sum.operations.push_back({operation.name(), {}, {}, 0, 0, nullptr});
+  sum.operations.push_back({operation.name(), {}, {}, {}, 0, 0, nullptr});
   if (const Json stopped = run.counted(); !stopped.is_null()) sum = read_counted_run(stopped);
   std::vector<Counts> pieces(run.jobs());
   const auto take = [&] {
     for (Counts& piece : pieces) sum.operations[0].add(std::exchange(piece, {}));
   };
   const bool finished =
-      run.run([&](std::size_t job, const Share& share) { pieces[job].add(counted(operation, command.grid, share)); },
+      run.run([&](std::size_t job, const Share& share) { pieces[job].add(counted(operation, command, share)); },
               [&] { return take(), json_of(sum); });
   take();
   if (!finished) return interrupted;
+  require_whole_grid(sum);
   const std::string line = one_line(json_of(sum)) + "\n";
   if (!is_standard_output(command.json_file)) out << line;
   write_file("--json", command.json_file, line);
@@ -173,8 +175,14 @@ int decisions(const Operation& operation, const ExhaustCommand& command, const S
 
 }  // namespace
 
-int exhaust_command(const ExhaustCommand& command, std::ostream& out, std::ostream& err) {
+int exhaust_command(const ExhaustCommand& asked, std::ostream& out, std::ostream& err) {
+  ExhaustCommand command = asked;
   const Operation& operation = operation_named(command.operation);
+  if (command.list_length == 0) {
+    command.list_length = operation.metadata().list_length;
+  } else if (operation.metadata().list_length == 0) {
+    throw UsageError("--list-length: expected an operation that is asked about lists");
+  }
   const Shard shard = shard_of(command.shard);
   require_writable("--json", command.json_file);
   if (command.decisions && !command.engine.empty())

@@ -17,8 +17,8 @@ namespace {
 /// So often it is seen how far the run is.
 constexpr double seconds_of_a_round = 0.5;
 
-std::uint64_t configurations(const Operation& operation, int grid) {
-  const auto total = operation.configurations(grid);
+std::uint64_t configurations(const Operation& operation, const ExhaustCommand& command) {
+  const auto total = operation.configurations(command.grid, command.list_length);
   if (!total) throw UsageError("--grid: expected fewer than 2^64 configurations, got more");
   return *total;
 }
@@ -32,6 +32,7 @@ int jobs_of(const ExhaustCommand& command) {
 Json named(const ExhaustCommand& command, const Shard& shard) {
   return {{"exhaust", command.operation},
           {"grid", command.grid},
+          {"list_length", command.list_length},
           {"decisions", command.decisions},
           {"engine", command.engine},
           {"shard", shard.text()}};
@@ -40,7 +41,7 @@ Json named(const ExhaustCommand& command, const Shard& shard) {
 }  // namespace
 
 GridRun::GridRun(const Operation& operation, const ExhaustCommand& command, const Shard& shard, std::ostream& err)
-    : total_(configurations(operation, command.grid)),
+    : total_(configurations(operation, command)),
       share_(share_of(total_, shard)),
       next_(share_.first),
       began_at_(share_.first),

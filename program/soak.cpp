@@ -28,7 +28,7 @@ class Soaked {
   Soaked(const Operation& operation, std::uint64_t seed) : operation_(operation), seed_(seed) {}
 
   Counts count(const Share& share) const {
-    Counts counts{operation_.name(), {share}, {}, 0, 0, nullptr};
+    Counts counts{operation_.name(), {share}, {}, {}, 0, 0, nullptr};
     for (std::uint64_t index = share.first; index < share.last; ++index) {
       const std::size_t families = operation_.families().size(), family = index % families;
       DrawStream draws = case_choices(operation_, family, seed_, index / families);
@@ -89,7 +89,7 @@ class Soak {
     share_ = share_of(run_.of, shard);
     for (const Operation* operation : operations_named(command.operations)) {
       operations_.push_back(operation);
-      run_.operations.push_back({operation->name(), {}, {}, 0, 0, nullptr});
+      run_.operations.push_back({operation->name(), {}, {}, {}, 0, 0, nullptr});
       rounds_.emplace_back(jobs_, turn);
     }
   }

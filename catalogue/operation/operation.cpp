@@ -158,7 +158,10 @@ Json Operation::truth_as_typed(const Json& input) const {
 }
 
 std::optional<std::uint64_t> Operation::configurations(int size, std::size_t list_length) const {
-  if (row_.world) return row_.world->count(size);
+  return row_.world ? row_.world->count(size) : configurations_of_plain_grid(size, list_length);
+}
+
+std::optional<std::uint64_t> Operation::configurations_of_plain_grid(int size, std::size_t list_length) const {
   std::uint64_t total = 0;
   for (const Question& zero : zeros_of_alternatives(list_length)) {
     const auto configurations = configurations_of(question_, zero, size);
@@ -186,9 +189,10 @@ Question Operation::on_grid(int size, std::uint64_t index, std::size_t list_leng
   return std::move(question);
 }
 
-std::optional<DecisionCount> Operation::count_decisions(int size, std::uint64_t first, std::uint64_t last) const {
+std::optional<DecisionCount> Operation::count_decisions(int size, std::uint64_t first, std::uint64_t last,
+                                                        std::size_t list_length) const {
   if (row_.count_decisions == nullptr) return std::nullopt;
-  return row_.count_decisions(size, first, last);
+  return row_.count_decisions(size, first, last, list_length);
 }
 
 Question Operation::map_centre() const {

@@ -74,13 +74,19 @@ class Operation {
   /// How many configurations such a grid has; empty beyond 2^64.
   std::optional<std::uint64_t> configurations(int size) const { return configurations(size, metadata().list_length); }
   std::optional<std::uint64_t> configurations(int size, std::size_t list_length) const;
+  /// The same where every number runs over all of 0 .. size - 1, whatever domain the row has.
+  std::optional<std::uint64_t> configurations_of_plain_grid(int size, std::size_t list_length) const;
   /// The question of that index. On a plain grid every number runs over 0 .. size - 1 and every word over what it may
   /// be; the first number is the slowest, words are faster than numbers, and one alternative comes after the other.
   Question on_grid(int size, std::uint64_t index) const { return on_grid(size, index, metadata().list_length); }
   Question on_grid(int size, std::uint64_t index, std::size_t list_length) const;
   /// Configurations `first` <= index < `last` of that grid, decisions alone. Empty where the operation has no such fast
   /// pair of decisions.
-  std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const;
+  std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last) const {
+    return count_decisions(size, first, last, metadata().list_length);
+  }
+  std::optional<DecisionCount> count_decisions(int size, std::uint64_t first, std::uint64_t last,
+                                               std::size_t list_length) const;
 
   /// For maps: indices of the two numbers to move, and a degenerate question around which to move them.
   Question map_centre() const;

@@ -158,6 +158,8 @@ struct Hooks {
   /// Questions of exhaustive runs of that size: how many, and the one of an index (default: a grid of all numbers).
   std::uint64_t (*domain_count)(int size) = nullptr;
   Question (*domain_at)(int size, std::uint64_t index) = nullptr;
+  /// For how many configurations of that grid it stands, where one is asked for all that symmetries make of it.
+  std::uint64_t (*domain_weight)(int size, std::uint64_t index) = nullptr;
   /// Exact symmetries, asked of robust and oracle.
   Laws laws{};
 };

@@ -33,6 +33,7 @@ struct Solution {
 struct DecisionCount {
   std::uint64_t cases = 0, wrong = 0, hash = 0;  ///< hash: sum over the cases, so parts of a range add up
   std::map<std::string, std::uint64_t> outcomes;
+  std::map<std::string, std::uint64_t> of_grid;  ///< of all configurations for which the cases stand; else empty
   std::uint64_t first_wrong = 0;  ///< index of the first wrong case, if wrong > 0
 };
 
@@ -76,8 +77,9 @@ struct RowFunctions {
   const Shape* decision;
   Word (*decide)(const Question&, std::size_t environment);
   Word (*decide_by_oracle)(const Question&);    ///< nullptr: the oracle has no quick decision
-  Word (*decide_by_integers)(const Question&);  ///< of integers below 2^31; nullptr likewise
-  DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last);  ///< nullptr likewise
+  Word (*decide_by_integers)(const Question&);  ///< of small integers; nullptr likewise
+  DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last,
+                                   std::size_t list_length);  ///< nullptr likewise
 
   /// The decisions on `count` questions over columns, one for each number of a question: enumerators, a byte each.
   /// nullptr: robust does not answer arrays.

@@ -137,7 +137,7 @@ struct RowOf {
     return static_cast<Word>(Row::decision::oracle(
         unpacked<Whole>(question, [](double number) { return static_cast<std::int64_t>(number); })));
   }
-  static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last);
+  static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last, std::size_t list_length);
 
   static const std::vector<HardCase<Asked>>& hard_cases() {
     static const std::vector<HardCase<Asked>> all = Row::hard_cases();
@@ -196,29 +196,24 @@ struct RowOf {
   static RowFunctions functions();
 };
 
-/// The inner loop of an exhaustive run of decisions, numbers counting up like digits.
+/// The inner loop of an exhaustive run of decisions, numbers counting up like digits, or as the row has its domain.
 template <class Row>
-DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::uint64_t last) {
-  auto asked = zeros<Asked>(Row::metadata().list_length);
-  auto integers = zeros<rebound_t<Asked, std::int64_t>>(Row::metadata().list_length);
+DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::uint64_t last, std::size_t list_length) {
+  auto asked = zeros<Asked>(list_length);
+  auto integers = zeros<rebound_t<Asked, std::int64_t>>(list_length);
   std::vector<double*> numbers;
   std::vector<std::int64_t*> digits;
   for_each_number(asked, [&](double& number) { numbers.push_back(&number); });
   for_each_number(integers, [&](std::int64_t& number) { digits.push_back(&number); });
-  std::uint64_t rest = first;
-  for (std::size_t i = digits.size(); i-- > 0; rest /= static_cast<std::uint64_t>(size)) {
-    *digits[i] = static_cast<std::int64_t>(rest % static_cast<std::uint64_t>(size));
-    *numbers[i] = static_cast<double>(*digits[i]);
-  }
-  using Decision = decltype(Row::decision::robust(asked));
-  std::array<std::uint64_t, Words<Decision>::words.size()> outcomes{};
-  DecisionCount count;
-  for (std::uint64_t index = first; index < last; ++index) {
-    const Decision truth = Row::decision::oracle(integers);
-    const auto word = static_cast<std::size_t>(truth);
-    ++outcomes[word];
-    count.hash += scattered(index * 4 + word);
-    if (Row::decision::robust(asked) != truth && count.wrong++ == 0) count.first_wrong = index;
+  const auto given = hooks();
+  const auto take = [&](std::uint64_t index) {
+    if (given.domain_at) asked = given.domain_at(size, index);
+    for (std::size_t i = digits.size(); i-- > 0; index /= static_cast<std::uint64_t>(size)) {
+      if (given.domain_at) *digits[i] = static_cast<std::int64_t>(*numbers[i]);
+      else *numbers[i] = static_cast<double>(*digits[i] = static_cast<std::int64_t>(index % static_cast<std::uint64_t>(size)));
+    }
+  };
+  const auto count_up = [&] {
     for (std::size_t i = digits.size(); i-- > 0;) {
       if (++*digits[i] < size) {
         *numbers[i] = static_cast<double>(*digits[i]);
@@ -227,9 +222,27 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
       *digits[i] = 0;
       *numbers[i] = 0;
     }
+  };
+  using Decision = decltype(Row::decision::robust(asked));
+  std::array<std::uint64_t, Words<Decision>::words.size()> outcomes{}, of_grid{};
+  DecisionCount count;
+  if (first < last) take(first);
+  for (std::uint64_t index = first; index < last;) {
+    const Decision truth = Row::decision::oracle(integers);
+    const auto word = static_cast<std::size_t>(truth);
+    ++outcomes[word];
+    if (given.domain_weight) of_grid[word] += given.domain_weight(size, index);
+    count.hash += scattered(index * 4 + word);
+    if (Row::decision::robust(asked) != truth && count.wrong++ == 0) count.first_wrong = index;
+    if (++index == last) break;
+    if (given.domain_at) take(index);
+    else count_up();
   }
   count.cases = last - first;
-  for (std::size_t i = 0; i < outcomes.size(); ++i) count.outcomes[Words<Decision>::words[i]] = outcomes[i];
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    count.outcomes[Words<Decision>::words[i]] = outcomes[i];
+    if (given.domain_weight) count.of_grid[Words<Decision>::words[i]] = of_grid[i];
+  }
   return count;
 }
 

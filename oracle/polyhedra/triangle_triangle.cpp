@@ -6,6 +6,7 @@
 
 #include "geometry/validation_of_triangles.h"
 #include "oracle/exact/common_dimension.h"
+#include "oracle/exact/common_dimension_on_grid.h"
 #include "oracle/exact/common_scale.h"
 #include "oracle/exact/rational_validation.h"
 #include "oracle/exact/triangles.h"
@@ -47,12 +48,21 @@ Certificate certificate(const Solved<Number>& s) {
   return {"dimension", {{"planes", planes}, {"on_a", on_a}, {"on_b", on_b}}};
 }
 
+Relation relation_of(int dimension) {
+  static constexpr Relation relations[]{Relation::none, Relation::point, Relation::segment, Relation::area};
+  return relations[dimension + 1];
+}
+
+template <class Number>
+Solved<Number> solved(const Triangle3<Number>& a, const Triangle3<Number>& b) {
+  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
+  return {a, b};
+}
+
 template <class Number>
 Truth<Relation> truth_of(const Triangle3<Number>& a, const Triangle3<Number>& b) {
-  validation::validate_numbers("a", a), validation::validate_numbers("b", b);
-  Solved<Number> s(a, b);
-  static constexpr Relation relations[]{Relation::none, Relation::point, Relation::segment, Relation::area};
-  Truth<Relation> truth{relations[s.common.dimension + 1], Rational(0)};
+  Solved<Number> s = solved(a, b);
+  Truth<Relation> truth{relation_of(s.common.dimension), Rational(0)};
   if (truth.answer == Relation::none || truth.answer == Relation::segment) {
     std::vector<Rational> ways;
     for (const auto& [t, other] : {std::pair{&s.a, &s.b}, std::pair{&s.b, &s.a}})
@@ -67,6 +77,13 @@ Truth<Relation> truth_of(const Triangle3<Number>& a, const Triangle3<Number>& b)
 }  // namespace
 
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b) { return truth_of(a, b); }
+
+TriangleTriangleRelation triangle_triangle_relation(const Triangle3d& a, const Triangle3d& b) {
+  return relation_of(solved(a, b).common.dimension);
+}
+TriangleTriangleRelation triangle_triangle_relation(const Triangle3<std::int64_t>& a, const Triangle3<std::int64_t>& b) {
+  return relation_of(common_dimension_on_grid(a, b));
+}
 
 template <Exact Number>
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+
 #include "geometry/triangles.h"
 #include "oracle/truth.h"
 
@@ -16,5 +18,9 @@ namespace touchstone::oracle {
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Triangle3d& b);
 template <Exact Number>
 Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3<Number>& a, const Triangle3<Number>& b);
+
+/// The same relation alone; of integers below 2^13 in size without linear programs.
+TriangleTriangleRelation triangle_triangle_relation(const Triangle3d& a, const Triangle3d& b);
+TriangleTriangleRelation triangle_triangle_relation(const Triangle3<std::int64_t>& a, const Triangle3<std::int64_t>& b);
 
 }  // namespace touchstone::oracle

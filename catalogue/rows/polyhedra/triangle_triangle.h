@@ -3,6 +3,7 @@
 
 #include "catalogue/families/reported_triangles.h"
 #include "catalogue/families/triangle_draws.h"
+#include "catalogue/families/triangle_orbits.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/triangle_triangle.h"
@@ -15,7 +16,6 @@ struct triangle_triangle {
   TOUCHSTONE_MODULES(triangle_triangle)
   using stages = ::touchstone::robust::stages::triangle_triangle;
   using Question = std::tuple<Triangle3d, Triangle3d>;
-  using decision = NoDecision;
 
   static const Metadata& metadata() {
     static const Metadata metadata{
@@ -160,10 +160,26 @@ struct triangle_triangle {
   }
   static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
 
+  struct decision {
+    static TriangleTriangleRelation robust(const Question& q) {
+      return ::touchstone::robust::triangle_triangle(std::get<0>(q), std::get<1>(q));
+    }
+    static TriangleTriangleRelation oracle(const auto& q) {
+      return ::touchstone::oracle::triangle_triangle_relation(std::get<0>(q), std::get<1>(q));
+    }
+  };
+
+  static std::uint64_t domain_count(int size) { return TriangleOrbits::of(size).count(); }
+  static Question domain_at(int size, std::uint64_t index) { return TriangleOrbits::of(size).at(index); }
+  static std::uint64_t domain_weight(int size, std::uint64_t index) { return TriangleOrbits::of(size).weight(index); }
+
   static Hooks<triangle_triangle> hooks() {
     return {.as_open_sets = as_open_sets,
             .map_centre = map_centre,
             .map_axes = map_axes,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
+            .domain_weight = domain_weight,
             .laws = {.maps = Laws::Maps::affine, .scales = true, .exchanges = {{0, 1}}}};
   }
 

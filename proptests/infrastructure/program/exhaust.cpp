@@ -8,6 +8,7 @@
 
 #include "geometry/invalid_input.h"
 #include "program/commands.h"
+#include "program/counted_run.h"
 #include "program/program.h"
 #include "proptests/catch.h"
 #include "proptests/uses.h"
@@ -25,10 +26,12 @@ class Shards {
   }
 
   /// Runs `exhaust` on one shard and returns its file.
-  std::string run(const std::string& operation, int grid, const std::string& shard, bool decisions) {
+  std::string run(const std::string& operation, int grid, const std::string& shard, bool decisions,
+                  std::size_t list_length = 0) {
     const std::string file = (folder_ / std::to_string(++runs_)).string();
     std::ostringstream out, err;
-    exhaust_command({"touchstone", operation, grid, shard, file, decisions}, out, err);
+    exhaust_command({"touchstone", operation, grid, shard, file, decisions, "", usual_timeout, 0, list_length}, out,
+                    err);
     return file;
   }
   std::vector<std::string> run_all(const std::string& operation, int grid, int shards, bool decisions) {
@@ -119,6 +122,19 @@ TEST_CASE("exhaust: decisions merge to those of one run; gaps, repetitions and o
              EndsWith("shards: the same in every file"));
   CHECK_THAT(merged({thirds[0], shards.run("orientation", 2, "2/3", true)}), EndsWith("grid: the same in every file"));
   CHECK_THAT(merged({thirds[0], shards.run("line_line", 3, "2/3", false)}), EndsWith("kind: the same in every file"));
+}
+
+TEST_CASE("exhaust: lists are as long as one likes, where there are lists") {
+  Shards shards;
+  // Three vertices and a point on the grid of 2 x 2: 2^8 configurations.
+  const auto decided = read_counted_run(Json::parse(only_line(shards.run("point_in_polygon", 2, "1/1", true, 3))));
+  CHECK(decided.of == 256);
+  CHECK(decided.wrong() == 0);
+  const std::string examined = merged({shards.run("point_in_polygon", 2, "1/1", false, 3)});
+  CHECK_THAT(examined, ContainsSubstring("256"));
+  CHECK_THAT(merged({shards.run("point_in_polygon", 2, "1/2", true, 3), shards.run("point_in_polygon", 2, "2/2", true, 4)}),
+             EndsWith("of: the same in every file"));
+  CHECK_THROWS_AS(shards.run("orientation", 2, "1/1", true, 3), UsageError);
 }
 
 TEST_CASE("exhaust: the hash of the decisions changes with a decision") {
