@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/certificates/check_space.h"
+#include <string>
+
+#include "oracle/certificates/check_triangles.h"
 
 namespace touchstone::certify {
 namespace {
@@ -37,8 +39,66 @@ void check_sphere_plane(const Claim& claim) {
   else expect(in_ball == 0, "certificate: the point is not on the boundary of the ball");
 }
 
+/// The height of a box's lowest point over a plane: at the lower end of every axis on which the plane slopes.
+Rational lowest(const Box& box, const Plane& plane) {
+  const auto end = [](const Rational& slope, const Rational& min, const Rational& max) {
+    return sgn(slope) > 0 ? min : max;
+  };
+  const Triple& n = plane.normal;
+  return plane.at(
+      {end(n.x, box.min[0], box.max[0]), end(n.y, box.min[1], box.max[1]), end(n.z, box.min[2], box.max[2])});
+}
+
+/// Nothing of the triangle is above the plane, and nothing of the box is below it; where they are disjoint, nothing is
+/// on it either.
+void expect_between(const Claim& claim, const Corners& corners, const Box& box, bool disjoint) {
+  const Plane plane{triple(claim, "normal"), Rational(-claim.single("offset"))};
+  expect(!(plane.normal == Triple{0, 0, 0}), "certificate: the normal is zero");
+  const char* const reason = "certificate: the plane does not separate";
+  for (const Triple& corner : corners) expect(sgn(plane.at(corner)) < (disjoint ? 0 : 1), reason);
+  expect(sgn(lowest(box, plane)) > (disjoint ? 0 : -1), reason);
+}
+
+void check_triangle_aabb(const Claim& claim) {
+  claim.inputs({"triangle", "aabb"});
+  const Corners corners = points<3>(claim.input["triangle"], "triangle");
+  const Box box = box_in_space(claim.input["aabb"], "aabb");
+  claim.answers({"contact"});
+  const std::string contact = claim.word("contact"), kind = claim.kind();
+  const bool disjoint = contact == "disjoint", overlapping = contact == "overlapping", flat = kind == "flat_axis";
+  expect(disjoint || overlapping || contact == "touching", "truth: contact is wrong");
+  expect(disjoint      ? kind == "separating_plane"
+         : overlapping ? kind == "common_interior_point"
+                       : flat || kind == "supporting_plane",
+         "certificate: no such kind for this truth");
+  if (disjoint) {
+    claim.facts({"normal", "offset"}), expect_between(claim, corners, box, true);
+    return;
+  }
+  if (overlapping) claim.facts({"weights"});
+  else if (flat) claim.facts({"weights", "axis"});
+  else claim.facts({"normal", "offset", "weights"});
+  const std::vector<Rational> weights = claim.list("weights");
+  expect(weights.size() == 3, "certificate: as many weights as points");
+  const Triple point = weighted(corners, weights, 0);
+  const std::vector<Rational> x{point.x, point.y, point.z};
+  expect(box.holds(x), "certificate: the point is not in the box");
+  if (overlapping) {
+    for (std::size_t k = 0; k < 3; ++k)
+      expect(box.min[k] < x[k] && x[k] < box.max[k], "certificate: the point is not inside the box");
+  } else if (flat) {
+    const Rational axis = claim.single("axis");
+    bool found = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      found = found || (axis == static_cast<unsigned long>(k) && box.min[k] == box.max[k]);
+    expect(found, "certificate: the box is not flat on the axis");
+  } else {
+    expect_between(claim, corners, box, false);
+  }
+}
+
 }  // namespace
 
-Checks checks_of_mixed() { return {{"sphere_plane", check_sphere_plane}}; }
+Checks checks_of_mixed() { return {{"sphere_plane", check_sphere_plane}, {"triangle_aabb", check_triangle_aabb}}; }
 
 }  // namespace touchstone::certify

@@ -19,10 +19,16 @@ Vector3<Second<Integer>> axis_across(const Vector3<Integer>& v, const Vector3<In
           multiply(v.x, w.y) - multiply(v.y, w.x)};
 }
 
-/// |axis . v|; on a lattice below 2^189 for axes of two half axes, which are below 2^61.
+/// axis . v; on a lattice below 2^189.
+template <class Integer>
+Third<Integer> product_with_axis(const Vector3<Second<Integer>>& axis, const Vector3<Integer>& v) {
+  return multiply(axis.x, v.x) + multiply(axis.y, v.y) + multiply(axis.z, v.z);
+}
+
+/// |axis . v|
 template <class Integer>
 Third<Integer> along_axis(const Vector3<Second<Integer>>& axis, const Vector3<Integer>& v) {
-  const Third<Integer> sum = multiply(axis.x, v.x) + multiply(axis.y, v.y) + multiply(axis.z, v.z);
+  const Third<Integer> sum = product_with_axis(axis, v);
   return sign_of(sum) < 0 ? Third<Integer>(-sum) : sum;
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The second truths of shapes of two chapters, for simplest_truth.py."""
+import itertools
 from fractions import Fraction
 
 from simplest_truth_reading import Root, dot, minus, number, point
@@ -126,3 +127,47 @@ def truth_sphere_capsule(q):
 def truth_capsule_capsule(q):
     (a, r), (b, s) = capsule(q["a"]), capsule(q["b"])
     return contact(min(square(*pair) for pair in nearest_pairs(a, b)), [r, s])
+
+
+def clipped(polygon, height):
+    """The part of a convex polygon that is not below 0: its vertices there, and the points of edges that cross."""
+    kept = []
+    for p, q in zip(polygon, polygon[1:] + polygon[:1]):
+        before, after = height(p), height(q)
+        if before >= 0:
+            kept.append(p)
+        if before * after < 0:
+            kept.append(tuple(x + before / (before - after) * (y - x) for x, y in zip(p, q)))
+    return kept
+
+
+def greatest_depth(corners, heights):
+    """How far a point of a triangle can be above 0 in all heights: it is a corner, or a point of an edge where two of
+    them are equal, or one where three are."""
+    a, b, c = corners
+    found = list(corners)
+    for f, g in itertools.combinations(heights, 2):
+        for p, q in ((a, b), (b, c), (c, a)):
+            before, after = f(p) - g(p), f(q) - g(q)
+            if before * after < 0:
+                found.append(tuple(x + before / (before - after) * (y - x) for x, y in zip(p, q)))
+    for f, g, h in itertools.combinations(heights, 3):
+        gaps = [[one(p) - other(p) for p in corners] for one, other in ((f, g), (f, h))]
+        weights = solved([(of_b - of_a, of_c - of_a) for of_a, of_b, of_c in gaps], [-of_a for of_a, *_ in gaps])
+        if weights and min(*weights, 1 - sum(weights)) >= 0:
+            found.append(tuple(x + weights[0] * (y - x) + weights[1] * (z - x) for x, y, z in zip(a, b, c)))
+    return max(min(height(p) for height in heights) for p in found)
+
+
+def truth_triangle_aabb(q):
+    """What of the triangle is in the box, cut face by face; the mean of its vertices is inside if any of it is. Margin:
+    how deep a point of the triangle can be within all faces."""
+    corners, low, high = list(map(point, q["triangle"])), point(q["aabb"]["min"]), point(q["aabb"]["max"])
+    heights = [lambda p, k=k: p[k] - low[k] for k in range(3)] + [lambda p, k=k: high[k] - p[k] for k in range(3)]
+    rest = corners
+    for height in heights:
+        rest = clipped(rest, height)
+    mean = [sum(along) / len(rest) for along in zip(*rest)]
+    inside = rest and all(height(mean) > 0 for height in heights)
+    contact = "overlapping" if inside else "touching" if rest else "disjoint"
+    return {"contact": contact}, abs(greatest_depth(corners, heights))

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/mixed/triangle_aabb.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+#include "geometry/validation_of_triangles.h"
+#include "robust/kernel/face_filter.h"
+#include "robust/kernel/parallelepiped.h"
+#include "robust/kernel/valid_capsules.h"
+
+namespace touchstone::robust {
+namespace {
+
+/// Of doubles as bits: no subnormal is read as 0.
+constexpr auto less = []<class Real>(const Real& x, const Real& y) {
+  if constexpr (std::is_same_v<Real, double>) return kernel::ordered_bits(x) < kernel::ordered_bits(y);
+  else return x < y;
+};
+
+/// What is seen along one axis of space: a triangle and a rectangle of the plane.
+template <class Real>
+struct Shadow {
+  std::array<Point2<Real>, 3> corners;
+  Aabb2<Real> box;
+
+  /// The corner of the rectangle that lies farthest to the left of p -> q.
+  Point2<Real> leftmost(const Point2<Real>& p, const Point2<Real>& q) const {
+    return {less(p.y, q.y) ? box.min.x : box.max.x, less(p.x, q.x) ? box.max.y : box.min.y};
+  }
+};
+
+/// Along x, y and z, so that the triangle turns left in one where the coordinate of its normal is positive.
+template <class Real>
+std::array<Shadow<Real>, 3> shadows(const Triangle3<Real>& t, const Aabb3<Real>& box) {
+  const auto& [a, b, c] = t;
+  const auto& [min, max] = box;
+  return {{{{{{a.y, a.z}, {b.y, b.z}, {c.y, c.z}}}, {{min.y, min.z}, {max.y, max.z}}},
+           {{{{a.z, a.x}, {b.z, b.x}, {c.z, c.x}}}, {{min.z, min.x}, {max.z, max.x}}},
+           {{{{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}}, {{min.x, min.y}, {max.x, max.y}}}}};
+}
+
+/// One coordinate of the triangle, and the interval of the box.
+template <class Real>
+struct Interval {
+  Real least, greatest, min, max;
+};
+template <class Real>
+std::array<Interval<Real>, 3> intervals(const Triangle3<Real>& t, const Aabb3<Real>& box) {
+  const auto of = [](const Real& a, const Real& b, const Real& c, const Real& min, const Real& max) {
+    return Interval<Real>{std::min({a, b, c}, less), std::max({a, b, c}, less), min, max};
+  };
+  const auto& [a, b, c] = t;
+  const auto& [min, max] = box;
+  return {of(a.x, b.x, c.x, min.x, max.x), of(a.y, b.y, c.y, min.y, max.y), of(a.z, b.z, c.z, min.z, max.z)};
+}
+
+/// Where a normal whose coordinates have these signs is highest over the box; where one is 0 either end will do.
+template <class Real>
+Point3<Real> highest(const Aabb3<Real>& box, int x, int y, int z) {
+  return {x > 0 ? box.max.x : box.min.x, y > 0 ? box.max.y : box.min.y, z > 0 ? box.max.z : box.min.z};
+}
+
+bool inside(const Aabb3d& box, const Point3d& p) {
+  const auto& [min, max] = box;
+  return less(min.x, p.x) && less(p.x, max.x) && less(min.y, p.y) && less(p.y, max.y) && less(min.z, p.z) &&
+         less(p.z, max.z);
+}
+
+}  // namespace
+
+/// All signs are of proved filters. The coordinates of the normal must be certain: only then is it known on which side
+/// of an edge the triangle is, and which corners of the box are extreme. Where they are, none of the contract's 13 axes
+/// is zero, and each is asked on the only side on which it can keep them apart; the plane on both.
+Perhaps<Contact> stages::triangle_aabb::filter(const Triangle3d& t, const Aabb3d& box) {
+  using filters::Sign;
+  bool overlap = true;
+  for (const auto& [least, greatest, min, max] : intervals(t, box)) {
+    if (less(greatest, min) || less(max, least)) return Contact::disjoint;
+    overlap = overlap && less(min, max) && less(least, max) && less(min, greatest);
+  }
+  if (inside(box, t.a) || inside(box, t.b) || inside(box, t.c)) return Contact::overlapping;
+  std::array<int, 3> normal{};
+  bool certain = true;
+  for (std::size_t k = 0; const Shadow<double>& seen : shadows(t, box)) {
+    const auto& [a, b, c] = seen.corners;
+    const Sign turn = filters::orientation(a, b, c);
+    normal[k++] = static_cast<int>(turn) - static_cast<int>(Sign::unknown);
+    if (turn == Sign::unknown) {
+      certain = false;
+      continue;
+    }
+    const auto &second = turn == Sign::positive ? b : c, &third = turn == Sign::positive ? c : b;
+    for (const Segment2d& edge : {Segment2d{a, second}, {second, third}, {third, a}}) {
+      const Sign side = filters::orientation(edge.a, edge.b, seen.leftmost(edge.a, edge.b));
+      if (side == Sign::negative) return Contact::disjoint;
+      overlap = overlap && side == Sign::positive;
+    }
+  }
+  if (!certain) return std::nullopt;
+  const auto [x, y, z] = normal;
+  const filters::FacePlane<double> plane(t.a, t.b, t.c);
+  const Sign high = plane.side(highest(box, x, y, z)), low = plane.side(highest(box, -x, -y, -z));
+  if (high == Sign::negative || low == Sign::positive) return Contact::disjoint;
+  if (!overlap || high == Sign::unknown || low == Sign::unknown) return std::nullopt;
+  return Contact::overlapping;
+}
+
+namespace {
+
+/// In each shadow an edge keeps the rectangle apart on the side on which the triangle is not: on either, where the
+/// shadow has no area.
+template <class Integer>
+Contact contact(const std::array<Integer, 15>& n) {
+  const auto at = [&n](std::size_t i) { return Point3<Integer>{n[i], n[i + 1], n[i + 2]}; };
+  const Triangle3<Integer> t{at(0), at(3), at(6)};
+  const Aabb3<Integer> box{at(9), at(12)};
+  bool touching = false;
+  const auto separates = [&touching](int sign) {
+    touching = touching || sign == 0;
+    return sign < 0;
+  };
+  const auto rise = [](const Integer& from, const Integer& to) { return kernel::sign_of(Integer(to - from)); };
+  for (const auto& [least, greatest, min, max] : intervals(t, box)) {
+    touching = touching || min == max;
+    if (separates(rise(min, greatest)) || separates(rise(least, max))) return Contact::disjoint;
+  }
+  std::array<int, 3> normal{};
+  for (std::size_t k = 0; const Shadow<Integer>& seen : shadows(t, box)) {
+    const auto& [a, b, c] = seen.corners;
+    const int turn = normal[k++] = kernel::turn(a, b, c);
+    const auto keeps_apart = [&](const Point2<Integer>& p, const Point2<Integer>& q) {
+      return !(p == q) && separates(kernel::turn(p, q, seen.leftmost(p, q)));
+    };
+    if (turn >= 0 && (keeps_apart(a, b) || keeps_apart(b, c) || keeps_apart(c, a))) return Contact::disjoint;
+    if (turn <= 0 && (keeps_apart(b, a) || keeps_apart(c, b) || keeps_apart(a, c))) return Contact::disjoint;
+  }
+  const auto [x, y, z] = normal;
+  if (x != 0 || y != 0 || z != 0) {
+    const auto across = kernel::axis_across(t.b - t.a, t.c - t.a);
+    const auto height = [&](const Point3<Integer>& p) {
+      return kernel::sign_of(kernel::product_with_axis(across, p - t.a));
+    };
+    if (separates(height(highest(box, x, y, z))) || separates(-height(highest(box, -x, -y, -z))))
+      return Contact::disjoint;
+  }
+  return touching ? Contact::touching : Contact::overlapping;
+}
+
+/// `numbers` takes any count of doubles.
+template <class Numbers>
+auto numbers_of(const Triangle3d& t, const Aabb3d& box, const Numbers& numbers) {
+  const auto& [a, b, c] = t;
+  const auto& [min, max] = box;
+  return numbers(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, min.x, min.y, min.z, max.x, max.y, max.z);
+}
+
+void validate(const Triangle3d& triangle, const Aabb3d& aabb) {
+  if (kernel::valid(triangle) && kernel::valid(aabb)) return;
+  validation::validate_numbers("triangle", triangle), validation::validate_numbers("aabb", aabb);
+  validation::validate("aabb", aabb);
+}
+
+}  // namespace
+
+Perhaps<Contact> stages::triangle_aabb::lattice(const Triangle3d& triangle, const Aabb3d& aabb) {
+  const auto lattice = numbers_of(triangle, aabb, [](auto... n) { return kernel::lattice_of(n...); });
+  if (!lattice) return std::nullopt;
+  return contact(lattice->at);
+}
+
+Contact stages::triangle_aabb::exact(const Triangle3d& triangle, const Aabb3d& aabb) {
+  return contact(numbers_of(triangle, aabb, [](auto... n) { return kernel::integers_of(n...); }).at);
+}
+
+/// The filter decides by some of the numbers, so all are validated before it.
+Decided<Contact> stages::triangle_aabb::ask(const Triangle3d& triangle, const Aabb3d& aabb) {
+  return in_turn<triangle_aabb, validate, Stage::filter, Stage::lattice, Stage::exact>(triangle, aabb);
+}
+
+Contact triangle_aabb(const Triangle3d& triangle, const Aabb3d& aabb) {
+  return stages::triangle_aabb::ask(triangle, aabb).answer;
+}
+
+}  // namespace touchstone::robust
