@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "geometry/points.h"
 #include "geometry/space.h"
 
@@ -28,6 +30,17 @@ struct ClosestPair2 {
 template <class Real>
 struct ClosestPair3 {
   Point3<Real> on_a, on_b;
+  Real squared_distance, distance;
+};
+
+enum class ConvexRelation { apart, meeting };
+
+/// relation `apart`: a point of each of two convex solids, as near to each other as any. `meeting`: no points; both
+/// numbers are 0.
+template <class Real>
+struct ConvexDistance {
+  ConvexRelation relation;
+  std::optional<Point3<Real>> on_a, on_b;
   Real squared_distance, distance;
 };
 

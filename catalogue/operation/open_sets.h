@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "catalogue/operation/row.h"
+#include "geometry/closest.h"
 
 /// The hook `as_open_sets` of most rows: the answer for open sets where closed ones only touch.
 namespace touchstone::catalogue {
@@ -30,6 +31,15 @@ std::optional<truth_t<Row>> never_if_grazing(const truth_t<Row>& truth, const ty
   const auto margin = ask_oracle<Row>(question).margin;
   if (!margin || sgn(*margin) != 0) return std::nullopt;
   return truth_t<Row>{HitRelation::never, {}};
+}
+
+/// Open solids that only touch are apart by 0; which points are nearest is left open.
+template <class Row>
+std::optional<truth_t<Row>> apart_if_touching(const truth_t<Row>& truth, const typename Row::Question& question) {
+  if (truth.relation != ConvexRelation::meeting) return std::nullopt;
+  const auto margin = ask_oracle<Row>(question).margin;
+  if (!margin || sgn(*margin) != 0) return std::nullopt;
+  return truth_t<Row>{ConvexRelation::apart, {}, {}, 0, 0};
 }
 
 }  // namespace touchstone::catalogue

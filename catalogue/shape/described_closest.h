@@ -34,5 +34,18 @@ struct Described<ClosestPair3<R>> {
       member("on_a", &ClosestPair3<R>::on_a), member("on_b", &ClosestPair3<R>::on_b),
       member("squared_distance", &ClosestPair3<R>::squared_distance), member("distance", &ClosestPair3<R>::distance)};
 };
+template <class R>
+struct Described<ConvexDistance<R>> {
+  static constexpr Form form = Form::record;
+  static constexpr auto members = std::tuple{
+      member("relation", &ConvexDistance<R>::relation), member("on_a", &ConvexDistance<R>::on_a),
+      member("on_b", &ConvexDistance<R>::on_b), member("squared_distance", &ConvexDistance<R>::squared_distance),
+      member("distance", &ConvexDistance<R>::distance)};
+};
+template <>
+struct Words<ConvexRelation> {
+  static constexpr std::array<const char*, 2> words{"apart", "meeting"};
+  static constexpr ConvexRelation no = ConvexRelation::apart;
+};
 
 }  // namespace touchstone::catalogue

@@ -3,6 +3,7 @@
 
 import math
 
+from certify_meshes import mesh, outward_planes
 from certify_reading import WRONG_KIND, exact_value, expect, number, only
 from certify_rounding import expect_rounds_alike
 from certify_space import ball, box_holds, box_in_space, plane, triple, two_or_three
@@ -141,6 +142,46 @@ def check_segment_segment_distance(claim):
     distance_facts(claim, "on_a", "on_b")
     x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
     expect_nearest(a, x, y), expect_nearest(b, y, x), expect_first(a, b, x, y)
+    expect_position(claim, "on_a", x), expect_position(claim, "on_b", y)
+    expect_distance(claim, dot(minus(x, y), minus(x, y)))
+
+
+def convex_solid(claim, name):
+    """The vertices of a mesh that is closed and convex."""
+    vertices, faces = mesh(claim.input[name], name)
+    outward_planes(vertices, faces, name)
+    return vertices
+
+
+def none_before(points, x, direction):
+    return all(dot(direction, minus(p, x)) >= 0 for p in points)
+
+
+def check_convex_distance(claim):
+    """Why no other nearest pair is nearer to the first vertex of a stands in check_closest.cpp."""
+    claim.inputs("a", "b")
+    a, b = convex_solid(claim, "a"), convex_solid(claim, "b")
+    relation = claim.word("relation")
+    expect(relation in ("apart", "meeting"), "truth: relation is wrong")
+    if relation == "apart":
+        claim.answers("relation", "on_a", "on_b", "squared_distance", "distance")
+        distance_facts(claim, "on_a", "on_b", "first")
+    else:
+        claim.answers("relation", "squared_distance", "distance")
+        expect(claim.kind() == "common_point", WRONG_KIND)
+        claim.facts("on_a", "on_b")
+    x, y = weighted(claim, "on_a", a), weighted(claim, "on_b", b)
+    if relation == "meeting":
+        expect(x == y, "certificate: the point is not in both")
+        for name in ("squared_distance", "distance"):
+            expect(claim.exact(name) == 0, f"truth: {name} is wrong")
+        return
+    expect_nearest(a, x, y), expect_nearest(b, y, x)
+    expect(x != y, "certificate: the points prove another truth")
+    first = claim.list("first")
+    expect(len(first) == 3, "certificate.first: a list of three")
+    proved = none_before(a, x, first) and none_before(b, y, minus(minus(x, a[0]), first))
+    expect(proved, "certificate: a pair nearer to the first vertex of a may be as near")
     expect_position(claim, "on_a", x), expect_position(claim, "on_b", y)
     expect_distance(claim, dot(minus(x, y), minus(x, y)))
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "oracle/certificates/check_meshes.h"
 #include "oracle/certificates/check_rounding.h"
 #include "oracle/certificates/check_space.h"
 
@@ -175,6 +176,52 @@ void check_segment_segment_distance(const Claim& claim) {
   expect_distance(claim, dot(x - y, x - y));
 }
 
+/// The vertices of a mesh that is closed and convex: the solid is their hull, see check_meshes.h.
+Hull convex_solid(const Claim& claim, const char* name) {
+  const Mesh surface = mesh(claim.input[name], name);
+  outward_planes(surface, name);
+  Hull points;
+  for (const Triple& p : surface.vertices) points.push_back({p.x, p.y, p.z});
+  return points;
+}
+
+/// None of the hull comes before x, which is one of its points, along the direction.
+bool none_before(const Hull& hull, const Position& x, const Position& direction) {
+  return std::all_of(hull.begin(), hull.end(), [&](const Position& p) { return sgn(dot(direction, p - x)) >= 0; });
+}
+
+void check_convex_distance(const Claim& claim) {
+  claim.inputs({"a", "b"});
+  const Hull a = convex_solid(claim, "a"), b = convex_solid(claim, "b");
+  const std::string relation = claim.word("relation");
+  const bool apart = relation == "apart";
+  expect(apart || relation == "meeting", "truth: relation is wrong");
+  if (apart) {
+    claim.answers({"relation", "on_a", "on_b", "squared_distance", "distance"});
+    if (is_enclosed(claim)) claim.facts({"on_a", "on_b", "first", "distance"});
+    else claim.facts({"on_a", "on_b", "first"});
+  } else {
+    claim.answers({"relation", "squared_distance", "distance"});
+    expect(claim.kind() == "common_point", wrong_kind), claim.facts({"on_a", "on_b"});
+  }
+  const Position x = weighted(claim, "on_a", a), y = weighted(claim, "on_b", b);
+  if (!apart) {
+    expect(x == y, "certificate: the point is not in both");
+    for (const char* name : {"squared_distance", "distance"})
+      expect(sgn(exact_value(claim.truth[name], std::string("truth.") + name)) == 0,
+             std::string("truth: ") + name + " is wrong");
+    return;
+  }
+  expect_nearest(a, x, y), expect_nearest(b, y, x);
+  expect(x != y, "certificate: the points prove another truth");
+  const Position first = claim.list("first");
+  expect(first.size() == 3, "certificate.first: a list of three");
+  const bool proved = none_before(a, x, first) && none_before(b, y, x - a[0] - first);
+  expect(proved, "certificate: a pair nearer to the first vertex of a may be as near");
+  expect_position(claim, "on_a", x), expect_position(claim, "on_b", y);
+  expect_distance(claim, dot(x - y, x - y));
+}
+
 struct Capsule {
   Hull segment;
   Rational radius;
@@ -252,6 +299,7 @@ Checks checks_of_closest() {
           {"closest_point_on_segment", check_closest_point_on_segment},
           {"closest_point_on_triangle", check_closest_point_on_triangle},
           {"segment_segment_distance", check_segment_segment_distance},
+          {"convex_distance", check_convex_distance},
           {"sphere_triangle", check_sphere_triangle},
           {"sphere_capsule", check_sphere_capsule},
           {"capsule_capsule", check_capsule_capsule}};

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "catalogue/families/closest_draws.h"
+#include "catalogue/families/list_draws.h"
+#include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/space_draws.h"
+#include "catalogue/operation/digits.h"
+#include "catalogue/operation/open_sets.h"
+#include "catalogue/operation/row.h"
+#include "catalogue/shape/described_closest.h"
+#include "oracle/mixed/convex_distance.h"
+#include "reference/mixed/convex_distance.h"
+#include "robust/mixed/convex_distance.h"
+
+namespace touchstone::catalogue::rows {
+
+struct convex_distance {
+  TOUCHSTONE_MODULES(convex_distance)
+  using Question = std::tuple<Meshd, Meshd>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "convex_distance",
+        .chapter = "mixed",
+        .pages = "48-50, 53-54",
+        .question = "Which points of two convex polyhedra are nearest to each other, and how far is it?",
+        .kind = Kind::measure,
+        .fields = {"a", "b"},
+        .ulps = 60,
+        .cost = 300,
+        .list_length = 4};
+    return metadata;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {
+        {"lattice",
+         [](DrawStream& c) -> Question {
+           const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+           return {a, shifted(b, 12.0 * lattice_normal(c, 4))};
+         }},
+        {"feature_to_feature",
+         [](DrawStream& c) -> Question {
+           const double n = 1 + static_cast<double>(c.below(4));
+           return aimed(c, n);
+         }},
+        {"touching", [](DrawStream& c) -> Question { return aimed(c, 0); }},
+        {"an_ulp_apart",
+         [](DrawStream& c) -> Question {
+           auto [a, b] = aimed(c, 0);
+           const double far = small_integer(c, 1), side = small_integer(c, 1);
+           for (Meshd* mesh : {&a, &b})
+             for (Point3d& p : mesh->vertices) p.x += std::ldexp(far, 20);
+           for (Point3d& p : b.vertices) p.x = std::nextafter(p.x, p.x + side);
+           return {a, b};
+         }},
+        {"reflected",
+         [](DrawStream& c) -> Question {
+           // Each face of one is parallel to one of the other: two of them face each other, aside by a little.
+           const Meshd a = lattice_polyhedron(c);
+           const auto [p, out] = face_of(a, c);
+           const Vector3d aside = lattice_across(c, out);
+           const double height = static_cast<double>(c.below(3));
+           return {a, reflected(a, p + 0.5 * (height * out + aside))};
+         }},
+        {"parallel_edges",
+         [](DrawStream& c) -> Question {
+           // Roofs whose ridges face each other; one may be a little askew.
+           const double from = small_integer(c), to = small_integer(c), height = static_cast<double>(c.below(4));
+           const double askew = small_integer(c, 1) * (c.below(2) == 1 ? 0x1p-40 : 1.0);
+           const Meshd a = roof({0, 0, 0}, {8, 0, 0}, -8), b = roof({from, 0, height}, {to + 9, askew, height}, 8);
+           return {a, b};
+         }},
+        {"nested",
+         [](DrawStream& c) -> Question {
+           Meshd a = lattice_polyhedron(c);
+           const Meshd b = lattice_polyhedron(c);
+           for (Point3d& p : a.vertices) p = {8 * p.x - 40, 8 * p.y - 40, 8 * p.z - 40};
+           return c.below(2) == 1 ? Question{a, b} : Question{b, a};
+         }},
+        {"flat_vertices",
+         [](DrawStream& c) -> Question {
+           auto [a, b] = aimed(c, 1);
+           return {with_flat_vertex(a, c), with_flat_vertex(b, c)};
+         }},
+        {"needles",
+         [](DrawStream& c) -> Question {
+           auto [a, b] = aimed(c, 1);
+           const double length = scaled_up(c, 8, 60), other = scaled_up(c, 8, 60);
+           for (Point3d& p : a.vertices) p.x = p.x * length;
+           for (Point3d& p : b.vertices) p.y = p.y * other;
+           return {a, b};
+         }},
+        {"stretched",
+         [](DrawStream& c) -> Question {
+           // Each axis by its own power of two: past the filter's guards, and below them.
+           auto [a, b] = aimed(c, 1);
+           static constexpr int exponents[] = {0, 60, 500, 1010, -170, -900};
+           const int x = exponents[c.below(6)], y = exponents[c.below(6)], z = exponents[c.below(6)];
+           for (Meshd* mesh : {&a, &b})
+             for (Point3d& p : mesh->vertices) p = {std::ldexp(p.x, x), std::ldexp(p.y, y), std::ldexp(p.z, z)};
+           return {a, b};
+         }},
+        {"mapped",
+         [](DrawStream& c) -> Question {
+           auto [a, b] = aimed(c, 1);
+           Meshd all{a.vertices, {}};
+           all.vertices.insert(all.vertices.end(), b.vertices.begin(), b.vertices.end());
+           Point3d none{0, 0, 0};
+           map_linearly(all, none, c);
+           const auto middle = all.vertices.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
+           std::copy(all.vertices.begin(), middle, a.vertices.begin());
+           std::copy(middle, all.vertices.end(), b.vertices.begin());
+           return {a, b};
+         }},
+        {"rounded",
+         [](DrawStream& c) -> Question {
+           // A corner of b where one of a is, as far as doubles can tell; or anywhere.
+           const Meshd a = tetrahedron_of(c, ordinary_point_in_space), b = tetrahedron_of(c, ordinary_point_in_space);
+           return {a, c.below(2) == 0 ? shifted(b, a.vertices[0] - b.vertices[0]) : b};
+         }},
+        {"full_mantissa",
+         [](DrawStream& c) -> Question {
+           // One corner of each in the plane of a face of the other.
+           const LongPlane plane = LongPlane::of(c);
+           Meshd a{{plane.point(c), plane.point(c), plane.point(c)}, {}}, b{{plane.point(c), plane.point(c)}, {}};
+           a.vertices.push_back(ordinary_point_in_space(c));
+           b.vertices.push_back(ordinary_point_in_space(c)), b.vertices.push_back(ordinary_point_in_space(c));
+           make_tetrahedron(a), make_tetrahedron(b);
+           return {a, b};
+         }},
+        {"rounding",
+         [](DrawStream& c) -> Question {
+           // The foot of b's corner on a diagonal edge is half an odd step along: x is halfway between two doubles.
+           const double x = halfway_number(c).most, odd = 1 + 2 * static_cast<double>(c.below(8));
+           const Point3d end{x + odd, 0, hair(c)};
+           Meshd a{{{x, 0, 0}, {x + 64, 64, 0}, {x, 64, 32}, {x, 64, -32}}, {}};
+           Meshd b{{end, {end.x + 8, -8, 4}, {end.x + 8, -8, -4}, {end.x + 16, -8, 0}}, {}};
+           make_tetrahedron(a), make_tetrahedron(b);
+           return {a, b};
+         }},
+        {"rounding_of_distance",
+         [](DrawStream& c) -> Question {
+           const HalfwayStep step = halfway_step(c);
+           Meshd a{{{0, 0, 0}, {-4, 0, 0}, {0, -4, 0}, {0, 0, 4}}, {}};
+           const Point3d end{step.x, step.y, -hair(c)};
+           Meshd b{{end, {2 * step.x, step.y, 0}, {step.x, 2 * step.y, 0}, {step.x, step.y, -4}}, {}};
+           make_tetrahedron(a), make_tetrahedron(b);
+           return {a, b};
+         }},
+        {"far_apart",
+         [](DrawStream& c) -> Question {
+           auto [a, b] = aimed(c, 1);
+           const Vector3d way = lattice_normal(c, 2);
+           const double far = std::ldexp(1.0, c.below(2) == 1 ? 1020 : 60);
+           return {a, shifted(b, far * way)};
+         }},
+        {"typed",
+         [](DrawStream& c) -> Question {
+           const Meshd a = tetrahedron_of(c, typed_point), b = tetrahedron_of(c, typed_point);
+           return {a, b};
+         }},
+        {"subnormal",
+         [](DrawStream& c) -> Question {
+           auto [a, b] = aimed(c, 1);
+           for (Meshd* mesh : {&a, &b})
+             for (Point3d& p : mesh->vertices)
+               p = {std::ldexp(p.x, -1074), std::ldexp(p.y, -1074), std::ldexp(p.z, -1074)};
+           return {a, b};
+         }},
+        {"whole_range",
+         [](DrawStream& c) -> Question {
+           const Meshd a = tetrahedron_of(c, point_of_whole_range), b = tetrahedron_of(c, point_of_whole_range);
+           return {a, b};
+         }},
+        {"either_zero",
+         [](DrawStream& c) -> Question {
+           const Point3d p = zero_point(c), q = zero_point(c);
+           const double far = small_integer(c, 2);
+           Meshd a{{p, {-1, q.y, q.z}, {q.x, -1, p.z}, {p.x, p.y, -1}}, {}}, b = reflected(a, {far / 2, p.y, p.z});
+           make_tetrahedron(a), make_tetrahedron(b);
+           return {a, b};
+         }},
+        {"broken",
+         [](DrawStream& c) -> Question {
+           const auto [a, b] = aimed(c, 1);
+           if (c.below(2) == 0) return {broken(a, c), b};
+           return {a, broken(b, c)};
+         }},
+        {"late_vertices",
+         [](DrawStream& c) -> Question {
+           const Meshd a = with_late_corners(c), b = with_late_corners(c);
+           return {a, shifted(b, 2048.0 * lattice_normal(c, 4))};
+         },
+         /*unscaled=*/true},
+        {"named_mesh",
+         [](DrawStream& c) -> Question {
+           const Meshd& a = named_mesh(c);
+           const Point3d p = on_a_face_plane(a, c);
+           Meshd b{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}, {}};
+           make_tetrahedron(b);
+           const Point3d to = p + 12.0 * lattice_normal(c, 3);
+           b = shifted(b, to - Point3d{0, 0, 0});
+           return c.below(2) == 1 ? Question{b, a} : Question{a, b};
+         },
+         /*unscaled=*/true},
+    };
+  }
+
+  static void repair(Question& question) {
+    make_tetrahedron(std::get<0>(question)), make_tetrahedron(std::get<1>(question));
+  }
+
+  /// A tetrahedron of size 4, its top on a grid, below another, of which a corner is on a grid.
+  static std::uint64_t domain_count(int size) { return configurations_of_digits(size, 6); }
+  static Question domain_at(int size, std::uint64_t index) {
+    Digits digit(size, index);
+    const double x = digit(), y = digit(), z = digit(), u = digit(), v = digit(), w = digit();
+    Meshd a{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2 * x, 2 * y, 2 * (z + 1)}}, {}};
+    Meshd b{{{2 * u, 2 * v, 2 * w}, {8, 4, 8}, {4, 8, 8}, {4, 4, 12}}, {}};
+    make_tetrahedron(a), make_tetrahedron(b);
+    return {a, b};
+  }
+
+  /// A corner of a touches an edge of b: moves that corner.
+  static Question map_centre() {
+    Meshd a{{{12, 0, 0}, {-12, 0, 0}, {0, -12, 0}, {0, 0, -12}}, {}},
+        b{{{12, -6, 0}, {12, 6, 0}, {24, 0, 0}, {12, 0, 12}}, {}};
+    make_tetrahedron(a), make_tetrahedron(b);
+    return {a, b};
+  }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {0, 1}; }
+
+  static Hooks<convex_distance> hooks() {
+    return {.as_open_sets = apart_if_touching<convex_distance>,
+            .repair = repair,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
+            .laws = {.maps = Laws::Maps::axes}};
+  }
+
+ private:
+  static Meshd shifted(Meshd mesh, const Vector3d& by) {
+    for (Point3d& p : mesh.vertices) p = p + by;
+    return mesh;
+  }
+  static Meshd reflected(Meshd mesh, const Point3d& in) {
+    for (Point3d& p : mesh.vertices) p = {2 * in.x - p.x, 2 * in.y - p.y, 2 * in.z - p.z};
+    return mesh;
+  }
+
+  /// Two lattice polyhedra, a point on or near the surface of each, n lattice vectors apart.
+  static Question aimed(DrawStream& c, double n) {
+    const Meshd a = lattice_polyhedron(c), b = lattice_polyhedron(c);
+    const Point3d p = on_a_face_plane(a, c), q = on_a_face_plane(b, c);
+    return {a, shifted(b, (p - q) + n * lattice_normal(c, 4))};
+  }
+
+  /// A corner of a face, and what is at a right angle to it.
+  static std::pair<Point3d, Vector3d> face_of(const Meshd& mesh, DrawStream& c) {
+    const Face& f = mesh.faces[c.below(mesh.faces.size())];
+    const Point3d& p = mesh.vertices[f.a];
+    return {p, cross(mesh.vertices[f.b] - p, mesh.vertices[f.c] - p)};
+  }
+
+  /// Below or above a ridge.
+  static Meshd roof(const Point3d& from, const Point3d& to, double height) {
+    const double z = from.z + height;
+    Meshd mesh{{from, to, {from.x, -8, z}, {from.x, 8, z}}, {}};
+    make_tetrahedron(mesh);
+    return mesh;
+  }
+
+  template <class Draw>
+  static Meshd tetrahedron_of(DrawStream& c, const Draw& draw) {
+    Meshd mesh;
+    for (int i = 0; i < 4; ++i) mesh.vertices.push_back(draw(c));
+    make_tetrahedron(mesh);
+    return mesh;
+  }
+
+  /// Many vertices of no face, and a tetrahedron around them whose corners are among the last.
+  static Meshd with_late_corners(DrawStream& c) {
+    const double size = 4096;
+    Meshd mesh{long_list(c, [](DrawStream& d) { return lattice_point_in_space(d, 8); }), {}};
+    const Point3d corners[]{{-size, -size, -size}, {4 * size, 0, 0}, {0, 4 * size, 0}, {0, 0, 4 * size}};
+    Index at[4];
+    for (std::size_t k = 0; k < 4; ++k) {
+      at[k] = static_cast<Index>(mesh.vertices.size());
+      mesh.vertices.push_back(corners[k]);
+    }
+    mesh.vertices.push_back(lattice_point_in_space(c, 8));
+    mesh.faces = {{at[0], at[2], at[1]}, {at[0], at[1], at[3]}, {at[0], at[3], at[2]}, {at[1], at[2], at[3]}};
+    return mesh;
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The second truth of the distance of two convex solids, for simplest_truth.py."""
+from fractions import Fraction
+from itertools import combinations
+
+import simplest_truth_sweeps
+from simplest_truth_polyhedra import cross
+from simplest_truth_reading import Root, dot, minus, point
+
+
+def solved(matrix, right):
+    """Linear equations by elimination; nothing where they are dependent."""
+    rows = [list(map(Fraction, row)) + [Fraction(last)] for row, last in zip(matrix, right)]
+    for k in range(len(rows)):
+        pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
+        if pivot is None:
+            return None
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        for i, row in enumerate(rows):
+            if i != k:
+                factor = row[k] / rows[k][k]
+                rows[i] = [x - factor * y for x, y in zip(row, rows[k])]
+    return [row[-1] / row[k] for k, row in enumerate(rows)]
+
+
+def plus(p, *terms):
+    return tuple(x + sum(t * v[k] for t, v in terms) for k, x in enumerate(p))
+
+
+def foot(points):
+    """Where the plane through the points is nearest to 0, if that is between them."""
+    edges = [minus(p, points[0]) for p in points[1:]]
+    weights = solved([[dot(v, w) for w in edges] for v in edges], [-dot(v, points[0]) for v in edges])
+    if weights is None or min([*weights, 1 - sum(weights)]) < 0:
+        return []
+    return [plus(points[0], *zip(weights, edges))]
+
+
+def shortest(ways):
+    """Gilbert, Johnson and Keerthi: the least on some of the ways, until none of all is beyond it."""
+    some = ways[:1]
+    while True:
+        faces = [(x, face) for n in (1, 2, 3) for face in combinations(some, n) for x in foot(face)]
+        least, face = min(faces, key=lambda found: dot(found[0], found[0]))
+        beyond = min(ways, key=lambda way: dot(way, least))
+        if dot(beyond, least) >= dot(least, least):
+            return least
+        some = [*face, beyond]
+
+
+def planes(points, faces):
+    """Inside where normal . p <= offset."""
+    found = []
+    for i, j, k in faces:
+        normal = cross(minus(points[j], points[i]), minus(points[k], points[i]))
+        heights = [dot(normal, minus(p, points[i])) for p in points]
+        found.append((normal if max(heights) == 0 else minus((0, 0, 0), normal), points[i]))
+    return [(normal, dot(normal, p)) for normal, p in found]
+
+
+def first_in(level, sides, start):
+    """The point of a plane between others that is nearest to the start: its foot on that one alone, or with one or two
+    more."""
+    feet = []
+    for chosen in ([level, *more] for n in range(3) for more in combinations(sides, n)):
+        steps = solved([[dot(m, n) for n, _ in chosen] for m, _ in chosen], [d - dot(n, start) for n, d in chosen])
+        if steps is not None:
+            feet.append(plus(start, *zip(steps, (n for n, _ in chosen))))
+    within = [p for p in feet if all(dot(n, p) <= d for n, d in sides)]
+    return min(within, key=lambda p: dot(minus(p, start), minus(p, start)))
+
+
+def truth_convex_distance(q):
+    """Whether they meet, and the margin, as of a sweep of velocity 0. The points on a are those between its planes and
+    between b's, moved by the shortest way."""
+    hit, margin = simplest_truth_sweeps.truth_swept_convex_polyhedra({**q, "velocity": [0, 0, 0]})
+    if hit["relation"] == "hit":
+        return {"relation": "meeting", "squared_distance": "0", "distance": "0"}, margin
+    a, b = ([point(v) for v in q[name]["vertices"]] for name in "ab")
+    way = shortest([minus(v, w) for v in a for w in b])
+    moved = [plus(w, (1, way)) for w in b]
+    level = (way, min(dot(way, v) for v in a))
+    x = first_in(level, sorted({*planes(a, q["a"]["faces"]), *planes(moved, q["b"]["faces"])}), a[0])
+    square = dot(way, way)
+    return {"relation": "apart", "on_a": [str(n) for n in x], "on_b": [str(n) for n in minus(x, way)],
+            "squared_distance": str(square), "distance": Root(square, 1)}, margin
