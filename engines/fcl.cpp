@@ -60,6 +60,20 @@ struct Fcl {
     return first_contact(convex(a.vertices, a.faces), origin, end, convex(b.vertices, b.faces), origin, origin);
   }
 
+  /// By its GJK; of solids that meet it says -1.
+  ConvexDistance<double> convex_distance(const Meshd& a, const Meshd& b) {
+    const fcl::CollisionObjectd first(convex(a.vertices, a.faces)), second(convex(b.vertices, b.faces));
+    const fcl::DistanceRequestd request(/*nearest points*/ true);
+    fcl::DistanceResultd result;
+    const double distance = fcl::distance(&first, &second, request, result);
+    if (distance <= 0) return {ConvexRelation::meeting, {}, {}, 0, 0};
+    const auto point = [&result](int k) {
+      const fcl::Vector3d& p = result.nearest_points[k];
+      return Point3d{p[0], p[1], p[2]};
+    };
+    return {ConvexRelation::apart, point(0), point(1), distance * distance, distance};
+  }
+
   /// As meshes of one triangle.
   bool triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
     return meet(soup({a.a, a.b, a.c}), at({0, 0, 0}), soup({b.a, b.b, b.c}), at({0, 0, 0}));

@@ -88,8 +88,8 @@ SupportPair<Real> support_pair(const Mesh<Real>& a, const Mesh<Real>& b, const V
   return {lowest, highest, lowest - highest};
 }
 
-/// The simplex with the shortest way, by the vertices that are farthest against each way found: when nothing is farther,
-/// or what they give is not shorter, it is there. Of four pairs: the polyhedra have a common inner point.
+/// The simplex with the shortest way: the vertices that are farthest against each one found give the next, until
+/// nothing is farther, or the next is not shorter. Of four pairs: the polyhedra have a common inner point.
 template <class Real>
 DistanceSimplex<Real> nearest_simplex(const Mesh<Real>& a, const Mesh<Real>& b) {
   DistanceSimplex<Real> nearest = nearest_face<Real>({{a.vertices[0], b.vertices[0], a.vertices[0] - b.vertices[0]}});

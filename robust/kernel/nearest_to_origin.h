@@ -19,11 +19,25 @@ struct NearestToOrigin {
   Vector3<Number> normal;
 };
 
+/// Some of at most four points, in order.
+class Chosen {
+ public:
+  Chosen(unsigned mask, std::size_t count) {
+    for (std::size_t k = 0; k < count; ++k)
+      if ((mask >> k & 1U) != 0) places_[size_++] = k;
+  }
+  std::size_t size() const { return size_; }
+  std::size_t operator[](std::size_t k) const { return places_[k]; }
+
+ private:
+  std::array<std::size_t, 4> places_{};
+  std::size_t size_ = 0;
+};
+
 /// The foot of the perpendicular on the point, line or plane of those that `chosen` names, all other weights being 0;
 /// of four, the origin. Where these points are dependent, `whole` is 0.
 template <class Number>
-NearestToOrigin<Number> foot_of_perpendicular(const std::vector<Vector3<Number>>& points,
-                                              const std::vector<std::size_t>& chosen) {
+NearestToOrigin<Number> foot_of_perpendicular(const std::vector<Vector3<Number>>& points, const Chosen& chosen) {
   const Vector3<Number>& p = points[chosen[0]];
   const auto edge = [&](std::size_t k) { return points[chosen[k]] - p; };
   NearestToOrigin<Number> foot{{Number(0), Number(0), Number(0), Number(0)}, Number(1), p};
@@ -58,12 +72,10 @@ NearestToOrigin<Number> foot_of_perpendicular(const std::vector<Vector3<Number>>
 template <class Number>
 std::optional<NearestToOrigin<Number>> nearest_to_origin(const std::vector<Vector3<Number>>& points) {
   for (unsigned mask = (1U << points.size()) - 1; mask > 0; --mask) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t k = 0; k < points.size(); ++k)
-      if ((mask >> k & 1U) != 0) chosen.push_back(k);
+    const Chosen chosen(mask, points.size());
     const NearestToOrigin<Number> foot = foot_of_perpendicular(points, chosen);
     bool nearest = foot.whole > 0;
-    for (const std::size_t k : chosen) nearest = nearest && foot.weights[k] > 0;
+    for (std::size_t k = 0; k < chosen.size(); ++k) nearest = nearest && foot.weights[chosen[k]] > 0;
     for (std::size_t k = 0; k < points.size() && nearest; ++k)
       if ((mask >> k & 1U) == 0) nearest = dot(foot.normal, points[k] - points[chosen[0]]) >= 0;
     if (nearest) return foot;

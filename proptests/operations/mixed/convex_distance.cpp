@@ -179,7 +179,7 @@ TEST_CASE("convex_distance: rounding, huge and subnormal") {
   // The corner (1, 1, 1) over x + y + z = 2: the foot is 2 / 3 in each coordinate, 1 / sqrt(3) away.
   const Meshd half = times(0.5, corner), single = tetrahedron({1, 1, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
   rounds_to({cube, cube_at(6, 7, 1)}, {4, 4, 1, 6, 7, 1, 13, 0x1.cd82b446159f3p+1});
-  rounds_to({half, single}, {2.0 / 3, 2.0 / 3, 2.0 / 3, 1, 1, 1, 1.0 / 3, 0x1.279a74590331dp-1});
+  rounds_to({half, single}, {2.0 / 3, 2.0 / 3, 2.0 / 3, 1, 1, 1, 1.0 / 3, 0x1.279a74590331cp-1});
 }
 
 TEST_CASE("convex_distance: of two broken rules the first is named, numbers first, a's before b's") {

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The distance of two convex solids of 8 to 100 vertices, with nearest points: robust's, with and without its test
+// whether the meshes are convex, and FCL's GJK with libccd, of the same shapes, whose objects are made before.
+//
+// bench/distances --verify compares the distances and times nothing.
+
+#include <benchmark/benchmark.h>
+#include <fcl/fcl.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bench/timing.h"
+#include "robust/kernel/solid_distance.h"
+#include "robust/mixed/convex_distance.h"
+#include "robust/volumes/convex_hull.h"
+
+namespace touchstone::bench {
+namespace {
+
+/// Random points of a sphere, and their hull's faces.
+Meshd ball(std::size_t count, const Point3d& center, std::mt19937_64& bits) {
+  const auto unit = [&bits] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
+  Meshd mesh;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double height = 2 * unit() - 1, angle = 2 * std::numbers::pi * unit(), r = std::sqrt(1 - height * height);
+    mesh.vertices.push_back({center.x + r * std::cos(angle), center.y + r * std::sin(angle), center.z + height});
+  }
+  mesh.faces = robust::convex_hull(mesh.vertices).faces.value();
+  return mesh;
+}
+
+struct Pair {
+  Meshd a, b;
+  std::unique_ptr<fcl::CollisionObjectd> first, second;
+};
+
+std::unique_ptr<fcl::CollisionObjectd> theirs(const Meshd& mesh) {
+  auto vertices = std::make_shared<std::vector<fcl::Vector3d>>();
+  for (const Point3d& p : mesh.vertices) vertices->emplace_back(p.x, p.y, p.z);
+  auto faces = std::make_shared<std::vector<int>>();
+  for (const Face& f : mesh.faces)
+    faces->insert(faces->end(), {3, static_cast<int>(f.a), static_cast<int>(f.b), static_cast<int>(f.c)});
+  return std::make_unique<fcl::CollisionObjectd>(
+      std::make_shared<fcl::Convexd>(vertices, static_cast<int>(mesh.faces.size()), faces));
+}
+
+/// Apart by about the size of one.
+std::vector<Pair> pairs_of(std::size_t count) {
+  std::mt19937_64 bits(1);
+  std::vector<Pair> pairs;
+  for (int i = 0; i < 64; ++i) {
+    const double turn = 2 * std::numbers::pi * static_cast<double>(bits() >> 11) * 0x1p-53;
+    Pair pair{ball(count, {0, 0, 0}, bits), ball(count, {3 * std::cos(turn), 3 * std::sin(turn), 0.5}, bits), {}, {}};
+    pair.first = theirs(pair.a), pair.second = theirs(pair.b);
+    pairs.push_back(std::move(pair));
+  }
+  return pairs;
+}
+
+double by_robust(const Pair& pair) { return robust::convex_distance(pair.a, pair.b).distance; }
+double by_robust_of_valid(const Pair& pair) { return robust::kernel::distance_of_solids(pair.a, pair.b).distance; }
+double by_fcl(const Pair& pair) {
+  fcl::DistanceRequestd request(true);
+  fcl::DistanceResultd result;
+  return fcl::distance(pair.first.get(), pair.second.get(), request, result);
+}
+
+void add(const std::string& name, const std::vector<Pair>& pairs, double (*ask)(const Pair&)) {
+  benchmark::RegisterBenchmark(name.c_str(), [&pairs, ask](benchmark::State& state) {
+    std::size_t next = 0;
+    for (auto _ : state) benchmark::DoNotOptimize(ask(pairs[next++ % pairs.size()]));
+    state.SetItemsProcessed(state.iterations());
+  });
+}
+
+}  // namespace
+}  // namespace touchstone::bench
+
+int main(int argc, char** argv) {
+  using namespace touchstone::bench;
+  const bool verify = argc == 2 && std::strcmp(argv[1], "--verify") == 0;
+  static std::vector<std::vector<Pair>> sets;
+  const std::size_t counts[] = {8, 32, 100};
+  for (const std::size_t count : counts) sets.push_back(pairs_of(count));
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    double most = 0;
+    for (const Pair& pair : sets[i]) most = std::fmax(most, std::fabs(by_fcl(pair) / by_robust(pair) - 1));
+    if (verify) std::printf("%3zu vertices: FCL is off by %.3g of the distance at most\n", counts[i], most);
+    const std::string name = "convex_distance_" + std::to_string(counts[i]) + "/";
+    add(name + "robust", sets[i], by_robust), add(name + "robust_of_valid", sets[i], by_robust_of_valid);
+    add(name + "fcl", sets[i], by_fcl);
+  }
+  if (verify) return 0;
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
