@@ -14,7 +14,7 @@ using Vector = Vector3<mpq_class>;
 
 Vector quotients(const Vector3<mpz_class>& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
 
-/// The corners of the hull, counter-clockwise about the normal; two of a segment. By chains from the first to the last
+/// The corners of the hull, counter-clockwise about the normal; two of a segment, or one. By chains from the first to the last
 /// point in lexicographic order and back, which is the order along some direction in the plane.
 std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_class>& normal) {
   const auto before = [](const WholePoint& p, const WholePoint& q) {
@@ -23,6 +23,7 @@ std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_cla
   std::sort(points.begin(), points.end(), before);
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<WholePoint> ring;
+  if (points.size() == 1) ring = points;
   const auto chain = [&](const auto& list) {
     const std::size_t start = ring.size();
     for (const WholePoint& p : list) {
@@ -35,7 +36,7 @@ std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_cla
     }
     ring.pop_back();
   };
-  chain(points), std::reverse(points.begin(), points.end()), chain(points);
+  if (ring.empty()) chain(points), std::reverse(points.begin(), points.end()), chain(points);
   std::vector<Point> found;
   for (const WholePoint& p : ring) found.push_back({mpq_class(p.x), mpq_class(p.y), mpq_class(p.z)});
   return found;
@@ -94,6 +95,8 @@ QuotientPoint nearest_common_point(std::vector<WholePoint> a, std::vector<WholeP
   const Point target{mpq_class(to.x), mpq_class(to.y), mpq_class(to.z)};
   std::vector<Point> common = ring_of(std::move(a), normal);
   const std::vector<Point> other = ring_of(std::move(b), normal);
+  if (common.size() == 1) return over_one_denominator(common[0]);
+  if (other.size() == 1) return over_one_denominator(other[0]);
   const mpq_class steps(dot(n, common[0] - target) / dot(n, n));
   const Point foot = target + steps * n;
   const auto holds = [&foot](const HalfSpace& side) { return sgn(side.height(foot)) >= 0; };

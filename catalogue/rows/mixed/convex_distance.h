@@ -88,6 +88,12 @@ struct convex_distance {
            auto [a, b] = aimed(c, 1);
            return {with_flat_vertex(a, c), with_flat_vertex(b, c)};
          }},
+        {"repeated_vertices",
+         [](DrawStream& c) -> Question {
+           // Vertices of no face where others are, with an index below or above these.
+           const auto [a, b] = c.below(2) == 1 ? aimed(c, 1) : Question{lattice_polyhedron(c), lattice_polyhedron(c)};
+           return {with_repeated_vertex(a, c), with_repeated_vertex(shifted(b, {0, 0, 24}), c)};
+         }},
         {"needles",
          [](DrawStream& c) -> Question {
            auto [a, b] = aimed(c, 1);
@@ -155,10 +161,13 @@ struct convex_distance {
          }},
         {"far_apart",
          [](DrawStream& c) -> Question {
-           auto [a, b] = aimed(c, 1);
-           const Vector3d way = lattice_normal(c, 2);
-           const double far = std::ldexp(1.0, c.below(2) == 1 ? 1020 : 60);
-           return {a, shifted(b, far * way)};
+           // One of them is as large as its distance.
+           const Meshd a = lattice_polyhedron(c);
+           Meshd b = shifted(lattice_polyhedron(c), 96.0 * lattice_normal(c, 2));
+           const int places = c.below(2) == 1 ? 1000 : 60;
+           for (Point3d& p : b.vertices)
+             p = {std::ldexp(p.x, places), std::ldexp(p.y, places), std::ldexp(p.z, places)};
+           return c.below(2) == 1 ? Question{b, a} : Question{a, b};
          }},
         {"typed",
          [](DrawStream& c) -> Question {
@@ -268,6 +277,17 @@ struct convex_distance {
     const Face& f = mesh.faces[c.below(mesh.faces.size())];
     const Point3d& p = mesh.vertices[f.a];
     return {p, cross(mesh.vertices[f.b] - p, mesh.vertices[f.c] - p)};
+  }
+
+  static Meshd with_repeated_vertex(Meshd mesh, DrawStream& c) {
+    const Point3d again = mesh.vertices[c.below(mesh.vertices.size())];
+    if (c.below(2) == 1) {
+      mesh.vertices.push_back(again);
+      return mesh;
+    }
+    mesh.vertices.insert(mesh.vertices.begin(), again);
+    for (Face& f : mesh.faces) f = {f.a + 1, f.b + 1, f.c + 1};
+    return mesh;
   }
 
   /// Below or above a ridge.

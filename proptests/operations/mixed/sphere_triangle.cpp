@@ -2,6 +2,7 @@
 #include "catalogue/rows/mixed/sphere_triangle.h"
 
 #include "proptests/closest_laws.h"
+#include "proptests/space_laws.h"
 #include "robust/mixed/sphere_capsule.h"
 #include "robust/polyhedra/segment_triangle.h"
 #include "robust/volumes/sphere_sphere.h"
