@@ -10,8 +10,8 @@
 #include <string>
 #include <type_traits>
 
-#include "bench/cgal_peers.h"
 #include "bench/data_sets.h"
+#include "bench/peers_of_rays.h"
 #include "bench/plain_peers.h"
 #include "bench/timing.h"
 
@@ -20,29 +20,40 @@ namespace {
 
 template <class Row>
 concept Decides = requires {
-  &Decisions<Row>::ours;
+  Decisions<Row>::decides;
 };
 
 template <class Row>
 using QuestionOf = typename Row::Question;
 
+template <class Row>
+concept HasCgal = requires {
+  CgalPeer<Row>::only_epeck;
+};
+
+/// The formula is one for any number type, and right in exact arithmetic.
+template <class Row>
+concept HasRational = !requires {
+  Decisions<Row>::doubles_alone;
+};
+
 /// Functions of a question's fields as functions of the question.
 template <class Row>
 struct Asked {
   static int ours(const QuestionOf<Row>& q) {
-    return std::apply([](const auto&... field) { return Decisions<Row>::ours(field...); }, q);
+    return catalogue::applied([](const auto&... field) { return Decisions<Row>::ours(field...); }, q);
   }
   static int naive(const QuestionOf<Row>& q) {
-    return std::apply([](const auto&... field) { return Decisions<Row>::naive(field...); }, q);
+    return catalogue::applied([](const auto&... field) { return Decisions<Row>::naive(field...); }, q);
   }
-  static constexpr bool has_usual = requires(const QuestionOf<Row>& q) {
-    std::apply([](const auto&... field) -> decltype(Decisions<Row>::usual(field...)) { return {}; }, q);
+  static constexpr bool has_usual = requires {
+    &Decisions<Row>::usual;
   };
   static int usual(const QuestionOf<Row>& q) {
-    return std::apply([](const auto&... field) { return Decisions<Row>::usual(field...); }, q);
+    return catalogue::applied([](const auto&... field) { return Decisions<Row>::usual(field...); }, q);
   }
   static int rational(const QuestionOf<Row>& q) {
-    return std::apply(
+    return catalogue::applied(
         [](const auto&... field) {
           if constexpr (requires { Decisions<Row>::complete(field...); }) return Decisions<Row>::complete(field...);
           else return Decisions<Row>::naive(field...);
@@ -51,14 +62,14 @@ struct Asked {
   }
   template <class K>
   static auto shapes(const QuestionOf<Row>& q) {
-    return std::apply([](const auto&... field) { return CgalPeer<Row>::template shapes<K>(field...); }, q);
+    return catalogue::applied([](const auto&... field) { return CgalPeer<Row>::template shapes<K>(field...); }, q);
   }
   template <class Shapes>
   static int cgal(const Shapes& shapes) {
-    return std::apply([](const auto&... shape) { return CgalPeer<Row>::decide(shape...); }, shapes);
+    return catalogue::applied([](const auto&... shape) { return CgalPeer<Row>::decide(shape...); }, shapes);
   }
   static bool promised(const QuestionOf<Row>& q) {
-    return std::apply([](const auto&... field) { return CgalPeer<Row>::promised(field...); }, q);
+    return catalogue::applied([](const auto&... field) { return CgalPeer<Row>::promised(field...); }, q);
   }
 };
 
@@ -75,10 +86,12 @@ Wrong wrong_decisions(DataSet set) {
     const int truth = Decisions<Row>::truth(catalogue::ask_oracle<Row>(q).answer);
     wrong.robust += A::ours(q) != truth;
     wrong.naive += A::naive(q) != truth;
-    wrong.rational += A::rational(q) != truth;
-    if (!A::promised(q)) continue;
-    if constexpr (!CgalPeer<Row>::only_epeck) wrong.epick += A::cgal(A::template shapes<Epick>(q)) != truth;
-    wrong.epeck += A::cgal(A::template shapes<Epeck>(q)) != truth;
+    if constexpr (HasRational<Row>) wrong.rational += A::rational(q) != truth;
+    if constexpr (HasCgal<Row>) {
+      if (!A::promised(q)) continue;
+      if constexpr (!CgalPeer<Row>::only_epeck) wrong.epick += A::cgal(A::template shapes<Epick>(q)) != truth;
+      wrong.epeck += A::cgal(A::template shapes<Epeck>(q)) != truth;
+    }
   }
   return wrong;
 }
@@ -144,16 +157,20 @@ void add_row(DataSet set) {
     }
     add("robust",
         [=](benchmark::State& s) { time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::ours(q); }); });
-    if constexpr (!CgalPeer<Row>::only_epeck) {
-      add("epick", [=](benchmark::State& s) {
-        time_decisions(s, shapes_of<Row, Epick>(set), [](const auto& shapes) { return A::cgal(shapes); });
+    if constexpr (HasCgal<Row>) {
+      if constexpr (!CgalPeer<Row>::only_epeck) {
+        add("epick", [=](benchmark::State& s) {
+          time_decisions(s, shapes_of<Row, Epick>(set), [](const auto& shapes) { return A::cgal(shapes); });
+        });
+      }
+      add("epeck", [=](benchmark::State& s) {
+        time_decisions(s, shapes_of<Row, Epeck>(set), [](const auto& shapes) { return A::cgal(shapes); });
       });
     }
-    add("epeck", [=](benchmark::State& s) {
-      time_decisions(s, shapes_of<Row, Epeck>(set), [](const auto& shapes) { return A::cgal(shapes); });
-    });
-    add("mpq",
-        [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
+    if constexpr (HasRational<Row>) {
+      add("mpq",
+          [=](benchmark::State& s) { time_answers(s, cases_of<Row>(set), [](const Q& q) { return A::rational(q); }); });
+    }
   }
   // Which answers hold numbers, for the goals of ratios.py.
   const catalogue::Kind kind = Row::metadata().kind;

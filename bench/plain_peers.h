@@ -33,6 +33,7 @@ bool between(const Real& a, const Real& x, const Real& b) {
 
 template <>
 struct Decisions<catalogue::rows::orientation> {
+  static constexpr bool decides = true;
   static int ours(const Point2d& p0, const Point2d& p1, const Point2d& p) {
     return 1 - static_cast<int>(robust::orientation(p0, p1, p));
   }
@@ -45,6 +46,7 @@ struct Decisions<catalogue::rows::orientation> {
 
 template <>
 struct Decisions<catalogue::rows::explicit_line> {
+  static constexpr bool decides = true;
   static int ours(double slope, double intercept, const Point2d& p) {
     return 1 - static_cast<int>(robust::explicit_line(slope, intercept, p));
   }
@@ -57,6 +59,7 @@ struct Decisions<catalogue::rows::explicit_line> {
 
 template <>
 struct Decisions<catalogue::rows::implicit_circle> {
+  static constexpr bool decides = true;
   static int ours(const Circle2d& circle, const Point2d& p) {
     return 1 - static_cast<int>(robust::implicit_circle(circle, p));
   }
@@ -70,6 +73,7 @@ struct Decisions<catalogue::rows::implicit_circle> {
 
 template <>
 struct Decisions<catalogue::rows::point_on_segment> {
+  static constexpr bool decides = true;
   static int ours(const Point2d& p, const Segment2d& s) {
     return robust::point_on_segment_relation(p, s) == Incidence::on;
   }
@@ -85,6 +89,7 @@ struct Decisions<catalogue::rows::point_on_segment> {
 
 template <>
 struct Decisions<catalogue::rows::line_line> {
+  static constexpr bool decides = true;
   static int ours(const Line2d& a, const Line2d& b) {
     return robust::line_line_relation(a, b) == LineRelation::crossing;
   }
@@ -100,6 +105,7 @@ struct Decisions<catalogue::rows::line_line> {
 
 template <>
 struct Decisions<catalogue::rows::segment_segment> {
+  static constexpr bool decides = true;
   static int ours(const Segment2d& a, const Segment2d& b) {
     return robust::segment_segment_relation(a, b) != SegmentRelation::disjoint;
   }
@@ -125,6 +131,7 @@ struct Decisions<catalogue::rows::segment_segment> {
 
 template <>
 struct Decisions<catalogue::rows::ray_segment> {
+  static constexpr bool decides = true;
   static int ours(const Ray2d& ray, const Segment2d& s) {
     return robust::ray_segment_relation(ray, s) != RayRelation::none;
   }
@@ -150,6 +157,7 @@ struct Decisions<catalogue::rows::ray_segment> {
 
 template <>
 struct Decisions<catalogue::rows::point_plane> {
+  static constexpr bool decides = true;
   static int ours(const Plane3d& plane, const Point3d& p) {
     return 1 - static_cast<int>(robust::point_plane_side(plane, p));
   }
@@ -166,6 +174,7 @@ struct Decisions<catalogue::rows::point_plane> {
 
 template <>
 struct Decisions<catalogue::rows::point_ground_plane> {
+  static constexpr bool decides = true;
   static int ours(const Point3d& p) { return 1 - static_cast<int>(robust::point_ground_plane(p)); }
   template <class Answer>
   static int truth(const Answer& side) {

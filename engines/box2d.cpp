@@ -23,6 +23,18 @@ struct Box2d {
     return b2TestOverlap(b2AABB{vector(a.min), vector(a.max)}, b2AABB{vector(b.min), vector(b.max)});
   }
 
+  /// Rays that start in a disc do not hit, by its documentation. It has no word of those that start in a box.
+  std::optional<bool> segment_sphere(const Segment2<float>& s, const Circle2<float>& disc) {
+    const b2CircleShape shape = circle(disc.radius);
+    if (shape.TestPoint(at(disc.center), vector(s.a))) return std::nullopt;
+    b2RayCastOutput hit;
+    return shape.RayCast(&hit, {vector(s.a), vector(s.b), 1}, at(disc.center), 0);
+  }
+  bool segment_aabb(const Segment2<float>& s, const Aabb2<float>& box) {
+    b2RayCastOutput hit;
+    return b2AABB{vector(box.min), vector(box.max)}.RayCast(&hit, {vector(s.a), vector(s.b), 1});
+  }
+
   std::optional<Velocities<float>> restitution_collision(const Masses<float>& masses, const Velocities<float>& before,
                                                          const Vector3<float>& normal, float e) {
     return bounced({masses.first, masses.second}, before, normal, e);

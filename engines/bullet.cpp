@@ -70,6 +70,29 @@ struct Bullet {
     return meet(first, {0, 0, 0}, second, {0, 0, 0});
   }
 
+  /// Rays of Bullet end.
+  std::optional<bool> segment_sphere(const Segment3<float>& s, const Ball& ball) {
+    btSphereShape shape(ball.radius);
+    return cast(s, shape, ball.center);
+  }
+  std::optional<bool> segment_aabb(const Segment3<float>& s, const Slabs& aabb) {
+    const auto box = exactly::box(aabb);
+    if (!box) return std::nullopt;
+    btBoxShape shape(vector(box->half));
+    return cast(s, shape, box->center);
+  }
+  std::optional<bool> segment_triangle(const Segment3<float>& s, const Triangle3<float>& t) {
+    btTriangleShape shape(vector(t.a), vector(t.b), vector(t.c));
+    shape.setMargin(0);
+    return cast(s, shape, {0, 0, 0});
+  }
+  bool sphere_triangle(const Ball& ball, const Triangle3<float>& t) {
+    btSphereShape first(ball.radius);
+    btTriangleShape second(vector(t.a), vector(t.b), vector(t.c));
+    second.setMargin(0);
+    return meet(first, ball.center, second, {0, 0, 0});
+  }
+
   /// Documented: faces are planar n-gons; no word of flat input. They are cut into triangles from their first corner.
   ConvexHull convex_hull(const std::vector<Point3<float>>& points) {
     btConvexHullComputer hull;
@@ -173,6 +196,16 @@ struct Bullet {
     if (!a || !b) return std::nullopt;
     btBoxShape first(vector(a->half)), second(vector(b->half));
     return meet(first, a->center, second, b->center);
+  }
+
+  /// What it answers about a ray that starts in the shape is not documented.
+  static std::optional<bool> cast(const Segment3<float>& s, btConvexShape& shape, const Point3<float>& there) {
+    btCollisionObject obstacle;
+    obstacle.setCollisionShape(&shape);
+    obstacle.setWorldTransform(at(there));
+    btCollisionWorld::ClosestRayResultCallback closest(vector(s.a), vector(s.b));
+    btCollisionWorld::rayTestSingle(at(s.a), at(s.b), &obstacle, &shape, at(there), closest);
+    return closest.hasHit();
   }
 
   static Motion first_contact(btConvexShape& moving, const Point3<float>& start, const Vector3<float>& velocity,

@@ -178,6 +178,40 @@ struct CgalDouble {
     return answer;
   }
 
+  std::optional<RayTriangle<double>> ray_triangle(const Ray3d& r, const Triangle3d& t) {
+    const auto ray = kernel_ray(r);
+    const Kernel::Triangle_3 face = triangle(t);
+    if (!ray || face.is_degenerate()) return std::nullopt;
+    RayTriangle<double> answer{SegmentTriangleRelation::none, {}, {}, {}};
+    const auto common = CGAL::intersection(*ray, face);
+    contradiction(CGAL::do_intersect(*ray, face), common.has_value());
+    if (!common) return answer;
+    const auto* meeting = held<Spatial>(*common);
+    answer.relation = meeting ? SegmentTriangleRelation::point : SegmentTriangleRelation::segment;
+    if (meeting) answer.point = back(*meeting);
+    return answer;
+  }
+  std::optional<bool> ray_aabb(const Ray3d& r, const Aabb3d& box) {
+    const auto ray = kernel_ray(r);
+    if (!ray) return std::nullopt;
+    return CGAL::do_intersect(*ray, Kernel::Iso_cuboid_3(point(box.min), point(box.max)));
+  }
+  std::optional<bool> segment_aabb(const Segment3d& s, const Aabb3d& box) {
+    const Kernel::Segment_3 edge(point(s.a), point(s.b));
+    if (edge.is_degenerate()) return std::nullopt;
+    return CGAL::do_intersect(edge, Kernel::Iso_cuboid_3(point(box.min), point(box.max)));
+  }
+  std::optional<ClosestPoint3<double>> closest_point_on_triangle(const Point3d& p, const Triangle3d& t) {
+    const Kernel::Triangle_3 face = triangle(t);
+    if (face.is_degenerate()) return std::nullopt;
+    return nearest(point(p), face);
+  }
+  std::optional<ClosestPoint3<double>> closest_point_on_segment(const Point3d& p, const Segment3d& s) {
+    const Kernel::Segment_3 edge(point(s.a), point(s.b));
+    if (edge.is_degenerate()) return std::nullopt;
+    return nearest(point(p), edge);
+  }
+
   std::optional<TriangleTriangleRelation> triangle_triangle(const Triangle3d& first, const Triangle3d& second) {
     const Kernel::Triangle_3 a = triangle(first), b = triangle(second);
     if (a.is_degenerate() || b.is_degenerate()) return std::nullopt;
@@ -212,6 +246,20 @@ struct CgalDouble {
     return side == CGAL::ON_POSITIVE_SIDE   ? PlaneSide::front
            : side == CGAL::ON_NEGATIVE_SIDE ? PlaneSide::back
                                             : PlaneSide::on;
+  }
+
+  /// Only where origin + direction is exact.
+  static std::optional<Kernel::Ray_3> kernel_ray(const Ray3d& r) {
+    const Point3d second = r.origin + r.direction;
+    if (!exact_sum(r.origin.x, r.direction.x, second.x) || !exact_sum(r.origin.y, r.direction.y, second.y) ||
+        !exact_sum(r.origin.z, r.direction.z, second.z))
+      return std::nullopt;
+    return Kernel::Ray_3(point(r.origin), point(second));
+  }
+  template <class Shape>
+  static ClosestPoint3<double> nearest(const Spatial& p, const Shape& shape) {
+    const double square = CGAL::squared_distance(p, shape);
+    return {back(Kernel().construct_projected_point_3_object()(shape, p)), square, std::sqrt(square)};
   }
 
   static bool exact_sum(double a, double b, double sum) {

@@ -73,6 +73,20 @@ struct Fcl {
     };
     return {ConvexRelation::apart, point(0), point(1), distance * distance, distance};
   }
+  bool sphere_triangle(const Sphere3d& sphere, const Triangle3d& t) {
+    return meet(ball(sphere), at(sphere.center), soup({t.a, t.b, t.c}), at({0, 0, 0}));
+  }
+  /// Capsules of FCL lie along z; others need a rotation, which it cannot hold exactly.
+  std::optional<bool> sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule) {
+    const auto middle = upright(capsule);
+    if (!middle) return std::nullopt;
+    return meet(ball(sphere), at(sphere.center), middle->second, at(middle->first));
+  }
+  std::optional<bool> capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
+    const auto first = upright(a), second = upright(b);
+    if (!first || !second) return std::nullopt;
+    return meet(first->second, at(first->first), second->second, at(second->first));
+  }
 
   /// As meshes of one triangle.
   bool triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
@@ -102,6 +116,14 @@ struct Fcl {
     return std::make_shared<fcl::Convexd>(vertices, static_cast<int>(triangles.size()), faces);
   }
 
+  static std::optional<std::pair<Point3d, Shape>> upright(const Capsule3d& capsule) {
+    const auto& [a, b] = capsule.segment;
+    if (a.x != b.x || a.y != b.y) return std::nullopt;
+    const auto along = exactly::middle_and_half(std::min(a.z, b.z), std::max(a.z, b.z));
+    if (!along) return std::nullopt;
+    return std::pair<Point3d, Shape>{{a.x, a.y, along->first},
+                                     std::make_shared<fcl::Capsuled>(capsule.radius, 2 * along->second)};
+  }
   static Shape soup(const std::array<Point3d, 3>& corners) {
     const auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
     const auto corner = [&corners](std::size_t k) { return fcl::Vector3d(corners[k].x, corners[k].y, corners[k].z); };

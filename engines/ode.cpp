@@ -31,6 +31,18 @@ struct Ode {
   std::optional<bool> aabb_aabb(const Aabb3d& a, const Aabb3d& b) { return meet(exactly::box(a), exactly::box(b)); }
   std::optional<bool> obb_obb(const Obb3d& a, const Obb3d& b) { return meet(exactly::upright(a), exactly::upright(b)); }
 
+  /// Rays of ODE have a length, and are made of a direction of length 1: only axes are asked, with the greatest length
+  /// whose square is finite.
+  std::optional<bool> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) {
+    if (sphere.radius == 0) return std::nullopt;
+    return cast(ray, ball(sphere), sphere.center);
+  }
+  std::optional<bool> ray_aabb(const Ray3d& ray, const Aabb3d& aabb) {
+    const Box box = exactly::box(aabb);
+    if (!has_size(box)) return std::nullopt;
+    return cast(ray, solid(*box), box->center);
+  }
+
   /// dContactBounce with bounce_vel 0 and no softness: the contact is between the balls, where they touch.
   std::optional<Velocities<double>> restitution_collision(const Massesd& masses, const Velocitiesd& velocities,
                                                           const Vector3d& normal, double e) {
@@ -74,6 +86,21 @@ struct Ode {
   }
   static bool has_size(const Box& box) { return box && box->half.x > 0 && box->half.y > 0 && box->half.z > 0; }
 
+  static std::optional<bool> cast(const Ray3d& ray, dGeomID solid, const Point3d& there) {
+    const auto& [p, v] = ray;
+    if ((v.x != 0) + (v.y != 0) + (v.z != 0) != 1) {
+      dGeomDestroy(solid);
+      return std::nullopt;
+    }
+    const dGeomID line = dCreateRay(nullptr, 0x1p500);
+    dGeomRaySet(line, p.x, p.y, p.z, v.x, v.y, v.z);
+    dGeomSetPosition(solid, there.x, there.y, there.z);
+    dContactGeom contact;
+    const int found = dCollide(line, solid, 1, &contact, sizeof(dContactGeom));
+    dGeomDestroy(line);
+    dGeomDestroy(solid);
+    return found > 0;
+  }
   static bool meet(dGeomID a, const Point3d& at_a, dGeomID b, const Point3d& at_b) {
     dGeomSetPosition(a, at_a.x, at_a.y, at_a.z);
     dGeomSetPosition(b, at_b.x, at_b.y, at_b.z);

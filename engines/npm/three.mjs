@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // three.js: boxes, balls, oriented boxes and hulls of its math and its addons.
-import { Box2, Box3, Matrix3, Sphere, Vector2, Vector3 } from "three";
+import { Box2, Box3, Line3, Matrix3, Ray, Sphere, Triangle, Vector2, Vector3 } from "three";
 import { ConvexHull } from "three/addons/math/ConvexHull.js";
 import { OBB } from "three/addons/math/OBB.js";
 import { rank } from "./exact.mjs";
@@ -13,6 +13,17 @@ const spatial = ({ center }) => center.length === 3;
 const turned = (obb) => {
   const held = upright(obb);
   return held && new OBB(vector(held.center), vector(held.half), new Matrix3());
+};
+
+/** Its rays have a direction of length 1, by its documentation: others are not asked. */
+const ray = ({ origin, direction }) =>
+  origin.length === 3 && Math.hypot(...direction) === 1 && direction.filter((x) => x !== 0).length === 1
+    ? new Ray(vector(origin), vector(direction))
+    : undefined;
+const hit = (found) => (found === null ? { relation: "none" } : { relation: "hit" });
+const nearest = (p, found) => {
+  const square = found.distanceToSquared(p);
+  return { point: found.toArray(), squared_distance: square, distance: Math.sqrt(square) };
 };
 
 /** Nothing is documented of touching. ConvexHull gives faces: of flat input it is not asked. Sphere.setFromPoints is
@@ -37,6 +48,29 @@ export default () => ({
   obb_obb: ({ a, b }) => {
     const first = turned(a), second = turned(b);
     return first && second && first.intersectsOBB(second);
+  },
+  ray_triangle: ({ ray: cast, triangle: [a, b, c] }) => {
+    const from = ray(cast);
+    if (!from) return undefined;
+    const found = from.intersectTriangle(vector(a), vector(b), vector(c), false, new Vector3());
+    return found === null ? { relation: "none" } : { relation: "point", point: found.toArray() };
+  },
+  ray_aabb: ({ ray: cast, aabb }) => {
+    const from = ray(cast);
+    return from && hit(from.intersectBox(box(aabb), new Vector3()));
+  },
+  ray_sphere: ({ ray: cast, sphere }) => {
+    const from = ray(cast);
+    return from && hit(from.intersectSphere(ball(sphere), new Vector3()));
+  },
+  closest_point_on_segment: ({ point, segment: [a, b] }) => {
+    if (point.length !== 3) return undefined;
+    const p = vector(point);
+    return nearest(p, new Line3(vector(a), vector(b)).closestPointToPoint(p, true, new Vector3()));
+  },
+  closest_point_on_triangle: ({ point, triangle: [a, b, c] }) => {
+    const p = vector(point);
+    return nearest(p, new Triangle(vector(a), vector(b), vector(c)).closestPointToPoint(p, new Vector3()));
   },
   convex_hull: ({ points }) => {
     if (rank(points) < 3) return undefined;

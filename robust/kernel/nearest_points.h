@@ -7,6 +7,7 @@
 #include "geometry/closest.h"
 #include "geometry/triangles.h"
 #include "robust/kernel/points_in_space.h"
+#include "robust/kernel/staged.h"
 
 /// The nearest points of points, segments and triangles of space, by cases, in integers. What has no length or no area
 /// is a case like others. The plane is z = 0.
@@ -39,6 +40,7 @@ Contact contact(const Quotient& square, const mpz_class& reach, bool interiors);
 
 inline Point3d in_space(const Point2d& p) { return {p.x, p.y, 0}; }
 inline const Point3d& in_space(const Point3d& p) { return p; }
+inline Segment3d in_space(const Segment2d& s) { return {in_space(s.a), in_space(s.b)}; }
 
 /// Of points of the plane or of space, on one power of two.
 template <class... Points>
@@ -57,6 +59,11 @@ inline ClosestPoint2<double> in_plane(const ClosestPoint3<double>& found) {
 }
 inline ClosestPair2<double> in_plane(const ClosestPair3<double>& found) {
   return {in_plane(found.on_a), in_plane(found.on_b), found.squared_distance, found.distance};
+}
+template <class Answer>
+auto in_plane(const Perhaps<Answer>& found) -> Perhaps<decltype(in_plane(*found))> {
+  if (!found) return std::nullopt;
+  return in_plane(*found);
 }
 
 }  // namespace touchstone::robust::kernel

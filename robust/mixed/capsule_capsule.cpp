@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/mixed/capsule_capsule.h"
 
+#include "robust/kernel/enclosed_nearest.h"
 #include "robust/kernel/nearest_points.h"
 #include "robust/kernel/valid_capsules.h"
 
@@ -15,14 +16,25 @@ void validate(const Capsule3d& a, const Capsule3d& b) {
 
 }  // namespace
 
-Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b) {
+Perhaps<Contact> stages::capsule_capsule::filter(const Capsule3d& a, const Capsule3d& b) {
+  if (kernel::sign_bit(a.radius) || kernel::sign_bit(b.radius)) return std::nullopt;  // -0.0, or to be refused
+  const bool interiors = !validation::zero(a.radius) && !validation::zero(b.radius);
+  return filters::contact(a.segment, a.radius, b.segment, b.radius, interiors);
+}
+
+Contact stages::capsule_capsule::exact(const Capsule3d& a, const Capsule3d& b) {
   using namespace kernel;
-  validate(a, b);
   const auto [at, exponent] =
       whole_points(a.segment.a, a.segment.b, b.segment.a, b.segment.b, Point3d{a.radius, b.radius, 0});
   const QuotientPair nearest = nearest_pair({at[0], at[1]}, {at[2], at[3]});
   const auto& [r, s, zero] = at[4];
   return contact(squared_distance(nearest.on_a, nearest.on_b), r + s, sgn(r) != 0 && sgn(s) != 0);
 }
+
+Decided<Contact> stages::capsule_capsule::ask(const Capsule3d& a, const Capsule3d& b) {
+  return in_turn<capsule_capsule, Stage::filter, validate, Stage::exact>(a, b);
+}
+
+Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b) { return stages::capsule_capsule::ask(a, b).answer; }
 
 }  // namespace touchstone::robust

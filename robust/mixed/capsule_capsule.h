@@ -4,7 +4,7 @@
 #include "geometry/answers.h"
 #include "geometry/capsules.h"
 #include "geometry/invalid_input.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -16,5 +16,16 @@ namespace touchstone::robust {
 /// throw InvalidInput, which names the field and "finite number"; so does a negative radius ("radius >= 0"). Contract:
 /// reference/mixed/capsule_capsule.h.
 Contact capsule_capsule(const Capsule3d& a, const Capsule3d& b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+struct capsule_capsule : Signatures<decltype(robust::capsule_capsule)> {
+  static Partial filter;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

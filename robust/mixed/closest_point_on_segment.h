@@ -5,7 +5,7 @@
 #include "geometry/invalid_input.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -17,5 +17,19 @@ namespace touchstone::robust {
 /// reference/mixed/closest_point_on_segment.h.
 ClosestPoint2<double> closest_point_on_segment(const Point2d& point, const Segment2d& segment);
 ClosestPoint3<double> closest_point_on_segment(const Point3d& point, const Segment3d& segment);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+struct closest_point_on_segment {
+  static Perhaps<ClosestPoint2<double>> enclosed(const Point2d& point, const Segment2d& segment);
+  static Perhaps<ClosestPoint3<double>> enclosed(const Point3d& point, const Segment3d& segment);
+  static ClosestPoint2<double> exact(const Point2d& point, const Segment2d& segment);
+  static ClosestPoint3<double> exact(const Point3d& point, const Segment3d& segment);
+  static Decided<ClosestPoint2<double>> ask(const Point2d& point, const Segment2d& segment);
+  static Decided<ClosestPoint3<double>> ask(const Point3d& point, const Segment3d& segment);
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

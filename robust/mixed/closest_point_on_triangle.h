@@ -4,7 +4,7 @@
 #include "geometry/closest.h"
 #include "geometry/invalid_input.h"
 #include "geometry/triangles.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -15,5 +15,16 @@ namespace touchstone::robust {
 /// rounded square nor measured from the rounded point. NaN and infinities throw InvalidInput, which names the field and
 /// "finite number". Contract: reference/mixed/closest_point_on_triangle.h.
 ClosestPoint3<double> closest_point_on_triangle(const Point3d& point, const Triangle3d& triangle);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+struct closest_point_on_triangle : Signatures<decltype(robust::closest_point_on_triangle)> {
+  static Partial enclosed;
+  static Total exact;
+  static Staged ask;
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

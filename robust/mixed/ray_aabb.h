@@ -3,6 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "robust/kernel/box_passage.h"
+#include "robust/kernel/passage_filter.h"
 
 namespace touchstone::robust {
 
@@ -16,12 +17,24 @@ namespace touchstone::robust {
 inline Passage<double> ray_aabb(const Ray2d& ray, const Aabb2d& aabb);
 inline Passage<double> ray_aabb(const Ray3d& ray, const Aabb3d& aabb);
 
+/// The decision alone, which costs less.
+inline PassageRelation ray_aabb_relation(const Ray2d& ray, const Aabb2d& aabb);
+inline PassageRelation ray_aabb_relation(const Ray3d& ray, const Aabb3d& aabb);
+
 /// Each stage alone, for tests and other operations; no promise to users.
 namespace stages {
 
 /// The filter knows rays that miss: no number has to be found.
 struct ray_aabb : kernel::BoxPassage {
   static Decided<Passage<double>> ask(const kernel::Line& ray, const kernel::Box& aabb);
+
+  struct decision : Filtered<decision> {
+    static Perhaps<PassageRelation> filter(const kernel::Line& ray, const kernel::Box& aabb) {
+      return filters::box_relation(ray, aabb);
+    }
+    static PassageRelation exact(const kernel::Line& ray, const kernel::Box& aabb);
+    static Decided<PassageRelation> past_filter(const kernel::Line& ray, const kernel::Box& aabb);
+  };
 };
 
 }  // namespace stages
@@ -31,6 +44,13 @@ inline Passage<double> ray_aabb(const Ray2d& ray, const Aabb2d& aabb) {
 }
 inline Passage<double> ray_aabb(const Ray3d& ray, const Aabb3d& aabb) {
   return stages::ray_aabb::ask(ray, aabb).answer;
+}
+
+inline PassageRelation ray_aabb_relation(const Ray2d& ray, const Aabb2d& aabb) {
+  return stages::ray_aabb::decision::ask(ray, aabb).answer;
+}
+inline PassageRelation ray_aabb_relation(const Ray3d& ray, const Aabb3d& aabb) {
+  return stages::ray_aabb::decision::ask(ray, aabb).answer;
 }
 
 }  // namespace touchstone::robust

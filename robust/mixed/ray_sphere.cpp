@@ -19,4 +19,13 @@ Decided<Passage<double>> stages::ray_sphere::ask(const kernel::Line& ray, const 
   return in_turn<ray_sphere, Stage::filter, Stage::enclosed, validate, Stage::exact>(ray, sphere);
 }
 
+PassageRelation stages::ray_sphere::decision::exact(const kernel::Line& ray, const kernel::Ball& sphere) {
+  return kernel::BallPassage::exact(ray, sphere).relation;
+}
+
+Decided<PassageRelation> stages::ray_sphere::decision::past_filter(const kernel::Line& ray,
+                                                             const kernel::Ball& sphere) {
+  return in_turn<decision, validate, Stage::exact>(ray, sphere);
+}
+
 }  // namespace touchstone::robust

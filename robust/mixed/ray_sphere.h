@@ -3,6 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "robust/kernel/ball_passage.h"
+#include "robust/kernel/passage_filter.h"
 
 namespace touchstone::robust {
 
@@ -16,12 +17,24 @@ namespace touchstone::robust {
 inline Passage<double> ray_sphere(const Ray2d& ray, const Circle2d& sphere);
 inline Passage<double> ray_sphere(const Ray3d& ray, const Sphere3d& sphere);
 
+/// The decision alone, which costs less.
+inline PassageRelation ray_sphere_relation(const Ray2d& ray, const Circle2d& sphere);
+inline PassageRelation ray_sphere_relation(const Ray3d& ray, const Sphere3d& sphere);
+
 /// Each stage alone, for tests and other operations; no promise to users.
 namespace stages {
 
 /// The filter knows rays that miss: no number has to be found.
 struct ray_sphere : kernel::BallPassage {
   static Decided<Passage<double>> ask(const kernel::Line& ray, const kernel::Ball& sphere);
+
+  struct decision : Filtered<decision> {
+    static Perhaps<PassageRelation> filter(const kernel::Line& ray, const kernel::Ball& sphere) {
+      return filters::ball_relation(ray, sphere);
+    }
+    static PassageRelation exact(const kernel::Line& ray, const kernel::Ball& sphere);
+    static Decided<PassageRelation> past_filter(const kernel::Line& ray, const kernel::Ball& sphere);
+  };
 };
 
 }  // namespace stages
@@ -31,6 +44,13 @@ inline Passage<double> ray_sphere(const Ray2d& ray, const Circle2d& sphere) {
 }
 inline Passage<double> ray_sphere(const Ray3d& ray, const Sphere3d& sphere) {
   return stages::ray_sphere::ask(ray, sphere).answer;
+}
+
+inline PassageRelation ray_sphere_relation(const Ray2d& ray, const Circle2d& sphere) {
+  return stages::ray_sphere::decision::ask(ray, sphere).answer;
+}
+inline PassageRelation ray_sphere_relation(const Ray3d& ray, const Sphere3d& sphere) {
+  return stages::ray_sphere::decision::ask(ray, sphere).answer;
 }
 
 }  // namespace touchstone::robust

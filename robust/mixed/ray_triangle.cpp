@@ -2,9 +2,11 @@
 #include "robust/mixed/ray_triangle.h"
 
 #include "geometry/validation_of_rays.h"
+#include "robust/kernel/enclosed_crossing.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/triangle_sides.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
@@ -69,12 +71,41 @@ void validate(const Ray3d& ray, const Triangle3d& t) {
 
 }  // namespace
 
+/// What lies in the plane of the triangle, or has no plane, is left to the next stage.
+Perhaps<Relation> stages::ray_triangle::decision::lattice(const Ray3d& ray, const Triangle3d& triangle) {
+  const auto& [o, v] = ray;
+  const auto& [a, b, c] = triangle;
+  const auto lattice = kernel::lattice_of(o.x, o.y, o.z, v.x, v.y, v.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  if (!lattice) return std::nullopt;
+  const auto& n = lattice->at;
+  const auto point = [&n](std::size_t i) { return Point3<std::int64_t>{n[i], n[i + 1], n[i + 2]}; };
+  const Triangle3<std::int64_t> t{point(6), point(9), point(12)};
+  const Point3<std::int64_t> origin = point(0);
+  const Vector3<std::int64_t> direction{n[3], n[4], n[5]}, ab = t.b - t.a, ac = t.c - t.a;
+  const int at_origin = kernel::sign_of_triple(ab, ac, origin - t.a), rise = kernel::sign_of_triple(ab, ac, direction);
+  if (at_origin == 0 && rise == 0) return std::nullopt;
+  if (rise == 0 || at_origin == rise) return Relation::none;
+  return kernel::crosses(origin, direction, t);
+}
+
 Relation stages::ray_triangle::decision::exact(const Ray3d& ray, const Triangle3d& triangle) {
   return Question(ray, triangle).relation();
 }
 
 Decided<Relation> stages::ray_triangle::decision::past_filter(const Ray3d& ray, const Triangle3d& triangle) {
-  return in_turn<decision, validate, Stage::exact>(ray, triangle);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(ray, triangle);
+}
+
+/// Where the filter says `point`, all three edges are on one side of the ray: it is inside.
+Perhaps<RayTriangle<double>> stages::ray_triangle::enclosed(const Ray3d& ray, const Triangle3d& triangle) {
+  const auto relation = decision::filter(ray, triangle);
+  if (!relation) return std::nullopt;
+  if (*relation == Relation::none) return RayTriangle<double>{Relation::none, {}, {}, {}};
+  const auto& [origin, direction] = ray;
+  if (!(filters::moderate(origin) & filters::moderate(direction) & filters::moderate(triangle))) return std::nullopt;
+  const auto found = kernel::crossing(origin, kernel::loose(direction), triangle);
+  if (!found) return std::nullopt;
+  return RayTriangle<double>{Relation::point, (*found).t, (*found).point, Location::inside};
 }
 
 RayTriangle<double> stages::ray_triangle::exact(const Ray3d& ray, const Triangle3d& triangle) {
@@ -87,11 +118,8 @@ RayTriangle<double> stages::ray_triangle::exact(const Ray3d& ray, const Triangle
   return answer;
 }
 
-/// The filter finds no number: it saves those who have none.
 RayTriangle<double> ray_triangle(const Ray3d& ray, const Triangle3d& triangle) {
-  const auto relation = stages::ray_triangle::decision::filter(ray, triangle);
-  if (relation && *relation == Relation::none) return {Relation::none, {}, {}, {}};
-  return answer_in_turn<stages::ray_triangle, validate, Stage::exact>(ray, triangle);
+  return answer_in_turn<stages::ray_triangle, Stage::enclosed, validate, Stage::exact>(ray, triangle);
 }
 
 }  // namespace touchstone::robust

@@ -25,6 +25,7 @@ inline SegmentTriangleRelation ray_triangle_relation(const Ray3d& ray, const Tri
 namespace stages {
 
 struct ray_triangle : Signatures<decltype(robust::ray_triangle)> {
+  static Partial enclosed;
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::ray_triangle_relation)> {
@@ -44,6 +45,7 @@ struct ray_triangle : Signatures<decltype(robust::ray_triangle)> {
       if (any(Sign::unknown)) return std::nullopt;
       return SegmentTriangleRelation::point;
     }
+    static Partial lattice;
     static Total exact;
     static Staged past_filter;
   };

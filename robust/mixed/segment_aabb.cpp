@@ -20,4 +20,13 @@ Decided<Passage<double>> stages::segment_aabb::ask(const kernel::Line& segment, 
   return in_turn<segment_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(segment, aabb);
 }
 
+PassageRelation stages::segment_aabb::decision::exact(const kernel::Line& segment, const kernel::Box& aabb) {
+  return kernel::BoxPassage::exact(segment, aabb).relation;
+}
+
+Decided<PassageRelation> stages::segment_aabb::decision::past_filter(const kernel::Line& segment,
+                                                             const kernel::Box& aabb) {
+  return in_turn<decision, validate, Stage::exact>(segment, aabb);
+}
+
 }  // namespace touchstone::robust

@@ -3,6 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "robust/kernel/box_passage.h"
+#include "robust/kernel/passage_filter.h"
 
 namespace touchstone::robust {
 
@@ -17,12 +18,24 @@ namespace touchstone::robust {
 inline Passage<double> segment_aabb(const Segment2d& segment, const Aabb2d& aabb);
 inline Passage<double> segment_aabb(const Segment3d& segment, const Aabb3d& aabb);
 
+/// The decision alone, which costs less.
+inline PassageRelation segment_aabb_relation(const Segment2d& segment, const Aabb2d& aabb);
+inline PassageRelation segment_aabb_relation(const Segment3d& segment, const Aabb3d& aabb);
+
 /// Each stage alone, for tests and other operations; no promise to users.
 namespace stages {
 
 /// The filter knows segments that miss: no number has to be found.
 struct segment_aabb : kernel::BoxPassage {
   static Decided<Passage<double>> ask(const kernel::Line& segment, const kernel::Box& aabb);
+
+  struct decision : Filtered<decision> {
+    static Perhaps<PassageRelation> filter(const kernel::Line& segment, const kernel::Box& aabb) {
+      return filters::box_relation(segment, aabb);
+    }
+    static PassageRelation exact(const kernel::Line& segment, const kernel::Box& aabb);
+    static Decided<PassageRelation> past_filter(const kernel::Line& segment, const kernel::Box& aabb);
+  };
 };
 
 }  // namespace stages
@@ -32,6 +45,13 @@ inline Passage<double> segment_aabb(const Segment2d& segment, const Aabb2d& aabb
 }
 inline Passage<double> segment_aabb(const Segment3d& segment, const Aabb3d& aabb) {
   return stages::segment_aabb::ask(segment, aabb).answer;
+}
+
+inline PassageRelation segment_aabb_relation(const Segment2d& segment, const Aabb2d& aabb) {
+  return stages::segment_aabb::decision::ask(segment, aabb).answer;
+}
+inline PassageRelation segment_aabb_relation(const Segment3d& segment, const Aabb3d& aabb) {
+  return stages::segment_aabb::decision::ask(segment, aabb).answer;
 }
 
 }  // namespace touchstone::robust

@@ -5,7 +5,7 @@
 #include "geometry/invalid_input.h"
 #include "geometry/thin_shapes.h"
 #include "geometry/triangles.h"
-#include "robust/kernel/strict_math.h"
+#include "robust/kernel/staged.h"
 
 namespace touchstone::robust {
 
@@ -18,5 +18,19 @@ namespace touchstone::robust {
 /// InvalidInput, which names the field and "finite number". Contract: reference/mixed/segment_segment_distance.h.
 ClosestPair2<double> segment_segment_distance(const Segment2d& a, const Segment2d& b);
 ClosestPair3<double> segment_segment_distance(const Segment3d& a, const Segment3d& b);
+
+/// Each stage alone, for tests and other operations; no promise to users.
+namespace stages {
+
+struct segment_segment_distance {
+  static Perhaps<ClosestPair2<double>> enclosed(const Segment2d& a, const Segment2d& b);
+  static Perhaps<ClosestPair3<double>> enclosed(const Segment3d& a, const Segment3d& b);
+  static ClosestPair2<double> exact(const Segment2d& a, const Segment2d& b);
+  static ClosestPair3<double> exact(const Segment3d& a, const Segment3d& b);
+  static Decided<ClosestPair2<double>> ask(const Segment2d& a, const Segment2d& b);
+  static Decided<ClosestPair3<double>> ask(const Segment3d& a, const Segment3d& b);
+};
+
+}  // namespace stages
 
 }  // namespace touchstone::robust

@@ -19,4 +19,13 @@ Decided<Passage<double>> stages::segment_sphere::ask(const kernel::Line& segment
   return in_turn<segment_sphere, Stage::filter, Stage::enclosed, validate, Stage::exact>(segment, sphere);
 }
 
+PassageRelation stages::segment_sphere::decision::exact(const kernel::Line& segment, const kernel::Ball& sphere) {
+  return kernel::BallPassage::exact(segment, sphere).relation;
+}
+
+Decided<PassageRelation> stages::segment_sphere::decision::past_filter(const kernel::Line& segment,
+                                                             const kernel::Ball& sphere) {
+  return in_turn<decision, validate, Stage::exact>(segment, sphere);
+}
+
 }  // namespace touchstone::robust

@@ -3,6 +3,7 @@
 
 #include "geometry/invalid_input.h"
 #include "robust/kernel/ball_passage.h"
+#include "robust/kernel/passage_filter.h"
 
 namespace touchstone::robust {
 
@@ -16,12 +17,24 @@ namespace touchstone::robust {
 inline Passage<double> segment_sphere(const Segment2d& segment, const Circle2d& sphere);
 inline Passage<double> segment_sphere(const Segment3d& segment, const Sphere3d& sphere);
 
+/// The decision alone, which costs less.
+inline PassageRelation segment_sphere_relation(const Segment2d& segment, const Circle2d& sphere);
+inline PassageRelation segment_sphere_relation(const Segment3d& segment, const Sphere3d& sphere);
+
 /// Each stage alone, for tests and other operations; no promise to users.
 namespace stages {
 
 /// The filter knows segments that miss: no number has to be found.
 struct segment_sphere : kernel::BallPassage {
   static Decided<Passage<double>> ask(const kernel::Line& segment, const kernel::Ball& sphere);
+
+  struct decision : Filtered<decision> {
+    static Perhaps<PassageRelation> filter(const kernel::Line& segment, const kernel::Ball& sphere) {
+      return filters::ball_relation(segment, sphere);
+    }
+    static PassageRelation exact(const kernel::Line& segment, const kernel::Ball& sphere);
+    static Decided<PassageRelation> past_filter(const kernel::Line& segment, const kernel::Ball& sphere);
+  };
 };
 
 }  // namespace stages
@@ -31,6 +44,13 @@ inline Passage<double> segment_sphere(const Segment2d& segment, const Circle2d& 
 }
 inline Passage<double> segment_sphere(const Segment3d& segment, const Sphere3d& sphere) {
   return stages::segment_sphere::ask(segment, sphere).answer;
+}
+
+inline PassageRelation segment_sphere_relation(const Segment2d& segment, const Circle2d& sphere) {
+  return stages::segment_sphere::decision::ask(segment, sphere).answer;
+}
+inline PassageRelation segment_sphere_relation(const Segment3d& segment, const Sphere3d& sphere) {
+  return stages::segment_sphere::decision::ask(segment, sphere).answer;
 }
 
 }  // namespace touchstone::robust

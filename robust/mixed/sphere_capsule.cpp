@@ -2,6 +2,7 @@
 #include "robust/mixed/sphere_capsule.h"
 
 #include "robust/kernel/around_box_filter.h"
+#include "robust/kernel/enclosed_nearest.h"
 #include "robust/kernel/nearest_points.h"
 #include "robust/kernel/valid_capsules.h"
 
@@ -23,7 +24,10 @@ double at_least_sum(double r, double s) { return (r + s) * (1 + 0x1p-50) + 0x1p-
 Perhaps<Contact> stages::sphere_capsule::filter(const Sphere3d& sphere, const Capsule3d& capsule) {
   if (kernel::sign_bit(sphere.radius) || kernel::sign_bit(capsule.radius)) return std::nullopt;
   const auto& [a, b] = capsule.segment;
-  return filters::beyond_box(sphere.center, at_least_sum(sphere.radius, capsule.radius), a, b);
+  if (const auto apart = filters::beyond_box(sphere.center, at_least_sum(sphere.radius, capsule.radius), a, b))
+    return apart;
+  const bool interiors = !validation::zero(sphere.radius) && !validation::zero(capsule.radius);
+  return filters::contact(capsule.segment, capsule.radius, sphere.center, sphere.radius, interiors);
 }
 
 Contact stages::sphere_capsule::exact(const Sphere3d& sphere, const Capsule3d& capsule) {

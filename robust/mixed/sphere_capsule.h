@@ -21,7 +21,7 @@ Contact sphere_capsule(const Sphere3d& sphere, const Capsule3d& capsule);
 /// Each stage alone, for tests and other operations; no promise to users.
 namespace stages {
 
-/// The filter knows balls that are beyond the box around the ends of the segment.
+/// The filter first knows balls that are beyond the box around the ends of the segment.
 struct sphere_capsule : Signatures<decltype(robust::sphere_capsule)> {
   static Partial filter;
   static Total exact;

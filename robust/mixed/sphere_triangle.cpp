@@ -2,6 +2,7 @@
 #include "robust/mixed/sphere_triangle.h"
 
 #include "robust/kernel/around_box_filter.h"
+#include "robust/kernel/enclosed_nearest.h"
 #include "robust/kernel/nearest_points.h"
 #include "robust/kernel/valid_capsules.h"
 
@@ -18,7 +19,9 @@ void validate(const Sphere3d& sphere, const Triangle3d& triangle) {
 
 Perhaps<Contact> stages::sphere_triangle::filter(const Sphere3d& sphere, const Triangle3d& triangle) {
   if (kernel::sign_bit(sphere.radius)) return std::nullopt;  // -0.0, or for validation to refuse
-  return filters::beyond_box(sphere.center, sphere.radius, triangle.a, triangle.b, triangle.c);
+  if (const auto apart = filters::beyond_box(sphere.center, sphere.radius, triangle.a, triangle.b, triangle.c))
+    return apart;
+  return filters::contact(triangle, 0, sphere.center, sphere.radius, true);
 }
 
 /// No distance is less than the radius of a point: that it has no interior needs no case.

@@ -20,7 +20,7 @@ Contact sphere_triangle(const Sphere3d& sphere, const Triangle3d& triangle);
 /// Each stage alone, for tests and other operations; no promise to users.
 namespace stages {
 
-/// The filter knows balls that are beyond the box around the corners.
+/// The filter first knows balls that are beyond the box around the corners.
 struct sphere_triangle : Signatures<decltype(robust::sphere_triangle)> {
   static Partial filter;
   static Total exact;

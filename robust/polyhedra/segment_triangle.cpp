@@ -2,9 +2,11 @@
 #include "robust/polyhedra/segment_triangle.h"
 
 #include "geometry/validation_of_triangles.h"
+#include "robust/kernel/enclosed_crossing.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/triangle_sides.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
@@ -51,6 +53,23 @@ void validate(const Segment3d& s, const Triangle3d& t) {
 
 }  // namespace
 
+/// What lies in the plane of the triangle, or has no plane, is left to the next stage.
+Perhaps<Relation> stages::segment_triangle::decision::lattice(const Segment3d& segment, const Triangle3d& triangle) {
+  const auto& [p, q] = segment;
+  const auto& [a, b, c] = triangle;
+  const auto lattice = kernel::lattice_of(p.x, p.y, p.z, q.x, q.y, q.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  if (!lattice) return std::nullopt;
+  const auto& n = lattice->at;
+  const auto point = [&n](std::size_t i) { return Point3<std::int64_t>{n[i], n[i + 1], n[i + 2]}; };
+  const Triangle3<std::int64_t> t{point(6), point(9), point(12)};
+  const Point3<std::int64_t> start = point(0), end = point(3);
+  const Vector3<std::int64_t> ab = t.b - t.a, ac = t.c - t.a;
+  const int at_start = kernel::sign_of_triple(ab, ac, start - t.a), at_end = kernel::sign_of_triple(ab, ac, end - t.a);
+  if (at_start == 0 && at_end == 0) return std::nullopt;
+  if (at_start == at_end) return Relation::none;
+  return kernel::crosses(start, end - start, t);
+}
+
 Relation stages::segment_triangle::decision::exact(const Segment3d& segment, const Triangle3d& triangle) {
   const Question q = as_integers(segment, triangle);
   return relation_of(q.segment, kernel::clipped(q.segment, q.triangle));
@@ -58,7 +77,18 @@ Relation stages::segment_triangle::decision::exact(const Segment3d& segment, con
 
 Decided<Relation> stages::segment_triangle::decision::past_filter(const Segment3d& segment,
                                                                   const Triangle3d& triangle) {
-  return in_turn<decision, validate, Stage::exact>(segment, triangle);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(segment, triangle);
+}
+
+Perhaps<SegmentTriangle<double>> stages::segment_triangle::enclosed(const Segment3d& segment,
+                                                                    const Triangle3d& triangle) {
+  const auto relation = decision::filter(segment, triangle);
+  if (!relation) return std::nullopt;
+  if (*relation == Relation::none) return SegmentTriangle<double>{Relation::none, {}, {}, {}};
+  if (!(filters::moderate(segment) & filters::moderate(triangle))) return std::nullopt;
+  const auto found = kernel::crossing(segment.a, kernel::loose_between(segment.a, segment.b), triangle);
+  if (!found) return std::nullopt;
+  return SegmentTriangle<double>{Relation::point, (*found).t, (*found).point, {}};
 }
 
 SegmentTriangle<double> stages::segment_triangle::exact(const Segment3d& segment, const Triangle3d& triangle) {
@@ -74,11 +104,8 @@ SegmentTriangle<double> stages::segment_triangle::exact(const Segment3d& segment
   return answer;
 }
 
-/// The filter finds no number: it saves those who have none.
 SegmentTriangle<double> segment_triangle(const Segment3d& segment, const Triangle3d& triangle) {
-  const auto relation = stages::segment_triangle::decision::filter(segment, triangle);
-  if (relation && *relation == Relation::none) return {Relation::none, {}, {}, {}};
-  return answer_in_turn<stages::segment_triangle, validate, Stage::exact>(segment, triangle);
+  return answer_in_turn<stages::segment_triangle, Stage::enclosed, validate, Stage::exact>(segment, triangle);
 }
 
 }  // namespace touchstone::robust

@@ -24,6 +24,7 @@ inline SegmentTriangleRelation segment_triangle_relation(const Segment3d& segmen
 namespace stages {
 
 struct segment_triangle : Signatures<decltype(robust::segment_triangle)> {
+  static Partial enclosed;
   static Total exact;
 
   struct decision : Filtered<decision, decltype(robust::segment_triangle_relation)> {
@@ -45,6 +46,7 @@ struct segment_triangle : Signatures<decltype(robust::segment_triangle)> {
       if (any(Sign::unknown)) return std::nullopt;
       return SegmentTriangleRelation::point;
     }
+    static Partial lattice;
     static Total exact;
     static Staged past_filter;
   };

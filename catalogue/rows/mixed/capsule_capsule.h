@@ -13,6 +13,7 @@ namespace touchstone::catalogue::rows {
 
 struct capsule_capsule {
   TOUCHSTONE_MODULES(capsule_capsule)
+  using stages = ::touchstone::robust::stages::capsule_capsule;
   using Question = std::tuple<Capsule3d, Capsule3d>;
   using decision = NoDecision;
 

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/operation/stages_either.h"
 #include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/closest_point_on_segment.h"
 #include "reference/mixed/closest_point_on_segment.h"
@@ -14,6 +15,7 @@ struct closest_point_on_segment {
   template <class Real>
   using Answers = std::variant<ClosestPoint2<Real>, ClosestPoint3<Real>>;
   TOUCHSTONE_MODULES_EITHER(closest_point_on_segment)
+  using stages = StagesEither<::touchstone::robust::stages::closest_point_on_segment, Answers<double>>;
   using InPlane = std::tuple<Point2d, Segment2d>;
   using InSpace = std::tuple<Point3d, Segment3d>;
   using Question = std::variant<InPlane, InSpace>;

@@ -12,6 +12,7 @@ namespace touchstone::catalogue::rows {
 
 struct closest_point_on_triangle {
   TOUCHSTONE_MODULES(closest_point_on_triangle)
+  using stages = ::touchstone::robust::stages::closest_point_on_triangle;
   using Question = std::tuple<Point3d, Triangle3d>;
   using decision = NoDecision;
 

@@ -3,6 +3,7 @@
 
 #include "catalogue/families/closest_draws.h"
 #include "catalogue/operation/row.h"
+#include "catalogue/operation/stages_either.h"
 #include "catalogue/shape/described_closest.h"
 #include "oracle/mixed/segment_segment_distance.h"
 #include "reference/mixed/segment_segment_distance.h"
@@ -14,6 +15,7 @@ struct segment_segment_distance {
   template <class Real>
   using Answers = std::variant<ClosestPair2<Real>, ClosestPair3<Real>>;
   TOUCHSTONE_MODULES_EITHER(segment_segment_distance)
+  using stages = StagesEither<::touchstone::robust::stages::segment_segment_distance, Answers<double>>;
   using InPlane = std::tuple<Segment2d, Segment2d>;
   using InSpace = std::tuple<Segment3d, Segment3d>;
   using Question = std::variant<InPlane, InSpace>;

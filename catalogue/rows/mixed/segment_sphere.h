@@ -17,7 +17,12 @@ struct segment_sphere {
   using InPlane = std::tuple<Segment2d, Circle2d>;
   using InSpace = std::tuple<Segment3d, Sphere3d>;
   using Question = std::variant<InPlane, InSpace>;
-  using decision = NoDecision;
+
+  struct decision {
+    static PassageRelation robust(const Question& question) {
+      return applied([](const auto&... q) { return ::touchstone::robust::segment_sphere_relation(q...); }, question);
+    }
+  };
 
   static const Metadata& metadata() {
     static const Metadata metadata{.name = "segment_sphere",

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rays at the edges and corners of closed meshes, where plain formulas leak: bench/rays SECONDS [FOLDER [SEED]].
+//
+// Every ray starts inside of the mesh or outside, and is directed at a corner, or at a point of an edge, as doubles
+// round it. Of every face ray_triangle_relation says whether the ray meets it. Where it meets it at an edge or corner,
+// the side of the ray on which that edge is decides as if the ray were moved by an infinitesimal step along x, a
+// smaller one along y and a still smaller one along z: exact, and the same for both faces of an edge.
+//   leak     from the inside no face is met;
+//   parity   the number of faces that are crossed is even from the inside, or odd from outside;
+//   twice    it is more than 1 from the inside of a convex mesh, or more than 2 from outside.
+// Of random tetrahedra, of the catalogue's meshes, and of those in FOLDER (.obj) that are closed. Prints how many rays
+// were asked of each; exits with 1 if something of this happened.
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "catalogue/families/draw_stream.h"
+#include "catalogue/families/named_meshes.h"
+#include "catalogue/families/numbers.h"
+#include "robust/mixed/ray_triangle.h"
+#include "robust/polyhedra/point_in_polyhedron.h"
+
+namespace touchstone::bench {
+namespace {
+
+using catalogue::DrawStream;
+using Clock = std::chrono::steady_clock;
+
+struct Target {
+  std::string name;
+  Meshd mesh;
+  bool convex;
+  double rays = 0, crossed = 0, leaks = 0, parity = 0, twice = 0;
+};
+
+Vector3<mpq_class> exact(const Vector3d& v) { return {v.x, v.y, v.z}; }
+Vector3<mpq_class> exact(const Point3d& p, const Point3d& from) {
+  return {mpq_class(mpq_class(p.x) - from.x), mpq_class(mpq_class(p.y) - from.y), mpq_class(mpq_class(p.z) - from.z)};
+}
+
+/// On which side of the ray the edge a, b is: 0 only if it is along the ray. If the origin moves by e, the determinant
+/// (a - o) x (b - o) . d changes by e . (d x (b - a)).
+int side_of_edge(const Ray3d& ray, const Point3d& a, const Point3d& b) {
+  const auto sign = robust::filters::rise(ray.origin, a, b, ray.direction);
+  if (sign != robust::filters::Sign::unknown) return sign == robust::filters::Sign::positive ? 1 : -1;
+  const Vector3<mpq_class> d = exact(ray.direction), v = exact(a, ray.origin), w = exact(b, ray.origin);
+  const Vector3<mpq_class> moved = cross(d, Vector3<mpq_class>(w - v));
+  for (const mpq_class& x : {dot(cross(v, w), d), moved.x, moved.y, moved.z})
+    if (sgn(x) != 0) return sgn(x);
+  return 0;
+}
+
+bool crosses(const Ray3d& ray, const Triangle3d& t) {
+  const int ab = side_of_edge(ray, t.a, t.b);
+  return ab != 0 && ab == side_of_edge(ray, t.b, t.c) && ab == side_of_edge(ray, t.c, t.a);
+}
+
+double between(DrawStream& draws, double low, double high) {
+  const double part = static_cast<double>(draws.below(1 << 30)) * 0x1p-30;
+  return low + part * (high - low);
+}
+
+/// Of twelve digits.
+double short_number(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(x, 12 - exponent)), exponent - 12);
+}
+
+/// In a box around the mesh, by a quarter larger to either side.
+Point3d point_near(DrawStream& draws, const Meshd& mesh) {
+  Point3d p;
+  for (double Point3d::*axis : {&Point3d::x, &Point3d::y, &Point3d::z}) {
+    double low = mesh.vertices[0].*axis, high = low;
+    for (const Point3d& vertex : mesh.vertices) low = std::min(low, vertex.*axis), high = std::max(high, vertex.*axis);
+    const double more = (high - low) / 4, x = between(draws, low - more, high + more);
+    p.*axis = draws.one_in(2) ? x : short_number(x);
+  }
+  return p;
+}
+
+/// A corner, the middle of an edge, or another point of it.
+Point3d aim(DrawStream& draws, const Meshd& mesh) {
+  const Face& face = mesh.faces[draws.below(mesh.faces.size())];
+  const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b];
+  const std::uint64_t kind = draws.below(4);
+  if (kind == 0) return a;
+  const double part = kind == 1 ? 0.5 : between(draws, 0, 1);
+  return a + part * (b - a);
+}
+
+void cast(Target& target, const Ray3d& ray, bool inside) {
+  std::size_t met = 0, crossed = 0;
+  for (const Face& face : target.mesh.faces) {
+    const auto& at = target.mesh.vertices;
+    const Triangle3d triangle{at[face.a], at[face.b], at[face.c]};
+    const auto relation = robust::ray_triangle_relation(ray, triangle);
+    met += relation != SegmentTriangleRelation::none;
+    if (relation == SegmentTriangleRelation::point) crossed += crosses(ray, triangle);
+  }
+  target.rays += 1, target.crossed += static_cast<double>(crossed);
+  target.leaks += inside && met == 0;
+  target.parity += (crossed % 2 == 1) != inside;
+  target.twice += target.convex && crossed > (inside ? 1U : 2U);
+}
+
+/// From one origin.
+void cast_some(Target& target, DrawStream& draws) {
+  const Point3d origin = point_near(draws, target.mesh);
+  const Location location = robust::point_in_polyhedron(target.mesh, origin);
+  if (location == Location::boundary) return;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d way = aim(draws, target.mesh) - origin;
+    if (way.x != 0 || way.y != 0 || way.z != 0) cast(target, {origin, way}, location == Location::inside);
+  }
+}
+
+Meshd tetrahedron(DrawStream& draws) {
+  Meshd mesh{{}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  for (int i = 0; i < 4; ++i) {
+    const double x = catalogue::ordinary(draws), y = catalogue::ordinary(draws), z = catalogue::ordinary(draws);
+    mesh.vertices.push_back({x, y, z});
+  }
+  return mesh;
+}
+
+Meshd read_obj(const std::filesystem::path& path) {
+  Meshd mesh;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind, a, b, c;
+    words >> kind >> a >> b >> c;
+    if (kind == "v") mesh.vertices.push_back({std::stod(a), std::stod(b), std::stod(c)});
+    const auto index = [](const std::string& word) { return static_cast<Index>(std::stoul(word) - 1); };
+    if (kind == "f") mesh.faces.push_back({index(a), index(b), index(c)});
+  }
+  return mesh;
+}
+
+std::vector<Target> targets(const char* folder, DrawStream& draws) {
+  std::vector<Target> all;
+  for (int i = 0; i < 8; ++i) all.push_back({"tetrahedron_" + std::to_string(i), tetrahedron(draws), true});
+  for (const auto& [name, mesh] : catalogue::named_meshes()) all.push_back({name, mesh, true});
+  for (const auto& [name, mesh] : catalogue::named_solids()) all.push_back({name, mesh, false});
+  if (folder == nullptr || !std::filesystem::is_directory(folder)) {
+    std::printf("no folder of meshes: only those of the catalogue\n");
+    return all;
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".obj") continue;
+    Target target{entry.path().stem().string(), read_obj(entry.path()), false};
+    try {
+      robust::point_in_polyhedron(target.mesh, {0, 0, 0});
+      all.push_back(std::move(target));
+    } catch (const InvalidInput& refused) {
+      std::printf("%s is left out: %s\n", target.name.c_str(), refused.what());
+    }
+  }
+  return all;
+}
+
+int run(double seconds, const char* folder, std::uint64_t seed) {
+  DrawStream draws = DrawStream::seeded(catalogue::seed_of(seed, "rays", 0));
+  std::vector<Target> all = targets(folder, draws);
+  const auto start = Clock::now();
+  const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  while (elapsed() < seconds) {
+    for (Target& target : all) {
+      const double until = elapsed() + std::min(0.1, seconds / 100);
+      while (elapsed() < until) cast_some(target, draws);
+    }
+  }
+  Target sum{"all", {}, false};
+  const auto row = [](const Target& t) {
+    std::printf("%-34s %5zu faces %14.0f rays %14.0f crossings %4.0f leaks %4.0f parity %4.0f twice\n", t.name.c_str(),
+                t.mesh.faces.size(), t.rays, t.crossed, t.leaks, t.parity, t.twice);
+  };
+  for (const Target& t : all) {
+    row(t);
+    sum.rays += t.rays, sum.crossed += t.crossed, sum.leaks += t.leaks, sum.parity += t.parity, sum.twice += t.twice;
+  }
+  row(sum);
+  return sum.leaks + sum.parity + sum.twice > 0;
+}
+
+}  // namespace
+}  // namespace touchstone::bench
+
+int main(int argc, char** argv) {
+  if (argc < 2 || argc > 4 || !(std::atof(argv[1]) > 0)) {
+    std::fprintf(stderr, "usage: rays SECONDS [FOLDER [SEED]]\n");
+    return 2;
+  }
+  return touchstone::bench::run(std::atof(argv[1]), argc > 2 ? argv[2] : nullptr,
+                                argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
+}
