@@ -12,9 +12,8 @@
 // Of random tetrahedra, of the catalogue's meshes, and of those in FOLDER (.obj) that are closed. Prints how many rays
 // were asked of each; exits with 1 if something of this happened.
 
-#include <gmpxx.h>
-
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -27,7 +26,8 @@
 
 #include "catalogue/families/draw_stream.h"
 #include "catalogue/families/named_meshes.h"
-#include "catalogue/families/numbers.h"
+#include "robust/kernel/integers.h"
+#include "robust/kernel/triangle_sides.h"
 #include "robust/mixed/ray_triangle.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 
@@ -41,24 +41,41 @@ struct Target {
   std::string name;
   Meshd mesh;
   bool convex;
+  double share = 1;  ///< of the time
   double rays = 0, crossed = 0, leaks = 0, parity = 0, twice = 0;
 };
 
-Vector3<mpq_class> exact(const Vector3d& v) { return {v.x, v.y, v.z}; }
-Vector3<mpq_class> exact(const Point3d& p, const Point3d& from) {
-  return {mpq_class(mpq_class(p.x) - from.x), mpq_class(mpq_class(p.y) - from.y), mpq_class(mpq_class(p.z) - from.z)};
+/// The signs of (a - o) x (b - o) . d, for an edge a, b, and of its change if the origin moves by e, e . (d x (b - a)),
+/// for e along each axis: the first that is not 0. It is 0 only if the edge is along the ray.
+template <class Integer>
+int side_of_edge(const std::array<Integer, 12>& n) {
+  using robust::kernel::multiply, robust::kernel::sign_of;
+  const auto seen = [&n](std::size_t i) {
+    return Vector3<Integer>{Integer(n[i] - n[0]), Integer(n[i + 1] - n[1]), Integer(n[i + 2] - n[2])};
+  };
+  const auto across = [](const Vector3<Integer>& v, const Vector3<Integer>& w) {
+    return Vector3<robust::kernel::Second<Integer>>{multiply(v.y, w.z) - multiply(v.z, w.y),
+                                                    multiply(v.z, w.x) - multiply(v.x, w.z),
+                                                    multiply(v.x, w.y) - multiply(v.y, w.x)};
+  };
+  const Vector3<Integer> d{n[3], n[4], n[5]}, v = seen(6), w = seen(9);
+  const auto normal = across(v, w), change = across(d, Vector3<Integer>(w - v));
+  using Third = robust::kernel::Third<Integer>;
+  const int side = sign_of(Third(multiply(normal.x, d.x) + multiply(normal.y, d.y) + multiply(normal.z, d.z)));
+  if (side != 0) return side;
+  for (const auto& x : {change.x, change.y, change.z})
+    if (sign_of(x) != 0) return sign_of(x);
+  return 0;
 }
 
-/// On which side of the ray the edge a, b is: 0 only if it is along the ray. If the origin moves by e, the determinant
-/// (a - o) x (b - o) . d changes by e . (d x (b - a)).
+/// On which side of the ray the edge a, b is.
 int side_of_edge(const Ray3d& ray, const Point3d& a, const Point3d& b) {
-  const auto sign = robust::filters::rise(ray.origin, a, b, ray.direction);
+  const auto& [o, d] = ray;
+  const auto sign = robust::filters::rise(o, a, b, d);
   if (sign != robust::filters::Sign::unknown) return sign == robust::filters::Sign::positive ? 1 : -1;
-  const Vector3<mpq_class> d = exact(ray.direction), v = exact(a, ray.origin), w = exact(b, ray.origin);
-  const Vector3<mpq_class> moved = cross(d, Vector3<mpq_class>(w - v));
-  for (const mpq_class& x : {dot(cross(v, w), d), moved.x, moved.y, moved.z})
-    if (sgn(x) != 0) return sgn(x);
-  return 0;
+  const auto lattice = robust::kernel::lattice_of(o.x, o.y, o.z, d.x, d.y, d.z, a.x, a.y, a.z, b.x, b.y, b.z);
+  if (lattice) return side_of_edge(lattice->at);
+  return side_of_edge(robust::kernel::integers_of(o.x, o.y, o.z, d.x, d.y, d.z, a.x, a.y, a.z, b.x, b.y, b.z).at);
 }
 
 bool crosses(const Ray3d& ray, const Triangle3d& t) {
@@ -115,24 +132,25 @@ void cast(Target& target, const Ray3d& ray, bool inside) {
   target.twice += target.convex && crossed > (inside ? 1U : 2U);
 }
 
-/// From one origin.
-void cast_some(Target& target, DrawStream& draws) {
-  const Point3d origin = point_near(draws, target.mesh);
-  const Location location = robust::point_in_polyhedron(target.mesh, origin);
-  if (location == Location::boundary) return;
-  for (int i = 0; i < 1000; ++i) {
-    const Vector3d way = aim(draws, target.mesh) - origin;
-    if (way.x != 0 || way.y != 0 || way.z != 0) cast(target, {origin, way}, location == Location::inside);
-  }
-}
-
 Meshd tetrahedron(DrawStream& draws) {
   Meshd mesh{{}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
   for (int i = 0; i < 4; ++i) {
-    const double x = catalogue::ordinary(draws), y = catalogue::ordinary(draws), z = catalogue::ordinary(draws);
+    const double x = between(draws, -1, 1), y = between(draws, -1, 1), z = between(draws, -1, 1);
     mesh.vertices.push_back({x, y, z});
   }
   return mesh;
+}
+
+/// From one origin.
+void cast_some(Target& target, DrawStream& draws) {
+  if (target.mesh.faces.size() == 4) target.mesh = tetrahedron(draws);
+  const Point3d origin = point_near(draws, target.mesh);
+  const Location location = robust::point_in_polyhedron(target.mesh, origin);
+  if (location == Location::boundary) return;
+  for (int i = 0; i < 100; ++i) {
+    const Vector3d way = aim(draws, target.mesh) - origin;
+    if (way.x != 0 || way.y != 0 || way.z != 0) cast(target, {origin, way}, location == Location::inside);
+  }
 }
 
 Meshd read_obj(const std::filesystem::path& path) {
@@ -151,7 +169,7 @@ Meshd read_obj(const std::filesystem::path& path) {
 
 std::vector<Target> targets(const char* folder, DrawStream& draws) {
   std::vector<Target> all;
-  for (int i = 0; i < 8; ++i) all.push_back({"tetrahedron_" + std::to_string(i), tetrahedron(draws), true});
+  all.push_back({"tetrahedra, another for each origin", tetrahedron(draws), true, 100});
   for (const auto& [name, mesh] : catalogue::named_meshes()) all.push_back({name, mesh, true});
   for (const auto& [name, mesh] : catalogue::named_solids()) all.push_back({name, mesh, false});
   if (folder == nullptr || !std::filesystem::is_directory(folder)) {
@@ -178,13 +196,14 @@ int run(double seconds, const char* folder, std::uint64_t seed) {
   const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   while (elapsed() < seconds) {
     for (Target& target : all) {
-      const double until = elapsed() + std::min(0.1, seconds / 100);
-      while (elapsed() < until) cast_some(target, draws);
+      const double until = elapsed() + target.share * std::min(0.02, seconds / 1000);
+      do cast_some(target, draws);
+      while (elapsed() < until);
     }
   }
-  Target sum{"all", {}, false};
+  Target sum{"all", {}, false, 0};
   const auto row = [](const Target& t) {
-    std::printf("%-34s %5zu faces %14.0f rays %14.0f crossings %4.0f leaks %4.0f parity %4.0f twice\n", t.name.c_str(),
+    std::printf("%-36s %5zu faces %14.0f rays %14.0f crossings %4.0f leaks %4.0f parity %4.0f twice\n", t.name.c_str(),
                 t.mesh.faces.size(), t.rays, t.crossed, t.leaks, t.parity, t.twice);
   };
   for (const Target& t : all) {
