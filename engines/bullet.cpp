@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bullet as peer, in single precision: narrow phase, sweeps, hulls, and one contact of two balls.
+#include <bullet/BulletCollision/CollisionShapes/btTriangleShape.h>
 #include <bullet/LinearMath/btConvexHullComputer.h>
 #include <bullet/btBulletDynamicsCommon.h>
 
