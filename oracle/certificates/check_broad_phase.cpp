@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "oracle/certificates/check_pair_tree.h"
 #include "oracle/certificates/check_space.h"
 
 /// Which solids of a list meet. What is checked, and why that proves it:
@@ -130,7 +131,12 @@ Pairs proved_apart(const Claim& claim, const std::vector<Solid>& solids) {
   return pairs;
 }
 
+bool of_kind_tree(const json& certificate) {
+  return certificate.is_object() && certificate.contains("kind") && certificate["kind"] == "tree";
+}
+
 void check_all_pairs(const Claim& claim) {
+  if (of_kind_tree(claim.certificate)) return check_pair_tree(claim);
   const std::vector<Solid> all = solids(claim);
   claim.answers({"pairs"});
   expect(claim.kind() == "sweep", "certificate: no such kind for this truth");

@@ -2,9 +2,11 @@
 #include "robust/broad_phase/all_pairs.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "robust/kernel/spheres.h"
 #include "robust/kernel/valid_space.h"
+#include "robust/structures/pair_tree.h"
 #include "robust/structures/sort_and_sweep.h"
 
 namespace touchstone::robust {
@@ -30,12 +32,21 @@ Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Sphere3
 
 Decided<std::vector<IndexPair>> stages::all_pairs::ask(const std::vector<Aabb3d>& boxes) {
   validate("boxes", boxes);
-  return {structures::swept_pairs(boxes), Stage::filter};
+  return {structures::tree_pairs(boxes), Stage::filter};
 }
 
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres) {
   return stages::all_pairs::ask(spheres).answer;
 }
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes) { return stages::all_pairs::ask(boxes).answer; }
+
+PairsWithCertificate pairs_with_certificate(const std::vector<Aabb3d>& boxes) {
+  validate("boxes", boxes);
+  PairsWithCertificate result;
+  structures::PairProof proof;
+  result.pairs = structures::tree_pairs(boxes, &proof);
+  result.order = std::move(proof.order), result.cuts = std::move(proof.cuts), result.steps = std::move(proof.steps);
+  return result;
+}
 
 }  // namespace touchstone::robust

@@ -8,7 +8,7 @@
 #include "geometry/validation_of_rays.h"
 #include "robust/structures/along_ray.h"
 #include "robust/structures/box_order.h"
-#include "robust/structures/sort_and_sweep.h"
+#include "robust/structures/pair_tree.h"
 
 namespace touchstone::robust {
 
@@ -150,29 +150,16 @@ void BoxTree::search(const Meet& meet, const Found& found) const {
   }
 }
 
-/// Two nodes that meet, or one and itself: the higher is opened.
+/// By a tree made for this: one that has grown by insertions parts its boxes less well.
 std::vector<IndexPair> BoxTree::pairs() const {
-  std::vector<IndexPair> pairs;
-  std::vector<std::pair<Place, Place>> waiting;
-  if (root_ != none) waiting.emplace_back(root_, root_);
-  while (!waiting.empty()) {
-    const auto [one, other] = waiting.back();
-    waiting.pop_back();
-    const Node &a = nodes_[one], &b = nodes_[other];
-    if (one == other) {
-      if (a.height > 0) waiting.insert(waiting.end(), {{a.left, a.left}, {a.right, a.right}, {a.left, a.right}});
-    } else if (!meet(a.box, b.box)) {
-      continue;
-    } else if (a.height == 0 && b.height == 0) {
-      pairs.push_back({std::min(a.body, b.body), std::max(a.body, b.body)});
-    } else if (a.height >= b.height) {
-      waiting.insert(waiting.end(), {{a.left, other}, {a.right, other}});
-    } else {
-      waiting.insert(waiting.end(), {{one, b.left}, {one, b.right}});
-    }
+  std::vector<Aabb3d> boxes;
+  std::vector<Index> bodies;
+  for (Index body = 0; body < leaves_.size(); ++body) {
+    if (leaves_[body] != none) boxes.push_back(nodes_[leaves_[body]].box), bodies.push_back(body);
   }
-  const std::size_t bodies = leaves_.size();
-  return structures::sorted_by(&IndexPair::i, structures::sorted_by(&IndexPair::j, pairs, bodies), bodies);
+  std::vector<IndexPair> pairs = structures::tree_pairs(boxes);
+  for (IndexPair& pair : pairs) pair = IndexPair{bodies[pair.i], bodies[pair.j]};
+  return pairs;
 }
 
 std::vector<Index> BoxTree::in_box(const Aabb3d& box) const {

@@ -29,7 +29,7 @@ class BoxTree {
   void move(Index body, const Aabb3d& box);
   void remove(Index body);
 
-  /// The pairs of bodies i < j that meet, sorted.
+  /// The pairs of bodies i < j that meet, sorted; in the time of robust/structures/pair_tree.h.
   std::vector<IndexPair> pairs() const;
   /// The bodies that meet a box, or hold a point, sorted.
   std::vector<Index> in_box(const Aabb3d& box) const;

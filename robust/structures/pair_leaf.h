@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/volumes.h"
+#include "robust/kernel/ordered_bits.h"
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+/// Eight boxes side by side, compared with a ninth at once: by coarse integers that keep the order of the coordinates.
+namespace touchstone::robust::structures {
+
+/// The upper half of the bits of a coordinate's difference from an origin. A coordinate that is not greater than another
+/// one does not have the greater integer, and one with the smaller integer is smaller.
+struct Coarse {
+  std::array<double, 3> origin{};
+
+  std::int32_t operator()(double value, std::size_t axis) const {
+    return static_cast<std::int32_t>(kernel::ordered_bits(value - origin[axis]) >> 32);
+  }
+};
+
+struct CoarseBox {
+  std::array<std::int32_t, 3> low, high;
+};
+
+struct alignas(16) PairLeaf {
+  static constexpr std::size_t places = 8;
+  static constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min(), most = ~least;
+
+  std::array<std::array<std::int32_t, places>, 3> low, high;  ///< a free place meets nothing
+  std::array<Index, places> body{};
+  CoarseBox around{{most, most, most}, {least, least, least}};
+
+  PairLeaf() {
+    for (auto& ends : low) ends.fill(most);
+    for (auto& ends : high) ends.fill(least);
+  }
+  CoarseBox box(std::size_t place) const {
+    return {{low[0][place], low[1][place], low[2][place]}, {high[0][place], high[1][place], high[2][place]}};
+  }
+};
+
+/// A bit for each place: set where a[k] > b.
+#if defined(__SSE2__)
+class Bits {
+ public:
+  void add_where_greater(const std::array<std::int32_t, 8>& a, std::int32_t b) {
+    const __m128i all = _mm_set1_epi32(b);
+    first_ = _mm_or_si128(first_, _mm_cmpgt_epi32(half(a, 0), all));
+    second_ = _mm_or_si128(second_, _mm_cmpgt_epi32(half(a, 4), all));
+  }
+  void add_where_less(const std::array<std::int32_t, 8>& a, std::int32_t b) {
+    const __m128i all = _mm_set1_epi32(b);
+    first_ = _mm_or_si128(first_, _mm_cmpgt_epi32(all, half(a, 0)));
+    second_ = _mm_or_si128(second_, _mm_cmpgt_epi32(all, half(a, 4)));
+  }
+  unsigned mask() const {
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(first_))) |
+           static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(second_))) << 4;
+  }
+
+ private:
+  static __m128i half(const std::array<std::int32_t, 8>& a, std::size_t from) {
+    return _mm_load_si128(reinterpret_cast<const __m128i*>(a.data() + from));
+  }
+  __m128i first_ = _mm_setzero_si128(), second_ = _mm_setzero_si128();
+};
+#else
+class Bits {
+ public:
+  void add_where_greater(const std::array<std::int32_t, 8>& a, std::int32_t b) {
+    for (unsigned k = 0; k < 8; ++k) mask_ |= static_cast<unsigned>(a[k] > b) << k;
+  }
+  void add_where_less(const std::array<std::int32_t, 8>& a, std::int32_t b) {
+    for (unsigned k = 0; k < 8; ++k) mask_ |= static_cast<unsigned>(a[k] < b) << k;
+  }
+  unsigned mask() const { return mask_; }
+
+ private:
+  unsigned mask_ = 0;
+};
+#endif
+
+/// The places of a leaf whose boxes may meet a box: all others do not.
+inline unsigned may_meet(const PairLeaf& leaf, const CoarseBox& box) {
+  Bits apart;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    apart.add_where_greater(leaf.low[axis], box.high[axis]);
+    apart.add_where_less(leaf.high[axis], box.low[axis]);
+  }
+  return ~apart.mask() & 0xffU;
+}
+
+/// The places of a leaf, among all of them, whose boxes do meet it unless they are apart by coarse integers.
+inline unsigned surely_meet_or_apart(const PairLeaf& leaf, const CoarseBox& box) {
+  unsigned surely = 0xffU;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Bits below, above;
+    below.add_where_less(leaf.low[axis], box.high[axis]);
+    above.add_where_greater(leaf.high[axis], box.low[axis]);
+    surely &= below.mask() & above.mask();
+  }
+  return surely;
+}
+
+}  // namespace touchstone::robust::structures
