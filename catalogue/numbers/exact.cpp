@@ -29,7 +29,8 @@ Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = preci
   mpfr_t argument, result;
   mpfr_init2(argument, of_argument);
   mpfr_init2(result, of_result);
-  mpfr_set_q(argument, a.value().get_mpq_t(), MPFR_RNDN);
+  const mpq_class exactly = a.value();
+  mpfr_set_q(argument, exactly.get_mpq_t(), MPFR_RNDN);
   function(result, argument, MPFR_RNDN);
   mpq_class value;
   mpfr_get_q(value.get_mpq_t(), result);
@@ -40,11 +41,30 @@ Exact by_mpfr(const Exact& a, Function function, mpfr_prec_t of_argument = preci
 
 }  // namespace
 
+mpq_class Exact::in_full() const {
+  mpq_class value(static_cast<long>(digits_));
+  if (power_ >= 0) value <<= static_cast<mp_bitcnt_t>(power_);
+  else value >>= static_cast<mp_bitcnt_t>(-power_);
+  return value;
+}
+
+void Exact::keep(mpq_class value) {
+  const mpz_srcptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
+  const std::size_t below = mpz_sizeinbase(denominator, 2) - 1;
+  const mp_bitcnt_t zeros = sgn(value) == 0 ? 0 : mpz_scan1(numerator, 0);
+  if (mpz_scan1(denominator, 0) != below || mpz_sizeinbase(numerator, 2) - zeros > 62) {
+    rational_ = std::move(value);
+    return;
+  }
+  const mpz_class digits = value.get_num() >> zeros;
+  digits_ = digits.get_si(), power_ = static_cast<int>(zeros) - static_cast<int>(below);
+}
+
 Exact cos(const Exact& a) { return by_mpfr(a, mpfr_cos); }
 Exact sin(const Exact& a) { return by_mpfr(a, mpfr_sin); }
 Exact acos(const Exact& a) {
   if (!a.defined()) return a;
-  const mpq_class room = 1 - abs(a.value());
+  const mpq_class exactly = a.value(), room = 1 - abs(exactly);
   if (sgn(room) < 0) return a / Exact(0);
   // Where room is left of 2^-k, an argument rounded to 2^-(precision + k) moves the room, and the angle from an end, by
   // 2^-precision relatively; and it is pi - angle that must be as precise as that angle, which is the root of twice the
@@ -56,10 +76,11 @@ Exact acos(const Exact& a) {
   return by_mpfr(a, mpfr_acos, precision + near_end, precision + near_end / 2);
 }
 Exact sqrt(const Exact& a) {
-  if (!a.defined() || sgn(a.value()) < 0) return a / Exact(0);
-  const mpz_class numerator = ::sqrt(a.value().get_num()), denominator = ::sqrt(a.value().get_den());
+  if (!a.defined() || a < Exact(0)) return a / Exact(0);
+  const mpq_class square = a.value();
+  const mpz_class numerator = ::sqrt(square.get_num()), denominator = ::sqrt(square.get_den());
   const mpq_class root(numerator, denominator);
-  return root * root == a.value() ? Exact(root) : by_mpfr(a, mpfr_sqrt, precision_of_roots + 1, precision_of_roots);
+  return root * root == square ? Exact(root) : by_mpfr(a, mpfr_sqrt, precision_of_roots + 1, precision_of_roots);
 }
 
 }  // namespace touchstone::catalogue

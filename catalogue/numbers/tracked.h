@@ -171,9 +171,11 @@ class Tracked {
   static double size(const Tracked& a) { return magnitude(a.value_); }
   // Bounds are added, multiplied and divided upwards: one step beyond the nearest double, unless the result is exactly
   // 0.
-  static double plus(double x, double y) { return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, infinite); }
-  static double times(double x, double y) { return x == 0 || y == 0 ? 0 : std::nextafter(x * y, infinite); }
-  static double over(double x, double y) { return x == 0 ? 0 : std::nextafter(x / y, infinite); }
+  static double plus(double x, double y) { return x == 0 ? y : y == 0 ? x : up(x + y); }
+  static double times(double x, double y) { return x == 0 || y == 0 ? 0 : up(x * y); }
+  static double over(double x, double y) { return x == 0 ? 0 : up(x / y); }
+  /// Of what is not negative, from the bits: std::nextafter costs more than all else that a product does.
+  static double up(double x) { return x < infinite ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1) : x; }
   static double down(double x) { return std::nextafter(x, -infinite); }
   static constexpr double unit = std::numeric_limits<Float>::epsilon() / 2;
   /// What one rounding adds to the spread of its result; below the normal numbers the least one.

@@ -2,7 +2,9 @@
 #include "oracle/exact/space_partition.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
+#include <set>
 #include <utility>
 
 #include "oracle/exact/linear_program.h"
@@ -14,34 +16,66 @@ namespace {
 
 using Point = Point3<Rational>;
 using Cells = SpacePartition::Cells;
-using Polygon = std::vector<Point>;
+using Place = std::uint32_t;  ///< of a corner
+using Polygon = std::vector<Place>;
 
 Rational height(const WitnessPlane& plane, const Point& p) {
   const auto& n = plane.normal;
   return Rational(n.x * p.x + n.y * p.y + n.z * p.z - plane.offset);
 }
 
+/// p / w, w > 0.
+struct Corner {
+  Point3<Integer> p;
+  Integer w;
+};
+
+/// Heights of corners over one plane, times the denominator of its offset; each is looked at once.
+class Heights {
+ public:
+  explicit Heights(const std::vector<Corner>& corners) : corners_(corners) {}
+
+  void over(const WitnessPlane& plane) {
+    const Integer& d = plane.offset.get_den();
+    normal_ = d * plane.normal, offset_ = plane.offset.get_num(), ++plane_;
+    known_.resize(corners_.size()), signs_.resize(corners_.size());
+  }
+  int side(Place at) {
+    if (known_[at] != plane_) known_[at] = plane_, signs_[at] = sgn(height(at));
+    return signs_[at];
+  }
+  /// Where the plane crosses the way between two on different sides.
+  Corner crossing(Place from, Place to) const {
+    const Integer before = height(from), after = height(to);
+    const auto between = [&](const Integer& p, const Integer& q) { return Integer(after * p - before * q); };
+    const Corner &p = corners_[from], &q = corners_[to];
+    Corner found{{between(p.p.x, q.p.x), between(p.p.y, q.p.y), between(p.p.z, q.p.z)}, between(p.w, q.w)};
+    Integer common = gcd(gcd(found.p.x, found.p.y), gcd(found.p.z, found.w));
+    if (sgn(found.w) < 0) common = -common;
+    for (Integer* n : {&found.p.x, &found.p.y, &found.p.z, &found.w})
+      mpz_divexact(n->get_mpz_t(), n->get_mpz_t(), common.get_mpz_t());
+    return found;
+  }
+
+ private:
+  Integer height(Place at) const {
+    const auto& [p, w] = corners_[at];
+    return Integer(normal_.x * p.x + normal_.y * p.y + normal_.z * p.z - offset_ * w);
+  }
+
+  const std::vector<Corner>& corners_;
+  Vector3<Integer> normal_{0, 0, 0};
+  Integer offset_;
+  std::uint32_t plane_ = 0;
+  std::vector<std::uint32_t> known_;
+  std::vector<int> signs_;
+};
+
 struct HalfSpace {
   WitnessPlane plane;
   int side;  ///< 1 in front, -1 behind
 };
 using Path = std::vector<HalfSpace>;
-
-/// What of a convex polygon is in the half-space, closed.
-Polygon clipped(const Polygon& polygon, const HalfSpace& half) {
-  std::vector<Rational> heights;
-  for (const Point& p : polygon) heights.emplace_back(half.side * height(half.plane, p));
-  Polygon kept;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const std::size_t next = (i + 1) % polygon.size();
-    const Point &p = polygon[i], &q = polygon[next];
-    if (sgn(heights[i]) >= 0) kept.push_back(p);
-    if (sgn(heights[i]) * sgn(heights[next]) >= 0) continue;
-    const Rational t = heights[i] / (heights[i] - heights[next]);
-    kept.push_back({Rational(p.x + t * (q.x - p.x)), Rational(p.y + t * (q.y - p.y)), Rational(p.z + t * (q.z - p.z))});
-  }
-  return kept;
-}
 
 /// A point strictly in all half-spaces: side (normal . p - offset) >= 1 in p = (x - s, y - s, z - s) / w, all of x, y,
 /// z, s, w not negative and w at least 1.
@@ -100,7 +134,7 @@ Point near(const Point& p, long k) {
 
 /// What of a face is in a cell that it enters.
 struct Piece {
-  const Triangle3<Integer>* face;
+  std::array<Place, 3> face;
   Polygon polygon;
 };
 using Pieces = std::array<std::vector<Piece>, 2>;
@@ -113,15 +147,6 @@ std::vector<const Piece*> some(const std::vector<Piece>& pieces, std::size_t mos
   return chosen;
 }
 
-/// The corners of the faces of which these are pieces.
-std::vector<Point3<Integer>> corners_of(const std::vector<const Piece*>& pieces) {
-  std::vector<Point3<Integer>> corners;
-  for (const Piece* piece : pieces) corners.insert(corners.end(), {piece->face->a, piece->face->b, piece->face->c});
-  return corners;
-}
-
-Vector3<Integer> normal_of(const Triangle3<Integer>& face) { return cross(face.b - face.a, face.c - face.a); }
-
 /// How many pieces of each solid enter what is in front of a plane, and behind it.
 struct Count {
   std::array<std::size_t, 2> front{}, behind{};
@@ -133,15 +158,15 @@ struct Count {
 
 class Cutting {
  public:
-  Cutting(SpacePartition& result, const FacesOfBoth& faces, Cells cells, const SpacePartition::Locate& locate)
+  Cutting(SpacePartition& result, const std::array<const Solid*, 2>& solids, Cells cells,
+          const SpacePartition::Locate& locate)
       : result_(result), cells_(cells), locate_(locate) {
     for (const std::size_t solid : {0, 1}) {
-      for (const Triangle3<Integer>& face : faces[solid]) {
-        if (cells == Cells::open && zero(normal_of(face))) continue;
-        const auto rational = [](const Point3<Integer>& p) {
-          return Point{Rational(p.x), Rational(p.y), Rational(p.z)};
-        };
-        all_[solid].push_back({&face, {rational(face.a), rational(face.b), rational(face.c)}});
+      const auto first = static_cast<Place>(corners_.size());
+      for (const Point3<Integer>& p : solids[solid]->vertices()) corners_.push_back({p, 1});
+      for (const Face& f : solids[solid]->faces()) {
+        const std::array<Place, 3> face{first + f.a, first + f.b, first + f.c};
+        if (cells == Cells::closed || !zero(normal_of(face))) all_[solid].push_back({face, {face.begin(), face.end()}});
       }
     }
   }
@@ -154,7 +179,7 @@ class Cutting {
     if (pieces[0].empty() || pieces[1].empty()) {
       if (is_outside(path, pieces)) return true;
       if (pieces[0].empty() && pieces[1].empty()) return found(within_);
-      if (cells_ == Cells::closed) return found(pieces[pieces[0].empty()][0].polygon[0]);
+      if (cells_ == Cells::closed) return found(point(pieces[pieces[0].empty()][0].polygon[0]));
     }
     const WitnessPlane plane = best_plane(pieces);
     result_.tree.push_back(SpacePartition::cut), result_.planes.push_back(plane);
@@ -185,33 +210,64 @@ class Cutting {
     return false;
   }
 
+  const Point3<Integer>& vertex(Place at) const { return corners_[at].p; }
+  Point point(Place at) const {
+    const auto& [p, w] = corners_[at];
+    return {quotient(p.x, w), quotient(p.y, w), quotient(p.z, w)};
+  }
+  Vector3<Integer> normal_of(const std::array<Place, 3>& face) const {
+    return cross(vertex(face[1]) - vertex(face[0]), vertex(face[2]) - vertex(face[0]));
+  }
+  /// The corners of the faces of which these are pieces.
+  std::vector<Point3<Integer>> corners_of(const std::vector<const Piece*>& pieces) const {
+    std::vector<Point3<Integer>> corners;
+    for (const Piece* piece : pieces)
+      for (const Place at : piece->face) corners.push_back(vertex(at));
+    return corners;
+  }
+
+  /// What of a convex polygon is in the half-space, closed.
+  Polygon clipped(const Polygon& polygon, int side) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Place p = polygon[i], q = polygon[(i + 1) % polygon.size()];
+      if (side * heights_.side(p) >= 0) kept.push_back(p);
+      if (heights_.side(p) * heights_.side(q) >= 0) continue;
+      corners_.push_back(heights_.crossing(p, q));
+      kept.push_back(static_cast<Place>(corners_.size() - 1));
+    }
+    return kept;
+  }
+
   bool part_done(Path path, const Pieces& pieces, const HalfSpace& half) {
     Pieces kept;
+    heights_.over(half.plane);
     for (const std::size_t solid : {0, 1}) {
       for (const Piece& piece : pieces[solid]) {
-        if (enters(piece, half)) kept[solid].push_back({piece.face, clipped(piece.polygon, half)});
+        if (enters(piece, half.side)) kept[solid].push_back({piece.face, clipped(piece.polygon, half.side)});
       }
     }
     path.push_back(half);
     return done(path, kept);
   }
 
-  bool enters(const Piece& piece, const HalfSpace& half) const {
+  bool enters(const Piece& piece, int side) {
     const int least = cells_ == Cells::closed ? 0 : 1;
     return std::any_of(piece.polygon.begin(), piece.polygon.end(),
-                       [&](const Point& p) { return half.side * sgn(height(half.plane, p)) >= least; });
+                       [&](Place at) { return side * heights_.side(at) >= least; });
   }
 
-  Count count(const Pieces& pieces, const WitnessPlane& plane) const {
+  Count count(const Pieces& pieces, const WitnessPlane& plane) {
     Count found;
+    heights_.over(plane);
     for (const std::size_t solid : {0, 1}) {
       for (const Piece& piece : pieces[solid])
-        found.front[solid] += enters(piece, {plane, 1}), found.behind[solid] += enters(piece, {plane, -1});
+        found.front[solid] += enters(piece, 1), found.behind[solid] += enters(piece, -1);
     }
     return found;
   }
 
-  WitnessPlane best_plane(const Pieces& pieces) const {
+  WitnessPlane best_plane(const Pieces& pieces) {
     const bool both = !pieces[0].empty() && !pieces[1].empty();
     if (both) {
       const auto a = corners_of(some(pieces[0], most)), b = corners_of(some(pieces[1], most));
@@ -245,8 +301,8 @@ class Cutting {
     for (const std::size_t solid : {0, 1}) {
       if (pieces[solid].empty()) continue;
       for (const Piece* piece : some(pieces[solid], many)) {
-        const Vector3<Integer> normal = normal_of(*piece->face);
-        const Integer offset = dot(normal, piece->face->a - Point3<Integer>{0, 0, 0});
+        const Vector3<Integer> normal = normal_of(piece->face);
+        const Integer offset = dot(normal, vertex(piece->face[0]) - Point3<Integer>{0, 0, 0});
         found.push_back(WitnessPlane::of(normal, Rational(offset)));
       }
     }
@@ -255,15 +311,20 @@ class Cutting {
 
   /// Where the box around the pieces of one solid ends. Only those that leave fewer pairs: then both parts have fewer
   /// pieces.
-  void add_sides_of_boxes(std::vector<WitnessPlane>& candidates, const Pieces& pieces) const {
+  void add_sides_of_boxes(std::vector<WitnessPlane>& candidates, const Pieces& pieces) {
     for (const auto& of_solid : pieces) {
-      for (const auto& [coordinate, normal] :
-           {std::pair{&Point::x, Vector3<Integer>{1, 0, 0}}, {&Point::y, {0, 1, 0}}, {&Point::z, {0, 0, 1}}}) {
-        Rational low = of_solid[0].polygon[0].*coordinate, high = low;
-        for (const Piece& piece : of_solid) {
-          for (const Point& p : piece.polygon) low = std::min(low, p.*coordinate), high = std::max(high, p.*coordinate);
-        }
-        for (const Rational& end : {low, high}) {
+      std::set<Place> places;
+      for (const Piece& piece : of_solid) places.insert(piece.polygon.begin(), piece.polygon.end());
+      for (const auto& [coordinate, normal] : {std::pair{&Point3<Integer>::x, Vector3<Integer>{1, 0, 0}},
+                                               {&Point3<Integer>::y, {0, 1, 0}},
+                                               {&Point3<Integer>::z, {0, 0, 1}}}) {
+        const auto below = [&, axis = coordinate](Place i, Place j) {
+          const Corner &p = corners_[i], &q = corners_[j];
+          return p.w == q.w ? p.p.*axis < q.p.*axis : p.p.*axis * q.w < q.p.*axis * p.w;
+        };
+        const auto [low, high] = std::minmax_element(places.begin(), places.end(), below);
+        for (const Place at : {*low, *high}) {
+          const Rational end = quotient(corners_[at].p.*coordinate, corners_[at].w);
           const WitnessPlane plane{normal, end};
           if (count(pieces, plane).left().first < pieces[0].size() * pieces[1].size()) candidates.push_back(plane);
         }
@@ -276,13 +337,15 @@ class Cutting {
   Cells cells_;
   const SpacePartition::Locate& locate_;
   Point within_;
+  std::vector<Corner> corners_;
+  Heights heights_{corners_};
   Pieces all_;
 };
 
 }  // namespace
 
-SpacePartition::SpacePartition(const FacesOfBoth& faces, Cells cells, const Locate& locate) {
-  Cutting(*this, faces, cells, locate).all_of_space();
+SpacePartition::SpacePartition(const std::array<const Solid*, 2>& solids, Cells cells, const Locate& locate) {
+  Cutting(*this, solids, cells, locate).all_of_space();
 }
 
 }  // namespace touchstone::oracle

@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "geometry/answers.h"
+#include "oracle/exact/solid.h"
 #include "oracle/exact/triangles.h"
 
 namespace touchstone::oracle {
-
-/// Faces that bound something of each of two solids, in integers.
-using FacesOfBoth = std::array<std::vector<Triangle3<Integer>>, 2>;
 
 /// Space, cut by planes into convex cells, until each is outside of one of two solids.
 ///
@@ -26,7 +24,7 @@ struct SpacePartition {
   enum class Cells { closed, open };
   /// Where a point lies in a solid, 0 or 1. Each cell of the partition has one point that is outside.
   using Locate = std::function<Location(std::size_t solid, const Point3<Rational>& point)>;
-  SpacePartition(const FacesOfBoth& faces, Cells cells, const Locate& locate);
+  SpacePartition(const std::array<const Solid*, 2>& solids, Cells cells, const Locate& locate);
 
   /// Where there is no partition: a point of both solids, strictly inside of both if cells are open.
   std::optional<Point3<Rational>> common;

@@ -2,21 +2,25 @@
 #include "oracle/exact/whole_list.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace touchstone::oracle {
 
 WholeList whole_list(const std::vector<double>& numbers) {
   const int none = 4096;  // no finite double has an exponent like that
   int least = none;
+  const auto zeros = [](const Dyadic& part) { return std::countr_zero(static_cast<std::uint64_t>(part.mantissa)); };
   for (const double number : numbers) {
     const Dyadic part = decode(number);
-    if (part.mantissa != 0) least = std::min(least, part.exponent);
+    if (part.mantissa != 0) least = std::min(least, part.exponent + zeros(part));
   }
   WholeList result{{}, scaled(Rational(1), least == none ? 0 : least)};
   for (const double number : numbers) {
     const Dyadic part = decode(number);
-    Integer whole(static_cast<long>(part.mantissa));
-    if (part.mantissa != 0) whole <<= static_cast<mp_bitcnt_t>(part.exponent - least);
+    const int last = part.mantissa == 0 ? 0 : zeros(part);
+    Integer whole(static_cast<long>(part.mantissa >> last));
+    if (part.mantissa != 0) whole <<= static_cast<mp_bitcnt_t>(part.exponent + last - least);
     result.whole.push_back(std::move(whole));
   }
   return result;

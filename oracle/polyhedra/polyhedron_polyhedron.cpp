@@ -12,9 +12,9 @@
 #include "oracle/exact/common_dimension.h"
 #include "oracle/exact/plane_between.h"
 #include "oracle/exact/rational_validation.h"
+#include "oracle/exact/solid.h"
 #include "oracle/exact/space_partition.h"
 #include "oracle/exact/whole_cloud.h"
-#include "oracle/polyhedra/point_in_polyhedron.h"
 
 namespace touchstone::oracle {
 namespace {
@@ -30,35 +30,33 @@ void validate_solid(const std::string& field, const Mesh<Number>& mesh) {
   validate_closed(field, mesh.faces);
 }
 
-template <class Number>
-Mesh<Rational> exact_mesh(const Mesh<Number>& mesh) {
-  Mesh<Rational> found{{}, mesh.faces};
-  for (const Point3<Number>& p : mesh.vertices) found.vertices.push_back(exact(p));
-  return found;
-}
-
-/// Both meshes as they are given, and their faces in integers, which count units.
+/// Both in integers, which count units.
 struct Solids {
-  Solids(Mesh<Rational> a, Mesh<Rational> b) : meshes{std::move(a), std::move(b)} {
-    std::vector<Point> all = meshes[0].vertices;
-    all.insert(all.end(), meshes[1].vertices.begin(), meshes[1].vertices.end());
+  template <class Number>
+  Solids(const Mesh<Number>& a, const Mesh<Number>& b) {
+    std::vector<Point> all;
+    for (const Mesh<Number>* mesh : {&a, &b})
+      for (const Point3<Number>& p : mesh->vertices) all.push_back(exact(p));
     const WholeCloud cloud(all);
     unit = cloud.unit;
-    Index first = 0;
-    for (const std::size_t solid : {0, 1}) {
-      for (const Face& f : meshes[solid].faces)
-        faces[solid].push_back({cloud[first + f.a], cloud[first + f.b], cloud[first + f.c]});
-      first = static_cast<Index>(meshes[0].vertices.size());
-    }
+    const auto middle = cloud.points.begin() + static_cast<std::ptrdiff_t>(a.vertices.size());
+    solids.emplace_back(std::vector<Point3<Integer>>(cloud.points.begin(), middle), a.faces, unit);
+    solids.emplace_back(std::vector<Point3<Integer>>(middle, cloud.points.end()), b.faces, unit);
   }
 
+  std::vector<Triangle> faces_of(std::size_t solid) const {
+    const auto& vertices = solids[solid].vertices();
+    std::vector<Triangle> found;
+    for (const Face& f : solids[solid].faces()) found.push_back({vertices[f.a], vertices[f.b], vertices[f.c]});
+    return found;
+  }
   Point actual(const Point& p) const { return {Rational(p.x * unit), Rational(p.y * unit), Rational(p.z * unit)}; }
   Rational actual_square(const Rational& square) const { return Rational(square * unit * unit); }
 
-  std::array<Mesh<Rational>, 2> meshes;
-  FacesOfBoth faces;
+  std::vector<Solid> solids;
   Rational unit;
 };
+using FacesOfBoth = std::array<std::vector<Triangle>, 2>;
 
 struct Box {
   std::array<Integer, 3> low, high;
@@ -78,6 +76,12 @@ std::array<Integer, 3> gaps(const Box& a, const Box& b) {
   std::array<Integer, 3> found;
   for (std::size_t i = 0; i < 3; ++i) found[i] = std::max(Integer(a.low[i] - b.high[i]), Integer(b.low[i] - a.high[i]));
   return found;
+}
+
+bool meet(const Box& a, const Box& b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
+  return true;
 }
 
 Integer squared_distance(const Box& a, const Box& b) {
@@ -102,14 +106,22 @@ std::vector<Box> boxes_of(const std::vector<Triangle>& faces) {
   return boxes;
 }
 
+/// All corners of the other triangle are on one side of the plane of a triangle.
+bool beside(const Triangle& t, const Triangle& other) {
+  const Vector3<Integer> normal = cross(t.b - t.a, t.c - t.a);
+  const auto side = [&](const Point3<Integer>& p) { return sgn(dot(normal, p - t.a)); };
+  const int first = side(other.a);
+  return first != 0 && side(other.b) == first && side(other.c) == first;
+}
+
 /// On a face of each.
 std::optional<Point> common_point_of_faces(const FacesOfBoth& faces) {
   const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
   for (std::size_t i = 0; i < boxes_a.size(); ++i) {
     for (std::size_t j = 0; j < boxes_b.size(); ++j) {
-      if (sgn(squared_distance(boxes_a[i], boxes_b[j])) > 0) continue;
+      if (!meet(boxes_a[i], boxes_b[j])) continue;
       const Triangle &s = faces[0][i], &t = faces[1][j];
-      if (plane_apart({s.a, s.b, s.c}, {t.a, t.b, t.c})) continue;
+      if (beside(s, t) || beside(t, s) || plane_apart({s.a, s.b, s.c}, {t.a, t.b, t.c})) continue;
       const PointOfBoth common = points_of_both(s, t, 0)[0];
       const auto& [u, v, w] = common.on_a;
       return Point{Rational(u * s.a.x + v * s.b.x + w * s.c.x), Rational(u * s.a.y + v * s.b.y + w * s.c.y),
@@ -122,13 +134,21 @@ std::optional<Point> common_point_of_faces(const FacesOfBoth& faces) {
 /// Of the faces of one from those of the other, where none has a common point.
 Rational least_squared_distance(const FacesOfBoth& faces) {
   const std::vector<Box> boxes_a = boxes_of(faces[0]), boxes_b = boxes_of(faces[1]);
-  Rational least = squared_distance(faces[0][0], faces[1][0]);
-  for (std::size_t i = 0; i < boxes_a.size(); ++i) {
-    for (std::size_t j = 0; j < boxes_b.size(); ++j)
-      if (squared_distance(boxes_a[i], boxes_b[j]) < least)
-        least = std::min(least, squared_distance(faces[0][i], faces[1][j]));
+  struct Pair {
+    Integer least;
+    std::size_t i, j;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < boxes_a.size(); ++i)
+    for (std::size_t j = 0; j < boxes_b.size(); ++j) pairs.push_back({squared_distance(boxes_a[i], boxes_b[j]), i, j});
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.least < q.least; });
+  std::optional<Rational> least;
+  for (const auto& [of_boxes, i, j] : pairs) {
+    if (least && *least <= of_boxes) break;
+    Rational found = squared_distance(faces[0][i], faces[1][j]);
+    if (!least || found < *least) least = std::move(found);
   }
-  return least;
+  return *least;
 }
 
 using Located = Truth<Location>;
@@ -160,8 +180,8 @@ struct Proved {
 
 Proved cut(const Solids& s, Cells cells) {
   std::vector<Located> outside;
-  SpacePartition partition(s.faces, cells, [&](std::size_t solid, const Point& point) {
-    Located located = point_in_polyhedron(s.meshes[solid], s.actual(point));
+  SpacePartition partition({&s.solids[0], &s.solids[1]}, cells, [&](std::size_t solid, const Point& point) {
+    Located located = s.solids[solid].locate(point);
     const Location location = located.answer;
     if (location == Location::outside) outside.push_back(std::move(located));
     return location;
@@ -172,20 +192,32 @@ Proved cut(const Solids& s, Cells cells) {
 /// Where the vertices that faces name lie in the other solid: those of a first.
 struct Vertices {
   explicit Vertices(const Solids& s) {
+    std::vector<Point> points;  // of the proofs
+    std::vector<std::size_t> others;
     for (const std::size_t solid : {0, 1}) {
       std::set<Index> named;
-      for (const Face& f : s.meshes[solid].faces) named.insert({f.a, f.b, f.c});
+      for (const Face& f : s.solids[solid].faces()) named.insert({f.a, f.b, f.c});
       for (const Index i : named) {
-        Located located = point_in_polyhedron(s.meshes[1 - solid], s.meshes[solid].vertices[i]);
-        const bool better = farthest_in.empty() || located.margin > margin;
-        if (located.answer == Location::inside && better) {
-          farthest_in = {Rational(solid), Rational(i)}, margin = located.margin;
+        const auto& [x, y, z] = s.solids[solid].vertices()[i];
+        const Point p{Rational(x), Rational(y), Rational(z)};
+        Located located = s.solids[1 - solid].locate_by_three_rays(p);
+        if (located.answer == Location::inside) {
+          const Rational square = s.actual_square(s.solids[1 - solid].squared_distance(p));
+          if (!farthest_in.empty() && square <= *margin) continue;
+          farthest_in = {Rational(solid), Rational(i)}, margin = square;
           proofs.assign(1, std::move(located));
         } else if (farthest_in.empty()) {
-          margin = proofs.empty() ? located.margin : std::min(margin, located.margin);
-          proofs.push_back(std::move(located));
+          proofs.push_back(std::move(located)), points.push_back(p), others.push_back(1 - solid);
         }
       }
+    }
+    if (!farthest_in.empty()) return;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (margin && sgn(*margin) == 0) return;
+      const Rational square = proofs[i].answer == Location::boundary
+                                  ? Rational(0)
+                                  : s.actual_square(s.solids[others[i]].squared_distance(points[i]));
+      margin = margin ? std::min(*margin, square) : square;
     }
   }
 
@@ -212,8 +244,8 @@ Answer apart_by_boxes(const Solids& s, const Box& a, const Box& b, std::size_t a
 }
 
 /// The margin is that of the faces or, if it is less, what the boxes have in common along an axis.
-Answer disjoint(const Solids& s, const Integer& common_length, Proved proved) {
-  const Rational least = std::min(least_squared_distance(s.faces), Rational(Integer(common_length * common_length)));
+Answer disjoint(const Solids& s, const FacesOfBoth& faces, const Integer& common_length, Proved proved) {
+  const Rational least = std::min(least_squared_distance(faces), Rational(Integer(common_length * common_length)));
   return {
       {Contact::disjoint, PolyhedraStep::edge_against_face}, s.actual_square(least), [s, proved = std::move(proved)] {
         Certificate certificate{"partition", {}};
@@ -226,8 +258,8 @@ Answer disjoint(const Solids& s, const Integer& common_length, Proved proved) {
 Certificate common_point(const char* kind, const Solids& s, const Point& p) {
   Certificate certificate{kind, {}};
   append(certificate.facts.emplace_back("point", std::vector<Rational>{}).second, s.actual(p));
-  certificate.parts.emplace_back("in_a", certificates_of({point_in_polyhedron(s.meshes[0], s.actual(p))}));
-  certificate.parts.emplace_back("in_b", certificates_of({point_in_polyhedron(s.meshes[1], s.actual(p))}));
+  certificate.parts.emplace_back("in_a", certificates_of({s.solids[0].locate_by_three_rays(p)}));
+  certificate.parts.emplace_back("in_b", certificates_of({s.solids[1].locate_by_three_rays(p)}));
   return certificate;
 }
 
@@ -253,16 +285,17 @@ template <class Number>
 Answer truth_of(const Mesh<Number>& a, const Mesh<Number>& b) {
   validation::validate_numbers("a", a), validation::validate_numbers("b", b);
   validate_solid("a", a), validate_solid("b", b);
-  const Solids s(exact_mesh(a), exact_mesh(b));
-  const Box box_a(s.faces[0]), box_b(s.faces[1]);
+  const Solids s(a, b);
+  const FacesOfBoth faces{s.faces_of(0), s.faces_of(1)};
+  const Box box_a(faces[0]), box_b(faces[1]);
   const std::array<Integer, 3> between = gaps(box_a, box_b);
   const auto widest = std::max_element(between.begin(), between.end());
   if (sgn(*widest) > 0) return apart_by_boxes(s, box_a, box_b, static_cast<std::size_t>(widest - between.begin()));
-  std::optional<Point> common = common_point_of_faces(s.faces);
+  std::optional<Point> common = common_point_of_faces(faces);
   if (!common) {
     Proved proved = cut(s, Cells::closed);
     common = proved.partition.common;
-    if (!common) return disjoint(s, *widest, std::move(proved));
+    if (!common) return disjoint(s, faces, *widest, std::move(proved));
   }
   return in_contact(s, *common);
 }

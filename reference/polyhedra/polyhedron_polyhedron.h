@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "geometry/polyhedra.h"
 #include "geometry/solids.h"
@@ -64,8 +65,13 @@ PolyhedronPolyhedron polyhedron_polyhedron(const Mesh<Real>& a, const Mesh<Real>
     return {Contact::disjoint, PolyhedraStep::bounding_volumes};
 
   const auto any_inside = [](const Mesh<Real>& mesh, const Mesh<Real>& other) {
+    std::vector<bool> asked(mesh.vertices.size());
     return std::any_of(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) {
-      const auto inside = [&](Index i) { return point_in_polyhedron(other, mesh.vertices[i]) == Location::inside; };
+      const auto inside = [&](Index i) {
+        if (asked[i]) return false;
+        asked[i] = true;
+        return point_in_polyhedron(other, mesh.vertices[i]) == Location::inside;
+      };
       return inside(face.a) || inside(face.b) || inside(face.c);
     });
   };

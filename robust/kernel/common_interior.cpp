@@ -39,9 +39,11 @@ struct Wall {
     const auto named = [&other](Index i) { return std::count(other.names.begin(), other.names.end(), i) > 0; };
     return solid == other.solid && std::count_if(names.begin(), names.end(), named) > 1;
   }
-  bool in_plane_of(const Wall& other) const {
-    const auto on = [&other](const Point& p) { return sgn(dot(other.normal, p - other.corners.a)) == 0; };
-    return on(corners.a) && on(corners.b) && on(corners.c);
+  /// All corners are in front of the other's plane, or behind it, or in it.
+  bool on_one_side_of(const Wall& other) const {
+    const auto side = [&other](const Point& p) { return sgn(dot(other.normal, p - other.corners.a)); };
+    const int first = side(corners.a);
+    return side(corners.b) == first && side(corners.c) == first;
   }
 };
 
@@ -55,7 +57,8 @@ struct Line {
 
 /// The common part of two walls in different planes, if it is a segment.
 std::optional<Line> common_line(const Wall& v, const Wall& w) {
-  if (v.has_edge_of(w) || v.in_plane_of(w)) return std::nullopt;  // a line of its own, or several
+  // Otherwise there are only common points of edges, or a line of its own, or several.
+  if (v.has_edge_of(w) || v.on_one_side_of(w) || w.on_one_side_of(v)) return std::nullopt;
   const std::vector<HomogeneousPoint> ends = ends_of_common_part(v.corners, w.corners);
   for (const HomogeneousPoint& end : ends) {
     if (zero(way(ends.front(), end))) continue;
@@ -219,12 +222,11 @@ class Walls {
         mpz_class(d * line.w)};
     Around around{line.along, {}, {}};
     for (std::size_t i = 0; i < walls_.size(); ++i) {
-      const Seen seen(walls_[i], inside);
       const bool holds = !parts[i].empty && !(from < parts[i].first) && !(parts[i].last < to);
-      if (holds) add_steps(around.steps, seen, around.along);
-      else around.others.push_back(seen);
+      if (holds) add_steps(around.steps, {walls_[i], inside}, around.along);
+      else if (walls_[i].box.reaches(line.box)) around.others.emplace_back(walls_[i], inside);
     }
-    for (long k = 1;; ++k) {  // a plane has at most two of these directions
+    for (long k = 1;; ++k) {  // upwards along each axis; a plane has at most two of these directions
       if (const auto any = around.any_of_both({1, k, k * k})) return *any;
     }
   }

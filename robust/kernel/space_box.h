@@ -39,6 +39,10 @@ struct SpaceBox {
       if (high[i] < other.low[i] || other.high[i] < low[i]) return false;
     return true;
   }
+  /// Not all of it is below the other along an axis.
+  bool reaches(const SpaceBox& other) const {
+    return high[0] >= other.low[0] && high[1] >= other.low[1] && high[2] >= other.low[2];
+  }
 };
 
 }  // namespace touchstone::robust::kernel
