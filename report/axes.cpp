@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t readable_digits = 6;
 constexpr std::size_t most_grid_lines = 40;
+constexpr double label_half = 3.2, room_right = 8;  // of a letter; beyond the frame
 
 mpq_class power_of_ten(long exponent) {
   mpz_class power;
@@ -96,10 +97,13 @@ std::string ticks(const Viewport& view) {
   std::string svg;
   const std::vector<Tick> across = ticks_between(low.x, high.x, view.pixels_per_unit_x());
   for (const Tick& tick : across) {
+    // At the right border the words end where the figure does.
+    const bool last = tick.pixel + label_half * static_cast<double>(tick.label.size()) > frame.width + room_right;
     svg += fmt::format(
-        "<path class=\"tick\" d=\"M{0} {1}v5\"/><text class=\"scale\" x=\"{0}\" y=\"{2}\" "
-        "text-anchor=\"middle\">{3}</text>",
-        pixels(tick.pixel), pixels(frame.height), pixels(frame.height + 17), tick.label);
+        "<path class=\"tick\" d=\"M{} {}v5\"/><text class=\"scale\" x=\"{}\" y=\"{}\" "
+        "text-anchor=\"{}\">{}</text>",
+        pixels(tick.pixel), pixels(frame.height), pixels(last ? frame.width + room_right : tick.pixel),
+        pixels(frame.height + 17), last ? "end" : "middle", tick.label);
   }
   if (across.empty()) {
     svg += fmt::format("<text class=\"scale\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>",

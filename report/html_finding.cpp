@@ -48,18 +48,23 @@ bool is_said(const std::string& note, const Json& truth) {
   return truth.is_object() && truth.contains(field);
 }
 
-/// Whether a gap too narrow to be seen may be what decides: the margin is that narrow, and not 0. Any other gap of the
-/// figure is an accident.
-bool decides_by_a_narrow_gap(const Operation& operation, const Examination& question) {
+/// The least gap that may be what decides, where a gap too narrow to be seen may: the margin is that narrow, and not 0.
+/// Any other gap of the figure is an accident, and so is one that is much narrower than the margin.
+std::optional<mpq_class> least_gap_that_decides(const Operation& operation, const Examination& question) {
+  constexpr int narrower = 64;  // a margin that is a product may have factors of several sizes of the question
   const int degree = operation.metadata().margin_degree;
-  if (!question.margin() || degree == 0) return true;
+  if (!question.margin() || degree == 0) return mpq_class(0);
   const mpq_class size = exact_value(greatest(question.question()));
-  return sgn(*question.margin()) != 0 && within(*question.margin(), mpq_class(size / 32), size, degree);
+  mpq_class least = *question.margin() / narrower;
+  if (sgn(least) == 0 || !within(*question.margin(), mpq_class(size / 32), size, degree)) return std::nullopt;
+  for (int i = 1; i < degree; ++i) least /= size;
+  return least;
 }
 
-std::string drawn(const Drawing& drawing, const std::string& title, const std::string& caption, bool magnify) {
+std::string drawn(const Drawing& drawing, const std::string& title, const std::string& caption,
+                  const std::optional<mpq_class>& least_gap) {
   const std::string svg =
-      drawing.figures.empty() ? space_figure(drawing, title) : drawing_svg(drawing, title, false, magnify);
+      drawing.figures.empty() ? space_figure(drawing, title, least_gap) : drawing_svg(drawing, title, false, least_gap);
   return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>";
 }
 
@@ -79,15 +84,16 @@ Drawing answered_alone(Drawing drawing) {
 }
 
 std::string figures(const Operation& operation, const Finding& finding, const Drawing& drawing, const Json& truth,
-                    const std::string& who, const std::string& margin, bool magnify) {
+                    const std::string& who, const std::string& margin, const std::optional<mpq_class>& least_gap) {
   std::string notes;
   for (const std::string& note : drawing.notes) {
     if (is_said(note, truth)) continue;
     notes += (notes.empty() ? "" : "; ") + in_short(note);
   }
   const std::string title = operation.name() + ": the input " + one_line(operation.print(finding.question));
-  // A figure of the plane magnifies it.
-  const bool unseen = drawing.figures.empty() && !drawing.space.empty() && magnify && !margin.empty();
+  const bool in_space = drawing.figures.empty() && !drawing.space.empty();
+  const bool unseen =
+      in_space && least_gap && !margin.empty() && !has_space_lens(space_figure(drawing, title, least_gap));
   const std::string right = "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, truth)) + "." +
                             (unseen ? " The figure cannot show the margin, " + escaped(margin) + "." : ""),
                     wrong = "<b class=\"who-said\">" + escaped(who) + ":</b> " +
@@ -96,10 +102,10 @@ std::string figures(const Operation& operation, const Finding& finding, const Dr
   draw_answered(both, operation, plain(finding.answer), finding.question);
   if (!shows_an_answer(both)) {
     const std::string more = notes.empty() ? "" : "<br><span class=\"quiet\">" + escaped(notes) + "</span>";
-    return drawn(drawing, title, right + " " + wrong + more, magnify);
+    return drawn(drawing, title, right + " " + wrong + more, least_gap);
   }
-  return "<div class=\"beside\">" + drawn(drawing, title, right, magnify) +
-         drawn(answered_alone(both), title + ", and what was answered", wrong, magnify) + "</div>";
+  return "<div class=\"beside\">" + drawn(drawing, title, right, least_gap) +
+         drawn(answered_alone(both), title + ", and what was answered", wrong, least_gap) + "</div>";
 }
 
 std::string said_row(const std::string& who, const std::string& answer, const Judgement* judgement, Speaker speaker,
@@ -181,7 +187,7 @@ std::string right_case(const Operation& operation) {
          drawn(best->drawing(), operation.name() + ": the input " + input,
                "<b class=\"truth-said\">Truth:</b> " + escaped(sentence(operation, readable(best->truth()))) +
                    ". The formula answers the same.",
-               decides_by_a_narrow_gap(operation, *best)) +
+               least_gap_that_decides(operation, *best)) +
          "<dl class=\"facts\"><dt>input</dt><dd>" + code(input) + "</dd></dl></section>";
 }
 
@@ -195,9 +201,7 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
       counted(cases, "case") + (ordinary == cases ? ", all" : ", " + grouped(ordinary)) + " of ordinary size";
   if (out_of_range > 0) how_often += "; " + grouped(out_of_range) + " by over- or underflow";
   std::string words =
-      shown.way.answer == shown.way.truth || shown.way.answer.empty()
-          ? ""
-          : phrase(operation, shown.way.answer) + " where it is " + phrase(operation, shown.way.truth) + " ";
+      shown.way.answer == shown.way.truth || shown.way.answer.empty() ? "" : phrase(operation, shown.way) + " ";
   std::string text =
       fmt::format("<section class=\"card finding\"><h3>{} {}<span class=\"how-often\">{}</span></h3><p>{}</p>",
                   badge(verdict, speaker), escaped(words), escaped(how_often),
@@ -205,14 +209,14 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
   std::string margin, proof, said;
   Json truth;
   Drawing drawing;
-  bool magnify = true;
+  std::optional<mpq_class> least_gap = mpq_class(0);
   try {
     const Examination& question = finding.examination(operation);
     const bool narrow = operation.in_binary32(finding.question) == finding.question;
     truth = readable(question.truth());
     said = what_was_said(question, finding, declaration, speaker, narrow);
     if (question.margin()) margin = readable(*question.margin());
-    magnify = decides_by_a_narrow_gap(operation, question);
+    least_gap = least_gap_that_decides(operation, question);
     proof = certificate(question);
     drawing = question.drawing();
   } catch (const InvalidInput& refused) {
@@ -220,9 +224,9 @@ std::string finding_card(const Operation& operation, const WayOfOperation& shown
     drawing = drawing_of_refused(operation, finding.question, refused);
     said = "<p>The oracle refuses this input: " + code(refused.what()) + "</p>";
   }
-  text += "<div class=\"seen\">" + figures(operation, finding, drawing, truth, name_of(speaker, declaration), margin,
-                                            magnify) +
-          said + "</div>";
+  text += "<div class=\"seen\">" +
+          figures(operation, finding, drawing, truth, name_of(speaker, declaration), margin, least_gap) + said +
+          "</div>";
   const auto fact = [&](const char* key, const std::string& html) {
     text += std::string("<dt>") + key + "</dt><dd>" + html + "</dd>";
   };

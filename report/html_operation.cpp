@@ -89,9 +89,7 @@ std::string cards(const OperationTally& tally, const Operation& known, const Tal
     }
     const Way& way = ways[i].way;
     others += "<li>" + badge(way.verdict, speaker) + " " +
-              escaped(phrase(known, way.answer) + " where it is " + phrase(known, way.truth) + ": " +
-                      counted(both(ways[i].counted.cases), "case")) +
-              "</li>";
+              escaped(phrase(known, way) + ": " + counted(both(ways[i].counted.cases), "case")) + "</li>";
   }
   if (!others.empty()) text += "<details><summary>Less frequent ways</summary><ul>" + others + "</ul></details>";
   return text;
@@ -147,8 +145,7 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) + right_case(*known);
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
-    body +=
-        "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
+    body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";
   }
   if (known && speaker == Speaker::reference && !tally.declaration.binary32) body += condition_section(*known);
   body += "<h2>By family of inputs</h2>" + by_family(here);

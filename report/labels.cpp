@@ -9,7 +9,9 @@
 namespace touchstone::report {
 namespace {
 
-constexpr double letter_width = 6.9, line_height = 15, clearance = 8;
+constexpr double letter_width = 6.9, line_height = 15, clearance = 8, not_there = 1000;
+/// Pixels from its place that a text may stand, where there is no room near to it.
+constexpr double farther[] = {0, 14, 28};
 
 struct Box {
   double left, top, right, bottom;
@@ -22,9 +24,9 @@ struct Box {
 /// Which way from its place a text may stand, the best first.
 constexpr Pixel directions[] = {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}};
 
-Box box_beside(const Pixel& place, const Pixel& way, double width) {
+Box box_beside(const Pixel& place, const Pixel& way, double width, double far) {
   const bool corner = way.x != 0 && way.y != 0;
-  const double reach = corner ? clearance * 0.7 : clearance;
+  const double reach = (corner ? clearance * 0.7 : clearance) + far;
   const double left = way.x > 0 ? place.x + reach : way.x < 0 ? place.x - reach - width : place.x - width / 2;
   const double top = way.y > 0   ? place.y + reach
                      : way.y < 0 ? place.y - reach - line_height
@@ -34,8 +36,8 @@ Box box_beside(const Pixel& place, const Pixel& way, double width) {
 
 double cost(const Box& box, const std::vector<Box>& texts, const std::vector<Pixel>& drawn, const Frame& frame) {
   const bool inside = box.left >= 2 && box.top >= 2 && box.right <= frame.width - 2 && box.bottom <= frame.height - 2;
-  double sum = inside ? 0 : 1000;
-  for (const Box& text : texts) sum += box.meets(text) ? 100 : 0;
+  double sum = inside ? 0 : not_there;
+  for (const Box& text : texts) sum += box.meets(text) ? not_there : 0;
   for (const Pixel& p : drawn) sum += box.holds(p) ? 4 : 0;
   return sum;
 }
@@ -69,13 +71,15 @@ std::string placed_labels(const std::vector<LabelWish>& wishes, std::vector<Pixe
     Box best{};
     double least = std::numeric_limits<double>::infinity(), preference = 0;
     for (const Pixel& place : wish.places) {
-      for (const Pixel& way : directions) {
-        const Box box = box_beside(place, way, width);
-        const double price = cost(box, texts, drawn, frame) + (preference += 0.1);
-        if (price < least) least = price, best = box;
+      for (const double far : farther) {
+        for (const Pixel& way : directions) {
+          const Box box = box_beside(place, way, width, far);
+          const double price = cost(box, texts, drawn, frame) + (preference += 0.1) + 2 * far;
+          if (price < least) least = price, best = box;
+        }
       }
     }
-    if (least >= 1000) continue;
+    if (least >= not_there) continue;
     texts.push_back({best.left - 4, best.top - 1, best.right + 4, best.bottom + 1});
     svg += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>", wish.style, pixels(best.left),
                        pixels(best.bottom - 3.5), escaped(wish.text));

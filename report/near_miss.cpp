@@ -85,11 +85,11 @@ std::vector<ExactPoint> vertices_of(const Figure& figure) {
   return vertices;
 }
 
-std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view) {
+std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view, const mpq_class& least_gap) {
   std::optional<NearMiss> found;
   mpq_class least = seen_as_apart * seen_as_apart;
   const auto offer = [&](const Figure& figure, std::size_t vertex, const Gap& gap) {
-    if (sgn(gap.units) == 0 || gap.pixels >= least) return;
+    if (sgn(gap.units) == 0 || gap.pixels >= least || gap.units < least_gap * least_gap) return;
     least = gap.pixels;
     const double x = figure.numbers[2 * vertex], y = figure.numbers[2 * vertex + 1];
     found = NearMiss{exact_point(x, y), x, y, figure.label, root(gap.units)};

@@ -20,8 +20,8 @@ struct NearMiss {
   mpq_class gap;  ///< the distance, in the unit of the coordinates, to many digits
 };
 
-/// The narrowest gap in the question that is below a few pixels of the view, and not zero. Lines without a name and
-/// arrows have none.
-std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view);
+/// The narrowest gap in the question that is below a few pixels of the view, not zero, and at least `least`. Lines
+/// without a name and arrows have none.
+std::optional<NearMiss> narrowest_gap(const Drawing& drawing, const Viewport& view, const mpq_class& least);
 
 }  // namespace touchstone::report

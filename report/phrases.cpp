@@ -36,8 +36,8 @@ constexpr Phrase phrases[] = {
     {"hit", "a hit"},
     {"never", "no hit"},
     {"not_simple", "crossing itself"},
-    {"proper", "it has a normal"},
-    {"degenerate", "degenerate: no normal", "proper"},
+    {"proper", "with a normal"},
+    {"degenerate", "without a normal", "proper"},
     {"ccw", "counter-clockwise"},
     {"cw", "clockwise"},
     {"true", "yes"},
@@ -117,6 +117,11 @@ std::string phrase(const Operation& operation, const Json& answer) {
     }
   }
   return text;
+}
+
+std::string phrase(const Operation& operation, const Way& way) {
+  const std::string answer = phrase(operation, way.answer);
+  return way.truth == "value" ? answer : answer + " where it is " + phrase(operation, way.truth);
 }
 
 }  // namespace touchstone::report

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "audit/tally.h"
 #include "catalogue/operation/operation.h"
 #include "report/uses.h"
 
@@ -16,5 +17,8 @@ std::string phrase(const Operation& operation, const std::string& word);
 /// A complete answer: its words, then its numbers where they are few: "meeting in a point, t = 0.5, point (1, 2)".
 /// `answer` is shown as it is given: exact values are not shortened here.
 std::string phrase(const Operation& operation, const Json& answer);
+
+/// What was answered instead of what: "on it where it is left of the line".
+std::string phrase(const Operation& operation, const Way& way);
 
 }  // namespace touchstone::report

@@ -8,6 +8,7 @@
 
 #include "report/axes.h"
 #include "report/labels.h"
+#include "report/space_lens.h"
 #include "report/space_scale.h"
 
 namespace touchstone::report {
@@ -36,12 +37,8 @@ std::array<SpacePoint, 2> normal_of(const SpaceFigure& plane, const SpaceScale& 
 }
 
 Json json_of(const SpaceFigure& figure, const SpaceScale& scale) {
-  Json json{{"kind", name_of(figure.kind)},
-            {"label", figure.label},
-            {"whose", figure.said     ? "answer"
-                      : figure.answer ? "truth"
-                                      : "question"},
-            {"points", Json::array()}};
+  Json json{
+      {"kind", name_of(figure.kind)}, {"label", figure.label}, {"whose", whose(figure)}, {"points", Json::array()}};
   for (const ExactPlace& place : places_of(figure)) json["points"].push_back(scale.at(place));
   if (figure.kind == SpaceFigure::Kind::plane) json["points"] = normal_of(figure, scale);
   if (figure.kind == SpaceFigure::Kind::sphere) json["radius"] = scale.radius_in_steps(figure);
@@ -86,6 +83,7 @@ std::string in_words(const Json& model, const std::vector<std::string>& notes) {
   }
   for (const char* lines : {"spans", "remarks"})
     for (const std::string line : model[lines]) text += "; " + line;
+  if (model.contains("lens")) text += "; " + model["lens"]["spans"][0].get<std::string>();
   for (const std::string& note : notes) text += "; " + note;
   return text + ".";
 }
@@ -104,13 +102,14 @@ std::string space_style() {
          ".turns:active{cursor:grabbing}.turns:focus:not(:focus-visible){outline:none}";
 }
 
-Json space_model(const Drawing& scene, const std::string& title) {
+Json space_model(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap) {
   std::vector<SpaceFigure> figures;
   std::copy_if(scene.space.begin(), scene.space.end(), std::back_inserter(figures), drawable);
   if (figures.empty()) return nullptr;
   const SpaceScale scale = SpaceScale::of(figures);
   Json model{{"title", title}, {"figures", Json::array()}, {"spans", Json::array()}, {"remarks", Json::array()}};
   std::size_t corners = 0, left_out = 0;
+  std::vector<SpaceFigure> drawn;
   for (const SpaceFigure& figure : figures) {
     std::size_t own = figure.numbers.size() / 3 + 1;
     for (const auto& face : figure.faces) own += 1 + face.size();
@@ -120,6 +119,7 @@ Json space_model(const Drawing& scene, const std::string& title) {
     }
     corners += own;
     model["figures"].push_back(json_of(figure, scale));
+    drawn.push_back(figure);
   }
   for (std::size_t i = 0; i < 3; ++i) model["spans"].push_back(span_in_words("xyz"[i], scale.low[i], scale.high[i]));
   const std::string stretched = stretch_in_words(scale);
@@ -130,16 +130,19 @@ Json space_model(const Drawing& scene, const std::string& title) {
     model["remarks"].push_back(stretched);
   }
   if (left_out > 0) model["remarks"].push_back(fmt::format("{} more are not drawn", left_out));
+  if (!least_gap) return model;
+  if (const auto gap = narrowest_gap(drawn, scale, *least_gap)) model["lens"] = space_lens(drawn, scale, *gap);
   return model;
 }
 
-std::string space_figure(const Drawing& scene, const std::string& title) {
-  const Json model = space_model(scene, title);
+std::string space_figure(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap) {
+  const Json model = space_model(scene, title, least_gap);
   if (model.is_null()) return "";
   return figure_opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene.notes)) +
          "</p></noscript></div>";
 }
 
 bool has_space_figure(const std::string& html) { return html.find(figure_opening) != std::string::npos; }
+bool has_space_lens(const std::string& html) { return html.find(escaped("\"lens\":")) != std::string::npos; }
 
 }  // namespace touchstone::report

@@ -58,6 +58,8 @@ bool drawable(const SpaceFigure& figure) {
   return false;
 }
 
+const char* whose(const SpaceFigure& figure) { return figure.said ? "answer" : figure.answer ? "truth" : "question"; }
+
 std::vector<ExactPlace> places_of(const SpaceFigure& figure) {
   std::vector<ExactPlace> places;
   if (figure.kind == Kind::plane) return places;

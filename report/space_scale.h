@@ -21,6 +21,9 @@ using ExactPlace = std::array<mpq_class, 3>;
 /// Whether a figure has its numbers, all finite, and a plane a normal: a formula's answer may have neither.
 bool drawable(const SpaceFigure& figure);
 
+/// "question", "truth" or "answer".
+const char* whose(const SpaceFigure& figure);
+
 /// The points of a drawable figure that are given by coordinates; a plane has none.
 std::vector<ExactPlace> places_of(const SpaceFigure& figure);
 

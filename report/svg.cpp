@@ -143,11 +143,12 @@ std::string figure_style() {
          ".fig .truth.stroke{stroke-width:6;stroke-dasharray:8 6;stroke-opacity:.7}";
 }
 
-std::string drawing_svg(const Drawing& given, const std::string& title, bool standalone, bool magnify) {
+std::string drawing_svg(const Drawing& given, const std::string& title, bool standalone,
+                        const std::optional<mpq_class>& least_gap) {
   const Drawing drawing = drawable(given);
   if (drawing.figures.empty()) return "";
   const Viewport whole = whole_view(drawing);
-  const auto miss = magnify ? narrowest_gap(drawing, whole) : std::nullopt;
+  const auto miss = least_gap ? narrowest_gap(drawing, whole, *least_gap) : std::nullopt;
   const double width = left_room + main_frame.width + (miss ? between_frames + inset_frame.width : 0) + right_room;
   const double height = top_room + main_frame.height + bottom_room;
   std::string svg = fmt::format(

@@ -11,6 +11,9 @@
 //   spans    what x, y and z span, in words
 //   bar      [length, words]: a round length, where one scale holds for all axes
 //   remarks  further lines below
+//   lens     a second model, of what is around a gap too narrow to be seen (report/space_lens.cpp), with
+//              mark, the place of the gap among the points of the first; reach, how far from its middle it shows;
+//              turn, its first view; of each figure places, where its label may stand
 // Points are integers, 100,000 from the middle of the figures to the end of their longest side: coordinates between
 // 5e-324 and 1e308 are brought to them exactly, before they get here.
 'use strict';
@@ -18,6 +21,7 @@ const viewer = (() => {
 const width = 400, height = 300, room = 134;  // pixels; room: from the middle to what is farthest from it
 const small = 2500;  // steps: about three pixels
 const mostLabels = 40, mostPlaces = 12, longestNumbered = 20, manyStrokes = 400;
+const farther = [0, 14, 28];  // pixels from its place that a text may stand, where there is no room near to it
 const pointDot = 4.2, endDot = 3.2, centreDot = 1.8, ringRadius = 9, nearer = 0.5;
 const diagonals = [[1, -1], [-1, -1], [1, 1], [-1, 1]].map(way => way.map(x => x * 0.7071067811865476));
 // Fractions and not angles, so that every browser begins with the same picture.
@@ -47,7 +51,8 @@ class Strokes {
       // Each part of the question has a colour; a list is one part.
       if (figure.whose === 'question' && figure.label && list !== before) ++part, before = list;
       this.style = {truth: 'truth', answer: 'said'}[figure.whose] ?? (figure.label ? 'q' + part % 4 : 'aid');
-      const places = this[figure.kind](figure, figure.points).slice(0, mostPlaces);
+      const middles = this[figure.kind](figure, figure.points);
+      const places = (figure.places ?? middles).slice(0, mostPlaces);
       // The first element of a list bears its name, the others their numbers; of a long list the first alone is named.
       const number = figure.label.slice(list.length), long = size[list] > longestNumbered;
       const first = number === '' || number === '[0]';
@@ -56,7 +61,8 @@ class Strokes {
       if (label && this.labels.length < mostLabels)
         this.labels.push({style: this.style, text: label, places, radius: figure.radius ?? 0});
     }
-    this.reach = Math.max(1, ...this.strokes.map(stroke =>
+    this.mark = model.lens?.mark;
+    this.reach = model.reach ?? Math.max(1, ...this.strokes.map(stroke =>
         Math.max(...stroke.points.map(length)) + (stroke.kind === 'ball' ? stroke.radius : 0)));
   }
 
@@ -136,7 +142,7 @@ class Strokes {
     const middles = this.solid(whole.map(face => face.map(i => points[i])), true);
     points.forEach((p, i) => { if (!used.has(i)) this.dot(p, endDot); });
     this.dotIfSmall(points);
-    return middles.length ? middles : [points[0]];
+    return middles.length ? middles : points.slice(0, 1);
   }
 }
 
@@ -227,28 +233,32 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
   });
   const wishes = drawing.labels.map(label => {
     const places = label.places.map(seen).map(p => [p.x, p.y]), r = label.radius * scale;
+    if (!places.length) return {...label, places};
     const round = diagonals.map(([x, y]) => [places[0][0] + r * x, places[0][1] + r * y]);
     return {...label, places: label.radius > 0 ? [...round, ...places] : places};
   });
-  return tripod.join('') + parts.map(part => part.svg).join('') + placed(wishes, drawn);
+  const mark = drawing.mark && seen(drawing.mark);
+  const lens = mark ? `<path class="lens" d="M${pair(mark.x - 6, mark.y - 6)}h12v12h-12z"/>` : '';
+  return tripod.join('') + parts.map(part => part.svg).join('') + lens + placed(wishes, drawn);
 }
 
-// Each text where it covers least of what is drawn and of the other texts.
+// Each text where it covers least of what is drawn, and none of the other texts; left out where there is no room.
 function placed(wishes, drawn) {
   const texts = [];
   let svg = '';
   for (const wish of wishes) {
     const wide = 6.9 * [...wish.text].length;
     let best = null, least = 1000, preference = 0;
-    for (const [x, y] of wish.places) {
+    const spots = wish.places.flatMap(place => farther.map(far => [place, far]));
+    for (const [[x, y], far] of spots) {
       for (const [wx, wy] of [[1, -1], [-1, -1], [1, 1], [-1, 1], [0, -1], [0, 1], [1, 0], [-1, 0]]) {
-        const gap = wx !== 0 && wy !== 0 ? 8 * 0.7 : 8;
+        const gap = (wx !== 0 && wy !== 0 ? 8 * 0.7 : 8) + far;
         const left = wx > 0 ? x + gap : wx < 0 ? x - gap - wide : x - wide / 2;
         const top = wy > 0 ? y + gap : wy < 0 ? y - gap - 15 : y - 15 / 2;
         const right = left + wide, bottom = top + 15;
-        let price = preference += 0.1;
+        let price = (preference += 0.1) + 2 * far;
         if (!(left >= 2 && top >= 2 && right <= width - 2 && bottom <= height - 2)) continue;
-        for (const t of texts) if (left < t.right && t.left < right && top < t.bottom && t.top < bottom) price += 100;
+        for (const t of texts) if (left < t.right && t.left < right && top < t.bottom && t.top < bottom) price += 1000;
         for (const [px, py] of drawn) if (px >= left && px <= right && py >= top && py <= bottom) price += 4;
         if (price < least) least = price, best = {left, top, right, bottom};
       }
@@ -262,7 +272,7 @@ function placed(wishes, drawn) {
 }
 
 // The frame with the first view, and below it what does not turn.
-function framed(model, drawing) {
+function framed(model, drawing, name = 'whole') {
   const many = drawing.strokes.length > manyStrokes ? ' many' : '', wide = width + 16, high = height + 59;
   const line = i => height + 14 + 15 * i;
   const bar = ([steps, words]) => {
@@ -271,27 +281,32 @@ function framed(model, drawing) {
     return `<path class="tick" d="M${tenths(width - long)} ${height + 7}v6m0 -3h${long}m0 -3v6"/>` +
            text(width - long - 6, line(0), 'end', words);
   };
-  return `<svg xmlns="http://www.w3.org/2000/svg" class="fig space turns" role="application" tabindex="0" ` +
+  return `<svg xmlns="http://www.w3.org/2000/svg" class="fig space turns ${name}" role="application" tabindex="0" ` +
       `aria-roledescription="figure that turns" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}">` +
       `<title>${escaped(model.title)}</title><g transform="translate(8 8)">` +
       `<rect class="frame" width="${width}" height="${height}"/><svg width="${width}" height="${height}">` +
-      `<g class="turning${many}">${picture(drawing, firstTurn)}</g></svg>` +
+      `<g class="turning${many}">${picture(drawing, model.turn ?? firstTurn)}</g></svg>` +
       model.spans.map((span, i) => text(0, line(i), 'start', span)).join('') + (model.bar ? bar(model.bar) : '') +
       model.remarks.map((remark, i) => text(width, line(model.bar ? i + 1 : i), 'end', remark)).join('') +
-      `</g></svg><p class="screen small quiet turn-hint">Drag to turn it, or use the arrow keys; ` +
-      `Home turns it back.</p>`;
+      `</g></svg>`;
 }
 
-// Draws the model into an element of the page and turns it as the reader asks.
+// Draws the model and its lens into an element of the page; each turns as the reader asks.
 function show(place, model) {
-  const drawing = new Strokes(model);
-  place.innerHTML = framed(model, drawing);
-  const svg = place.querySelector('svg'), group = place.querySelector('.turning');
+  const drawings = Object.entries({whole: model, ...(model.lens && {magnified: model.lens})})
+      .map(([name, of]) => ({name, of, drawing: new Strokes(of)}));
+  place.innerHTML = drawings.map(({name, of, drawing}) => framed(of, drawing, name)).join('') +
+      `<p class="screen small quiet turn-hint">Drag to turn it, or use the arrow keys; Home turns it back.</p>`;
+  for (const {name, of, drawing} of drawings)
+    turning(place.querySelector('.' + name), place.querySelector(`.${name} .turning`), drawing, of.turn ?? firstTurn);
+}
+
+function turning(svg, group, drawing, first) {
   let yaw, pitch, held = null, waiting = false;
   const draw = turn => { group.innerHTML = picture(drawing, turn); };
   const start = () => {
-    yaw = Math.atan2(firstTurn.sinYaw, firstTurn.cosYaw);
-    pitch = Math.atan2(firstTurn.sinPitch, firstTurn.cosPitch);
+    yaw = Math.atan2(first.sinYaw, first.cosYaw);
+    pitch = Math.atan2(first.sinPitch, first.cosPitch);
   };
   const turn = (byYaw, byPitch) => {
     yaw += byYaw;
@@ -322,7 +337,7 @@ function show(place, model) {
     const step = Math.PI / 24;
     const way = {ArrowLeft: [step, 0], ArrowRight: [-step, 0], ArrowUp: [0, -step], ArrowDown: [0, step]}[event.key];
     if (way) turn(...way);
-    else if (event.key === 'Home') start(), draw(firstTurn);
+    else if (event.key === 'Home') start(), draw(first);
     else return;
     event.preventDefault();
   });

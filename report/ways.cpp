@@ -32,7 +32,8 @@ std::vector<WayOfOperation> ways_of(const OperationTally& tally) {
 }
 
 std::string answer_in_words(const Way& way) {
-  return way.truth == way.answer ? "" : way.answer + " where the truth is " + way.truth + ", ";
+  if (way.truth == way.answer) return "";
+  return way.answer + (way.truth == "value" ? ", " : " where the truth is " + way.truth + ", ");
 }
 
 std::string wrapped(const std::string& prose, std::size_t indent) {

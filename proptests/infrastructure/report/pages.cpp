@@ -303,8 +303,8 @@ TEST_CASE("pages: a gap is magnified only on request") {
   Drawing drawing;
   drawing.figures.push_back({Figure::Kind::polygon, "polygon", {0, 0, 4, 0, 4, 4, 0, 4}});
   drawing.figures.push_back({Figure::Kind::point, "point", {1, 0x1p-30}});
-  CHECK(drawing_svg(drawing, "", false, true).find("; gap ") != std::string::npos);
-  CHECK(drawing_svg(drawing, "", false, false).find("; gap ") == std::string::npos);
+  CHECK(drawing_svg(drawing, "", false, mpq_class(0)).find("; gap ") != std::string::npos);
+  CHECK(drawing_svg(drawing, "", false, std::nullopt).find("; gap ") == std::string::npos);
 }
 
 TEST_CASE("pages: before and after a fix, what changed most first") {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "catalogue/draw/figures.h"
+#include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/report/in_node.h"
 #include "proptests/uses.h"
@@ -78,6 +79,54 @@ TEST_CASE("figures in space: a thin scene is stretched and says so, one with a s
   const Json round = space_model(scene, "");
   CHECK(round["remarks"].empty());
   CHECK(round["bar"] == Json({40000.0, "20"}));
+}
+
+TEST_CASE("figures in space: a gap too narrow to be seen is magnified, a touch and a gap that is seen are not") {
+  const auto words = [](const auto& a, const auto& b, const mpq_class& least = 0) {
+    Drawing scene;
+    ask_for(scene, "a", a);
+    ask_for(scene, "b", b);
+    const Json model = space_model(scene, "", least);
+    CHECK_FALSE(space_model(scene, "").contains("lens"));
+    return model.contains("lens") ? model["lens"]["spans"][0].get<std::string>() : "";
+  };
+  const double hair = 0x1p-40;  // 9.09e-13
+  const Sphere3d ball{{0, 0, 0}, 1};
+  const Triangle3d triangle{{0, 0, 0}, {4, 0, 0}, {0, 0, 4}};
+  const Aabb3d cube{{0, 0, 0}, {1, 1, 1}};
+  const std::string around_a = "around a, 7.28e-12 wide; gap 9.09e-13",
+                    around_b = "around b, 7.28e-12 wide; gap 9.09e-13";
+  CHECK(words(ball, Sphere3d{{0, 3 + hair, 0}, 2}) == around_a);
+  CHECK(words(ball, Sphere3d{{0, 3, 0}, 2}).empty());
+  CHECK(words(ball, Sphere3d{{0, 4, 0}, 2}).empty());
+  CHECK(words(ball, Plane3d{{0, 2, 0}, 2 - 2 * hair}) == around_a);  // it cuts the ball a hair above its lowest point
+  CHECK(words(Plane3d{{0, 1, 0}, 1 + hair}, ball) == around_b);
+  CHECK(words(triangle, Point3d{3, 0, 3}).empty());
+  CHECK(words(triangle, Segment3d{{1, hair, 1}, {1, 4, 1}}) == around_a);
+  // Two edges that cross; the normal of both is (1, -1, -2), so the gap is 2 / sqrt(6) of a hair.
+  CHECK(words(Segment3d{{-1, -1, 0}, {1, 1, 0}}, Segment3d{{-1, 1, -1 + hair}, {1, -1, 1 + hair}}) ==
+        "around a, 5.94e-12 wide; gap 7.43e-13");
+  // Of a flat scene its height is stretched, and the gap is seen.
+  CHECK(words(triangle, Point3d{1, hair, 1}).empty());
+  CHECK(words(cube, Aabb3d{{1 + hair, 0.5, 0.5}, {2, 2, 2}}) == around_a);
+  CHECK(words(cube, Aabb3d{{1, 0.5, 0.5}, {2, 2, 2}}).empty());
+  CHECK(words(ball, Point3d{0, -1 - hair, 0}) == around_a);
+  // A gap that is narrower than what decides is an accident.
+  CHECK(words(ball, Point3d{0, -1 - hair, 0}, exact_value(hair / 2)) == around_a);
+  CHECK(words(ball, Point3d{0, -1 - hair, 0}, exact_value(2 * hair)).empty());
+}
+
+TEST_CASE("figures in space: a lens shows what is around the gap, level with the screen") {
+  Drawing scene;
+  ask_for(scene, "plane", Plane3d{{0, 1, 0}, 0});
+  ask_for(scene, "far", Point3d{5, 5, 5});
+  ask_for(scene, "near", Point3d{1, 0x1p-40, 1});
+  const Json model = space_model(scene, "", mpq_class(0)), lens = model["lens"];
+  CHECK(lens["mark"] == model["figures"][2]["points"][0]);
+  CHECK(lens["figures"][1]["points"].empty());  // out of its sight
+  CHECK(lens["figures"][2]["points"] == Json({{0, 0, 0}}));
+  for (const Json& corner : lens["figures"][0]["points"]) CHECK(corner[1] == -25000);  // a gap of four to its border
+  CHECK(lens["turn"]["sinPitch"] == 0.0);                                              // the gap is upright
 }
 
 TEST_CASE("figures in space: a plane without a normal and an infinite point are not drawn") {

@@ -139,9 +139,27 @@ test('viewer: every number is finite, whatever coincides', () => {
     for (const turn of [viewer.firstTurn, fromBefore]) assert.doesNotMatch(drawn(one, turn), /NaN|Infinity|undefined/);
 });
 
+test('viewer: a lens is a second figure with a view of its own, and a mark is where it magnifies', () => {
+  const lens = {...modelOf(figure('mesh', [x, y, z], {faces: [[0, 1, 2]], label: 'near', places: [o]})), reach: end,
+                mark: x, turn: fromBefore, spans: ['around near, 8 wide; gap 1']};
+  const place = new Element();
+  viewer.show(place, {...modelOf(figure('point', [x])), lens});
+  assert.equal(count(place.innerHTML, '<svg xmlns'), 2);
+  assert.equal(count(place.innerHTML, 'class="lens"'), 1);
+  assert.equal(count(place.innerHTML, 'turn-hint'), 1);
+  assert.match(place.innerHTML, /around near, 8 wide; gap 1/);
+  assert.match(place.innerHTML, /M334 150L200 16L200 150Z/);  // its corners, 134 pixels from the middle
+});
+
+test('viewer: a label for which there is no room is left out', () => {
+  const crowd = [...Array(20).keys()].map(at => figure('point', [[at, 0, 0]], {label: `a label that is rather long ${at}`}));
+  const left = texts(drawn([...crowd, figure('point', [x])], fromBefore)).length;
+  assert.ok(left > 4 && left < 21, `${left} labels`);
+});
+
 // A figure on a page, what it shows, and the frames that it asks for.
 function shown(...figures) {
-  const place = new Element(), group = place.querySelector('.turning'), svg = place.querySelector('svg');
+  const place = new Element(), group = place.querySelector('.whole .turning'), svg = place.querySelector('.whole');
   const frames = [];
   globalThis.requestAnimationFrame = frame => frames.push(frame);
   viewer.show(place, modelOf(...figures));
