@@ -13,7 +13,7 @@
 'use strict';
 const player = (() => {
 const half = 100000;  // steps of viewer.js from the middle to the end of the longest side
-const mostNamed = 12;
+const mostNamed = 12, fewBodies = 4;
 const styles = ['', '6 3', '2 3'];  // runs differ in dashes as well as in colour
 const wide = 360, high = 170, margin = {left: 62, right: 10, top: 10, bottom: 20};
 
@@ -47,9 +47,20 @@ function extent(data) {
 
 const placed = (p, {middle, scale}) => p.map((x, i) => Math.round((x - middle[i]) * scale));
 
+// The names of bodies as labels: where there are many, "ball_1" and its like show their numbers alone after the first.
+function shortNames(bodies) {
+  const stem = name => /^(.*?)[_ ]?(\d+)$/.exec(name) ?? [name, name, name], seen = new Set();
+  return bodies.map(({name}) => {
+    const [, start, number] = stem(name), first = !seen.has(start);
+    seen.add(start);
+    return bodies.length <= fewBodies || first ? name : number;
+  });
+}
+
 // The figures of one frame of a run, as viewer.js takes them.
 function figures(data, run, frame, within, show) {
   const list = [], numbers = run.frames[frame], named = data.bodies.length <= mostNamed;
+  const names = shortNames(data.bodies);
   if (data.room) list.push({kind: 'box', label: '', whose: 'question', points: data.room.map(p => placed(p, within))});
   for (const {name, normal, offset} of data.walls) {
     const square = squares(normal), e = (normal.reduce((sum, n, i) => sum + n * within.middle[i], 0) + offset) / square;
@@ -61,7 +72,7 @@ function figures(data, run, frame, within, show) {
   }
   data.bodies.forEach((body, i) => {
     const p = numbers.slice(6 * i, 6 * i + 3), v = numbers.slice(6 * i + 3, 6 * i + 6);
-    const common = {label: named ? body.name : `bodies[${i}]`, whose: 'question'}, at = placed(p, within);
+    const common = {label: named ? names[i] : `bodies[${i}]`, whose: 'question'}, at = placed(p, within);
     if (body.shape === 'particle') list.push({...common, kind: 'point', points: [at]});
     if (body.shape === 'sphere')
       list.push({...common, kind: 'sphere', points: [at], radius: Math.round(body.radius * within.scale)});
@@ -101,12 +112,13 @@ function plot(series, {frame, marks, logarithmic, label}) {
   const last = Math.max(1, series[0].values.length - 1), height = x => logarithmic ? Math.log10(x) : x;
   let low = Math.min(...all.map(height)), top = Math.max(...all.map(height));
   if (!all.length) low = 0, top = 1;
-  if (logarithmic) low = Math.floor(low), top = Math.max(low + 1, Math.ceil(top));
+  if (logarithmic) low = Math.floor(low), top = low + 2 * Math.max(1, Math.ceil((Math.ceil(top) - low) / 2));
   const flat = Math.max(Math.abs(top), Math.abs(low), 1e-300) * 1e-12;
-  if (top - low < flat) top += flat + 1e-12, low -= flat + 1e-12;
+  const level = top - low < flat, middle = (low + top) / 2;
+  if (level) top += flat + 1e-12, low -= flat + 1e-12;
   const x = k => +(margin.left + (wide - margin.left - margin.right) * k / last).toFixed(1);
   const y = v => +(high - margin.bottom - (high - margin.top - margin.bottom) * (v - low) / (top - low)).toFixed(1);
-  const ticks = [0, 1, 2].map(k => low + (top - low) * k / 2);
+  const ticks = !all.length ? [] : level ? [middle] : [0, 1, 2].map(k => low + (top - low) * k / 2);
   const lines = series.map(({values, style, dash}) => {
     let path = '', pen = 'M';
     values.forEach((v, k) => {
@@ -117,22 +129,27 @@ function plot(series, {frame, marks, logarithmic, label}) {
     return `<path class="${style} stroke" stroke-dasharray="${dash}" d="${path || 'M0 0'}"/>`;
   });
   const column = (k, name) => `<path class="${name}" d="M${x(k)} ${margin.top}V${high - margin.bottom}"/>`;
-  // Where numbers differ only far behind the point, all but the lowest tell how much more they are.
-  const close = !logarithmic && top - low < 1e-4 * Math.max(Math.abs(top), Math.abs(low));
-  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : close && v > low ? '+' + (v - low).toExponential(1)
-                                                                               : short(+v.toPrecision(5)));
+  // Where numbers differ only far behind the point, ticks are differences from the shortest number between them.
+  const close = !logarithmic && !level && top - low < 1e-3 * Math.max(Math.abs(top), Math.abs(low));
+  let from = 0;
+  for (let digits = 1; close && digits <= 17 && !(from >= low && from <= top); ++digits)
+    from = +((low + top) / 2).toPrecision(digits);
+  const signed = v => (v > 0 ? '+' : '') + (v === 0 ? '0' : v.toExponential(1));
+  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : close ? signed(v - from) : short(+v.toPrecision(5)));
+  const words = !all.length ? '0 throughout' : close ? 'differences from ' + minus(String(from)) : '';
+  const base = words && `<text class="scale" x="${margin.left}" y="${high - 6}">${words}</text>`;
   return `<svg class="fig plot" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}" role="img" ` +
       `aria-label="${escaped(label)}">` +
       ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v)}H${wide - margin.right}"/><text class="scale" ` +
                      `x="${margin.left - 5}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`).join('') +
-      marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') +
+      base + marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') +
       '</svg>';
 }
 
 const row = (name, value) => `<dt>${escaped(name)}</dt><dd>${escaped(minus(value))}</dd>`;
 function facts(run, frame) {
-  return row('energy', short(run.energy[frame])) + row('drift: scheme', short(run.scheme[frame])) +
-      row('decisions', short(run.decision[frame])) + row('rounding', short(run.rounding[frame])) +
+  return row('energy', short(run.energy[frame])) + row('drift by scheme', short(run.scheme[frame])) +
+      row('drift by decisions', short(run.decision[frame])) + row('drift by rounding', short(run.rounding[frame])) +
       row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')');
 }
 

@@ -86,10 +86,30 @@ test('player: a plot leads from its least to its greatest value, and marks where
   assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]), ['1', '2', '3']);
 });
 
+test('player: of many bodies the numbers alone are shown after the first of a name', () => {
+  const bodies = ['wall', 'ball_1', 'ball_2', 'cue', 'ball_10'].map(name => ({...ball, name}));
+  const names = count => {
+    const one = data({bodies: bodies.slice(0, count)}), frame = bodies.flatMap((_, i) => [i, 0, 0, 0, 0, 0]);
+    return player.figures(one, {frames: [frame]}, 0, player.extent(data()), bare).filter(({label}) => label)
+        .map(({label}) => label);
+  };
+  assert.deepEqual(names(5), ['wall', 'ball_1', '2', 'cue', '10']);
+  assert.deepEqual(names(3), ['wall', 'ball_1', 'ball_2']);
+});
+
 test('player: where numbers differ far behind the point, ticks tell by how much', () => {
   const svg = player.plot([{name: 'a', values: [4.5, 4.5 - 2e-6], style: 'q0', dash: ''}], {frame: 0, marks: [], label: ''});
   assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]),
-                   ['4.5', '+1.0e\u22126', '+2.0e\u22126']);
+                   ['\u22122.0e\u22126', '\u22121.0e\u22126', '0', 'differences from 4.5']);
+});
+
+test('player: a constant has one tick, and a logarithmic plot of zeros says so', () => {
+  const texts = (values, logarithmic) =>
+      [...player.plot([{name: 'a', values, style: 'q0', dash: ''}], {frame: 0, marks: [], label: '', logarithmic})
+          .matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]);
+  assert.deepEqual(texts([2, 2], false), ['2']);
+  assert.deepEqual(texts([0, 0], true), ['0 throughout']);
+  assert.deepEqual(texts([1, 5], true), ['1e0', '1e1', '1e2']);
 });
 
 test('player: a logarithmic plot leaves out what is 0', () => {
