@@ -5,6 +5,7 @@
 //
 // bench/pairs --verify compares the counts, checks the certificates and prints their size, and times nothing.
 
+// CGAL as peer: the same question by the library that people use for it.
 #include <CGAL/box_intersection_d.h>
 #include <benchmark/benchmark.h>
 

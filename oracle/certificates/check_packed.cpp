@@ -25,7 +25,9 @@ const std::array<std::uint8_t, 256>& values() {
 /// Every 24 bits are four letters; of the last ones, letters without bits are '=', and bits beyond the bytes are 0.
 std::vector<std::uint8_t> bytes_of(const std::string& text, const std::string& malformed) {
   expect(text.size() % 4 == 0, malformed);
-  const std::size_t filled = text.ends_with("==") ? text.size() - 2 : text.ends_with('=') ? text.size() - 1 : text.size();
+  const std::size_t filled = text.ends_with("==")  ? text.size() - 2
+                             : text.ends_with('=') ? text.size() - 1
+                                                   : text.size();
   std::vector<std::uint8_t> bytes;
   bytes.reserve(text.size() / 4 * 3);
   std::uint32_t held = 0;

@@ -6,10 +6,15 @@
 #include <cstring>
 #include <limits>
 
+#include "robust/structures/pair_leaf.h"
+
 namespace touchstone::robust::structures {
 namespace {
 
 constexpr std::array axes{&Point3d::x, &Point3d::y, &Point3d::z};
+
+/// So few boxes are cut where most leaves are full.
+constexpr Index few = 32, leaf = PairLeaf::places;
 
 /// Quarters and halves, which do not overflow.
 double middle(const Aabb3d& box, double Point3d::*axis) { return 0.25 * (box.min.*axis) + 0.25 * (box.max.*axis); }
@@ -109,14 +114,17 @@ Index PairCut::operator()(Index begin, Index end) {
     const float bound = spread.extent(mixed) / 4;
     return parted(begin, end, [&](const Item& item) { return item.width[mixed] <= bound; });
   }
+  const auto at = [this](Index place) { return items_.begin() + static_cast<std::ptrdiff_t>(place); };
+  const auto cut_at = [&](Index place) {
+    std::nth_element(at(begin), at(place), at(end),
+                     [axis](const Item& p, const Item& q) { return p.middle[axis] < q.middle[axis]; });
+    return place;
+  };
+  if (end - begin <= few) return cut_at(begin + std::max(leaf, (end - begin + leaf) / (2 * leaf) * leaf));
   const float half = spread.low[axis] + spread.extent(axis) / 2;
   const Index middle = parted(begin, end, [&](const Item& item) { return item.middle[axis] < half; });
   if (std::min(middle - begin, end - middle) > (end - begin) / 16) return middle;
-  const auto at = [this](Index place) { return items_.begin() + static_cast<std::ptrdiff_t>(place); };
-  const Index halfway = begin + (end - begin) / 2;
-  std::nth_element(at(begin), at(halfway), at(end),
-                   [axis](const Item& p, const Item& q) { return p.middle[axis] < q.middle[axis]; });
-  return halfway;
+  return cut_at(begin + (end - begin) / 2);
 }
 
 std::vector<Index> PairCut::order() const {

@@ -15,8 +15,8 @@
 /// Eight boxes side by side, compared with a ninth at once: by coarse integers that keep the order of the coordinates.
 namespace touchstone::robust::structures {
 
-/// The upper half of the bits of a coordinate's difference from an origin. A coordinate that is not greater than another
-/// one does not have the greater integer, and one with the smaller integer is smaller.
+/// The upper half of the bits of a coordinate's difference from an origin, which rounding keeps in order: a coordinate
+/// that is not greater than another does not have the greater integer, and one with the smaller integer is smaller.
 struct Coarse {
   std::array<double, 3> origin{};
 

@@ -13,6 +13,18 @@
 namespace touchstone::robust::structures {
 namespace {
 
+/// Pairs of the same i by j: few as a rule.
+void sort_row(IndexPair* row, std::size_t size) {
+  const auto before = [](const IndexPair& p, const IndexPair& q) { return p.j < q.j; };
+  if (size > 24) return std::sort(row, row + size, before);
+  for (std::size_t k = 1; k < size; ++k) {
+    const IndexPair pair = row[k];
+    std::size_t to = k;
+    for (; to > 0 && before(pair, row[to - 1]); --to) row[to] = row[to - 1];
+    row[to] = pair;
+  }
+}
+
 /// A counting sort of pairs i < j < size: into stretches of i that a cache holds, there by i, and each row by j.
 std::vector<IndexPair> sorted(const std::vector<IndexPair>& pairs, std::size_t size) {
   const int shift = std::max(0, static_cast<int>(std::bit_width(size)) - 10);
@@ -30,12 +42,7 @@ std::vector<IndexPair> sorted(const std::vector<IndexPair>& pairs, std::size_t s
     row[0] = row[1] = stretch[k];
     for (std::size_t r = 2; r < row.size(); ++r) row[r] += row[r - 1];
     for (std::size_t p = stretch[k]; p < stretch[k + 1]; ++p) result[row[parted[p].i - first + 1]++] = parted[p];
-    for (std::size_t r = 0; r + 1 < row.size(); ++r) {
-      if (row[r + 1] - row[r] < 2) continue;
-      std::sort(result.begin() + static_cast<std::ptrdiff_t>(row[r]),
-                result.begin() + static_cast<std::ptrdiff_t>(row[r + 1]),
-                [](const IndexPair& p, const IndexPair& q) { return p.j < q.j; });
-    }
+    for (std::size_t r = 0; r + 1 < row.size(); ++r) sort_row(result.data() + row[r], row[r + 1] - row[r]);
   }
   return result;
 }
@@ -80,6 +87,7 @@ class PairTree {
       nodes_[place].cut = 0, nodes_[place].right = static_cast<Place>(leaves_.size());
       nodes_[place].box = add_leaf(begin, end);
     } else {
+      if (end - begin <= 64) fetch(begin, end);
       const Index middle = cut_(begin, end);
       build(begin, middle);
       const std::size_t right = nodes_.size();
@@ -88,6 +96,11 @@ class PairTree {
       nodes_[place].box = least_around(nodes_[place + 1].box, nodes_[right].box);
     }
     nodes_[place].size = cut_.size(nodes_[place].box);
+  }
+
+  /// The boxes of a small node, which lie anywhere, on their way to the cache while it is cut.
+  void fetch(Index begin, Index end) const {
+    for (Index i = begin; i < end; ++i) __builtin_prefetch(&boxes_[cut_.body(i)]);
   }
 
   Aabb3d add_leaf(Index begin, Index end) {
@@ -150,7 +163,7 @@ class PairTree {
   template <bool proved>
   void between(Place one, Place other) {
     const Node &a = nodes_[one], &b = nodes_[other];
-    const auto taken = [this](Step what) {
+    const auto taken = [&](Step what) {
       if constexpr (proved) step(what);
     };
     if (apart(a.box, b.box)) {

@@ -12,9 +12,10 @@ namespace touchstone::robust::structures {
 
 /// Shows that a list of pairs is complete; oracle/certificates/README.md explains each part.
 struct PairProof {
-  std::vector<Index> order;         ///< the boxes in the order of the tree
-  std::vector<Index> cuts;          ///< of each node in preorder: how many boxes its first child has; 0: a leaf
-  std::vector<std::uint8_t> steps;  ///< 2 bits a step: two nodes are apart, one of them is opened, or leaves are compared
+  std::vector<Index> order;  ///< the boxes in the order of the tree
+  std::vector<Index> cuts;   ///< of each node in preorder: how many boxes its first child has; 0: a leaf
+  std::vector<std::uint8_t>
+      steps;  ///< 2 bits a step: two nodes are apart, one of them is opened, or leaves are compared
 };
 
 /// The pairs i < j of valid boxes that meet, sorted; and the proof, if one is wanted. Right for all finite doubles in

@@ -229,7 +229,8 @@ TEST_CASE("pairs of boxes: both checkers judge claims alike, the true, the wrong
   };
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     BoxNumbers draw(seed);
-    const Boxes boxes = box_set(box_sets[seed % box_sets.size()], draw.below(4) == 0 ? seed % 3 : 9 + draw.below(60), seed);
+    const Boxes boxes =
+        box_set(box_sets[seed % box_sets.size()], draw.below(4) == 0 ? seed % 3 : 9 + draw.below(60), seed);
     const Proof proof = robust::pairs_with_certificate(boxes);
     show(claim_of(boxes, proof.pairs, proof));
     CHECK(verdicts.back() == "accepted");
