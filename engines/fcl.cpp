@@ -60,18 +60,14 @@ struct Fcl {
     return first_contact(convex(a.vertices, a.faces), origin, end, convex(b.vertices, b.faces), origin, origin);
   }
 
-  /// By its GJK; of solids that meet it says -1.
+  /// By its GJK; of solids that meet it says -1. Of many pairs of nearest points it promises no particular one: points
+  /// are left out.
   ConvexDistance<double> convex_distance(const Meshd& a, const Meshd& b) {
     const fcl::CollisionObjectd first(convex(a.vertices, a.faces)), second(convex(b.vertices, b.faces));
-    const fcl::DistanceRequestd request(/*nearest points*/ true);
     fcl::DistanceResultd result;
-    const double distance = fcl::distance(&first, &second, request, result);
+    const double distance = fcl::distance(&first, &second, fcl::DistanceRequestd(/*nearest points*/ true), result);
     if (distance <= 0) return {ConvexRelation::meeting, {}, {}, 0, 0};
-    const auto point = [&result](int k) {
-      const fcl::Vector3d& p = result.nearest_points[k];
-      return Point3d{p[0], p[1], p[2]};
-    };
-    return {ConvexRelation::apart, point(0), point(1), distance * distance, distance};
+    return {ConvexRelation::apart, {}, {}, distance * distance, distance};
   }
   bool sphere_triangle(const Sphere3d& sphere, const Triangle3d& t) {
     return meet(ball(sphere), at(sphere.center), soup({t.a, t.b, t.c}), at({0, 0, 0}));
