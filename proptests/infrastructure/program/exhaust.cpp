@@ -127,7 +127,7 @@ TEST_CASE("exhaust: decisions merge to those of one run; gaps, repetitions and o
 TEST_CASE("exhaust: lists are as long as one likes, where there are lists") {
   Shards shards;
   // Three vertices and a point on the grid of 2 x 2: 2^8 configurations.
-  const auto decided = read_counted_run(Json::parse(only_line(shards.run("point_in_polygon", 2, "1/1", true, 3))));
+  const auto decided = read_counted_run(parse_line(only_line(shards.run("point_in_polygon", 2, "1/1", true, 3))));
   CHECK(decided.of == 256);
   CHECK(decided.wrong() == 0);
   const std::string examined = merged({shards.run("point_in_polygon", 2, "1/1", false, 3)});
