@@ -11,16 +11,19 @@ namespace {
 
 constexpr const char* introduction = R"(# Operations: C++ signatures, JSON fields, words
 
-This page is printed by `touchstone ops --markdown`, from the catalogue; do not edit it. What an operation means - closed sets,
-degenerate inputs, errors - is its contract, the comment at its name in a header of [reference/](../reference).
+This page is printed by `touchstone ops --markdown`, from the catalogue; do not edit it. What an operation means -
+closed sets, degenerate inputs, errors - is its contract, the comment at its name in a header of
+[reference/](../reference).
 
-- **C++**: the member function of an engine ([engines.md](engines.md)) and the arguments that `robust`, `reference` and the generators of
-  [testing.md](testing.md) have. Shapes are in [geometry/](../geometry); `Segment2d` is short for `Segment2<double>`. Arguments may be taken by
-  value or by const reference, and with `using number = float` over `float`. A member of an operation's name with other arguments
-  does not compile. An engine may return the whole answer, one of the types after "or", or a `std::optional` of these.
-- **JSON**: the question as an engine over pipes is given it, and the answer. A name that ends in `?` may be left out; `A | B` stands for one of these words,
-  "index" for a place in a list, counted from 0.
-- **Words**: the enumerators of the answer. Where "plain" names a word, `true` and `false` are answers as well, and `false` means that word.
+- **C++**: the member function of an engine ([engines.md](engines.md)) and the arguments that `robust`, `reference`
+  and the generators of [testing.md](testing.md) have. Shapes are in [geometry/](../geometry); `Segment2d` is short
+  for `Segment2<double>`. Arguments may be taken by value or by const reference, and with `using number = float` over
+  `float`. A member of an operation's name with other arguments does not compile. An engine may return the whole
+  answer, one of the types after "or", or a `std::optional` of these.
+- **JSON**: the question as an engine over pipes is given it, and the answer. A name that ends in `?` may be left out;
+  `A | B` stands for one of these words, "index" for a place in a list, counted from 0.
+- **Words**: the enumerators of the answer. Where "plain" names a word, `true` and `false` are answers as well, and
+  `false` means that word.
 )";
 
 /// Words of an answer that mean "no common point".

@@ -349,7 +349,8 @@ TEST_CASE("pipe: a first line that is not as it should be is refused by its fiel
 
 TEST_CASE("pipe: what an engine declares is known") {
   const PipeEngine engine(
-      R"(echo '{"engine":"e 2","ops":["orientation","juggle"],"number":"binary32","boundary":"open","tolerance":1e-9,"new":1}'; cat)",
+      R"(echo '{"engine":"e 2","ops":["orientation","juggle"],"number":"binary32","boundary":"open",)"
+      R"("tolerance":1e-9,"new":1}'; cat)",
       PipeLimits{});
   REQUIRE(engine.declaration().engine == "e 2");
   REQUIRE(engine.declaration().binary32);

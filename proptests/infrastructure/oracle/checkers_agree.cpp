@@ -164,7 +164,8 @@ TEST_CASE("certificates: both programs say the same of odd JSON, line by line, a
       R"("certificate":{"kind":"height","height":["3"]})";
   const std::string face =
       R"({"op":"point_in_convex_polyhedron","input":{"point":[1,1,1],)"
-      R"("mesh":{"vertices":[[0,0,0],[4,0,0],[0,4,0],[0,0,4]],"faces":[[-0,2,1],[0,1,3],[0,3,2],[1,2,3]]}},"truth":{},"certificate":{}})";
+      R"("mesh":{"vertices":[[0,0,0],[4,0,0],[0,4,0],[0,0,4]],"faces":[[-0,2,1],[0,1,3],[0,3,2],[1,2,3]]}},)"
+      R"("truth":{},"certificate":{}})";
   const auto with_slope = [&claim](const std::string& slope) {
     std::string text = claim + "}";
     return text.replace(text.find("\"slope\":0") + 8, 1, slope);
