@@ -76,7 +76,7 @@ class Worker {
   void prepare(std::uint64_t i, std::vector<Pending>& pending) {
     const std::size_t family = i % families_.size();
     const std::uint64_t index = i / families_.size();
-    DrawStream draws = case_choices(operation_, families_[family], options_.seed, index);
+    DrawStream draws = case_draws(operation_, families_[family], options_.seed, index);
     Question question = operation_.draw(draws, families_[family]);
     if (engine_ != nullptr) question = fitted(operation_, question, engine_->declaration());
     if (options_.ordinary_only && range_of(question, options_.limits) == Range::extreme) {

@@ -45,7 +45,7 @@ class Examples {
     for (std::uint64_t i = 0; i < source.draws && !enough(); ++i) {
       for (std::size_t family = 0; family < operation_.families().size(); ++family) {
         if (source.generic && operation_.families()[family] != "random") continue;
-        DrawStream draws = case_choices(operation_, family, 1, i);
+        DrawStream draws = case_draws(operation_, family, 1, i);
         Question question = operation_.draw(draws, family);
         for (double& number : question.numbers) {
           if (source.generic) number = std::rint(number * 64) / 4;  // drawn between -1 and 1

@@ -70,8 +70,8 @@ void count(Cell& cell, const Asked& asked, const Judgement& judgement, const Jso
   counted.example = std::move(found);
 }
 
-DrawStream case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
-                        bool record) {
+DrawStream case_draws(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                      bool record) {
   const std::string stream = operation.name() + "/" + operation.families()[family];
   return DrawStream::seeded(seed_of(seed, stream.c_str(), index), record);
 }

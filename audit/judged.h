@@ -39,7 +39,7 @@ Way way_of(const Judgement& judgement, const std::string& truth);
 const Declaration& reference_declaration();
 
 /// The draws that give case `index` of a family.
-DrawStream case_choices(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
-                        bool record = false);
+DrawStream case_draws(const Operation& operation, std::size_t family, std::uint64_t seed, std::uint64_t index,
+                      bool record = false);
 
 }  // namespace touchstone::audit

@@ -28,7 +28,7 @@ class Shrinker {
   /// `smaller`: otherwise the question stays as drawn and only its answer is added.
   void shrink(Finding& example, bool smaller) {
     if (shrinking_.limit.over() && shrinking_.engine != nullptr) return;  // what it answered is kept with the example
-    DrawStream draws = case_choices(shrinking_.operation, family_, shrinking_.seed, example.index, true);
+    DrawStream draws = case_draws(shrinking_.operation, family_, shrinking_.seed, example.index, true);
     shrinking_.operation.draw(draws, family_);
     const auto still_shown = [&](const std::vector<std::uint8_t>& candidate) {
       if (read_ >= most_read_to_shrink || shrinking_.limit.over()) return false;

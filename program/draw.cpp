@@ -22,7 +22,7 @@ class Questions {
   std::optional<Json> next() {
     for (std::uint64_t refused = 0; refused < most_refused; ++refused) {
       const std::uint64_t index = index_++;
-      DrawStream draws = case_choices(*operation_, family_, command_->seed, index);
+      DrawStream draws = case_draws(*operation_, family_, command_->seed, index);
       Question question = operation_->draw(draws, family_);
       if (command_->binary32) question = operation_->in_binary32(question);
       if (command_->range == "ordinary" && range_of(question) != Range::ordinary) continue;

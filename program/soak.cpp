@@ -31,7 +31,7 @@ class Soaked {
     Counts counts{operation_.name(), {share}, {}, {}, 0, 0, nullptr};
     for (std::uint64_t index = share.first; index < share.last; ++index) {
       const std::size_t families = operation_.families().size(), family = index % families;
-      DrawStream draws = case_choices(operation_, family, seed_, index / families);
+      DrawStream draws = case_draws(operation_, family, seed_, index / families);
       const Question question = operation_.draw(draws, family);
       const std::uint64_t hash = seed_of(seed_, "environment", index);
       const std::size_t environment = hash % 2 == 0 ? 0 : hash / 2 % environment_count;

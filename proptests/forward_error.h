@@ -130,7 +130,7 @@ void right_in_exact_arithmetic() {
     try {
       const catalogue::RowFunctions& row = catalogue::operation_of_row<Row>().row();
       // First: the formula has no guards against what the oracle refuses.
-      const catalogue::TrueTape truth = row.solve(question).answer;
+      const catalogue::EncodedTruth truth = row.solve(question).answer;
       const bool same =
           catalogue::same_as_truth(*row.answer, truth, row.reference_exactly(question), catalogue::Reading::complete);
       return same ? "" : "the formula is wrong even in exact arithmetic";

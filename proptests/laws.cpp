@@ -15,7 +15,7 @@ std::string refusal(const auto& ask) {
 
 }  // namespace
 
-void example(const Operation& operation, const Question& question, const catalogue::TrueTape& expected,
+void example(const Operation& operation, const Question& question, const catalogue::EncodedTruth& expected,
              const std::string& by_reference) {
   using catalogue::Reading;
   INFO(catalogue::one_line(operation.print(question)));

@@ -247,7 +247,7 @@ std::unique_ptr<catalogue::Examination> examined(const typename Row::Question& q
 
 /// A worked example: the oracle answers exactly this, robust the nearest doubles of it, and so does the reference in
 /// double, unless `by_reference` says which verdict it gets instead.
-void example(const Operation& operation, const Question& question, const catalogue::TrueTape& expected,
+void example(const Operation& operation, const Question& question, const catalogue::EncodedTruth& expected,
              const std::string& by_reference);
 template <class Row>
 void example(const typename Row::Question& question, const exact_answer_t<Row>& expected,

@@ -26,8 +26,12 @@ REPLACED = {
     r"world_at": "domain_at",
     r"wired": "connected",
     r"fault(?=\s*[=(])": "the hook defect",
+    # as a part of a longer identifier
+    r"\w+Tape\w*|Tape\w+|tape_\w*|\w+_tape\w*": "encoded (EncodedValue, encoded_with)",
+    r"\w+Choices\w*|Choices\w+|choices_\w*|\w+_choices\w*": "draws (DrawStream, case_draws)",
+    r"faults?_\w+|\w+_faults?_?": "defect (defects_of_header)",
 }
-PATTERN = re.compile("|".join(rf"(?P<w{i}>\b{old}\b)" for i, old in enumerate(REPLACED)))
+PATTERN = re.compile("|".join(rf"(?P<w{i}>\b(?:{old})\b)" for i, old in enumerate(REPLACED)))
 
 
 def complaints(name, text):
@@ -53,9 +57,12 @@ def found_in_tree():
 
 PLANTED = ("const Card& card();", "using Tape = int;", "Choices& c", "if (doubtful) return;", "looked_at = true;",
            "/*as_drawn=*/true", "world_count(4)", "world_at(4, 2)", "wired(question)", "return {.fault = fault};",
-           "static std::string fault(const Question&);")
+           "static std::string fault(const Question&);", "const TrueTape& truth", "Once<TapeOfAnswer> open_;",
+           "walk_tape(shape, at, visit);", "tape_.words[0]", "case_choices(operation, 0, 1, 0)", "choices_.below(4)",
+           "using AllChoices = int;", "last_fault_ = defect;", "def faults_of_header(text):", "planted_faults(row)")
 INNOCENT = ("signal 11 (Segmentation fault)", "DiscardCards", "a fault of the engine", "const Metadata& metadata();",
-            "ways_wired_up", "by_default(4)")
+            "ways_wired_up", "by_default(4)", "setdefault(key)", "default_tag", "a tape of paper", "its choices",
+            "encoded_.words[0]")
 
 
 def self_check():
@@ -63,7 +70,8 @@ def self_check():
     wrong += [f"wrongly found: {line}" for line in INNOCENT if list(complaints("innocent.h", line))]
     if len(list(sources())) < 500:
         wrong.append("the tree's sources are not read")
-    print(f"self-check: {len(PLANTED) + len(INNOCENT) + 1 - len(wrong)} of {len(PLANTED) + len(INNOCENT) + 1} as expected")
+    checks = len(PLANTED) + len(INNOCENT) + 1
+    print(f"self-check: {checks - len(wrong)} of {checks} as expected")
     return wrong
 
 

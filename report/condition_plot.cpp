@@ -31,7 +31,7 @@ std::string condition_section(const Operation& operation) {
   std::array<std::uint64_t, range_count> all{}, above{};
   for (std::size_t family = 0; family < operation.families().size(); ++family) {
     for (std::uint64_t index = 0; index < questions_of_a_family; ++index) {
-      DrawStream draws = case_choices(operation, family, seed, index);
+      DrawStream draws = case_draws(operation, family, seed, index);
       const Question question = operation.draw(draws, family);
       if (question.numbers.size() > most_numbers) continue;
       try {

@@ -167,7 +167,7 @@ std::string right_case(const Operation& operation) {
   std::pair<bool, std::size_t> least{true, longest};
   const std::size_t families = operation.families().size();
   for (std::uint64_t i = 0; i < most_drawn; ++i) {
-    DrawStream draws = case_choices(operation, i % families, 1, i / families);
+    DrawStream draws = case_draws(operation, i % families, 1, i / families);
     const Question question = operation.draw(draws, i % families);
     const std::size_t length = one_line(operation.print(question)).size();
     if (range_of(question) != Range::ordinary || length >= longest) continue;

@@ -116,7 +116,7 @@ std::vector<Question> failing_questions(const Operation& operation, bool binary3
   const std::size_t families = operation.families().size();
   for (std::uint64_t i = 0; i < most && failing.size() < most_candidates; ++i) {
     const std::size_t family = i % families;
-    DrawStream draws = case_choices(operation, family, 1, i / families);
+    DrawStream draws = case_draws(operation, family, 1, i / families);
     Question question = operation.draw(draws, family);
     if (binary32) question = operation.in_binary32(question);
     if (!of_ordinary_size(question)) continue;

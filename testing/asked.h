@@ -156,11 +156,11 @@ std::optional<Asked<Row, Ts...>> counterexample(const Law& law, const Options& o
     const Asked<Row, Ts...> first =
         asked<Row, Ts...>(families, catalogue::seed_of(options.seed, "question", at), options.sizes);
     if (!fails(first)) continue;
-    const auto of_choices = [&](const std::vector<std::uint8_t>& bytes) {
+    const auto of_draws = [&](const std::vector<std::uint8_t>& bytes) {
       return typed<Row, Ts...>(replayed(*first.drawn.operation, first.drawn.family, bytes));
     };
-    return of_choices(catalogue::shrunk(first.drawn.draws, [&](const std::vector<std::uint8_t>& bytes) {
-      const auto candidate = of_choices(bytes);
+    return of_draws(catalogue::shrunk(first.drawn.draws, [&](const std::vector<std::uint8_t>& bytes) {
+      const auto candidate = of_draws(bytes);
       return candidate && is_wanted(candidate->drawn, options.sizes) && fails(*candidate);
     }));
   }

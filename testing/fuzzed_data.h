@@ -22,24 +22,24 @@ namespace touchstone::tests {
 class FuzzedData {
  public:
   /// The bytes are not copied.
-  FuzzedData(const std::uint8_t* bytes, std::size_t size) : choices_(DrawStream::replayed({bytes, size})) {}
+  FuzzedData(const std::uint8_t* bytes, std::size_t size) : draws_(DrawStream::replayed({bytes, size})) {}
 
   /// The next question; empty where it is outside the operation's contract, or of another alternative. The bytes of a
   /// single question are those that TOUCHSTONE_ENGINE_FUZZ reads for it.
   template <class Row, class... Ts>
   std::optional<Asked<Row, Ts...>> question() {
     const Operation& operation = operation_of<Row>();
-    const std::size_t family = choices_.below(operation.families().size());
-    Drawn drawn{&operation, family, {}, operation.draw(choices_, family)};
+    const std::size_t family = draws_.below(operation.families().size());
+    Drawn drawn{&operation, family, {}, operation.draw(draws_, family)};
     if (!is_valid(drawn)) return std::nullopt;
     return typed<Row, Ts...>(std::move(drawn));
   }
 
   /// 0 <= result < n, n >= 1: for whatever else the test draws.
-  std::uint64_t below(std::uint64_t n) { return choices_.below(n); }
+  std::uint64_t below(std::uint64_t n) { return draws_.below(n); }
 
  private:
-  DrawStream choices_;
+  DrawStream draws_;
 };
 
 /// Prints the question, with the line that asks for the truth, and aborts, which libFuzzer keeps as a crash.

@@ -20,7 +20,7 @@ void EngineNotes::add_of_first_line(const std::string& remark) {
 void EngineNotes::add_restart(const std::string& defect) {
   const std::lock_guard lock(mutex_);
   ++restarts_;
-  last_fault_ = defect;
+  last_defect_ = defect;
 }
 
 void EngineNotes::add_stray_line(const std::string& line) {
@@ -50,7 +50,7 @@ void EngineNotes::tell(std::ostream& err) const {
   const std::lock_guard lock(mutex_);
   for (const std::string& remark : remarks_) err << "touchstone: engine: first line: " << remark << '\n';
   if (restarts_ > 0)
-    err << "touchstone: engine: restarted " << times(restarts_) << ", the last time for: " << last_fault_ << '\n';
+    err << "touchstone: engine: restarted " << times(restarts_) << ", the last time for: " << last_defect_ << '\n';
   if (stray_lines_ > 0) {
     err << "touchstone: engine: " << stray_lines_ << (stray_lines_ == 1 ? " line" : " lines")
         << " of its standard output that " << (stray_lines_ == 1 ? "is" : "are")

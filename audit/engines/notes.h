@@ -31,7 +31,7 @@ class EngineNotes {
   mutable std::mutex mutex_;
   std::set<std::string> remarks_;
   std::uint64_t restarts_ = 0, stray_lines_ = 0;
-  std::string last_fault_, last_stray_;
+  std::string last_defect_, last_stray_;
 };
 
 }  // namespace touchstone::audit

@@ -31,8 +31,8 @@ void PipeEngine::ask_each(const Operation& operation, const std::vector<Question
     operation_ = operation.name();
     restarts_ = restarts_in_a_row_ = timeouts_ = 0;
   }
-  Round round{operation.metadata(),          QuestionText(operation), questions, take, next_id_,
-              std::vector<bool>(questions.size())};
+  Round round{
+      operation.metadata(), QuestionText(operation), questions, take, next_id_, std::vector<bool>(questions.size())};
   Indices to_ask(questions.size()), unanswered;
   std::iota(to_ask.begin(), to_ask.end(), 0);
   while (!to_ask.empty() && why_stop().empty()) {
@@ -230,7 +230,7 @@ bool PipeEngine::start_again() {
 
 void PipeEngine::lose_engine(const std::string& defect) {
   process_.reset();
-  last_fault_ = defect;
+  last_defect_ = defect;
   if (notes_ != nullptr && !interrupted()) notes_->add_restart(defect);
   ++restarts_;
   ++restarts_in_a_row_;
@@ -238,7 +238,7 @@ void PipeEngine::lose_engine(const std::string& defect) {
 
 std::string PipeEngine::why_stop() const {
   const auto after = [this](int count, const char* what) {
-    return "given up after " + std::to_string(count) + what + ", the last for: " + last_fault_;
+    return "given up after " + std::to_string(count) + what + ", the last for: " + last_defect_;
   };
   if (interrupted()) return "interrupted";
   if (restarts_ >= limits_.restarts) return after(restarts_, " restarts in this operation");

@@ -84,7 +84,7 @@ class PipeEngine final : public Engine {
   std::string inbox_, outbox_;
   std::uint64_t next_id_ = 1, first_id_of_process_ = 1;
   bool repeats_itself_ = false;
-  std::string operation_, last_fault_, last_stray_;  ///< last_stray_: of the process that runs
+  std::string operation_, last_defect_, last_stray_;  ///< last_stray_: of the process that runs
   int restarts_ = 0, restarts_in_a_row_ = 0, timeouts_ = 0;
 };
 

@@ -152,7 +152,7 @@ Vectors vectors_of(const Operation& operation, std::uint64_t seed) {
     std::map<std::string, std::size_t> seen;
     std::size_t kept = 0;
     for (std::uint64_t i = 0; i < drawn_of_a_family && kept < most_of_a_family; ++i) {
-      DrawStream draws = case_choices(operation, family, seed, i);
+      DrawStream draws = case_draws(operation, family, seed, i);
       const Examined examined{operation, operation.draw(draws, family)};
       if (seen[likeness(examined)]++ >= most_alike) continue;
       std::string line = one_line(vector_line(operation.families()[family], examined));

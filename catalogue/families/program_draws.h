@@ -41,7 +41,7 @@ inline Ray3d ray_between(const Aabb3d& a, const Aabb3d& b, DrawStream& c) {
 /// A program that grows by one command after another and keeps account of the bodies that are there.
 class Programming {
  public:
-  explicit Programming(DrawStream& draws) : choices_(draws) {}
+  explicit Programming(DrawStream& draws) : draws_(draws) {}
 
   void start_with(const Aabb3d& box) {
     boxes_.push_back(box);
@@ -53,11 +53,11 @@ class Programming {
   }
   /// Of one of the bodies that are there; nothing where there is none.
   void move(const Aabb3d& box) {
-    if (!there_.empty()) commands_.push_back(Moved{there_[choices_.below(there_.size())], box});
+    if (!there_.empty()) commands_.push_back(Moved{there_[draws_.below(there_.size())], box});
   }
   void remove() {
     if (there_.empty()) return;
-    const auto place = there_.begin() + static_cast<std::ptrdiff_t>(choices_.below(there_.size()));
+    const auto place = there_.begin() + static_cast<std::ptrdiff_t>(draws_.below(there_.size()));
     commands_.push_back(Remove{*place});
     there_.erase(place);
   }
@@ -69,23 +69,23 @@ class Programming {
   /// Any query, of boxes as `box()` draws them, their corners, and rays between these.
   template <class Draw>
   void any_query(const Draw& box) {
-    switch (choices_.below(4)) {
+    switch (draws_.below(4)) {
       case 0: return ask();
       case 1: return ask_in(box());
       case 2: {
         const Aabb3d at = box();
-        return ask_at(choices_.below(2) == 1 ? at.max : at.min);
+        return ask_at(draws_.below(2) == 1 ? at.max : at.min);
       }
       default: {
         const Aabb3d from = box(), to = box();
-        return ask_along(ray_between(from, to, choices_));
+        return ask_along(ray_between(from, to, draws_));
       }
     }
   }
   /// Any command.
   template <class Draw>
   void any(const Draw& box) {
-    switch (choices_.below(4)) {
+    switch (draws_.below(4)) {
       case 0: return any_query(box);
       case 1: return insert(box());
       case 2: return move(box());
@@ -97,7 +97,7 @@ class Programming {
   Program program() const { return {boxes_, commands_}; }
 
  private:
-  DrawStream& choices_;
+  DrawStream& draws_;
   std::vector<Aabb3d> boxes_;
   std::vector<Commandd> commands_;
   std::vector<Index> there_;

@@ -43,7 +43,7 @@ void skip(const Shape& shape, At& at, bool partial = false) {
 template <class Real>
 class SideBySide {
  public:
-  SideBySide(const TrueTape& truth, const EncodedValue<Real>& answer, Reading reading)
+  SideBySide(const EncodedTruth& truth, const EncodedValue<Real>& answer, Reading reading)
       : truth_(truth), answer_(answer), reading_(reading) {}
 
   template <class OnNumber>
@@ -124,7 +124,7 @@ void for_each_word_shape(const Shape& shape, const std::function<void(const Shap
 
 }  // namespace
 
-Comparison compared(const Shape& shape, const TrueTape& truth, const EncodedValue<double>& answer, Reading reading,
+Comparison compared(const Shape& shape, const EncodedTruth& truth, const EncodedValue<double>& answer, Reading reading,
                     bool binary32) {
   Comparison result;
   SideBySide<double> both(truth, answer, reading);
@@ -137,8 +137,8 @@ Comparison compared(const Shape& shape, const TrueTape& truth, const EncodedValu
 }
 
 template <class Real>
-std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& truth, const EncodedValue<Real>& answer,
-                                         Reading reading) {
+std::vector<PairedNumber> paired_numbers(const Shape& shape, const EncodedTruth& truth,
+                                         const EncodedValue<Real>& answer, Reading reading) {
   std::vector<PairedNumber> pairs;
   SideBySide<Real> both(truth, answer, reading);
   both.walk(shape, [&](const TrueNumber& right, const Real& answered, Meaning meaning) {
@@ -147,11 +147,12 @@ std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& tru
   });
   return pairs;
 }
-template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const EncodedValue<double>&, Reading);
-template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const EncodedValue<Tracked<double>>&,
+template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&, const EncodedValue<double>&,
                                                   Reading);
-template std::vector<PairedNumber> paired_numbers(const Shape&, const TrueTape&, const EncodedValue<Tracked<float>>&,
-                                                  Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&,
+                                                  const EncodedValue<Tracked<double>>&, Reading);
+template std::vector<PairedNumber> paired_numbers(const Shape&, const EncodedTruth&,
+                                                  const EncodedValue<Tracked<float>>&, Reading);
 
 namespace {
 
@@ -221,7 +222,7 @@ Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::
   return found;
 }
 
-bool same_as_truth(const Shape& shape, const TrueTape& truth, const EncodedValue<Exact>& answer, Reading reading) {
+bool same_as_truth(const Shape& shape, const EncodedTruth& truth, const EncodedValue<Exact>& answer, Reading reading) {
   bool numbers = true;
   SideBySide<Exact> both(truth, answer, reading);
   const bool words = both.walk(shape, [&](const TrueNumber& right, const Exact& answered, Meaning) {

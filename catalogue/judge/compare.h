@@ -27,7 +27,7 @@ enum class Reading {
   partial,   ///< any number: the encoded value is one of a partial reading (catalogue/codec/shape_json.h)
 };
 
-Comparison compared(const Shape& shape, const TrueTape& truth, const EncodedValue<double>& answer, Reading reading,
+Comparison compared(const Shape& shape, const EncodedTruth& truth, const EncodedValue<double>& answer, Reading reading,
                     bool binary32 = false);
 
 /// Where a number of an answer stands: among the truth's numbers, and among the answer's own.
@@ -37,8 +37,8 @@ struct PairedNumber {
 };
 /// Every number of the truth that an answer has as well. Real: double or Tracked.
 template <class Real>
-std::vector<PairedNumber> paired_numbers(const Shape& shape, const TrueTape& truth, const EncodedValue<Real>& answer,
-                                         Reading reading);
+std::vector<PairedNumber> paired_numbers(const Shape& shape, const EncodedTruth& truth,
+                                         const EncodedValue<Real>& answer, Reading reading);
 
 /// One of the innermost lists of an answer, each element the words that it holds: the pairs of one reply.
 struct Listed {
@@ -58,7 +58,7 @@ struct Covering {
 Covering covered(const Shape& shape, const std::vector<Word>& truth, const std::vector<Word>& answer);
 
 /// Whether a formula run in exact arithmetic gave the truth: words equal, numbers defined and the same.
-bool same_as_truth(const Shape& shape, const TrueTape& truth, const EncodedValue<Exact>& answer, Reading reading);
+bool same_as_truth(const Shape& shape, const EncodedTruth& truth, const EncodedValue<Exact>& answer, Reading reading);
 
 /// What running error analysis promises: `plain` (run in double) is bit for bit what `tracked` computed, and within its
 /// bound of `exact`. Call only where no comparison was in doubt.

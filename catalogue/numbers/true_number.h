@@ -8,7 +8,7 @@ namespace touchstone::catalogue {
 
 /// The numbers of the truth: p + q sqrt(r), mostly rational.
 using TrueNumber = oracle::Surd;
-using TrueTape = EncodedValue<TrueNumber>;
+using EncodedTruth = EncodedValue<TrueNumber>;
 
 /// As those of rationals in catalogue/numbers/ulps.h.
 double nearest(const TrueNumber& truth, bool binary32 = false);

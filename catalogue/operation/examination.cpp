@@ -25,8 +25,8 @@ const oracle::Certificate& Examination::certificate() const {
   return certificate_.value([&] { return solution_->certificate(); });
 }
 
-const std::optional<TrueTape>& Examination::open() const {
-  return open_.value([&]() -> std::optional<TrueTape> {
+const std::optional<EncodedTruth>& Examination::open() const {
+  return open_.value([&]() -> std::optional<EncodedTruth> {
     if (row_.as_open_sets == nullptr) return std::nullopt;
     return row_.as_open_sets(solution_->answer, question_);
   });
@@ -34,7 +34,7 @@ const std::optional<TrueTape>& Examination::open() const {
 
 const EncodedValue<double>& Examination::nearest_truth() const {
   const auto rounded = [](const TrueNumber& number) { return nearest(number); };
-  return nearest_.value([&] { return tape_with<double>(solution_->answer, rounded); });
+  return nearest_.value([&] { return encoded_with<double>(solution_->answer, rounded); });
 }
 
 std::string Examination::outcome() const { return outcome_of(*row_.answer, solution_->answer.words); }

@@ -35,7 +35,7 @@ class Examination {
   bool degenerate() const { return margin() && sgn(*margin()) == 0; }
   const oracle::Certificate& certificate() const;
   /// The answer for open sets; empty unless the truth is a touch.
-  const std::optional<TrueTape>& open() const;
+  const std::optional<EncodedTruth>& open() const;
   bool touch() const { return open().has_value(); }
   /// Every number of the truth as the nearest double.
   const EncodedValue<double>& nearest_truth() const;
@@ -93,7 +93,7 @@ class Examination {
   Question question_;
   std::shared_ptr<const Solution> solution_;
   Once<oracle::Certificate> certificate_;
-  Once<std::optional<TrueTape>> open_;
+  Once<std::optional<EncodedTruth>> open_;
   Once<EncodedValue<double>> nearest_;
   Once<Drawing> drawing_;
   std::array<InNumbers, 2> formula_;  ///< in double, in float

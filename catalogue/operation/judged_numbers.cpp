@@ -19,7 +19,7 @@ using FormulaNumbers = std::vector<std::optional<FormulaNumber>>;
 
 template <class Float>
 FormulaNumbers numbers_of(const Examination& question, const EncodedValue<Tracked<Float>>& formula) {
-  const TrueTape& truth = question.solution().answer;
+  const EncodedTruth& truth = question.solution().answer;
   FormulaNumbers numbers(truth.numbers.size());
   for (const PairedNumber& pair : paired_numbers(*question.row().answer, truth, formula, Reading::less)) {
     const Tracked<Float>& number = formula.numbers[pair.in_answer];
@@ -39,7 +39,7 @@ double greatest_of(Meaning meaning, const Shape& shape, const EncodedValue<doubl
     void word(const Shape&, const Cursor<double>&) {}
   } sizes{meaning};
   Cursor<double> at(encoded);
-  walk_tape(shape, at, sizes);
+  walk_encoded(shape, at, sizes);
   return sizes.greatest;
 }
 
@@ -126,7 +126,7 @@ int gravity(Verdict verdict) {
 JudgedNumber worst_number(const Examination& question, const EncodedValue<double>& answer, Reading reading,
                           const Declaration& declaration) {
   const RowFunctions& row = question.row();
-  const TrueTape& truth = question.solution().answer;
+  const EncodedTruth& truth = question.solution().answer;
   const NumberJudge judge(question, declaration);
   JudgedNumber worst;
   for (const PairedNumber& pair : paired_numbers(*row.answer, truth, answer, reading)) {

@@ -41,7 +41,7 @@ std::uint64_t most_surplus(const Examination& question) {
 Comparison compared(const Examination& question, const EncodedValue<double>& answer, Reading reading, bool binary32,
                     Judgement& judgement) {
   const RowFunctions& row = question.row();
-  const TrueTape& truth = question.solution().answer;
+  const EncodedTruth& truth = question.solution().answer;
   Comparison found;
   if (row.defect != nullptr) {
     judgement.remark = row.defect(question.question(), answer);
@@ -146,7 +146,7 @@ Judgement wrong(const Examination& question, const EncodedValue<double>* answer,
 /// Of an operation that has a plain reading.
 Judgement judgement_of_yes_or_no(const Examination& question, bool answer, const Declaration& declaration) {
   const Shape& shape = *question.row().answer;
-  const std::optional<TrueTape>& open = question.open();
+  const std::optional<EncodedTruth>& open = question.open();
   const std::optional<bool> right = yes_or_no(shape, question.solution().answer.words);
   const bool right_for_open = open && yes_or_no(shape, open->words) == answer;
   Judgement judgement = *right == answer ? Judgement{} : wrong(question, nullptr, declaration, right_for_open);
@@ -245,16 +245,16 @@ bool checks_numbers(const RowFunctions& row) { return row.defect != nullptr && h
 
 bool is_right_exactly(const Examination& question) {
   const RowFunctions& row = question.row();
-  const TrueTape& truth = question.solution().answer;
+  const EncodedTruth& truth = question.solution().answer;
   const EncodedValue<Exact>& answer = question.formula_exactly();
   const auto in_doubles = [&] {
-    return tape_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
+    return encoded_with<double>(answer, [](const Exact& n) { return n.defined() ? nearest(n.value()) : std::nan(""); });
   };
   if (row.exact_defect != nullptr) {
     const auto defined = [](const Exact& number) { return number.defined(); };
     if (!std::all_of(answer.numbers.begin(), answer.numbers.end(), defined)) return false;
     const auto value = [](const Exact& number) { return number.value(); };
-    return row.exact_defect(question.question(), tape_with<mpq_class>(answer, value)).empty();
+    return row.exact_defect(question.question(), encoded_with<mpq_class>(answer, value)).empty();
   }
   if (row.defect != nullptr) {
     // Numbers may be right, and wrong as soon as they are rounded.

@@ -32,7 +32,7 @@ GridWords grid_words(const Shape& shape, const Question& question) {
   GridWords found;
   found.begin = question.words.data();
   Cursor<double> at(question);
-  walk_tape(shape, at, found);
+  walk_encoded(shape, at, found);
   return found;
 }
 
@@ -97,7 +97,7 @@ std::vector<Question> Operation::zeros_of_alternatives(std::size_t list_length) 
 }
 
 Question Operation::in_binary32(const Question& question) const {
-  return tape_with<double>(question, [](double number) {
+  return encoded_with<double>(question, [](double number) {
     const auto rounded = static_cast<float>(number);
     return double{std::isfinite(rounded) ? rounded : std::copysign(std::numeric_limits<float>::max(), rounded)};
   });
@@ -130,7 +130,7 @@ Json Operation::named(Json bare) const {
 Json Operation::answer_json(const EncodedValue<double>& answer) const {
   return named(json_of<double>(*row_.answer, answer, [](const double& number) { return written(number); }));
 }
-Json Operation::answer_json(const TrueTape& answer) const {
+Json Operation::answer_json(const EncodedTruth& answer) const {
   return named(json_of<TrueNumber>(*row_.answer, answer, [](const TrueNumber& number) { return written(number); }));
 }
 

@@ -56,7 +56,7 @@ class Operation {
 
   /// An answer as JSON, under its field's name where it is one bare value.
   Json answer_json(const EncodedValue<double>& answer) const;
-  Json answer_json(const TrueTape& answer) const;
+  Json answer_json(const EncodedTruth& answer) const;
 
   /// What an answer looks like: {"relation": "on | off", "t?": "number"}.
   Json answer_description() const { return named(json_of(*row_.answer)); }

@@ -24,7 +24,7 @@ namespace touchstone::catalogue {
 
 /// What the oracle says of a question.
 struct Solution {
-  TrueTape answer;
+  EncodedTruth answer;
   std::optional<mpq_class> margin;  ///< where the operation decides something
   std::function<oracle::Certificate()> certificate{};
 };
@@ -96,7 +96,7 @@ struct RowFunctions {
   Question (*draw_hard_case)(std::size_t which, DrawStream&);
 
   // Hooks of the row; nullptr where it has none.
-  std::optional<TrueTape> (*as_open_sets)(const TrueTape& truth, const Question&);
+  std::optional<EncodedTruth> (*as_open_sets)(const EncodedTruth& truth, const Question&);
   std::string (*defect)(const Question&, const EncodedValue<double>& answer);
   std::string (*exact_defect)(const Question&, const EncodedValue<mpq_class>& answer);
   Excess (*excess)(const Question&, const EncodedValue<double>& answer, const EncodedValue<double>& truth);

@@ -153,7 +153,7 @@ struct RowOf {
     if constexpr (std::is_same_v<number_of_t<Truth>, TrueNumber>) return number;
     else return number.rational_part();
   }
-  static std::optional<TrueTape> as_open_sets(const TrueTape& truth, const Question& question) {
+  static std::optional<EncodedTruth> as_open_sets(const EncodedTruth& truth, const Question& question) {
     const auto open = hooks().as_open_sets(unpacked<Truth>(truth, typed_number), unpacked<Asked>(question));
     if (!open) return std::nullopt;
     return packed_as<TrueNumber>(*open);

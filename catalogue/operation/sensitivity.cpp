@@ -8,7 +8,7 @@
 namespace touchstone::catalogue {
 namespace {
 
-std::vector<double> nearest_of(const TrueTape& truth) {
+std::vector<double> nearest_of(const EncodedTruth& truth) {
   std::vector<double> numbers;
   for (const TrueNumber& number : truth.numbers) numbers.push_back(nearest(number));
   return numbers;
@@ -34,7 +34,7 @@ std::vector<double> with_one_moved(const Operation& operation, const Question& q
 }  // namespace
 
 std::vector<Sensitivity> sensitivities(const Operation& operation, const Question& question) {
-  const TrueTape truth = operation.row().solve(question).answer;
+  const EncodedTruth truth = operation.row().solve(question).answer;
   const EncodedValue<double> formula = operation.row().reference(question);
   if (!truth.words.empty() || formula.numbers.size() != truth.numbers.size()) return {};
   const std::vector<double> numbers = nearest_of(truth);

@@ -56,7 +56,7 @@ template <class Real>
 class Changed {
  public:
   Changed(EncodedValue<Real>& encoded, const Shape& shape, const Laws& laws)
-      : tape_(encoded), laws_(laws), shape_(shape) {}
+      : encoded_(encoded), laws_(laws), shape_(shape) {}
 
   void map(const Map& by) {
     map_ = &by;
@@ -79,13 +79,13 @@ class Changed {
       case Shape::Kind::flag:
       case Shape::Kind::index: ++word_; return;
       case Shape::Kind::optional:
-        if (tape_.words[word_++] != 0) walk(*shape.parts[0].shape);
+        if (encoded_.words[word_++] != 0) walk(*shape.parts[0].shape);
         return;
       case Shape::Kind::list:
-        for (Word left = tape_.words[word_++]; left > 0; --left) walk(*shape.parts[0].shape);
+        for (Word left = encoded_.words[word_++]; left > 0; --left) walk(*shape.parts[0].shape);
         return;
       case Shape::Kind::choice: {
-        const Word which = tape_.words[word_++];
+        const Word which = encoded_.words[word_++];
         return walk(*shape.parts[which].shape);
       }
       case Shape::Kind::record: break;
@@ -107,7 +107,7 @@ class Changed {
   }
 
   void number(const Shape& shape) {
-    Real& number = tape_.numbers[place_++];
+    Real& number = encoded_.numbers[place_++];
     if (map_ == nullptr) {
       if (shape.meaning != Meaning::number) number = change_(number);
     } else if (shape.meaning == Meaning::length) {
@@ -116,7 +116,7 @@ class Changed {
   }
 
   void word(const Shape& shape) {
-    Word& word = tape_.words[word_++];
+    Word& word = encoded_.words[word_++];
     if (map_ == nullptr || !map_->reflects(dimension_)) return;
     const std::string now = shape.words[word];
     for (const auto& [one, other] : laws_.reflected) {
@@ -129,11 +129,11 @@ class Changed {
 
   void image(std::size_t dimension, bool moved) {
     std::array<Real, 3> before;
-    for (std::size_t i = 0; i < dimension; ++i) before[i] = tape_.numbers[place_ + i];
+    for (std::size_t i = 0; i < dimension; ++i) before[i] = encoded_.numbers[place_ + i];
     for (std::size_t i = 0; i < dimension; ++i) {
       Real sum = times(map_->rows[i][0], before[0]);
       for (std::size_t j = 1; j < dimension; ++j) sum = plus(sum, times(map_->rows[i][j], before[j]));
-      tape_.numbers[place_ + i] = moved ? plus(sum, Real(map_->shift[i])) : sum;
+      encoded_.numbers[place_ + i] = moved ? plus(sum, Real(map_->shift[i])) : sum;
     }
   }
 
@@ -144,7 +144,7 @@ class Changed {
 
   /// Two points from `first` on: as wholes in lexicographic order, or coordinate by coordinate.
   void in_order(std::size_t first, std::size_t dimension, bool as_wholes) {
-    const auto a = tape_.numbers.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto a = encoded_.numbers.begin() + static_cast<std::ptrdiff_t>(first);
     const auto b = a + static_cast<std::ptrdiff_t>(dimension);
     if (as_wholes) {
       if (std::lexicographical_compare(b, b + static_cast<std::ptrdiff_t>(dimension), a, b)) std::swap_ranges(a, b, b);
@@ -160,7 +160,7 @@ class Changed {
   void dimension(std::size_t of_question) { dimension_ = of_question; }
 
  private:
-  EncodedValue<Real>& tape_;
+  EncodedValue<Real>& encoded_;
   const Laws& laws_;
   const Shape& shape_;
   const Map* map_ = nullptr;
@@ -199,7 +199,7 @@ std::vector<EncodedValue<Real>> parts_of(const Shape& record, const EncodedValue
   Cursor<Real> at(encoded);
   for (const Shape::Part& part : record.parts) {
     Collected collected;
-    walk_tape(*part.shape, at, collected);
+    walk_encoded(*part.shape, at, collected);
     parts.push_back(std::move(collected.part));
   }
   return parts;
@@ -277,7 +277,7 @@ std::vector<bool> lengths_in(const Shape& shape, const EncodedValue<Real>& answe
     void word(const Shape&, const Cursor<Real>&) {}
   } marks;
   Cursor<Real> at(answer);
-  walk_tape(shape, at, marks);
+  walk_encoded(shape, at, marks);
   return marks.length;
 }
 

@@ -68,7 +68,7 @@ class AnswerDrawing {
       void number(const Shape&, const Cursor<TrueNumber>&) {}
       void word(const Shape&, const Cursor<TrueNumber>&) {}
     } nothing;
-    walk_tape(shape, exact_, nothing);
+    walk_encoded(shape, exact_, nothing);
   }
 
   Drawing& drawing_;

@@ -44,7 +44,7 @@ std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& q
     void word(const Shape&, const Cursor<double>&) { ++slots; }
   } places;
   Cursor<double> at(question);
-  walk_tape(shape, at, places);
+  walk_encoded(shape, at, places);
   return places.found;
 }
 
@@ -57,7 +57,7 @@ Word elements_of_lists(const Shape& shape, const Question& question) {
     }
   } counted;
   Cursor<double> at(question);
-  walk_tape(shape, at, counted);
+  walk_encoded(shape, at, counted);
   return counted.elements;
 }
 

@@ -101,7 +101,7 @@ const Shape& shape_of(Meaning meaning) {
 /// Calls what there is for every leaf of a value in canonical order, moving the cursor past it:
 ///   visit.number(shape, cursor), visit.word(shape, cursor); the length of a list is a word too.
 template <class Real, class Visit>
-void walk_tape(const Shape& shape, Cursor<Real>& at, Visit& visit) {
+void walk_encoded(const Shape& shape, Cursor<Real>& at, Visit& visit) {
   switch (shape.kind) {
     case Shape::Kind::number:
       visit.number(shape, at);
@@ -115,22 +115,22 @@ void walk_tape(const Shape& shape, Cursor<Real>& at, Visit& visit) {
       return;
     case Shape::Kind::optional:
       visit.word(shape, at);
-      if (*at.word++ != 0) walk_tape(*shape.parts[0].shape, at, visit);
+      if (*at.word++ != 0) walk_encoded(*shape.parts[0].shape, at, visit);
       return;
     case Shape::Kind::list: {
       visit.word(shape, at);
       const Word length = *at.word++;
-      for (Word i = 0; i < length; ++i) walk_tape(*shape.parts[0].shape, at, visit);
+      for (Word i = 0; i < length; ++i) walk_encoded(*shape.parts[0].shape, at, visit);
       return;
     }
     case Shape::Kind::choice: {
       visit.word(shape, at);
       const Word which = *at.word++;
-      walk_tape(*shape.parts[which].shape, at, visit);
+      walk_encoded(*shape.parts[which].shape, at, visit);
       return;
     }
     case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) walk_tape(*part.shape, at, visit);
+      for (const Shape::Part& part : shape.parts) walk_encoded(*part.shape, at, visit);
   }
 }
 
@@ -145,7 +145,7 @@ void append_zeros(const Shape& shape, std::size_t list_length, Question& questio
 
 /// The same encoded value over another number type.
 template <class To, class From, class Change>
-EncodedValue<To> tape_with(const EncodedValue<From>& encoded, const Change& change) {
+EncodedValue<To> encoded_with(const EncodedValue<From>& encoded, const Change& change) {
   EncodedValue<To> result;
   result.words = encoded.words;
   result.numbers.reserve(encoded.numbers.size());

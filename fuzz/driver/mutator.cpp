@@ -29,13 +29,13 @@ const Layout& layout_for(const catalogue::Shape& shape, const Question& question
 class Mutation {
  public:
   Mutation(const catalogue::Shape& shape, Question& question, DrawStream& draws)
-      : question_(question), numbers_(question.numbers), choices_(draws), layout_(layout_for(shape, question)) {}
+      : question_(question), numbers_(question.numbers), draws_(draws), layout_(layout_for(shape, question)) {}
 
   void apply() {
-    if (!layout_.words.empty() && choices_.below(numbers_.empty() ? 2 : 8) == 0) return change_word();
+    if (!layout_.words.empty() && draws_.below(numbers_.empty() ? 2 : 8) == 0) return change_word();
     if (numbers_.empty()) return grow_or_shrink();
-    if (choices_.below(128) == 0) return spoil();
-    switch (choices_.below(layout_.lists.empty() ? 12 : 14)) {
+    if (draws_.below(128) == 0) return spoil();
+    switch (draws_.below(layout_.lists.empty() ? 12 : 14)) {
       case 0:
       case 1:
       case 2: return nudge();
@@ -53,8 +53,8 @@ class Mutation {
   }
 
  private:
-  double& any_number() { return numbers_[choices_.below(numbers_.size())]; }
-  Layout::Point any_point() { return layout_.points[choices_.below(layout_.points.size())]; }
+  double& any_number() { return numbers_[draws_.below(numbers_.size())]; }
+  Layout::Point any_point() { return layout_.points[draws_.below(layout_.points.size())]; }
   /// Another point of the same dimension, or the same one.
   Layout::Point any_point_like(const Layout::Point& p) {
     const Layout::Point q = any_point();
@@ -63,15 +63,15 @@ class Mutation {
 
   void nudge() {
     double& number = any_number();
-    const int ulps = 1 + static_cast<int>(choices_.below(3));
-    if (std::isfinite(number)) number = catalogue::moved_by_ulps(number, choices_.below(2) == 1 ? -ulps : ulps);
+    const int ulps = 1 + static_cast<int>(draws_.below(3));
+    if (std::isfinite(number)) number = catalogue::moved_by_ulps(number, draws_.below(2) == 1 ? -ulps : ulps);
   }
 
   /// r = p + k/8 (q - p), rounded: mostly next to the line, sometimes on it.
   void snap_to_line() {
     if (layout_.points.size() < 2) return nudge();
     const auto p = any_point(), q = any_point_like(p), r = any_point_like(p);
-    const double t = (static_cast<double>(choices_.below(25)) - 8) / 8;
+    const double t = (static_cast<double>(draws_.below(25)) - 8) / 8;
     for (std::size_t i = 0; i < r.dimension; ++i) {
       numbers_[r.first + i] = numbers_[p.first + i] + t * (numbers_[q.first + i] - numbers_[p.first + i]);
     }
@@ -84,22 +84,22 @@ class Mutation {
   }
 
   void change_word() {
-    const Layout::Choosable word = layout_.words[choices_.below(layout_.words.size())];
-    question_.words[word.place] = static_cast<catalogue::Word>(choices_.below(word.values));
+    const Layout::Choosable word = layout_.words[draws_.below(layout_.words.size())];
+    question_.words[word.place] = static_cast<catalogue::Word>(draws_.below(word.values));
   }
 
   /// One element of a list is there twice, or is taken out.
   void grow_or_shrink() {
     if (layout_.lists.empty()) return;
-    const Layout::List& list = layout_.lists[choices_.below(layout_.lists.size())];
+    const Layout::List& list = layout_.lists[draws_.below(layout_.lists.size())];
     catalogue::Word& length = question_.words[list.length];
     if (length == 0) {
       length = 1;
       return insert_zeros(*list.element, question_, list.elements[0]);
     }
-    const std::size_t which = choices_.below(length);
+    const std::size_t which = draws_.below(length);
     const Layout::Place first = list.elements[which], last = list.elements[which + 1];
-    const bool shrink = choices_.below(2) == 1;
+    const bool shrink = draws_.below(2) == 1;
     length += shrink ? static_cast<catalogue::Word>(-1) : 1;
     repeat_or_erase(numbers_, first.number, last.number, shrink);
     repeat_or_erase(question_.words, first.word, last.word, shrink);
@@ -118,15 +118,15 @@ class Mutation {
 
   void copy_number() {
     const double copied = any_number();
-    any_number() = choices_.below(4) == 3 ? -copied : copied;
+    any_number() = draws_.below(4) == 3 ? -copied : copied;
   }
 
-  void small_integer() { any_number() = catalogue::small_integer(choices_); }
-  void typed() { any_number() = catalogue::typed(choices_); }
+  void small_integer() { any_number() = catalogue::small_integer(draws_); }
+  void typed() { any_number() = catalogue::typed(draws_); }
 
   void common_power() {
-    const int power = choices_.below(2) == 1 ? static_cast<int>(choices_.below(2098)) - 1074
-                                             : static_cast<int>(choices_.below(21)) - 10;
+    const int power =
+        draws_.below(2) == 1 ? static_cast<int>(draws_.below(2098)) - 1074 : static_cast<int>(draws_.below(21)) - 10;
     for (double& number : numbers_) {
       const double multiplied = std::ldexp(number, power);
       if (std::isfinite(multiplied)) number = multiplied;
@@ -142,19 +142,19 @@ class Mutation {
   void flip_bits() {
     double& number = any_number();
     const auto flipped =
-        std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ std::uint64_t{1} << choices_.below(64));
+        std::bit_cast<double>(std::bit_cast<std::uint64_t>(number) ^ std::uint64_t{1} << draws_.below(64));
     if (std::isfinite(flipped)) number = flipped;
   }
 
   void spoil() {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     static constexpr double numbers[] = {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
-    any_number() = numbers[choices_.below(3)];
+    any_number() = numbers[draws_.below(3)];
   }
 
   Question& question_;
   std::vector<double>& numbers_;
-  DrawStream& choices_;
+  DrawStream& draws_;
   const Layout& layout_;
 };
 

@@ -102,7 +102,7 @@ void encode(const Shape& shape, const Question& question, std::vector<std::uint8
   data.push_back(finite ? finite_numbers_follow : any_numbers_follow);
   Writer writer{data};
   catalogue::Cursor<double> at(question);
-  walk_tape(shape, at, writer);
+  walk_encoded(shape, at, writer);
 }
 
 }  // namespace touchstone::fuzz

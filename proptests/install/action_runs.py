@@ -141,7 +141,7 @@ def defects(source, prefix, scratch):
         yield f"an engine that does not exist: exit code {code}: {runner.log}"
 
 
-def faults_of_container(source):
+def defects_of_container(source):
     """The image holds what a user of the package needs, as cmake/components.cmake says it, and no stray build directory."""
     text = (source / "Containerfile").read_text(encoding="utf-8")
     last = text[text.rindex("\nFROM "):]
@@ -160,7 +160,7 @@ def main():
     if not shutil.which("dpkg-query"):
         return 77
     source, prefix, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
-    found = list(faults_of_container(source)) + list(defects(source, prefix, scratch))
+    found = list(defects_of_container(source)) + list(defects(source, prefix, scratch))
     print("\n".join(found))
     return 1 if found else 0
 

@@ -53,7 +53,7 @@ NEVER = r"include/touchstone/(report|engines|robust/(rings|hulls)|proptests)/|__
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(["<])([^">]+)[">]', re.MULTILINE)
 
 
-def faults_of_listing(files):
+def defects_of_listing(files):
     for pattern in HELD:
         if not any(re.fullmatch(pattern, file) for file in files):
             yield f"nothing is installed as {pattern}"
@@ -64,7 +64,7 @@ def faults_of_listing(files):
             yield f"{file}: why is it installed?"
 
 
-def faults_of_header(file, text, files):
+def defects_of_header(file, text, files):
     for quote, target in INCLUDE.findall(text):
         if quote == '"':
             yield f'{file}: includes "{target}", which may be a file of the user\'s'
@@ -74,10 +74,10 @@ def faults_of_header(file, text, files):
 
 def defects(source, prefix):
     files = {p.relative_to(prefix).as_posix() for p in prefix.rglob("*") if p.is_file()}
-    yield from faults_of_listing(sorted(files))
+    yield from defects_of_listing(sorted(files))
     for file in sorted(files):
         if file.startswith("include/"):
-            yield from faults_of_header(file, (prefix / file).read_text(encoding="utf-8"), files)
+            yield from defects_of_header(file, (prefix / file).read_text(encoding="utf-8"), files)
     # So that it can be moved, and no one else's paths are in it.
     for file in sorted(files):
         text = (prefix / file).read_bytes() if file.startswith("lib") and file.endswith((".cmake", ".pc")) else b""
@@ -109,19 +109,19 @@ def right_listing():
 
 def self_check():
     right = right_listing()
-    wrong = [f"a right listing was blamed: {defect}" for defect in faults_of_listing(right)]
+    wrong = [f"a right listing was blamed: {defect}" for defect in defects_of_listing(right)]
     for file in ("include/touchstone/report/html.h", "include/touchstone/engines/one_hit.h",
                  "include/touchstone/robust/rings/touch.h", "include/geometry/points.h",
                  "include/touchstone/robust/lines/touch.cpp", "share/doc/touchstone/examples/__pycache__/a.pyc"):
-        if not list(faults_of_listing(right + [file])):
+        if not list(defects_of_listing(right + [file])):
             wrong.append(f"{file} was not noticed")
     for file in right:
-        if not list(faults_of_listing([other for other in right if other != file])):
+        if not list(defects_of_listing([other for other in right if other != file])):
             wrong.append(f"that {file} is missing was not noticed")
     files = {"include/touchstone/geometry/points.h"}
     for text, count in (("#include <touchstone/geometry/points.h>\n#include <vector>\n", 0), ('#include "geometry/points.h"\n', 1),
                         ("#include <touchstone/report/html.h>\n", 1)):
-        if len(list(faults_of_header("here.h", text, files))) != count:
+        if len(list(defects_of_header("here.h", text, files))) != count:
             wrong.append(f"{text.strip()}: another number of defects than {count}")
     return wrong
 

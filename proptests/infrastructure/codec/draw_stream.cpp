@@ -8,7 +8,7 @@
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-namespace touchstone::proptests::choices_tests {
+namespace touchstone::proptests::draw_stream_tests {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -175,4 +175,4 @@ EACH_OPERATION("a shrunk question stays in its family: a refused or degenerate o
   CHECK(end.size() <= start.draws.size());
 }
 
-}  // namespace touchstone::proptests::choices_tests
+}  // namespace touchstone::proptests::draw_stream_tests

@@ -24,7 +24,7 @@ TEST_CASE(
     const QuestionText text(*operation);
     for (std::size_t family = 0; family < operation->families().size(); ++family) {
       for (std::uint64_t i = 0; i < 200; ++i) {
-        DrawStream draws = case_choices(*operation, family, 1, i);
+        DrawStream draws = case_draws(*operation, family, 1, i);
         const Question question = operation->draw(draws, family);
         std::string written;
         text.write(question, written);

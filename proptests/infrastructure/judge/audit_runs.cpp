@@ -149,7 +149,7 @@ TEST_CASE("audit_runs: what is shown is never a worse example than what was foun
     const Tally tally = Run{.operation = name, .cases = each * operation.families().size()}.tally();
     for (std::size_t family = 0; family < operation.families().size(); ++family) {
       for (std::uint64_t i = 0; i < each; ++i) {
-        DrawStream draws = case_choices(operation, family, 1, i);
+        DrawStream draws = case_draws(operation, family, 1, i);
         const Question question = operation.draw(draws, family);
         if (is_refused(operation, question)) continue;
         const auto examination = operation.examine(question);

@@ -32,7 +32,7 @@ Tally audited(const Formula& formula, const Asking& asking, const Look& look) {
     if (!asking.family.empty() && asking.family != operation.families()[family]) continue;
     Cell cell;
     for (std::uint64_t i = 0; i < asking.each; ++i) {
-      DrawStream draws = case_choices(operation, family, 1, i);
+      DrawStream draws = case_draws(operation, family, 1, i);
       Question question = operation.draw(draws, family);
       question = fitted(operation, question, tally.declaration);
       if (asking.ordinary_only && range_of(question) == Range::extreme) continue;

@@ -10,7 +10,7 @@
 #include "proptests/infrastructure/judge/foreign_formulas.h"
 
 /// Answers that a checker refuses: bugs are no rounding, and what rounding spoils is no bug.
-namespace touchstone::proptests::planted_faults_tests {
+namespace touchstone::proptests::planted_defects_tests {
 namespace {
 
 namespace rows = catalogue::rows;
@@ -132,4 +132,4 @@ TEST_CASE("planted defects: what rounding spoils in a textbook formula is no def
   is_excused<rows::obb_of_points>();
 }
 
-}  // namespace touchstone::proptests::planted_faults_tests
+}  // namespace touchstone::proptests::planted_defects_tests

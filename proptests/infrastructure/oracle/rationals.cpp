@@ -120,7 +120,7 @@ TEST_CASE("rationals: the truth for doubles and for the rationals that they are 
         DrawStream draws = DrawStream::seeded(catalogue::seed_of(i, "rationals", family));
         const catalogue::Question question = operation->draw(draws, family);
         const auto exactly =
-            catalogue::tape_with<Rational>(question, [](double number) { return oracle::exact(number); });
+            catalogue::encoded_with<Rational>(question, [](double number) { return oracle::exact(number); });
         const std::string by_doubles = said([&] { return row.solve(question); }),
                           by_rationals = said([&] { return row.solve_as_typed(exactly); });
         if (by_doubles == by_rationals) continue;

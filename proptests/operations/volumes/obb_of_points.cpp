@@ -77,7 +77,7 @@ TEST_CASE("obb_of_points: the truth is right, and so is the formula in exact ari
         const auto formula = row.reference_exactly(catalogue::packed(asked));
         const auto exactly = [](const catalogue::Exact& n) { return n.value(); };
         return Row::exact_defect(asked, catalogue::ask_oracle<Row>(asked).answer).empty() &&
-               row.exact_defect(catalogue::packed(asked), catalogue::tape_with<mpq_class>(formula, exactly)).empty();
+               row.exact_defect(catalogue::packed(asked), catalogue::encoded_with<mpq_class>(formula, exactly)).empty();
       },
       3);
 }
