@@ -46,9 +46,7 @@ struct Asked {
   static int naive(const QuestionOf<Row>& q) {
     return catalogue::applied([](const auto&... field) { return Decisions<Row>::naive(field...); }, q);
   }
-  static constexpr bool has_usual = requires {
-    &Decisions<Row>::usual;
-  };
+  static constexpr bool has_usual = requires { &Decisions<Row>::usual; };
   static int usual(const QuestionOf<Row>& q) {
     return catalogue::applied([](const auto&... field) { return Decisions<Row>::usual(field...); }, q);
   }

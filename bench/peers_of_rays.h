@@ -15,8 +15,8 @@ namespace touchstone::bench {
 struct MoellerTrumbore {
   double determinant, u, v, t;
   MoellerTrumbore(const Point3d& from, const Vector3d& way, const Triangle3d& triangle) {
-    const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(way, f),
-                   s = from - triangle.a, q = cross(s, e);
+    const Vector3d e = triangle.b - triangle.a, f = triangle.c - triangle.a, p = cross(way, f), s = from - triangle.a,
+                   q = cross(s, e);
     const double d = dot(e, p), turn = d < 0 ? -1 : 1;
     determinant = turn * d, u = turn * dot(s, p), v = turn * dot(way, q), t = turn * dot(f, q);
   }
@@ -105,7 +105,9 @@ int hit(const Answer& answer) {
 
 template <>
 struct Decisions<catalogue::rows::ray_aabb> : OfDoubles {
-  static int ours(const auto& ray, const auto& box) { return robust::ray_aabb_relation(ray, box) == PassageRelation::hit; }
+  static int ours(const auto& ray, const auto& box) {
+    return robust::ray_aabb_relation(ray, box) == PassageRelation::hit;
+  }
   static int truth(const auto& answer) { return hit(answer); }
   static int naive(const auto& ray, const auto& box) {
     return SlabTest::of(ray.origin, ray.direction, box, std::numeric_limits<double>::infinity());
@@ -113,7 +115,9 @@ struct Decisions<catalogue::rows::ray_aabb> : OfDoubles {
 };
 template <>
 struct Decisions<catalogue::rows::segment_aabb> : OfDoubles {
-  static int ours(const auto& s, const auto& box) { return robust::segment_aabb_relation(s, box) == PassageRelation::hit; }
+  static int ours(const auto& s, const auto& box) {
+    return robust::segment_aabb_relation(s, box) == PassageRelation::hit;
+  }
   static int truth(const auto& answer) { return hit(answer); }
   static int naive(const auto& s, const auto& box) { return SlabTest::of(s.a, s.b - s.a, box, 1); }
 };

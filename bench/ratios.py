@@ -218,6 +218,10 @@ def goals(lines, oracle, more):
         for data in SETS:
             ratio(f"{group}, {data}: Epick / robust", f"{group}/{data}", "epick", "robust", 1, 1)
     ratio("point_plane, random: robust / naive", "point_plane/random", "robust", "naive", 1.3, -1)
+    for op, bound in [("ray_triangle", 1.2), ("segment_triangle", 1.2), ("ray_aabb", 1.1), ("segment_aabb", 1.1),
+                      ("ray_sphere", 1.5), ("segment_sphere", 1.5)]:
+        ratio(f"{op}, random: robust / naive", f"{op}/random", "robust", "naive", bound, -1)
+        ratio(f"{op}, random: Epick / robust", f"{op}/random", "epick", "robust", 2.5, 1)
     for group, t in lines.items():
         op, data = group.split("/", 1)
         if data == "random" and t.labels.get("robust_answer") == "numbers":

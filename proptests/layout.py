@@ -113,7 +113,7 @@ def evidence(tree, operations):
         for alone in sorted(set(re.findall(rf"\b{name}_(?:side|relation)(?=\()", header))):
             if f"robust::{alone}(" not in row:
                 yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::{alone}, the decision alone"
-        if "namespace stages {" in header and f"using stages = ::touchstone::robust::stages::{name};" not in row:
+        if "namespace stages {" in header and not re.search(rf"stages =\s+(StagesEither<)?::touchstone::robust::stages::{name}\b", row):
             yield f"catalogue/rows/{operation['chapter']}/{name}.h: nobody asks robust::stages::{name}, each stage alone"
         vectors, corpus = tree.root / f"vectors/{name}.jsonl", tree.root / f"fuzz/corpus/{name}"
         if not vectors.is_file() or not vectors.stat().st_size:

@@ -15,7 +15,8 @@ struct PlaneCrossing {
 };
 
 /// from + t way, rounded; of numbers that are not `moderate`, or a way that may be along the plane, nothing.
-inline Perhaps<PlaneCrossing> crossing(const Point3d& from, const filters::Triple<Loose>& way, const Triangle3d& plane) {
+inline Perhaps<PlaneCrossing> crossing(const Point3d& from, const filters::Triple<Loose>& way,
+                                       const Triangle3d& plane) {
   if (!rounds_to_nearest()) return std::nullopt;
   const auto normal = cross(loose_between(plane.a, plane.b), loose_between(plane.a, plane.c));
   const Loose rise = dot(normal, way);

@@ -54,9 +54,9 @@ Parts nearest_parts(const Segment3d& a, const Segment3d& b) {
   // Of points of a at t on b, seen from a's start or end: half the slope along a, times ww where t is between.
   const auto across = vr * ww - wr * vw, square = vv * ww - vw * vw;
   const Within at_start = within(wr, ww);
-  if (at_start == Within::start   ? vr.not_negative()
-      : at_start == Within::end   ? (vr - vw).not_negative()
-                                  : at_start == Within::between && across.not_negative())
+  if (at_start == Within::start ? vr.not_negative()
+      : at_start == Within::end ? (vr - vw).not_negative()
+                                : at_start == Within::between && across.not_negative())
     return {Part::corner(a.a), part_of(b, at_start)};
   const Within at_end = within(wr + vw, ww);
   if (at_end == Within::start ? (vr + vv).negative()

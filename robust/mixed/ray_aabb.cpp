@@ -24,8 +24,7 @@ PassageRelation stages::ray_aabb::decision::exact(const kernel::Line& ray, const
   return kernel::BoxPassage::exact(ray, aabb).relation;
 }
 
-Decided<PassageRelation> stages::ray_aabb::decision::past_filter(const kernel::Line& ray,
-                                                             const kernel::Box& aabb) {
+Decided<PassageRelation> stages::ray_aabb::decision::past_filter(const kernel::Line& ray, const kernel::Box& aabb) {
   return in_turn<decision, validate, Stage::exact>(ray, aabb);
 }
 

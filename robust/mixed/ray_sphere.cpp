@@ -24,7 +24,7 @@ PassageRelation stages::ray_sphere::decision::exact(const kernel::Line& ray, con
 }
 
 Decided<PassageRelation> stages::ray_sphere::decision::past_filter(const kernel::Line& ray,
-                                                             const kernel::Ball& sphere) {
+                                                                   const kernel::Ball& sphere) {
   return in_turn<decision, validate, Stage::exact>(ray, sphere);
 }
 

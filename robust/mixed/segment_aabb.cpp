@@ -25,7 +25,7 @@ PassageRelation stages::segment_aabb::decision::exact(const kernel::Line& segmen
 }
 
 Decided<PassageRelation> stages::segment_aabb::decision::past_filter(const kernel::Line& segment,
-                                                             const kernel::Box& aabb) {
+                                                                     const kernel::Box& aabb) {
   return in_turn<decision, validate, Stage::exact>(segment, aabb);
 }
 

@@ -24,7 +24,7 @@ PassageRelation stages::segment_sphere::decision::exact(const kernel::Line& segm
 }
 
 Decided<PassageRelation> stages::segment_sphere::decision::past_filter(const kernel::Line& segment,
-                                                             const kernel::Ball& sphere) {
+                                                                       const kernel::Ball& sphere) {
   return in_turn<decision, validate, Stage::exact>(segment, sphere);
 }
 
