@@ -110,7 +110,7 @@ Perhaps<Contact> stages::triangle_aabb::filter(const Triangle3d& t, const Aabb3d
 namespace {
 
 /// In each shadow an edge keeps the rectangle apart on the side on which the triangle is not: on either, where the
-/// shadow has no area.
+/// shadow has no area, and there the edges lead both ways.
 template <class Integer>
 Contact contact(const std::array<Integer, 15>& n) {
   const auto at = [&n](std::size_t i) { return Point3<Integer>{n[i], n[i + 1], n[i + 2]}; };
@@ -134,7 +134,7 @@ Contact contact(const std::array<Integer, 15>& n) {
       return !(p == q) && separates(kernel::turn(p, q, seen.leftmost(p, q)));
     };
     if (turn >= 0 && (keeps_apart(a, b) || keeps_apart(b, c) || keeps_apart(c, a))) return Contact::disjoint;
-    if (turn <= 0 && (keeps_apart(b, a) || keeps_apart(c, b) || keeps_apart(a, c))) return Contact::disjoint;
+    if (turn < 0 && (keeps_apart(b, a) || keeps_apart(c, b) || keeps_apart(a, c))) return Contact::disjoint;
   }
   const auto [x, y, z] = normal;
   if (x != 0 || y != 0 || z != 0) {
