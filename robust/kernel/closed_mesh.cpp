@@ -15,19 +15,29 @@ std::uint64_t edge(Index from, Index to) { return std::uint64_t{std::min(from, t
 
 std::array<Index, 4> ring_of(const Face& face) { return {face.a, face.b, face.c, face.a}; }
 
-/// In ascending order, each once.
+/// In ascending order, each once. Edges go to their lesser vertices, few to each, so that few have to be sorted at once.
 std::vector<std::uint64_t> edges_of_odd_number(const Meshd& mesh) {
-  std::vector<std::uint64_t> edges, odd;
-  edges.reserve(3 * mesh.faces.size());
-  for (const Face& face : mesh.faces) {
-    const auto ring = ring_of(face);
-    for (std::size_t k = 0; k < 3; ++k) edges.push_back(edge(ring[k], ring[k + 1]));
-  }
-  std::sort(edges.begin(), edges.end());
-  for (auto first = edges.begin(); first != edges.end();) {
-    const auto last = std::find_if(first, edges.end(), [first](std::uint64_t other) { return other != *first; });
-    if ((last - first) % 2 != 0) odd.push_back(*first);
-    first = last;
+  std::vector<std::size_t> end(mesh.vertices.size() + 1);
+  const auto for_each_edge = [&mesh](const auto& take) {
+    for (const Face& face : mesh.faces) {
+      const auto ring = ring_of(face);
+      for (std::size_t k = 0; k < 3; ++k) take(std::min(ring[k], ring[k + 1]), std::max(ring[k], ring[k + 1]));
+    }
+  };
+  for_each_edge([&end](Index from, Index) { ++end[from + 1]; });
+  for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
+  std::vector<Index> ends(3 * mesh.faces.size());
+  for_each_edge([&](Index from, Index to) { ends[end[from]++] = to; });
+  std::vector<std::uint64_t> odd;
+  auto first = ends.begin();
+  for (Index from = 0; from < mesh.vertices.size(); ++from) {
+    const auto last_of_all = ends.begin() + static_cast<std::ptrdiff_t>(end[from]);
+    std::sort(first, last_of_all);
+    while (first != last_of_all) {
+      const auto last = std::find_if(first, last_of_all, [first](Index other) { return other != *first; });
+      if ((last - first) % 2 != 0) odd.push_back(edge(from, *first));
+      first = last;
+    }
   }
   return odd;
 }

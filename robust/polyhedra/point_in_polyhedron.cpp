@@ -73,6 +73,19 @@ Meeting meeting(const Meshd& mesh, const Face& face, const Point3d& p, const Pla
   return held ? Meeting::held : Meeting::none;
 }
 
+template <class List, class At>
+Decided<Location> located(const Meshd& mesh, const Point3d& point, const List& list, const At& face) {
+  Stage latest = Stage::filter;
+  const Place at = place(point);
+  bool odd = false;
+  for (const auto& one : list) {
+    const Meeting found = meeting(mesh, face(one), point, at, latest);
+    if (found == Meeting::held) return {Location::boundary, latest};
+    odd ^= found == Meeting::crossed;
+  }
+  return {odd ? Location::inside : Location::outside, latest};
+}
+
 }  // namespace
 
 Decided<Location> stages::point_in_polyhedron::ask(const Meshd& mesh, const Point3d& point) {
@@ -82,15 +95,12 @@ Decided<Location> stages::point_in_polyhedron::ask(const Meshd& mesh, const Poin
 }
 
 Decided<Location> stages::point_in_polyhedron::of_valid(const Meshd& mesh, const Point3d& point) {
-  Stage latest = Stage::filter;
-  const Place at = place(point);
-  bool odd = false;
-  for (const Face& face : mesh.faces) {
-    const Meeting found = meeting(mesh, face, point, at, latest);
-    if (found == Meeting::held) return {Location::boundary, latest};
-    odd ^= found == Meeting::crossed;
-  }
-  return {odd ? Location::inside : Location::outside, latest};
+  return located(mesh, point, mesh.faces, [](const Face& face) { return face; });
+}
+
+Decided<Location> stages::point_in_polyhedron::of_faces(const Meshd& mesh, const std::vector<Index>& faces,
+                                                        const Point3d& point) {
+  return located(mesh, point, faces, [&mesh](Index i) { return mesh.faces[i]; });
 }
 
 Location point_in_polyhedron(const Meshd& mesh, const Point3d& point) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "geometry/answers.h"
 #include "geometry/invalid_input.h"
 #include "geometry/polyhedra.h"
@@ -25,6 +27,8 @@ namespace stages {
 struct point_in_polyhedron : Signatures<decltype(robust::point_in_polyhedron)> {
   static Staged ask;
   static Staged of_valid;  ///< the same of a mesh and a point that were validated
+  /// The same of faces of which the others do not meet the ray to +x.
+  static Decided<Location> of_faces(const Meshd& mesh, const std::vector<Index>& faces, const Point3d& point);
 };
 
 }  // namespace stages

@@ -2,14 +2,21 @@
 #include "robust/polyhedra/polyhedron_polyhedron.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/validation.h"
 #include "robust/kernel/closed_mesh.h"
 #include "robust/kernel/common_interior.h"
 #include "robust/kernel/space_box.h"
+#include "robust/kernel/valid_space.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 #include "robust/polyhedra/triangle_triangle.h"
+#include "robust/structures/face_tree.h"
 
 namespace touchstone::robust {
 namespace {
@@ -50,6 +57,119 @@ bool any_faces_meet(const Meshd& a, const Meshd& b, Stage& latest) {
   return false;
 }
 
+/// A mesh of many faces in a tree.
+struct Solid {
+  const Meshd& mesh;
+  SpaceBox box;
+  structures::FaceTree tree;
+
+  Solid(const Meshd& of, const SpaceBox& around) : mesh(of), box(around), tree(of) {}
+  Decided<Location> locate(const Point3d& p) const {
+    if (!box.meets(SpaceBox::around(p))) return {Location::outside, Stage::filter};
+    return stages::point_in_polyhedron::of_faces(mesh, tree.along_x(p), p);
+  }
+};
+
+/// Vertices that faces name: of each part whose faces share vertices, the first.
+std::vector<Index> one_of_each_part(const Meshd& mesh) {
+  std::vector<Index> up(mesh.vertices.size());
+  std::iota(up.begin(), up.end(), Index{0});
+  const auto root = [&up](Index v) {
+    while (up[v] != v) v = up[v] = up[up[v]];
+    return v;
+  };
+  for (const Face& f : mesh.faces) {
+    for (const Index v : {f.b, f.c}) {
+      const Index p = root(f.a), q = root(v);
+      up[std::max(p, q)] = std::min(p, q);
+    }
+  }
+  std::vector<Index> found;
+  std::vector<bool> seen(mesh.vertices.size());
+  for (const Face& f : mesh.faces) {
+    const Index p = root(f.a);
+    if (!seen[p]) seen[p] = true, found.push_back(p);
+  }
+  return found;
+}
+
+std::optional<Index> vertex_inside(const Meshd& mesh, const std::vector<Index>& vertices, const Solid& solid,
+                                   Stage& latest) {
+  for (const Index v : vertices)
+    if (solid.locate(mesh.vertices[v]).noting(latest) == Location::inside) return v;
+  return std::nullopt;
+}
+
+std::vector<Index> named(const Meshd& mesh) {
+  std::vector<bool> seen(mesh.vertices.size());
+  std::vector<Index> found;
+  for (const Face& f : mesh.faces) {
+    for (const Index v : {f.a, f.b, f.c})
+      if (!seen[v]) seen[v] = true, found.push_back(v);
+  }
+  return found;
+}
+
+/// Whether a point just off the face is inside of both, of points on both sides, near the middle and near each corner,
+/// at several distances. They are as they are rounded: what is asked is where they are.
+bool common_interior_near(const Meshd& mesh, const Face& f, const Solid& a, const Solid& b) {
+  const auto& [p, q, r] = triangle(mesh, f);
+  const Vector3d normal = cross(q - p, r - p);
+  const double size = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  const double root = std::sqrt(size);
+  if (!(root > 0)) return false;
+  for (const double share : {0.3, 0x1p-6}) {
+    for (const auto& [corner, second, third] : {std::array{p, q, r}, {q, r, p}, {r, p, q}}) {
+      const Point3d at = corner + (share * (second - corner)) + (share * (third - corner));
+      for (const double distance : {0x1p-4, -0x1p-4, 0x1p-10, -0x1p-10, 0x1p-20, -0x1p-20}) {
+        const Point3d near = at + ((share * distance * root / size) * normal);
+        if (!kernel::valid(near)) continue;
+        if (a.locate(near).answer == Location::inside && b.locate(near).answer == Location::inside) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Without a common point of the faces, each part of one that shares vertices is inside or outside of the other as any
+/// vertex of it is.
+Decided<PolyhedronPolyhedron> of_many_faces(const Solid& a, const Solid& b) {
+  Stage latest = Stage::filter;
+  std::array<Index, 2> meeting{};
+  const bool met = a.tree.any_pair(b.tree, [&](Index f, Index g) {
+    meeting = {f, g};
+    const auto common =
+        stages::triangle_triangle::ask(triangle(a.mesh, a.mesh.faces[f]), triangle(b.mesh, b.mesh.faces[g]));
+    return common.noting(latest) != TriangleTriangleRelation::none;
+  });
+  const Solid* within = nullptr;  // has a vertex inside of the other
+  std::optional<Index> inside;
+  for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
+    if (met && !inside) {
+      const Face& f = one->mesh.faces[meeting[one == &b]];
+      inside = vertex_inside(one->mesh, {f.a, f.b, f.c}, *other, latest);
+      if (inside) within = one;
+    }
+  }
+  for (const auto& [one, other] : {std::pair{&a, &b}, {&b, &a}}) {
+    if (inside) break;
+    inside = vertex_inside(one->mesh, met ? named(one->mesh) : one_of_each_part(one->mesh), *other, latest);
+    if (inside) within = one;
+  }
+  const PolyhedraStep step = inside ? PolyhedraStep::vertex_inside : PolyhedraStep::edge_against_face;
+  if (!met && !inside) return {{Contact::disjoint, step}, latest};
+  const auto has_inside = [&inside](const Face& f) { return f.a == *inside || f.b == *inside || f.c == *inside; };
+  const Face& face = inside ? *std::find_if(within->mesh.faces.begin(), within->mesh.faces.end(), has_inside)
+                            : a.mesh.faces[meeting[0]];
+  const bool common = common_interior_near(inside ? within->mesh : a.mesh, face, a, b) ||
+                      (met && common_interior_near(b.mesh, b.mesh.faces[meeting[1]], a, b)) ||
+                      kernel::have_common_interior(a.mesh, b.mesh);
+  return {{common ? Contact::overlapping : Contact::touching, step}, Stage::exact};
+}
+
+/// From so many on, trees are worth their making.
+constexpr std::size_t many_faces = 1024;
+
 }  // namespace
 
 Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a, const Meshd& b) {
@@ -58,6 +178,8 @@ Decided<PolyhedronPolyhedron> stages::polyhedron_polyhedron::ask(const Meshd& a,
   Stage latest = Stage::filter;
   if (!SpaceBox::around(a).meets(SpaceBox::around(b)))
     return {{Contact::disjoint, PolyhedraStep::bounding_volumes}, latest};
+  if (a.faces.size() + b.faces.size() >= many_faces)
+    return of_many_faces({a, SpaceBox::around(a)}, {b, SpaceBox::around(b)});
   const bool inside = any_vertex_inside(a, b, latest) || any_vertex_inside(b, a, latest);
   const PolyhedraStep step = inside ? PolyhedraStep::vertex_inside : PolyhedraStep::edge_against_face;
   if (!inside && !any_faces_meet(a, b, latest)) return {{Contact::disjoint, step}, latest};

@@ -13,10 +13,11 @@ namespace touchstone::robust {
 ///
 /// The meshes are closed: every edge, a pair of vertices in whichever order, is in an even number of faces. They may be
 /// concave, of several parts, cross themselves, have faces twice or without area, turn either way: inside is what a ray
-/// leaves through an odd number of faces. The time is the number of faces of one times that of the other; where the
-/// surfaces meet and the interiors may not, many times that. Right for all finite doubles in every floating-point
-/// environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so does a mesh that
-/// is not closed (with the face and the edge). Contract: reference/polyhedra/polyhedron_polyhedron.h.
+/// leaves through an odd number of faces. The time is the number of faces of one times that of the other, or from 1024
+/// faces on, that of sorting both into trees and of the pairs whose boxes meet; where the surfaces meet and no point
+/// near the meeting is seen to be inside of both, many times the former. Right for all finite doubles in every
+/// floating-point environment. NaN and infinities throw InvalidInput, which names the field and "finite number"; so
+/// does a mesh that is not closed (with the face and the edge). Contract: reference/polyhedra/polyhedron_polyhedron.h.
 PolyhedronPolyhedron polyhedron_polyhedron(const Meshd& a, const Meshd& b);
 
 /// Each stage alone, for tests and other operations; no promise to users.

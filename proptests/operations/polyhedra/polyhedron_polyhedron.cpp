@@ -151,6 +151,23 @@ TEST_CASE("polyhedron_polyhedron: huge, subnormal, and an ulp apart") {
   CHECK(equal(catalogue::ask_oracle<Row>(far).answer, inside));
 }
 
+TEST_CASE("polyhedron_polyhedron: meshes of many faces, in trees") {
+  // Layers of 16 x 16 cubes: 1,152 faces each.
+  std::vector<catalogue::Whole> cells;
+  for (long i = 0; i < 256; ++i) cells.push_back({i % 16, i / 16, 0});
+  const Meshd layer = cube_surface(cells);
+  const auto answer = [](const Meshd& a, const Meshd& b) { return robust::polyhedron_polyhedron(a, b); };
+  CHECK(equal(answer(layer, shifted(layer, {193, 0, 0})), apart));
+  CHECK(equal(answer(layer, shifted(layer, {192, 0, 0})), touching));
+  CHECK(equal(answer(layer, shifted(layer, {5, 7, 3})), inside));
+  CHECK(equal(answer(layer, turned(shifted(layer, {0, -96, 96}))), crossing));
+  CHECK(equal(answer(layer, shifted(mapped(cube, 0.5), {94, 95, 3})), inside));
+  CHECK(equal(answer(mapped(layer, 4), shifted(cube, {100, 100, 13})), inside));
+  const Meshd shell = together(mapped(layer, 3, -1), mapped(layer, 2, 5));  // the second is a hollow in the first
+  CHECK(equal(answer(shell, shifted(cube, {40, 40, 12})), clear));
+  CHECK(equal(answer(shell, together(shifted(cube, {40, 40, 12}), mapped(cube, 0x1p40, -0x1p42))), inside));
+}
+
 TEST_CASE("polyhedron_polyhedron: meshes are refused by the first rule that they break") {
   const Meshd bad = with_vertex(cube, {0, infinity, 0});
   refused<Row>({cube, bad}, "b.vertices[8][1]", "finite number");

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robust/structures/face_tree.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "robust/kernel/control_word.h"
+
+namespace touchstone::robust::structures {
+namespace {
+
+using Place = std::array<float, 3>;
+constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+
+Place rounded(const Point3d& p) { return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)}; }
+
+struct Extent {
+  Place low, high;
+  void add(const Place& p) {
+    for (std::size_t i = 0; i < 3; ++i) low[i] = std::min(low[i], p[i]), high[i] = std::max(high[i], p[i]);
+  }
+};
+
+Extent around(const Meshd& mesh, const Face& f) {
+  const Place a = rounded(mesh.vertices[f.a]);
+  Extent found{a, a};
+  found.add(rounded(mesh.vertices[f.b])), found.add(rounded(mesh.vertices[f.c]));
+  return found;
+}
+
+/// Ten bits with two free places after each.
+std::uint32_t spread(std::uint32_t n) {
+  n = (n | n << 16) & 0x030000ff, n = (n | n << 8) & 0x0300f00f;
+  n = (n | n << 4) & 0x030c30c3, n = (n | n << 2) & 0x09249249;
+  return n;
+}
+
+}  // namespace
+
+/// By the middles' place on Morton's curve. An estimate: a number that is none is at 0.
+void FaceTree::sort_faces(const Meshd& mesh) {
+  const kernel::ControlWord guard;
+  const Place first = rounded(mesh.vertices[mesh.faces[0].a]);
+  Extent all{first, first};
+  for (const Point3d& p : mesh.vertices) all.add(rounded(p));
+  using Key = std::pair<std::uint32_t, Index>;
+  std::vector<Key> keys(mesh.faces.size()), other(mesh.faces.size());
+  Place scale;
+  for (std::size_t k = 0; k < 3; ++k) scale[k] = 1023 / (all.high[k] / 2 - all.low[k] / 2);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Extent box = around(mesh, mesh.faces[i]);
+    std::uint32_t key = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float at = (box.low[k] / 4 + box.high[k] / 4 - all.low[k] / 2) * scale[k];
+      key = key << 1 | spread(at > 0 && at < 1024 ? static_cast<std::uint32_t>(at) : 0);
+    }
+    keys[i] = {key, static_cast<Index>(i)};
+  }
+  for (const int shift : {0, 10, 20}) {
+    std::array<std::size_t, 1025> start{};
+    for (const Key& key : keys) ++start[(key.first >> shift & 1023) + 1];
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    for (const Key& key : keys) other[start[key.first >> shift & 1023]++] = key;
+    keys.swap(other);
+  }
+  order_.reserve(keys.size());
+  for (const Key& key : keys) order_.push_back(key.second);
+}
+
+FaceTree::FaceTree(const Meshd& mesh) {
+  sort_faces(mesh);
+  const auto add_level = [this](std::size_t size, const auto& extent) {
+    std::vector<Block> blocks((size + 7) / 8);
+    for (std::size_t i = 0; i < 8 * blocks.size(); ++i) {
+      const Place none{nothing, nothing, nothing};
+      const Extent box = i < size ? extent(i) : Extent{none, none};
+      blocks[i / 8].set(i % 8, box.low, box.high);
+    }
+    levels_.push_back(std::move(blocks));
+    return size;
+  };
+  std::size_t size = add_level(order_.size(), [&](std::size_t i) { return around(mesh, mesh.faces[order_[i]]); });
+  while (size > 1) {
+    const std::vector<Block>& below = levels_.back();
+    size = add_level((size + 7) / 8, [&below](std::size_t i) {
+      const Block& block = below[i];
+      Extent box{{block.low[0][0], block.low[1][0], block.low[2][0]},
+                 {block.high[0][0], block.high[1][0], block.high[2][0]}};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t lane = 1; lane < 8; ++lane) {
+          if (block.low[axis][lane] < box.low[axis]) box.low[axis] = block.low[axis][lane];
+          if (block.high[axis][lane] > box.high[axis]) box.high[axis] = block.high[axis][lane];
+        }
+      }
+      return box;
+    });
+  }
+}
+
+std::vector<Index> FaceTree::along_x(const Point3d& p) const {
+  const Place from = rounded(p);
+  Block ray;
+  ray.set(0, from, {std::numeric_limits<float>::infinity(), from[1], from[2]});
+  std::vector<Index> found;
+  std::vector<std::pair<std::size_t, std::size_t>> left{{levels_.size(), 0}};  // a level above, and a node's place
+  while (!left.empty()) {
+    const auto [above, i] = left.back();
+    left.pop_back();
+    if (above == 0) {
+      found.push_back(order_[i]);
+      continue;
+    }
+    for (std::uint64_t met = levels_[above - 1][i].lanes_met_by(ray, 0); met != 0; met &= met - 1)
+      left.emplace_back(above - 1, 8 * i + static_cast<std::size_t>(std::countr_zero(met)));
+  }
+  return found;
+}
+
+}  // namespace touchstone::robust::structures

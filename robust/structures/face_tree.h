@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/polyhedra.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust::structures {
+
+/// The boxes around the faces of a valid mesh, which must outlive it, in a tree of eight children a node.
+///
+/// Boxes are rounded to float, and compared as they are: whatever the rounding mode, and where the least numbers count
+/// as 0, rounding is monotone, so boxes that meet still do. Faces are in the order of a curve through space; the order
+/// makes boxes small, no answer depends on it.
+class FaceTree {
+ public:
+  explicit FaceTree(const Meshd& mesh);
+
+  /// Whether `wanted` is true of a face here and one there, by their places in the meshes, whose boxes meet. Asked
+  /// until it is.
+  template <class Wanted>
+  bool any_pair(const FaceTree& other, const Wanted& wanted) const {
+    const int top = static_cast<int>(levels_.size()) - 1, other_top = static_cast<int>(other.levels_.size()) - 1;
+    return any_pair(top, 0, other, other_top, 0, wanted);
+  }
+
+  /// The faces whose boxes meet the ray to +x.
+  std::vector<Index> along_x(const Point3d& p) const;
+
+ private:
+  /// Eight boxes; those that are not there meet none.
+  struct Block {
+    std::array<std::array<float, 8>, 3> low, high;
+
+    std::uint64_t lanes_met_by(const Block& other, std::size_t i) const {
+      std::uint64_t met = 0;
+      for (std::size_t lane = 0; lane < 8; ++lane) {
+        unsigned meets = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          meets &= static_cast<unsigned>(other.low[axis][i] <= high[axis][lane]) &
+                   static_cast<unsigned>(low[axis][lane] <= other.high[axis][i]);
+        met |= std::uint64_t{meets} << lane;
+      }
+      return met;
+    }
+    void set(std::size_t lane, const std::array<float, 3>& least, const std::array<float, 3>& greatest) {
+      for (std::size_t axis = 0; axis < 3; ++axis) low[axis][lane] = least[axis], high[axis][lane] = greatest[axis];
+    }
+  };
+
+  /// Node i of a level has the children 8 i to 8 i + 7 of the one below; the nodes of level 0 are faces.
+  template <class Wanted>
+  bool any_pair(int level, std::size_t i, const FaceTree& other, int other_level, std::size_t j,
+                const Wanted& wanted) const {
+    if (level == 0 && other_level == 0) return wanted(order_[i], other.order_[j]);
+    const bool here = level >= other_level;
+    const Block& whole = here ? other.block(other_level, j) : block(level, i);
+    const Block& parts = here ? levels_[static_cast<std::size_t>(level - 1)][i]
+                              : other.levels_[static_cast<std::size_t>(other_level - 1)][j];
+    for (std::uint64_t met = parts.lanes_met_by(whole, (here ? j : i) % 8); met != 0; met &= met - 1) {
+      const std::size_t child = 8 * (here ? i : j) + static_cast<std::size_t>(std::countr_zero(met));
+      if (here ? any_pair(level - 1, child, other, other_level, j, wanted)
+               : any_pair(level, i, other, other_level - 1, child, wanted))
+        return true;
+    }
+    return false;
+  }
+  const Block& block(int level, std::size_t i) const { return levels_[static_cast<std::size_t>(level)][i / 8]; }
+  void sort_faces(const Meshd& mesh);
+
+  std::vector<Index> order_;                ///< the faces' places
+  std::vector<std::vector<Block>> levels_;  ///< the boxes of the nodes, eight by eight
+};
+
+}  // namespace touchstone::robust::structures
