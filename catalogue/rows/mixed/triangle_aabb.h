@@ -26,8 +26,7 @@ struct triangle_aabb {
                                    .kind = Kind::decision,
                                    .fields = {"triangle", "aabb"},
                                    .answer = "contact",
-                                   .margin_degree = 1,
-                                   .cost = 4};
+                                   .margin_degree = 1};
     return metadata;
   }
 
@@ -58,6 +57,16 @@ struct triangle_aabb {
            const Vector3d u = lattice_across(c, touch.normal);
            const Triangle3d t = LatticePlane{touch.at, u, lattice_across(c, touch.normal)}.triangle(c);
            return touch.question(c, t.a, t.b, t.c);
+         }},
+        {"past_corner",
+         [](DrawStream& c) -> Question {
+           // So large that nothing but its plane keeps them apart.
+           const Touch touch = Touch::of(c);
+           const Point3d over = touch.at + touch.normal;
+           const Vector3d u = lattice_across(c, touch.normal), v = lattice_across(c, touch.normal);
+           const double far = std::ldexp(1, 10 + static_cast<int>(c.below(4)));
+           return in_some_order(
+               c, {{along(over, far, u), along(over, far, v), along(along(over, -far, u), -far, v)}, touch.box});
          }},
         {"edge_across_edge",
          [](DrawStream& c) -> Question {
