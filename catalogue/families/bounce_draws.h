@@ -72,7 +72,8 @@ inline Bounce across_an_axis(DrawStream& c) {
 inline Vector3d stretched_normal(DrawStream& c) {
   const Vector3d n = lattice_normal(c, 20);
   constexpr int lengths[]{-664, 664, -540, 540, -1074, 1000};
-  return std::ldexp(1, lengths[c.below(6)] + static_cast<int>(c.below(8))) * n;
+  const int length = lengths[c.below(6)], more = static_cast<int>(c.below(8));
+  return std::ldexp(1, length + more) * n;
 }
 inline Bounce stretched_bounce(DrawStream& c) {
   const Vector3d v = lattice_velocity(c);

@@ -189,7 +189,10 @@ struct broad_phase {
            // Boxes that begin where the ray is at an integer t, on an axis each; between them, perhaps, some others.
            Programming p(c);
            const Point3d o = lattice_point_of_box(c, 6);
-           const auto speed = [&c] { return static_cast<double>(1 + c.below(7)) * (c.below(2) == 1 ? -1 : 1); };
+           const auto speed = [&c] {
+             const double size = static_cast<double>(1 + c.below(7));
+             return c.below(2) == 1 ? -size : size;
+           };
            const double u = speed(), v = speed(), w = speed();
            for (std::size_t left = 2 + c.below(6); left > 0; --left) {
              const double t = static_cast<double>(c.below(3)), more = 8 + static_cast<double>(c.below(3));
@@ -212,7 +215,10 @@ struct broad_phase {
          [](DrawStream& c) -> Question {
            // Quotients beyond the range or below it, and products of 1e30.
            static constexpr std::array sizes{1.0, 1e30, 1e-30, 0x1p-1074, 0x1p-1022, 0x1p1000, greatest_number};
-           const auto number = [&c] { return sizes[c.below(sizes.size())] * small_integer(c, 2); };
+           const auto number = [&c] {
+             const double size = sizes[c.below(sizes.size())];
+             return size * small_integer(c, 2);
+           };
            Programming p(c);
            for (std::size_t left = 1 + c.below(4); left > 0; --left) {
              const double x = number(), y = number(), z = number(), u = number(), v = number();

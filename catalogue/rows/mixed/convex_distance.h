@@ -72,7 +72,7 @@ struct convex_distance {
          [](DrawStream& c) -> Question {
            // Roofs whose ridges face each other; one may be a little askew.
            const double from = small_integer(c), to = small_integer(c), height = static_cast<double>(c.below(4));
-           const double askew = small_integer(c, 1) * (c.below(2) == 1 ? 0x1p-40 : 1.0);
+           const double side = small_integer(c, 1), askew = c.below(2) == 1 ? 0x1p-40 * side : side;
            const Meshd a = roof({0, 0, 0}, {8, 0, 0}, -8), b = roof({from, 0, height}, {to + 9, askew, height}, 8);
            return {a, b};
          }},
@@ -163,7 +163,8 @@ struct convex_distance {
          [](DrawStream& c) -> Question {
            // One of them is as large as its distance.
            const Meshd a = lattice_polyhedron(c);
-           Meshd b = shifted(lattice_polyhedron(c), 96.0 * lattice_normal(c, 2));
+           const Vector3d off = 96.0 * lattice_normal(c, 2);
+           Meshd b = shifted(lattice_polyhedron(c), off);
            const int places = c.below(2) == 1 ? 1000 : 60;
            for (Point3d& p : b.vertices)
              p = {std::ldexp(p.x, places), std::ldexp(p.y, places), std::ldexp(p.z, places)};
