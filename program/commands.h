@@ -56,7 +56,7 @@ struct ExhaustCommand {
   bool decisions = false;
   std::string engine;  ///< command of an engine, which is asked instead of our reference; empty: none
   double timeout = usual_timeout;
-  int jobs = 0;  ///< 0: as many as the machine has, and with an engine one
+  int jobs = 0;                 ///< 0: as many as the machine has, and with an engine one
   std::size_t list_length = 0;  ///< elements of each list; 0: as many as Metadata says
 };
 

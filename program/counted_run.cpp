@@ -132,11 +132,11 @@ void require_whole_grid(const CountedRun& run) {
   for (const Counts& counts : run.operations) {
     if (counts.of_grid.empty()) continue;
     const Operation& operation = operation_named(counts.operation);
-    const auto whole = operation.configurations_of_plain_grid(static_cast<int>(run.grid), operation.metadata().list_length);
+    const auto whole =
+        operation.configurations_of_plain_grid(static_cast<int>(run.grid), operation.metadata().list_length);
     std::uint64_t sum = 0;
     for (const auto& [word, n] : counts.of_grid) sum += n;
-    if (whole != sum)
-      throw InvalidInput("of_grid", fmt::format("{} configurations, got {}", whole.value_or(0), sum));
+    if (whole != sum) throw InvalidInput("of_grid", fmt::format("{} configurations, got {}", whole.value_or(0), sum));
   }
 }
 

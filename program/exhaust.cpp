@@ -138,15 +138,20 @@ Counts counted(const Operation& operation, const ExhaustCommand& command, const 
   const auto decided = operation.count_decisions(command.grid, share.first, share.last, command.list_length);
   Counts counts{operation.name(), {share}, decided->outcomes, decided->of_grid, decided->wrong, decided->hash, nullptr};
   if (decided->wrong > 0)
-    counts.first_wrong = {{"index", decided->first_wrong},
-                          {"input", operation.print(operation.on_grid(command.grid, decided->first_wrong, command.list_length))}};
+    counts.first_wrong = {
+        {"index", decided->first_wrong},
+        {"input", operation.print(operation.on_grid(command.grid, decided->first_wrong, command.list_length))}};
   return counts;
 }
 
 int decisions(const Operation& operation, const ExhaustCommand& command, const Shard& shard, std::ostream& out,
               std::ostream& err) {
-  if (operation.row().count_decisions == nullptr)
-    throw UsageError("--decisions: expected an operation with a fast pair of decisions (orientation, segment_segment, point_in_polygon)");
+  if (operation.row().count_decisions == nullptr) {
+    std::string names;
+    for (const Operation* other : all_operations())
+      if (other->row().count_decisions != nullptr) names += (names.empty() ? "" : ", ") + other->name();
+    throw UsageError("--decisions: expected an operation with a fast pair of decisions (" + names + ")");
+  }
   GridRun run(operation, command, shard, err);
   CountedRun sum;
   sum.kind = "decisions";
@@ -180,8 +185,8 @@ int exhaust_command(const ExhaustCommand& asked, std::ostream& out, std::ostream
   const Operation& operation = operation_named(command.operation);
   if (command.list_length == 0) {
     command.list_length = operation.metadata().list_length;
-  } else if (operation.metadata().list_length == 0) {
-    throw UsageError("--list-length: expected an operation that is asked about lists");
+  } else if (operation.metadata().list_length == 0 || operation.row().world) {
+    throw UsageError("--list-length: expected an operation that is asked about lists of numbers on a plain grid");
   }
   const Shard shard = shard_of(command.shard);
   require_writable("--json", command.json_file);

@@ -30,12 +30,8 @@ int jobs_of(const ExhaustCommand& command) {
 }
 
 Json named(const ExhaustCommand& command, const Shard& shard) {
-  return {{"exhaust", command.operation},
-          {"grid", command.grid},
-          {"list_length", command.list_length},
-          {"decisions", command.decisions},
-          {"engine", command.engine},
-          {"shard", shard.text()}};
+  return {{"exhaust", command.operation},   {"grid", command.grid},     {"list_length", command.list_length},
+          {"decisions", command.decisions}, {"engine", command.engine}, {"shard", shard.text()}};
 }
 
 }  // namespace

@@ -204,7 +204,9 @@ void add_exhaust(CLI::App& program, Action& action) {
   auto options = std::make_shared<ExhaustCommand>();
   command->add_option("operation", options->operation, "Name of the operation")->required();
   command->add_option("--grid", options->grid, "Every number runs over 0 .. K-1")->check(CLI::Range(1, 64));
-  command->add_option("--list-length", options->list_length, "How many elements each list has, such as vertices of a polygon")
+  command
+      ->add_option("--list-length", options->list_length,
+                   "How many elements each list has, such as vertices of a polygon")
       ->check(CLI::Range(1, 64))
       ->default_str("as the tests ask");
   add_shard(*command, options->shard, options->json_file);

@@ -27,6 +27,21 @@ inline const Meshd ring = but_the_middle(1), hollow = but_the_middle(3);
 inline const Meshd octahedron{{{12, 0, 0}, {-12, 0, 0}, {0, 12, 0}, {0, -12, 0}, {0, 0, 12}, {0, 0, -12}},
                               {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
 
+/// Vertex number x + 2 y + 4 z of a box.
+inline const std::vector<Face> box_faces{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                                         {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+inline Meshd mesh_of(const Aabb3d& box) {
+  Meshd mesh{{}, box_faces};
+  for (int i = 0; i < 8; ++i)
+    mesh.vertices.push_back({(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                             (i & 4) != 0 ? box.max.z : box.min.z});
+  return mesh;
+}
+/// A corner, and three more at the ends of these edges.
+inline Meshd tetrahedron(const Point3d& p, const Vector3d& u, const Vector3d& v, const Vector3d& w) {
+  return {{p, p + u, p + v, p + w}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
 template <class Change>
 Meshd with_each_face(Meshd mesh, const Change& change) {
   std::for_each(mesh.faces.begin(), mesh.faces.end(), change);

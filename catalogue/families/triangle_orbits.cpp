@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <mutex>
 
 #include "geometry/invalid_input.h"
@@ -60,13 +61,12 @@ TriangleOrbits::TriangleOrbits(int size) : size_(size) {
 }
 
 const TriangleOrbits& TriangleOrbits::of(int size) {
-  if (size > greatest_size) throw InvalidInput("grid", "at most 6 for pairs of triangles");
-  static std::mutex one_at_a_time;
-  static std::map<int, TriangleOrbits> made;
-  const std::lock_guard lock(one_at_a_time);
-  auto found = made.find(size);
-  if (found == made.end()) found = made.emplace(size, TriangleOrbits(size)).first;
-  return found->second;
+  if (size > greatest_size) throw InvalidInput("--grid", "at most 6 for pairs of triangles");
+  static std::array<std::once_flag, greatest_size + 1> once;
+  static std::array<std::unique_ptr<const TriangleOrbits>, greatest_size + 1> made;
+  const auto at = static_cast<std::size_t>(size);
+  std::call_once(once[at], [&] { made[at].reset(new TriangleOrbits(size)); });
+  return *made[at];
 }
 
 }  // namespace touchstone::catalogue

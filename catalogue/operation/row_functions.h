@@ -34,7 +34,7 @@ struct DecisionCount {
   std::uint64_t cases = 0, wrong = 0, hash = 0;  ///< hash: sum over the cases, so parts of a range add up
   std::map<std::string, std::uint64_t> outcomes;
   std::map<std::string, std::uint64_t> of_grid;  ///< of all configurations for which the cases stand; else empty
-  std::uint64_t first_wrong = 0;  ///< index of the first wrong case, if wrong > 0
+  std::uint64_t first_wrong = 0;                 ///< index of the first wrong case, if wrong > 0
 };
 
 /// Questions of an exhaustive run, where a plain grid of numbers would be too many or mostly invalid.

@@ -210,7 +210,9 @@ DecisionCount RowOf<Row>::count_decisions(int size, std::uint64_t first, std::ui
     if (given.domain_at) asked = given.domain_at(size, index);
     for (std::size_t i = digits.size(); i-- > 0; index /= static_cast<std::uint64_t>(size)) {
       if (given.domain_at) *digits[i] = static_cast<std::int64_t>(*numbers[i]);
-      else *numbers[i] = static_cast<double>(*digits[i] = static_cast<std::int64_t>(index % static_cast<std::uint64_t>(size)));
+      else
+        *numbers[i] =
+            static_cast<double>(*digits[i] = static_cast<std::int64_t>(index % static_cast<std::uint64_t>(size)));
     }
   };
   const auto count_up = [&] {

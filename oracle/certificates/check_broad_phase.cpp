@@ -356,14 +356,10 @@ void check_broad_phase(const Claim& claim) {
 
 /// What other structures answer is proved in the same way.
 Checks checks_of_broad_phase() {
-  return {{"all_pairs", check_all_pairs},
-          {"sphere_hierarchy", check_all_pairs},
-          {"broad_phase", check_broad_phase},
-          {"bounding_volume_hierarchy", check_broad_phase},
-          {"uniform_grid", check_broad_phase},
-          {"quadtree", check_broad_phase},
-          {"octree", check_broad_phase},
-          {"bsp_tree", check_broad_phase}};
+  return {{"all_pairs", check_all_pairs},      {"sphere_hierarchy", check_all_pairs},
+          {"broad_phase", check_broad_phase},  {"bounding_volume_hierarchy", check_broad_phase},
+          {"uniform_grid", check_broad_phase}, {"quadtree", check_broad_phase},
+          {"octree", check_broad_phase},       {"bsp_tree", check_broad_phase}};
 }
 
 }  // namespace touchstone::certify

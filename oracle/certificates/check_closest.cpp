@@ -36,16 +36,11 @@ void check_aabb_plane(const Claim& claim) {
   const int height = sgn(level.at(point));
   expect(box.holds(x), "certificate: the point is not in the box");
   if (overlapping) {
-    for (std::size_t k = 0; k < 3; ++k)
-      expect(box.min[k] < x[k] && x[k] < box.max[k], "certificate: the point is not inside the box");
+    expect_inside(box, x);
     expect(height < 0, "certificate: the point is not behind the plane");
   } else if (flat) {
     expect(height <= 0, "certificate: the point is in front of the plane");
-    const Rational axis = claim.single("axis");
-    bool found = false;
-    for (std::size_t k = 0; k < 3; ++k)
-      found = found || (axis == static_cast<unsigned long>(k) && box.min[k] == box.max[k]);
-    expect(found, "certificate: the box is not flat on the axis");
+    expect_flat_axis(claim, box);
   } else {
     expect(is_lowest(box, level, x), "certificate: a point of the box is lower");
     expect(disjoint ? height > 0 : height == 0, "certificate: the height of the point proves another truth");

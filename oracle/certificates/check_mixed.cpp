@@ -84,14 +84,9 @@ void check_triangle_aabb(const Claim& claim) {
   const std::vector<Rational> x{point.x, point.y, point.z};
   expect(box.holds(x), "certificate: the point is not in the box");
   if (overlapping) {
-    for (std::size_t k = 0; k < 3; ++k)
-      expect(box.min[k] < x[k] && x[k] < box.max[k], "certificate: the point is not inside the box");
+    expect_inside(box, x);
   } else if (flat) {
-    const Rational axis = claim.single("axis");
-    bool found = false;
-    for (std::size_t k = 0; k < 3; ++k)
-      found = found || (axis == static_cast<unsigned long>(k) && box.min[k] == box.max[k]);
-    expect(found, "certificate: the box is not flat on the axis");
+    expect_flat_axis(claim, box);
   } else {
     expect_between(claim, corners, box, false);
   }

@@ -105,4 +105,17 @@ std::vector<Triple> named(const Claim& claim, const char* fact, const std::vecto
   return found;
 }
 
+void expect_inside(const Box& box, const std::vector<Rational>& p) {
+  for (std::size_t k = 0; k < box.axes(); ++k)
+    expect(box.min[k] < p[k] && p[k] < box.max[k], "certificate: the point is not inside the box");
+}
+
+void expect_flat_axis(const Claim& claim, const Box& box) {
+  const Rational axis = claim.single("axis");
+  bool found = false;
+  for (std::size_t k = 0; k < box.axes(); ++k)
+    found = found || (axis == static_cast<unsigned long>(k) && box.min[k] == box.max[k]);
+  expect(found, "certificate: the box is not flat on the axis");
+}
+
 }  // namespace touchstone::certify

@@ -51,6 +51,10 @@ struct Box {
   std::size_t axes() const { return min.size(); }
   bool holds(const std::vector<Rational>& p) const;
 };
+/// Strictly between min and max.
+void expect_inside(const Box& box, const std::vector<Rational>& p);
+/// The fact `axis` names one on which min = max.
+void expect_flat_axis(const Claim& claim, const Box& box);
 
 /// Input, by the field's name; `what` is how the field is called in a refusal.
 /// The coordinates of a point of the plane or of space.

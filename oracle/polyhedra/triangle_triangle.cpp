@@ -81,7 +81,8 @@ Truth<TriangleTriangleRelation> triangle_triangle(const Triangle3d& a, const Tri
 TriangleTriangleRelation triangle_triangle_relation(const Triangle3d& a, const Triangle3d& b) {
   return relation_of(solved(a, b).common.dimension);
 }
-TriangleTriangleRelation triangle_triangle_relation(const Triangle3<std::int64_t>& a, const Triangle3<std::int64_t>& b) {
+TriangleTriangleRelation triangle_triangle_relation(const Triangle3<std::int64_t>& a,
+                                                    const Triangle3<std::int64_t>& b) {
   return relation_of(common_dimension_on_grid(a, b));
 }
 

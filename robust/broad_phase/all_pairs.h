@@ -14,15 +14,16 @@ namespace touchstone::robust {
 /// touch meet; a ball of radius 0 and a box with min == max are points.
 ///
 /// Right for all finite doubles in every floating-point environment. Balls: sort and sweep along the axis on which they
-/// overlap least, in time n log n for the order and then one look at each pair whose intervals meet on that axis. Boxes:
-/// a tree made for the list (robust/structures/pair_tree.h), in time n log n and the number of pairs but for long boxes
-/// across each other, about n^1.5. At most 2^32 - 1 solids. NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a negative radius ("radius >= 0")
-/// and min > max ("min <= max"). Contract: reference/broad_phase/all_pairs.h.
+/// overlap least, in time n log n for the order and then one look at each pair whose intervals meet on that axis.
+/// Boxes: a tree made for the list (robust/structures/pair_tree.h), in time n log n and the number of pairs; long boxes
+/// across each other take about n^1.5. At most 2^32 - 1 solids. NaN and infinities throw InvalidInput, which names the
+/// field and "finite number"; so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract:
+/// reference/broad_phase/all_pairs.h.
 std::vector<IndexPair> all_pairs(const std::vector<Sphere3d>& spheres);
 std::vector<IndexPair> all_pairs(const std::vector<Aabb3d>& boxes);
 
-/// The pairs of boxes and what shows that none is missing: a tree over the boxes, and how it was searched. `touchstone
-/// certify` and oracle/certificates/certify.py check it (oracle/certificates/README.md says how it is written and read).
+/// The pairs of boxes and what shows that none is missing: a tree over the boxes, and how it was searched. `certify`
+/// and certify.py check it; oracle/certificates/README.md says how it is written and read.
 struct PairsWithCertificate {
   std::vector<IndexPair> pairs;     ///< as all_pairs has them
   std::vector<Index> order;         ///< the boxes in the order of the tree

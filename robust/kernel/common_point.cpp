@@ -14,8 +14,8 @@ using Vector = Vector3<mpq_class>;
 
 Vector quotients(const Vector3<mpz_class>& v) { return {mpq_class(v.x), mpq_class(v.y), mpq_class(v.z)}; }
 
-/// The corners of the hull, counter-clockwise about the normal; two of a segment, or one. By chains from the first to the last
-/// point in lexicographic order and back, which is the order along some direction in the plane.
+/// The corners of the hull, counter-clockwise about the normal; two of a segment, or one. By chains from the first to
+/// the last point in lexicographic order and back, which is the order along some direction in the plane.
 std::vector<Point> ring_of(std::vector<WholePoint> points, const Vector3<mpz_class>& normal) {
   const auto before = [](const WholePoint& p, const WholePoint& q) {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);

@@ -1,13 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "geometry/answers.h"
 #include "geometry/triangles.h"
+#include "robust/kernel/lattice.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/staged.h"
 
 /// Whether a line meets a triangle, by exact signs of determinants.
 namespace touchstone::robust::kernel {
+
+/// Two points, or a point and a vector, and a triangle on one lattice.
+struct LineAndTriangle {
+  Point3<std::int64_t> p, q;
+  Triangle3<std::int64_t> triangle;
+};
+template <class P, class Q>
+std::optional<LineAndTriangle> on_lattice(const P& p, const Q& q, const Triangle3d& triangle) {
+  const auto& [a, b, c] = triangle;
+  const auto lattice = lattice_of(p.x, p.y, p.z, q.x, q.y, q.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  if (!lattice) return std::nullopt;
+  const auto& n = lattice->at;
+  const auto point = [&n](std::size_t i) { return Point3<std::int64_t>{n[i], n[i + 1], n[i + 2]}; };
+  return LineAndTriangle{point(0), point(3), {point(6), point(9), point(12)}};
+}
 
 /// The sign of (v x w) . d, of integers below 2^62: below 2^189.
 inline int sign_of_triple(const Vector3<std::int64_t>& v, const Vector3<std::int64_t>& w,

@@ -73,15 +73,10 @@ void validate(const Ray3d& ray, const Triangle3d& t) {
 
 /// What lies in the plane of the triangle, or has no plane, is left to the next stage.
 Perhaps<Relation> stages::ray_triangle::decision::lattice(const Ray3d& ray, const Triangle3d& triangle) {
-  const auto& [o, v] = ray;
-  const auto& [a, b, c] = triangle;
-  const auto lattice = kernel::lattice_of(o.x, o.y, o.z, v.x, v.y, v.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  const auto lattice = kernel::on_lattice(ray.origin, ray.direction, triangle);
   if (!lattice) return std::nullopt;
-  const auto& n = lattice->at;
-  const auto point = [&n](std::size_t i) { return Point3<std::int64_t>{n[i], n[i + 1], n[i + 2]}; };
-  const Triangle3<std::int64_t> t{point(6), point(9), point(12)};
-  const Point3<std::int64_t> origin = point(0);
-  const Vector3<std::int64_t> direction{n[3], n[4], n[5]}, ab = t.b - t.a, ac = t.c - t.a;
+  const auto& [origin, way, t] = *lattice;
+  const Vector3<std::int64_t> direction{way.x, way.y, way.z}, ab = t.b - t.a, ac = t.c - t.a;
   const int at_origin = kernel::sign_of_triple(ab, ac, origin - t.a), rise = kernel::sign_of_triple(ab, ac, direction);
   if (at_origin == 0 && rise == 0) return std::nullopt;
   if (rise == 0 || at_origin == rise) return Relation::none;

@@ -55,14 +55,9 @@ void validate(const Segment3d& s, const Triangle3d& t) {
 
 /// What lies in the plane of the triangle, or has no plane, is left to the next stage.
 Perhaps<Relation> stages::segment_triangle::decision::lattice(const Segment3d& segment, const Triangle3d& triangle) {
-  const auto& [p, q] = segment;
-  const auto& [a, b, c] = triangle;
-  const auto lattice = kernel::lattice_of(p.x, p.y, p.z, q.x, q.y, q.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z);
+  const auto lattice = kernel::on_lattice(segment.a, segment.b, triangle);
   if (!lattice) return std::nullopt;
-  const auto& n = lattice->at;
-  const auto point = [&n](std::size_t i) { return Point3<std::int64_t>{n[i], n[i + 1], n[i + 2]}; };
-  const Triangle3<std::int64_t> t{point(6), point(9), point(12)};
-  const Point3<std::int64_t> start = point(0), end = point(3);
+  const auto& [start, end, t] = *lattice;
   const Vector3<std::int64_t> ab = t.b - t.a, ac = t.c - t.a;
   const int at_start = kernel::sign_of_triple(ab, ac, start - t.a), at_end = kernel::sign_of_triple(ab, ac, end - t.a);
   if (at_start == 0 && at_end == 0) return std::nullopt;

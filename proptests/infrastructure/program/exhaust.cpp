@@ -132,9 +132,11 @@ TEST_CASE("exhaust: lists are as long as one likes, where there are lists") {
   CHECK(decided.wrong() == 0);
   const std::string examined = merged({shards.run("point_in_polygon", 2, "1/1", false, 3)});
   CHECK_THAT(examined, ContainsSubstring("256"));
-  CHECK_THAT(merged({shards.run("point_in_polygon", 2, "1/2", true, 3), shards.run("point_in_polygon", 2, "2/2", true, 4)}),
-             EndsWith("of: the same in every file"));
-  CHECK_THROWS_AS(shards.run("orientation", 2, "1/1", true, 3), UsageError);
+  CHECK_THAT(
+      merged({shards.run("point_in_polygon", 2, "1/2", true, 3), shards.run("point_in_polygon", 2, "2/2", true, 4)}),
+      EndsWith("of: the same in every file"));
+  for (const char* without : {"orientation", "convex_hull"})  // no list, and a domain of its own
+    CHECK_THROWS_AS(shards.run(without, 2, "1/1", false, 3), UsageError);
 }
 
 TEST_CASE("exhaust: the hash of the decisions changes with a decision") {

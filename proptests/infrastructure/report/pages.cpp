@@ -331,8 +331,7 @@ TEST_CASE("pages: before and after a fix, what changed most first") {
 TEST_CASE("pages: what the gate says stands above the tables, and no gate says nothing") {
   const Tally tally = tally_of({{"orientation", cell_of_orientation()}});
   const std::string page = index_page(tally, {}, {"", nullptr, "gate: failed: 1 new finding\n  a < b\n"});
-  CHECK_THAT(page,
-             ContainsSubstring("<h2>Gate</h2><div class=\"card\"><pre>gate: failed: 1 new finding\n  a &lt; b"));
+  CHECK_THAT(page, ContainsSubstring("<h2>Gate</h2><div class=\"card\"><pre>gate: failed: 1 new finding\n  a &lt; b"));
   CHECK(place_of(page, "<h2>Gate</h2>") < place_of(page, "<h2>By operation</h2>"));
   CHECK(index_page(tally, {}).find("<h2>Gate</h2>") == std::string::npos);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polyhedra/triangle_triangle.h"
 
+#include <map>
+
 #include "proptests/triangle_laws.h"
 #include "robust/polyhedra/segment_triangle.h"
 
@@ -109,6 +111,21 @@ CONTRACT("triangle_triangle: the formula in double keeps its contract", a, b) {
     return front == 3 || back == 3;
   };
   return !one_side(a, b) || !one_side(b, a) || (answer == none && truth.answer == none);
+}
+
+TEST_CASE("triangle_triangle: pairs up to symmetry stand for every ordered pair of the grid") {
+  std::map<Relation, std::uint64_t> all, by_symmetry;
+  using Corner = Point3<std::int64_t>;
+  const auto corner = [](std::int64_t place) { return Corner{place & 1, place >> 1 & 1, place >> 2 & 1}; };
+  std::vector<Triangle3<std::int64_t>> triangles;
+  for (std::int64_t i = 0; i < 8 * 8 * 8; ++i) triangles.push_back({corner(i), corner(i >> 3), corner(i >> 6)});
+  for (const auto& a : triangles)
+    for (const auto& b : triangles) ++all[oracle::triangle_triangle_relation(a, b)];
+  for (std::uint64_t i = 0; i < Row::domain_count(2); ++i) {
+    const auto [a, b] = Row::domain_at(2, i);
+    by_symmetry[oracle::triangle_triangle_relation(a, b)] += Row::domain_weight(2, i);
+  }
+  CHECK(by_symmetry == all);
 }
 
 }  // namespace touchstone::proptests::triangle_triangle_tests

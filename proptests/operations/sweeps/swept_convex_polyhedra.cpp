@@ -2,6 +2,7 @@
 #include "catalogue/rows/sweeps/swept_convex_polyhedra.h"
 
 #include "proptests/motion_laws.h"
+#include "proptests/solids.h"
 #include "proptests/space_laws.h"
 #include "robust/sweeps/swept_aabb_aabb.h"
 #include "robust/sweeps/swept_convex_polyhedra.h"
@@ -15,23 +16,9 @@ using Answer = exact_answer_t<Row>;
 const Answer misses{HitRelation::never, std::nullopt};
 Answer at(const Rational& t) { return {HitRelation::hit, t}; }
 
-/// Vertex number x + 2 y + 4 z of a box.
-const std::vector<Face> box_faces{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                                  {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-Meshd mesh_of(const Aabb3d& box) {
-  Meshd mesh{{}, box_faces};
-  for (int i = 0; i < 8; ++i)
-    mesh.vertices.push_back({(i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
-                             (i & 4) != 0 ? box.max.z : box.min.z});
-  return mesh;
-}
+using solids::mesh_of, solids::tetrahedron;
 const Meshd cube = mesh_of({{0, 0, 0}, {4, 4, 4}});
 Meshd cube_at(double x, double y, double z) { return mesh_of({{x, y, z}, {x + 4, y + 4, z + 4}}); }
-
-/// A corner, and three more at the ends of these edges.
-Meshd tetrahedron(const Point3d& p, const Vector3d& u, const Vector3d& v, const Vector3d& w) {
-  return {{p, p + u, p + v, p + w}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-}
 
 template <class Change>
 Meshd with_each_vertex(Meshd mesh, const Change& change) {
