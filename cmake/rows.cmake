@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# The catalogue's list, made from its rows, catalogue/rows/CHAPTER/NAME.h: a header that includes them all in the order of the deck, and
-# for each chapter one translation unit that makes their operations (one for each row would take five times as long, because it is the
-# headers that cost).
+# The catalogue's list, made from its rows, catalogue/rows/CHAPTER/NAME.h: a header that declares them in the order of the deck, one that
+# includes them all, and for each chapter one translation unit that makes their operations (one for each row would take five times as
+# long, because it is the headers that cost).
 
 # In the order of the deck, and within a chapter by page; last what lies between its chapters.
 set(touchstone_chapters lines polygons planes volumes sweeps polyhedra broad_phase response mixed)
@@ -31,7 +31,7 @@ foreach(chapter ${touchstone_chapters})
   list(SORT keys COMPARE NATURAL)
   foreach(key ${keys})
     string(REGEX REPLACE ".* " "" name "${key}")
-    list(APPEND row_order rows::${name})
+    list(APPEND row_order ${name})
   endforeach()
   string(APPEND all_includes "${includes}")
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp @ONLY CONTENT [[
@@ -43,19 +43,28 @@ namespace touchstone::catalogue {
 ]])
   list(APPEND row_sources ${PROJECT_BINARY_DIR}/rows/${chapter}.cpp)
 endforeach()
-list(JOIN row_order ",\n    " row_order)
+list(JOIN row_order ";\nstruct " declared)
+list(JOIN row_order ",\n    rows::" row_order)
 set(touchstone_generated ${PROJECT_BINARY_DIR}/generated)
-file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/all.h @ONLY CONTENT [[
-// Made by cmake/rows.cmake from the rows.
+file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/declared.h @ONLY CONTENT [[
+// Made by cmake/rows.cmake from the names of the rows.
 #pragma once
 
-@all_includes@
 namespace touchstone::catalogue {
+namespace rows {
+struct @declared@;
+}  // namespace rows
 
 template <class... R>
 struct RowList;
 using Rows = RowList<
-    @row_order@>;
+    rows::@row_order@>;
 
 }  // namespace touchstone::catalogue
 ]])
+file(CONFIGURE OUTPUT ${touchstone_generated}/catalogue/rows/all.h @ONLY CONTENT [[
+// Made by cmake/rows.cmake from the rows.
+#pragma once
+
+#include "catalogue/rows/declared.h"
+@all_includes@]])

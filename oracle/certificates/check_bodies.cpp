@@ -2,13 +2,6 @@
 #include "oracle/certificates/check_bodies.h"
 
 namespace touchstone::certify {
-namespace {
-
-void array_of_two(const json& value, const std::string& what) {
-  expect(value.is_array() && value.size() == 2, what + ": a list of two");
-}
-
-}  // namespace
 
 std::vector<Body> bodies(const json& value, const std::string& what) {
   expect(value.is_array(), what + ": a list");

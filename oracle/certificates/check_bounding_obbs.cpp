@@ -32,7 +32,7 @@ void check_obb_of_points(const Claim& claim) {
     half_axes[k] = exact_triple(written[k], "truth.obb.half_axes[" + std::to_string(k) + "]");
   for (std::size_t k = 0; k < 3; ++k)
     expect(sgn(dot(half_axes[k], half_axes[(k + 1) % 3])) == 0, "truth: the half axes are not at right angles");
-  expect(claim.kind() == "touched_faces", "certificate: no such kind for this truth"), claim.facts({"least", "most"});
+  claim.expect_kind("touched_faces"), claim.facts({"least", "most"});
   const Triple nothing{0, 0, 0};
   std::vector<Triple> proper;
   for (const Triple& a : half_axes)

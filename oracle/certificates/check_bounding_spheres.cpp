@@ -5,8 +5,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 using Points = std::vector<Triple>;
 
 Triple plus(const Triple& p, const Rational& weight, const Triple& q) { return along(p, weight, q); }

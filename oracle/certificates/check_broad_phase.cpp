@@ -26,8 +26,6 @@ namespace {
 
 using Pairs = std::set<std::pair<std::size_t, std::size_t>>;
 
-Rational square(const Rational& x) { return Rational(x * x); }
-
 /// A closed ball in a radius, or a closed box.
 struct Solid {
   std::optional<Ball> ball;
@@ -93,7 +91,7 @@ Pairs proved_to_meet(const Claim& claim, const std::vector<Solid>& solids) {
     const auto i = pair[0].get<std::size_t>(), j = pair[1].get<std::size_t>();
     expect(i < j && (pairs.empty() || *pairs.rbegin() < std::pair{i, j}), "truth: the pairs are not sorted");
     const Claim proof{claim.input, claim.truth, proofs[k]};
-    expect(proof.kind() == "common_point", "certificate: no such kind for this truth");
+    proof.expect_kind("common_point");
     proof.facts({"point"});
     const Triple p = triple(proof, "point");
     expect(holds(solids[i], p) && holds(solids[j], p), "certificate: a point is not in both");
@@ -108,7 +106,7 @@ Pairs proved_apart(const Claim& claim, const std::vector<Solid>& solids) {
   for (const json& written : list(claim.certificate, "apart", "certificate.apart")) {
     const Claim proof{claim.input, claim.truth, written};
     const bool distance = proof.kind() == "distance";
-    expect(distance || proof.kind() == "gap", "certificate: no such kind for this truth");
+    expect(distance || proof.kind() == "gap", wrong_kind);
     if (distance) proof.facts({"pair", "squared_distance"});
     else proof.facts({"pair", "axis"});
     const Pair named = proof.pair("pair");
@@ -116,7 +114,7 @@ Pairs proved_apart(const Claim& claim, const std::vector<Solid>& solids) {
     expect(i < j, "certificate: not a pair i < j");
     const Solid &a = solids[i], &b = solids[j];
     if (distance) {
-      expect(a.ball.has_value(), "certificate: no such kind for this truth");
+      expect(a.ball.has_value(), wrong_kind);
       const Triple between = b.ball->center - a.ball->center;
       const Rational squared = dot(between, between);
       expect(proof.single("squared_distance") == squared, "certificate: the squared distance is wrong");
@@ -139,7 +137,7 @@ void check_all_pairs(const Claim& claim) {
   if (of_kind_tree(claim.certificate)) return check_pair_tree(claim);
   const std::vector<Solid> all = solids(claim);
   claim.answers({"pairs"});
-  expect(claim.kind() == "sweep", "certificate: no such kind for this truth");
+  claim.expect_kind("sweep");
   claim.facts({"axis", "order", "meet", "apart"});
   const Pairs meeting = proved_to_meet(claim, all), apart = proved_apart(claim, all);
   const std::size_t along = axis(claim);
@@ -180,7 +178,7 @@ bool proved(const Claim& proof, const Box& query, const Box& body) {
     expect(query.holds({p.x, p.y, p.z}) && body.holds({p.x, p.y, p.z}), "certificate: a point is not in both");
     return true;
   }
-  expect(proof.kind() == "gap", "certificate: no such kind for this truth");
+  proof.expect_kind("gap");
   proof.facts({"axis"});
   const std::size_t along = axis(proof);
   expect(query.max[along] < body.min[along] || body.max[along] < query.min[along], "certificate: a body is not apart");
@@ -208,7 +206,7 @@ std::optional<Rational> proved(const Claim& proof, const RayInSpace& ray, const 
     return std::nullopt;
   }
   const bool start = proof.kind() == "start";
-  expect(start || proof.kind() == "entry", "certificate: no such kind for this truth");
+  expect(start || proof.kind() == "entry", wrong_kind);
   if (start) proof.facts({});
   else proof.facts({"first", "axis"});
   const Rational first = start ? Rational(0) : proof.single("first");
@@ -257,8 +255,7 @@ class World {
     for (const json& index : list(reply, name, std::string("truth.") + name))
       expected.push_back(there(bodies_, index, std::string("truth.") + name)->first);
     const Claim claim{command, reply, certificate};
-    expect(claim.kind() == (command.contains("along_ray") ? "each_along" : "each_body"),
-           "certificate: no such kind for this truth");
+    expect(claim.kind() == (command.contains("along_ray") ? "each_along" : "each_body"), wrong_kind);
     claim.facts({"each"});
     expect(list(certificate, "each", "certificate.each").size() == bodies_.size(),
            "certificate: a proof for each body");
@@ -341,7 +338,7 @@ void check_broad_phase(const Claim& claim) {
   std::size_t queries = 0;
   carry_out([&queries](const World&, const json&) { ++queries; });
   claim.answers({"replies"});
-  expect(claim.kind() == "replies", "certificate: no such kind for this truth");
+  claim.expect_kind("replies");
   claim.facts({"replies"});
   const json &replies = list(claim.truth, "replies", "truth.replies"),
              &proofs = list(claim.certificate, "replies", "certificate.replies");

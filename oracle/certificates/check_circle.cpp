@@ -123,7 +123,7 @@ void check_parametric_circle(const Claim& claim) {
     expect(p == Pair{Rational(c.center.x + c.radius), c.center.y}, "truth: point is wrong");
     return;
   }
-  expect(claim.kind() == "enclosure", "certificate: no such kind for this truth");
+  claim.expect_kind("enclosure");
   expect(sgn(u) != 0 && sgn(c.radius) != 0, "certificate: the point is rational");
   claim.facts({"cosine", "sine", "quarter_turns", "bits"});
   const Pair cosine = claim.pair("cosine"), sine = claim.pair("sine");

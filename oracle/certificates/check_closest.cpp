@@ -9,8 +9,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 /// No point of the box is lower over the plane than x, which is one of them: on each axis on which the plane slopes, x
 /// is at the lower end.
 bool is_lowest(const Box& box, const Plane& plane, const std::vector<Rational>& x) {
@@ -105,10 +103,6 @@ void expect_position(const Claim& claim, const char* name, const Position& x) {
            "truth: " + what.substr(6) + " is wrong");
 }
 
-bool is_square(const Rational& x) {
-  return mpz_perfect_square_p(x.get_num_mpz_t()) != 0 && mpz_perfect_square_p(x.get_den_mpz_t()) != 0;
-}
-
 /// The squared distance, and its root: exactly, or by bounds if that is not rational.
 void expect_distance(const Claim& claim, const Rational& square) {
   expect(exact_value(claim.truth["squared_distance"], "truth.squared_distance") == square,
@@ -197,7 +191,7 @@ void check_convex_distance(const Claim& claim) {
     else claim.facts({"on_a", "on_b", "first"});
   } else {
     claim.answers({"relation", "squared_distance", "distance"});
-    expect(claim.kind() == "common_point", wrong_kind), claim.facts({"on_a", "on_b"});
+    claim.expect_kind("common_point"), claim.facts({"on_a", "on_b"});
   }
   const Position x = weighted(claim, "on_a", a), y = weighted(claim, "on_b", b);
   if (!apart) {

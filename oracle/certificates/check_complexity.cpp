@@ -248,7 +248,7 @@ std::string sign_of_volume(const Mesh& mesh) {
 void check_polyhedron_complexity(const Claim& claim) {
   claim.inputs({"mesh"});
   const Mesh surface = mesh(claim.input["mesh"], "mesh");
-  expect(claim.kind() == "complexity", "certificate: no such kind for this truth");
+  claim.expect_kind("complexity");
   claim.facts({"normals", "common_point", "directions"});
   Counted counted(surface);
   const Space space(surface);

@@ -82,7 +82,7 @@ std::vector<Triple> sums(const std::vector<Contact>& contacts, const std::vector
 /// The conditions of Karush, Kuhn and Tucker, which for a convex quadratic program are enough.
 void check_velocities(const Claim& claim, const std::vector<PointBody>& bodies, const std::vector<Contact>& contacts) {
   claim.answers({"relation", "velocities"});
-  expect(claim.kind() == "pushes", "certificate: no such kind for this truth");
+  claim.expect_kind("pushes");
   claim.facts({"impulses"});
   const json& truth = claim.truth["velocities"];
   expect(truth.is_array() && truth.size() == bodies.size(), "truth.velocities: one for each body");
@@ -106,7 +106,7 @@ void check_velocities(const Claim& claim, const std::vector<PointBody>& bodies, 
 void check_contradiction(const Claim& claim, const std::vector<PointBody>& bodies,
                          const std::vector<Contact>& contacts) {
   claim.answers({"relation"});
-  expect(claim.kind() == "contradiction", "certificate: no such kind for this truth");
+  claim.expect_kind("contradiction");
   claim.facts({"weights"});
   const std::vector<Rational> weights = pushes(claim, "weights", contacts);
   const std::vector<Triple> pushed = sums(contacts, weights, bodies.size());

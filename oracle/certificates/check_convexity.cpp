@@ -8,8 +8,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 void expect_truth(const Claim& claim, const char* name, bool strict, const char* orientation) {
   expect(claim.word("class") == name, wrong_kind);
   expect(claim.truth["strict"].is_boolean(), "truth: field strict is missing");
@@ -126,7 +124,7 @@ void check_interior_angles(const Claim& claim) {
   const Ring ring = polygon(claim.input["polygon"], "polygon");
   expect_simple(ring, "polygon");
   claim.answers({"angles"});
-  expect(claim.kind() == "enclosure", wrong_kind), claim.facts({"low", "high", "bits"});
+  claim.expect_kind("enclosure"), claim.facts({"low", "high", "bits"});
   const std::vector<Rational> low = claim.list("low"), high = claim.list("high");
   const json& angles = claim.truth["angles"];
   const std::size_t n = ring.size();

@@ -16,7 +16,7 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
-std::size_t place(const json& value, const std::string& what, std::size_t count) {
+std::size_t place_in_input(const json& value, const std::string& what, std::size_t count) {
   expect(value.is_number_unsigned() && value.get<std::uint64_t>() < count, what + ": not an index");
   return value.get<std::size_t>();
 }
@@ -25,7 +25,7 @@ std::size_t place(const json& value, const std::string& what, std::size_t count)
 Places places(const json& list, const std::string& what, std::size_t fewest, std::size_t count) {
   expect(list.is_array() && list.size() >= fewest, what + ": a list of at least " + std::to_string(fewest));
   Places found;
-  for (const json& value : list) found.push_back(place(value, what, count));
+  for (const json& value : list) found.push_back(place_in_input(value, what, count));
   return found;
 }
 
@@ -39,7 +39,7 @@ std::size_t dimension(const Claim& claim) {
 Places corners(const Claim& claim, std::size_t count) {
   if (dimension(claim) == 0) {
     claim.answers({"dimension", "point"});
-    return {place(claim.truth["point"], "truth.point", count)};
+    return {place_in_input(claim.truth["point"], "truth.point", count)};
   }
   if (dimension(claim) == 1) {
     claim.answers({"dimension", "segment"});
@@ -62,8 +62,8 @@ void expect_extreme(const Claim& claim, Places used) {
   expect(same, "certificate: extreme are other points than in the truth");
 }
 
-void expect_kind(const Claim& claim, const char* kind) {
-  expect(claim.kind() == kind, "certificate: no such kind for this truth");
+void expect_extreme_points(const Claim& claim, const char* kind) {
+  claim.expect_kind(kind);
   claim.facts({"extreme"});
 }
 
@@ -186,7 +186,7 @@ std::vector<Point> listed_points(const Claim& claim, Point (*read)(const json&, 
 template <class Point>
 void check_flat(const Claim& claim, const std::vector<Point>& points) {
   const Places ring = corners(claim, points.size());
-  expect_kind(claim, ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon");
+  expect_extreme_points(claim, ring.size() == 1 ? "one_point" : ring.size() == 2 ? "segment" : "polygon");
   if (ring.size() == 1) expect_all_equal(points);
   else if (ring.size() == 2) expect_segment(points, ring);
   else expect_polygon(points, ring);
@@ -200,7 +200,7 @@ void check_convex_hull(const Claim& claim) {
   if (dimension(claim) == 3) {
     claim.answers({"dimension", "faces"});
     const std::vector<Corners> triangles = faces(claim.truth["faces"], points.size());
-    expect_kind(claim, "faces");
+    expect_extreme_points(claim, "faces");
     expect_extreme(claim, expect_faces(points, triangles));
   } else {
     check_flat(claim, points);

@@ -10,7 +10,6 @@ namespace {
 
 using Numbers = std::vector<Rational>;
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
 const char* const wrong_value = "certificate: the value of N . P is wrong";
 
 /// A list of points of one dimension, two or three; at least one.
@@ -53,7 +52,7 @@ void check_aabb_of_points(const Claim& claim) {
   only(claim.truth["aabb"], "truth.aabb", {"min", "max"});
   const Numbers low = exact_values(claim.truth["aabb"]["min"], "truth.aabb.min", axes),
                 high = exact_values(claim.truth["aabb"]["max"], "truth.aabb.max", axes);
-  expect(claim.kind() == "extreme_points", wrong_kind);
+  claim.expect_kind("extreme_points");
   claim.facts({"least", "greatest"});
   const Numbers least = claim.list("least"), greatest = claim.list("greatest");
   expect(least.size() == axes && greatest.size() == axes, "certificate: two places for each axis");
@@ -171,7 +170,7 @@ void check_kdop_of_points(const Claim& claim) {
   claim.answers({"slabs"});
   const json& slabs = claim.truth["slabs"];
   expect(slabs.is_array() && slabs.size() == normals.size(), "truth.slabs: as many slabs as normals");
-  expect(claim.kind() == "extreme_points", wrong_kind), claim.facts({"least", "greatest"});
+  claim.expect_kind("extreme_points"), claim.facts({"least", "greatest"});
   const Numbers least = claim.list("least"), greatest = claim.list("greatest");
   expect(least.size() == normals.size() && greatest.size() == normals.size(),
          "certificate: two places for each normal");

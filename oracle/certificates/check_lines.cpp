@@ -7,8 +7,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 /// The word for the sign of an exact number.
 void expect_word(const Claim& claim, const char* field, int sign, const char* below, const char* zero,
                  const char* above) {
@@ -18,8 +16,6 @@ void expect_word(const Claim& claim, const char* field, int sign, const char* be
                                           : zero),
          std::string("truth: ") + field + " is wrong");
 }
-
-void expect_kind(const Claim& claim, const char* kind) { expect(claim.kind() == kind, wrong_kind); }
 
 bool within(const Rational& t) { return sgn(t) >= 0 && t <= 1; }
 bool at_end(const Rational& t) { return sgn(t) == 0 || t == 1; }
@@ -49,7 +45,7 @@ void check_explicit_line(const Claim& claim) {
   const Rational slope = number(claim.input["slope"], "slope"),
                  intercept = number(claim.input["intercept"], "intercept");
   const Pair p = point(claim.input["point"], "point");
-  expect_kind(claim, "height"), claim.facts({"height"});
+  claim.expect_kind("height"), claim.facts({"height"});
   const Rational height = claim.single("height");
   expect(height == p.y - (slope * p.x + intercept), "certificate: the height is wrong");
   expect_word(claim, "side", sgn(height), "below", "on", "above");
@@ -59,7 +55,7 @@ void check_implicit_circle(const Claim& claim) {
   claim.inputs({"circle", "point"});
   const Circle c = circle(claim.input["circle"], "circle");
   const Pair from_center = point(claim.input["point"], "point") - c.center;
-  expect_kind(claim, "squares"), claim.facts({"squared_distance", "squared_radius"});
+  claim.expect_kind("squares"), claim.facts({"squared_distance", "squared_radius"});
   const Rational distance = claim.single("squared_distance"), radius = claim.single("squared_radius");
   expect(distance == dot(from_center, from_center), "certificate: the squared distance is wrong");
   expect(radius == c.radius * c.radius, "certificate: the squared radius is wrong");
@@ -71,7 +67,7 @@ void check_line_point_at(const Claim& claim) {
   const Ray line = ray(claim.input["line"], "line");
   const Rational t = number(claim.input["t"], "t");
   claim.answers({"point"});
-  expect_kind(claim, "displacement"), claim.facts({"displacement"});
+  claim.expect_kind("displacement"), claim.facts({"displacement"});
   const Pair step = claim.pair("displacement");
   expect(step == Pair{Rational(t * line.direction.x), Rational(t * line.direction.y)},
          "certificate: the displacement is wrong");
@@ -81,7 +77,7 @@ void check_line_point_at(const Claim& claim) {
 void check_orientation(const Claim& claim) {
   claim.inputs({"p0", "p1", "p"});
   const Pair p0 = point(claim.input["p0"], "p0"), p1 = point(claim.input["p1"], "p1"), p = point(claim.input["p"], "p");
-  expect_kind(claim, "determinant"), claim.facts({"determinant"});
+  claim.expect_kind("determinant"), claim.facts({"determinant"});
   const Rational determinant = claim.single("determinant");
   expect(determinant == cross(p1 - p0, p - p0), "certificate: the determinant is wrong");
   expect_word(claim, "side", sgn(determinant), "right", "on", "left");
@@ -92,7 +88,7 @@ void check_point_on_segment(const Claim& claim) {
   const Pair p = point(claim.input["point"], "point");
   const Ends s = segment(claim.input["segment"], "segment");
   if (claim.word("relation") == "on") {
-    claim.answers({"relation", "t"}), expect_kind(claim, "weights"), claim.facts({"weights"});
+    claim.answers({"relation", "t"}), claim.expect_kind("weights"), claim.facts({"weights"});
     const Pair weights = claim.pair("weights");
     expect(sgn(weights.x) >= 0 && sgn(weights.y) >= 0 && weights.x + weights.y == 1,
            "certificate: not weights of a segment");
@@ -102,7 +98,7 @@ void check_point_on_segment(const Claim& claim) {
     expect(t == weights.y && (!zero_length(s) || sgn(t) == 0), "truth: t is wrong");
   } else {
     expect(claim.word("relation") == "off", "truth: relation is wrong");
-    claim.answers({"relation"}), expect_kind(claim, "separating_line"), claim.facts({"normal", "offset"});
+    claim.answers({"relation"}), claim.expect_kind("separating_line"), claim.facts({"normal", "offset"});
     expect_separated(claim, {p}, {s.a, s.b});
   }
 }
@@ -113,7 +109,7 @@ void check_line_line(const Claim& claim) {
   const Pair u = a.b - a.a, v = b.b - b.a;
   const std::string relation = claim.word("relation");
   if (relation == "crossing") {
-    claim.answers({"relation", "ta", "tb", "point"}), expect_kind(claim, "transversal"), claim.facts({"determinant"});
+    claim.answers({"relation", "ta", "tb", "point"}), claim.expect_kind("transversal"), claim.facts({"determinant"});
     expect_determinant(claim, u, v);
     const Pair p = exact_pair(claim.truth["point"], "truth.point");
     expect(p == at(a, exact_value(claim.truth["ta"], "truth.ta")), "truth: point is not at ta");
@@ -122,13 +118,13 @@ void check_line_line(const Claim& claim) {
   }
   claim.answers({"relation"});
   if (relation == "parallel") {  // the lines are two different level lines of one linear form
-    expect_kind(claim, "level_lines"), claim.facts({"normal"});
+    claim.expect_kind("level_lines"), claim.facts({"normal"});
     const Pair normal = claim.pair("normal");
     expect(sgn(dot(normal, u)) == 0 && sgn(dot(normal, v)) == 0, "certificate: not a normal of both lines");
     expect(dot(normal, a.a) != dot(normal, b.a), "certificate: the lines are on one level");
   } else {
     expect(relation == "same", "truth: relation is wrong");
-    expect_kind(claim, "same_line"), claim.facts({"on_a"});
+    claim.expect_kind("same_line"), claim.facts({"on_a"});
     const Pair on_a = claim.pair("on_a");
     expect(at(a, on_a.x) == b.a && at(a, on_a.y) == b.b, "certificate: the points of b are not on a");
   }
@@ -139,10 +135,10 @@ void check_segment_segment(const Claim& claim) {
   const Ends a = segment(claim.input["a"], "a"), b = segment(claim.input["b"], "b");
   const std::string relation = claim.word("relation"), kind = claim.kind();
   if (relation == "disjoint") {
-    claim.answers({"relation"}), expect_kind(claim, "separating_line"), claim.facts({"normal", "offset"});
+    claim.answers({"relation"}), claim.expect_kind("separating_line"), claim.facts({"normal", "offset"});
     expect_separated(claim, {a.a, a.b}, {b.a, b.b});
   } else if (relation == "overlap") {
-    claim.answers({"relation", "overlap"}), expect_kind(claim, "overlap"), claim.facts({"on_a", "on_b"});
+    claim.answers({"relation", "overlap"}), claim.expect_kind("overlap"), claim.facts({"on_a", "on_b"});
     const json& overlap = claim.truth["overlap"];
     expect(overlap.is_array() && overlap.size() == 2, "truth.overlap: a list of two");
     const Pair p = exact_pair(overlap[0], "truth.overlap[0]"), q = exact_pair(overlap[1], "truth.overlap[1]");
@@ -169,7 +165,7 @@ void check_segment_segment(const Claim& claim) {
     } else if (kind == "single_point") {
       claim.facts({}), expect(zero_length(a) || zero_length(b), "certificate: neither segment is a single point");
     } else {
-      expect_kind(claim, "supporting_line"), claim.facts({"normal", "offset"});
+      claim.expect_kind("supporting_line"), claim.facts({"normal", "offset"});
       const Pair n = claim.pair("normal");
       const Rational c = claim.single("offset");
       const Rational aa = dot(n, a.a), ab = dot(n, a.b), ba = dot(n, b.a), bb = dot(n, b.b);
@@ -185,11 +181,11 @@ void check_ray_segment(const Claim& claim) {
   const Ends s = segment(claim.input["segment"], "segment");
   const std::string relation = claim.word("relation"), kind = claim.kind();
   if (relation == "none") {
-    claim.answers({"relation"}), expect_kind(claim, "separating_line"), claim.facts({"normal", "offset"});
+    claim.answers({"relation"}), claim.expect_kind("separating_line"), claim.facts({"normal", "offset"});
     expect_separated(claim, {r.origin}, {s.a, s.b});
     expect(sgn(dot(claim.pair("normal"), r.direction)) <= 0, "certificate: the ray crosses the line");
   } else if (relation == "overlap") {
-    claim.answers({"relation", "t", "overlap"}), expect_kind(claim, "overlap"), claim.facts({"on_ray", "on_segment"});
+    claim.answers({"relation", "t", "overlap"}), claim.expect_kind("overlap"), claim.facts({"on_ray", "on_segment"});
     const json& overlap = claim.truth["overlap"];
     expect(overlap.is_array() && overlap.size() == 2, "truth.overlap: a list of two");
     const Pair p = exact_pair(overlap[0], "truth.overlap[0]"), q = exact_pair(overlap[1], "truth.overlap[1]");
@@ -218,7 +214,7 @@ void check_ray_segment(const Claim& claim) {
     const Rational on_s = claim.single("on_segment");
     expect(within(on_s) && p == at(s, on_s), "truth: point is not on the segment");
     if (transversal) return expect_determinant(claim, r.direction, s.b - s.a);
-    expect_kind(claim, "supporting_line");
+    claim.expect_kind("supporting_line");
     const Pair n = claim.pair("normal");
     const Rational c = claim.single("offset");
     const Rational start = dot(n, r.origin), slope = dot(n, r.direction), sa = dot(n, s.a), sb = dot(n, s.b);

@@ -23,10 +23,7 @@ void check_sphere_plane(const Claim& claim) {
   const std::string contact = claim.word("contact"), kind = claim.kind();
   const bool disjoint = contact == "disjoint", overlapping = contact == "overlapping";
   expect(disjoint || overlapping || contact == "touching", "truth: contact is wrong");
-  expect(kind == (disjoint      ? "nearest_point"
-                  : overlapping ? "common_interior_point"
-                                : "tangent"),
-         "certificate: no such kind for this truth");
+  expect(kind == (disjoint ? "nearest_point" : overlapping ? "common_interior_point" : "tangent"), wrong_kind);
   claim.facts({"point"});
   const Triple point = triple(claim, "point"), way = sphere.center - point;
   const int in_ball = sgn(Rational(dot(way, way) - sphere.radius * sphere.radius));
@@ -70,7 +67,7 @@ void check_triangle_aabb(const Claim& claim) {
   expect(disjoint      ? kind == "separating_plane"
          : overlapping ? kind == "common_interior_point"
                        : flat || kind == "supporting_plane",
-         "certificate: no such kind for this truth");
+         wrong_kind);
   if (disjoint) {
     claim.facts({"normal", "offset"}), expect_between(claim, corners, box, true);
     return;

@@ -7,8 +7,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 /// The greatest magnitude of three coefficients.
 Rational greatest(const std::vector<Rational>& coefficients, const std::string& name) {
   expect(coefficients.size() == 3, "certificate." + name + ": a list of three");
@@ -25,12 +23,12 @@ void check_point_in_obb(const Claim& claim) {
   claim.answers({"location"});
   const std::string location = claim.word("location");
   if (location == "outside") {
-    expect(claim.kind() == "separating_plane", wrong_kind), claim.facts({"normal"});
+    claim.expect_kind("separating_plane"), claim.facts({"normal"});
     const Triple normal = triple(claim, "normal");
     expect(dot(normal, p - box.center) > box.reach(normal), "certificate: the plane does not separate");
     return;
   }
-  expect(claim.kind() == "coefficients", wrong_kind), claim.facts({"coefficients"});
+  claim.expect_kind("coefficients"), claim.facts({"coefficients"});
   const std::vector<Rational> coefficients = claim.list("coefficients");
   const Rational growth = greatest(coefficients, "coefficients");
   expect(box.at(coefficients) == p, "certificate: the coefficients give another point");
@@ -47,7 +45,7 @@ void check_obb_obb(const Claim& claim) {
     return Rational(dot(normal, b.center - a.center) - a.reach(normal) - b.reach(normal));
   };
   if (contact == "disjoint") {
-    expect(claim.kind() == "separating_axis", wrong_kind), claim.facts({"normal"});
+    claim.expect_kind("separating_axis"), claim.facts({"normal"});
     expect(sgn(gap(triple(claim, "normal"))) > 0, "certificate: the axis does not separate");
     return;
   }

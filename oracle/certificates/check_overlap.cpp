@@ -92,14 +92,14 @@ void check_polygon_polygon(const Claim& claim) {
   claim.answers({"contact"});
   const std::string contact = claim.word("contact");
   if (contact == "overlapping") {
-    expect(claim.kind() == "common_interior_point", "certificate: no such kind for this truth");
+    claim.expect_kind("common_interior_point");
     claim.facts({"point"});
     const Pair p = claim.pair("point");
     expect_inside(a, p), expect_inside(b, p);
     return;
   }
   expect(contact == "touching" || contact == "disjoint", "truth: contact is wrong");
-  expect(claim.kind() == "slabs", "certificate: no such kind for this truth");
+  claim.expect_kind("slabs");
   contact == "touching" ? claim.facts({"cuts", "point"}) : claim.facts({"cuts"});
   expect_no_overlap(a, b, claim.list("cuts"));
   if (contact == "touching") {

@@ -7,21 +7,11 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
-void expect_kind(const Claim& claim, const char* kind) { expect(claim.kind() == kind, wrong_kind); }
-
-Rational square(const Rational& x) { return Rational(x * x); }
-
 /// The number called `name` is height / sqrt(squared_length), of which the root is rational.
 void expect_root(const std::string& name, const Rational& claimed, const Rational& height,
                  const Rational& squared_length) {
   expect(sgn(claimed) == sgn(height) && square(claimed) * squared_length == square(height),
          "truth: " + name + " is wrong");
-}
-
-bool is_square(const Rational& x) {
-  return mpz_perfect_square_p(x.get_num_mpz_t()) != 0 && mpz_perfect_square_p(x.get_den_mpz_t()) != 0;
 }
 
 /// It lies between low and high, and what they allow is rounded as what is claimed. A root that is rational has to be
@@ -42,7 +32,7 @@ void check_point_ground_plane(const Claim& claim) {
   claim.inputs({"point"});
   const Triple p = point_in_space(claim.input["point"], "point");
   claim.answers({"side"});
-  expect_kind(claim, "height"), claim.facts({"height"});
+  claim.expect_kind("height"), claim.facts({"height"});
   const Rational height = claim.single("height");
   expect(height == p.y, "certificate: the height is wrong");
   expect(claim.word("side") == (sgn(height) < 0 ? "below" : sgn(height) > 0 ? "above" : "on"), "truth: side is wrong");
@@ -65,7 +55,7 @@ void check_polygon_normal(const Claim& claim) {
   const Triple normal = newell_sum(polygon_in_space(claim.input["polygon"], "polygon"));
   const Rational length = dot(normal, normal);
   if (claim.word("class") == "degenerate") {
-    claim.answers({"class"}), expect_kind(claim, "no_area"), claim.facts({});
+    claim.answers({"class"}), claim.expect_kind("no_area"), claim.facts({});
     expect(sgn(length) == 0, "truth: class is wrong");
     return;
   }
@@ -74,7 +64,7 @@ void check_polygon_normal(const Claim& claim) {
   expect(exact_triple(claim.truth["normal"], "truth.normal") == normal, "truth: normal is wrong");
   const Triple unit = exact_triple(claim.truth["unit"], "truth.unit");
   if (claim.kind() != "enclosure") {
-    expect_kind(claim, "root"), claim.facts({});
+    claim.expect_kind("root"), claim.facts({});
     for (const auto part : {&Triple::x, &Triple::y, &Triple::z}) expect_root("unit", unit.*part, normal.*part, length);
     return;
   }
@@ -102,7 +92,7 @@ void check_point_plane(const Claim& claim) {
     claim.facts({"distance"});
     expect_root_enclosed("signed_distance", distance, claim.pair("distance"), height, length);
   } else {
-    expect_kind(claim, "root"), claim.facts({});
+    claim.expect_kind("root"), claim.facts({});
     expect_root("signed_distance", distance, height, length);
   }
 }
@@ -112,7 +102,7 @@ void check_point_plane_toi(const Claim& claim) {
   const Plane surface = plane(claim.input["plane"], "plane");
   const Triple start = point_in_space(claim.input["start"], "start"), end = point_in_space(claim.input["end"], "end");
   claim.answers({"option_1", "option_2"});
-  expect_kind(claim, "heights"), claim.facts({"heights"});
+  claim.expect_kind("heights"), claim.facts({"heights"});
   const Pair heights = claim.pair("heights");
   expect(heights == Pair{surface.at(start), surface.at(end)}, "certificate: the heights are wrong");
   const auto relation = [&claim](const char* option) {

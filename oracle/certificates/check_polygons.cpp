@@ -9,8 +9,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 /// The listed edges are those that the ray from the point in that direction crosses, at t: no vertex is on its line, so
 /// that an edge with its ends on different sides of the line meets it in one point, which is ahead or behind.
 void check_crossings(const Claim& claim, const Ring& ring, const Pair& p) {
@@ -42,7 +40,7 @@ void check_point_in_polygon(const Claim& claim) {
   const Pair p = point(claim.input["point"], "point");
   claim.answers({"location"});
   if (claim.kind() == "crossings") return check_crossings(claim, ring, p);
-  expect(claim.kind() == "on_edge", wrong_kind), claim.facts({"edge", "t"});
+  claim.expect_kind("on_edge"), claim.facts({"edge", "t"});
   const Ends e = edge(ring, vertex(claim.single("edge"), ring));
   const Rational t = claim.single("t");
   expect(sgn(t) >= 0 && t <= 1 && p == along(e.a, t, e.b - e.a), "certificate: the point is not there on the edge");
@@ -85,7 +83,7 @@ void check_point_in_convex_polygon(const Claim& claim) {
     expect(claim.word("location") == "outside", "truth: location is wrong");
     return;
   }
-  expect(claim.kind() == "barycentric", wrong_kind), claim.facts({"corners", "weights"});
+  claim.expect_kind("barycentric"), claim.facts({"corners", "weights"});
   const std::vector<Rational> corners = claim.list("corners"), weights = claim.list("weights");
   expect(corners.size() == 3 && weights.size() == 3, "certificate: three corners and their weights");
   Rational sum;

@@ -6,8 +6,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 void check_point_in_convex_polyhedron(const Claim& claim) {
   claim.inputs({"mesh", "point"});
   const Mesh surface = mesh(claim.input["mesh"], "mesh");
@@ -21,7 +19,7 @@ void check_point_in_convex_polyhedron(const Claim& claim) {
     expect(claim.word("location") == "outside", "truth: location is wrong");
     return;
   }
-  expect(claim.kind() == "barycentric", wrong_kind), claim.facts({"corners", "weights"});
+  claim.expect_kind("barycentric"), claim.facts({"corners", "weights"});
   const std::vector<Rational> corners = claim.list("corners"), weights = claim.list("weights");
   expect(corners.size() == 4 && weights.size() == 4, "certificate: four corners and their weights");
   Rational sum;

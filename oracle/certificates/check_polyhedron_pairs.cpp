@@ -182,7 +182,7 @@ std::pair<std::string, std::string> proved(const Claim& claim, const Solids& sol
     return {"disjoint", "bounding_volumes"};
   }
   const bool disjoint = claim.kind() == "partition", touching = claim.kind() == "touching";
-  expect(disjoint || touching || claim.kind() == "common_interior_point", "certificate: no such kind for this truth");
+  expect(disjoint || touching || claim.kind() == "common_interior_point", wrong_kind);
   if (disjoint) claim.facts({"tree", "planes", "points", "outside"});
   if (touching) claim.facts({"point", "in_a", "in_b", "tree", "planes", "points", "outside", "vertex", "vertices"});
   if (!disjoint && !touching) claim.facts({"point", "in_a", "in_b", "vertex", "vertices"});

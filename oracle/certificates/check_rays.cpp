@@ -8,8 +8,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 /// The points from + t way with t >= 0, and t <= 1 where it ends.
 struct Line {
   Triple from, way;
@@ -35,7 +33,7 @@ void prove_line_plane(const Claim& claim, const Line& line, const Plane& level) 
   expect(relation == "none" || relation == "point" || relation == "inside", "truth: relation is wrong");
   if (relation == "point") claim.answers({"relation", "t", "point"});
   else claim.answers({"relation"});
-  expect(claim.kind() == "heights", wrong_kind), claim.facts({"heights"});
+  claim.expect_kind("heights"), claim.facts({"heights"});
   const auto [first, second] = claim.pair("heights");
   expect(first == level.at(line.from) && second == level.at(along(line.from, 1, line.way)),
          "certificate: the heights are wrong");
@@ -91,12 +89,12 @@ void check_ray_triangle(const Claim& claim) {
   const bool one = relation == "point";
   if (relation == "none") {
     claim.answers({"relation"});
-    expect(claim.kind() == "separating_plane", wrong_kind);
+    claim.expect_kind("separating_plane");
     return prove_no_common_point(claim, ray, corners);
   }
   if (one) claim.answers({"relation", "t", "point", "location"});
   else claim.answers({"relation", "t", "point"});
-  expect(claim.kind() == "common_part", wrong_kind);
+  claim.expect_kind("common_part");
   claim.facts({"on_ray", "weights", "before", "after"});
   const std::vector<Rational> t = claim.list("on_ray"), weights = claim.list("weights"), before = claim.list("before"),
                               after = claim.list("after");
@@ -190,13 +188,13 @@ void prove_passage_of_box(const Claim& claim, const char* name) {
   const Box solid = box(claim.input["aabb"], "aabb");
   expect(solid.axes() == line.axes(), std::string("aabb: as many coordinates as ") + name);
   if (!says_hit(claim)) {
-    expect(claim.kind() == "separating_plane", wrong_kind), claim.facts({"normal"});
+    claim.expect_kind("separating_plane"), claim.facts({"normal"});
     const std::vector<Rational> normal = claim.list("normal");
     expect(normal.size() == line.axes(), "certificate: as many coordinates as the line");
     expect(is_beyond(line, solid, normal), "certificate: the plane does not separate");
     return;
   }
-  expect(claim.kind() == "passage", wrong_kind), claim.facts({});
+  claim.expect_kind("passage"), claim.facts({});
   const Rational first = exact_value(claim.truth["first"], "truth.first"),
                  last = exact_value(claim.truth["last"], "truth.last");
   const InBox at_first(line, solid, first), at_last(line, solid, last);
@@ -207,34 +205,13 @@ void prove_passage_of_box(const Claim& claim, const char* name) {
          "truth: last is wrong");
 }
 
-/// constant + linear t + square t^2, the squared distance from the center minus the squared radius: at most 0 in the
-/// ball.
-struct Polynomial {
-  Rational constant, linear, square;
-  Surd at(const Surd& t) const { return sum_over_one_root(certify::square(t) * square, t * linear) + constant; }
-  Surd slope_at(const Surd& t) const { return t * Rational(2 * square) + linear; }
-};
-
-/// It is positive for all t of the line: it is at the start, and its slope grows, and
-/// - that is not negative from the start on; or
-/// - it is at most 0 at the end, and the polynomial falls to something positive; or
-/// - 4 A f(t) = (2 A t + B)^2 + 4 A C - B^2 is positive for all t.
-bool is_positive(const std::string& kind, const Polynomial& f, bool ends) {
-  if (sgn(f.constant) <= 0) return false;
-  if (kind == "receding") return sgn(f.linear) >= 0;
-  if (kind == "too_late") {
-    return ends && sgn(Rational(f.constant + f.linear + f.square)) > 0 && sgn(Rational(2 * f.square + f.linear)) <= 0;
-  }
-  expect(kind == "no_root", wrong_kind);
-  return sgn(Rational(4 * f.square * f.constant - f.linear * f.linear)) > 0;
-}
-
+/// f is the squared distance from the center minus the squared radius: at most 0 in the ball.
 void prove_passage_of_ball(const Claim& claim, const char* name) {
   claim.inputs({name, "sphere"});
   const Course line = course(claim);
   const BallOrDisc solid = ball_or_disc(claim.input["sphere"], "sphere");
   expect(solid.axes() == line.axes(), std::string("sphere: as many coordinates as ") + name);
-  Polynomial f{Rational(-solid.radius * solid.radius), 0, 0};
+  Quadratic f{Rational(-solid.radius * solid.radius), 0, 0};
   for (std::size_t k = 0; k < line.axes(); ++k) {
     const Rational p(line.from[k] - solid.center[k]);
     f.constant += p * p, f.linear += 2 * p * line.way[k], f.square += line.way[k] * line.way[k];
@@ -242,10 +219,10 @@ void prove_passage_of_ball(const Claim& claim, const char* name) {
   if (!says_hit(claim)) {
     const std::string kind = claim.kind();
     claim.facts({});
-    expect(is_positive(kind, f, line.ends), "certificate: the kind does not hold");
+    expect(f.proved_positive(kind, line.ends), "certificate: the kind does not hold");
     return;
   }
-  expect(claim.kind() == "passage", wrong_kind), claim.facts({});
+  claim.expect_kind("passage"), claim.facts({});
   const Surd first = exact_surd(claim.truth["first"], "truth.first"),
              last = exact_surd(claim.truth["last"], "truth.last");
   // Its slope grows: where it is not positive at a zero, all is positive before, where it is not negative, behind.

@@ -96,11 +96,15 @@ void expect_finite(const json& value, const std::string& what) {
   }
 }
 
+}  // namespace
+
 void array_of_two(const json& value, const std::string& what) {
   expect(value.is_array() && value.size() == 2, what + ": a list of two");
 }
 
-}  // namespace
+bool is_square(const Rational& x) {
+  return mpz_perfect_square_p(x.get_num_mpz_t()) != 0 && mpz_perfect_square_p(x.get_den_mpz_t()) != 0;
+}
 
 void only(const json& object, const std::string& what, std::initializer_list<const char*> names) {
   expect(object.is_object(), what + ": an object");

@@ -20,9 +20,15 @@ struct Refusal : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+inline Rational square(const Rational& x) { return Rational(x * x); }
+/// Whether its root is rational.
+bool is_square(const Rational& x);
+
 inline void expect(bool holds, const std::string& reason) {
   if (!holds) throw Refusal(reason);
 }
+
+inline constexpr const char* wrong_kind = "certificate: no such kind for this truth";
 
 /// A position or a displacement.
 struct Pair {
@@ -50,6 +56,7 @@ struct Circle {
   Rational radius;
 };
 
+void array_of_two(const json& value, const std::string& what);
 /// An object of which every key has to be named, and every name has to be there.
 void only(const json& object, const std::string& what, std::initializer_list<const char*> names);
 
@@ -80,6 +87,7 @@ struct Claim {
   void answers(std::initializer_list<const char*> names) const { only(truth, "truth", names); }
   std::string word(const char* name) const;
   std::string kind() const;
+  void expect_kind(const char* only) const { expect(kind() == only, wrong_kind); }
   /// Says which facts the certificate holds beside its kind.
   void facts(std::initializer_list<const char*> names) const;
   Rational single(const char* name) const;

@@ -6,10 +6,6 @@
 namespace touchstone::certify {
 namespace {
 
-void expect_kind(const Claim& claim, const char* kind) {
-  expect(claim.kind() == kind, "certificate: no such kind for this truth");
-}
-
 /// One component is negated, the others stay; so kinetic energy is kept.
 void check_reflect_wall(const Claim& claim) {
   claim.inputs({"velocity", "axis"});
@@ -17,7 +13,7 @@ void check_reflect_wall(const Claim& claim) {
   const json& axis = claim.input["axis"];
   expect(axis == "x" || axis == "y" || axis == "z", "axis: x, y or z");
   claim.answers({"velocity"});
-  expect_kind(claim, "components"), claim.facts({"squared_speeds"});
+  claim.expect_kind("components"), claim.facts({"squared_speeds"});
   const Triple after = exact_triple(claim.truth["velocity"], "truth.velocity");
   const Pair speeds = claim.pair("squared_speeds");
   expect(speeds == Pair{dot(before, before), dot(after, after)}, "certificate: the squared speeds are wrong");
@@ -33,7 +29,7 @@ void check_reflect_wall(const Claim& claim) {
 void check_decomposition(const Claim& claim, const Triple& v, const Triple& n, const Rational& k) {
   const Triple none{0, 0, 0};
   claim.answers({"velocity"});
-  expect_kind(claim, "decomposition"), claim.facts({"along", "across"});
+  claim.expect_kind("decomposition"), claim.facts({"along", "across"});
   const Triple after = exact_triple(claim.truth["velocity"], "truth.velocity"), u = triple(claim, "along"),
                w = triple(claim, "across");
   expect(u + w == v, "certificate: the parts do not make up the velocity");
@@ -59,7 +55,7 @@ void check_inelastic_collision(const Claim& claim) {
   claim.inputs({"masses", "velocities"});
   const std::vector<Body> before = two_bodies(claim);
   claim.answers({"velocity"});
-  expect_kind(claim, "momentum"), claim.facts({"momentum"});
+  claim.expect_kind("momentum"), claim.facts({"momentum"});
   const Triple after = exact_triple(claim.truth["velocity"], "truth.velocity"), p = triple(claim, "momentum");
   const Body &first = before[0], &second = before[1];
   expect(p == first.mass * first.velocity + second.mass * second.velocity, "certificate: the momentum is wrong");
@@ -70,7 +66,7 @@ void check_inelastic_collision(const Claim& claim) {
 /// stays. Of all impulses one alone makes the relative velocity along the normal -e times what it was.
 void check_impulse(const Claim& claim, const std::vector<Body>& before, const Triple& n, const Rational& e) {
   claim.answers({"velocities"});
-  expect_kind(claim, "impulse"), claim.facts({"impulse", "doubled_energies"});
+  claim.expect_kind("impulse"), claim.facts({"impulse", "doubled_energies"});
   const json& truth = claim.truth["velocities"];
   expect(truth.is_array() && truth.size() == 2, "truth.velocities: a list of two");
   const Triple v = exact_triple(truth[0], "truth.velocities[0]"), w = exact_triple(truth[1], "truth.velocities[1]");
@@ -107,7 +103,7 @@ void check_momentum(const Claim& claim) {
   Triple sum{0, 0, 0};
   for (const auto& [mass, velocity] : bodies(claim.input["bodies"], "bodies")) sum = sum + mass * velocity;
   claim.answers({"momentum"});
-  expect_kind(claim, "sum"), claim.facts({});
+  claim.expect_kind("sum"), claim.facts({});
   expect(exact_triple(claim.truth["momentum"], "truth.momentum") == sum, "truth: momentum is wrong");
 }
 
@@ -117,7 +113,7 @@ void check_kinetic_energy(const Claim& claim) {
   claim.inputs({"bodies"});
   const std::vector<Body> all = bodies(claim.input["bodies"], "bodies");
   claim.answers({"energy"});
-  expect_kind(claim, "centre"), claim.facts({"mass", "velocity", "doubled_energies"});
+  claim.expect_kind("centre"), claim.facts({"mass", "velocity", "doubled_energies"});
   const Rational energy = exact_value(claim.truth["energy"], "truth.energy"), mass = claim.single("mass");
   const Triple centre = triple(claim, "velocity");
   const Pair parts = claim.pair("doubled_energies");
@@ -144,11 +140,11 @@ void check_penalty_force(const Claim& claim) {
   claim.answers({"force"});
   const Triple force = exact_triple(claim.truth["force"], "truth.force");
   if (sgn(behind.at(p)) >= 0) {
-    expect_kind(claim, "no_contact"), claim.facts({});
+    claim.expect_kind("no_contact"), claim.facts({});
     expect(force == none, "truth: force is wrong");
     return;
   }
-  expect_kind(claim, "foot"), claim.facts({"foot", "along"});
+  claim.expect_kind("foot"), claim.facts({"foot", "along"});
   const Triple foot = triple(claim, "foot"), u = triple(claim, "along");
   expect(sgn(behind.at(foot)) == 0, "certificate: the foot is not on the plane");
   expect(cross(foot - p, behind.normal) == none, "certificate: the foot is another point's");
@@ -163,7 +159,7 @@ void check_contact_state(const Claim& claim) {
   const MovingBody a = moving_body(claim.input["a"], "a"), b = moving_body(claim.input["b"], "b");
   const Triple p = point_in_space(claim.input["point"], "point"), n = normal(claim.input["normal"], "normal");
   claim.answers({"state"});
-  expect_kind(claim, "point_velocities"), claim.facts({"of_a", "of_b"});
+  claim.expect_kind("point_velocities"), claim.facts({"of_a", "of_b"});
   const Triple of_a = triple(claim, "of_a"), of_b = triple(claim, "of_b");
   expect(of_a == a.velocity_at(p), "certificate: of_a is wrong");
   expect(of_b == b.velocity_at(p), "certificate: of_b is wrong");
@@ -181,7 +177,7 @@ void check_rigid_body_collision(const Claim& claim) {
   const Triple p = point_in_space(claim.input["point"], "point"), n = normal(claim.input["normal"], "normal");
   const Rational e = restitution(claim.input["e"], "e");
   claim.answers({"a", "b"});
-  expect_kind(claim, "impulse_at"), claim.facts({"impulse", "doubled_energies"});
+  claim.expect_kind("impulse_at"), claim.facts({"impulse", "doubled_energies"});
   const Rational impulse = claim.single("impulse");
   const Pair energies = claim.pair("doubled_energies");
   Rational before, after;

@@ -47,7 +47,7 @@ std::string proved_location(const Claim& proof, const Mesh& mesh, const Triple& 
     expect(sum == 1 && combination == p, "certificate: the weights give another point");
     return "boundary";
   }
-  expect(proof.kind() == "crossings", "certificate: no such kind for this truth");
+  proof.expect_kind("crossings");
   proof.facts({"direction", "faces", "t"});
   const Triple direction = triple(proof, "direction");
   std::vector<Rational> crossed, parameters;

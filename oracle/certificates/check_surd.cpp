@@ -56,6 +56,16 @@ Surd operator*(const Surd& x, const Rational& y) { return {Rational(x.p * y), Ra
 Surd square(const Surd& x) { return {Rational(x.p * x.p + x.q * x.q * x.r), Rational(2 * x.p * x.q), x.r}; }
 Surd sum_over_one_root(const Surd& x, const Surd& y) { return {Rational(x.p + y.p), Rational(x.q + y.q), x.r}; }
 
+bool Quadratic::proved_positive(const std::string& kind, bool ends) const {
+  if (sgn(constant) <= 0) return false;
+  if (kind == "receding") return sgn(linear) >= 0;
+  if (kind == "too_late") {
+    return ends && sgn(Rational(constant + linear + square)) > 0 && sgn(Rational(2 * square + linear)) <= 0;
+  }
+  expect(kind == "no_root", wrong_kind);
+  return sgn(Rational(4 * square * constant - linear * linear)) > 0;
+}
+
 Surd exact_surd(const json& value, const std::string& what) {
   std::optional<Surd> result;
   if (value.is_string()) {

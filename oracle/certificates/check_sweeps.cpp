@@ -5,19 +5,11 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
 const char* const no_proof = "certificate: the kind does not hold";
-
-/// constant + linear t + square t^2
-struct Polynomial {
-  Rational constant, linear, square;
-  Surd at(const Surd& t) const { return sum_over_one_root(certify::square(t) * square, t * linear) + constant; }
-  Surd slope_at(const Surd& t) const { return t * Rational(2 * square) + linear; }
-};
 
 /// |c + t v|^2 - r^2 for the position c and velocity v of a as b sees them and the sum r of the radii: at most 0 where
 /// the balls meet.
-Polynomial squared_gap(const Claim& claim) {
+Quadratic squared_gap(const Claim& claim) {
   const Ball a = ball(claim.input["a"], "a"), b = ball(claim.input["b"], "b");
   const Triple velocity_a = point_in_space(claim.input["velocity_a"], "velocity_a"),
                velocity_b = point_in_space(claim.input["velocity_b"], "velocity_b");
@@ -26,22 +18,8 @@ Polynomial squared_gap(const Claim& claim) {
   return {Rational(dot(c, c) - r * r), Rational(2 * dot(c, v)), dot(v, v)};
 }
 
-/// f(0) > 0, and the square term is not negative: f' grows, and
-/// - it is not negative from the start on: f does not fall; or
-/// - it is at most 0 at the end: f falls to f(1) and no further; or
-/// - 4 A f(t) = (2 A t + B)^2 + 4 A C - B^2 is positive for all t.
-bool never_zero(const std::string& kind, const Polynomial& f) {
-  if (sgn(f.constant) <= 0) return false;
-  if (kind == "receding") return sgn(f.linear) >= 0;
-  if (kind == "too_late") {
-    return sgn(Rational(f.constant + f.linear + f.square)) > 0 && sgn(Rational(2 * f.square + f.linear)) <= 0;
-  }
-  expect(kind == "no_root", wrong_kind);
-  return sgn(Rational(4 * f.square * f.constant - f.linear * f.linear)) > 0;
-}
-
 /// The truth is the first zero in [0, 1] of f, which is recomputed; 0 where f(0) <= 0.
-void prove_first_zero(const Claim& claim, const Polynomial& f) {
+void prove_first_zero(const Claim& claim, const Quadratic& f) {
   const std::string relation = claim.word("relation"), kind = claim.kind();
   expect(relation == "hit" || relation == "never", "truth: relation is wrong");
   claim.facts({"polynomial"});
@@ -49,7 +27,7 @@ void prove_first_zero(const Claim& claim, const Polynomial& f) {
   expect(claimed == Triple{f.constant, f.linear, f.square}, "certificate: the polynomial is wrong");
   if (relation == "never") {
     claim.answers({"relation"});
-    expect(never_zero(kind, f), no_proof);
+    expect(f.proved_positive(kind, /*ends=*/true), no_proof);
     return;
   }
   claim.answers({"relation", "t"});

@@ -8,8 +8,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 Coordinates fact(const Claim& claim, const char* name, std::size_t size) {
   Coordinates coordinates = claim.list(name);
   expect(coordinates.size() == size, std::string("certificate.") + name + ": as many coordinates as the velocity");

@@ -35,7 +35,7 @@ void check_segment_triangle(const Claim& claim) {
   const std::string relation = claim.word("relation");
   if (relation == "none") {
     claim.answers({"relation"});
-    expect(claim.kind() == "separating_plane", "certificate: no such kind for this truth");
+    claim.expect_kind("separating_plane");
     claim.facts({"normal", "offset"});
     const Plane plane{triple(claim, "normal"), Rational(-claim.single("offset"))};
     const char* const reason = "certificate: the plane does not separate";
@@ -46,7 +46,7 @@ void check_segment_triangle(const Claim& claim) {
   expect(relation == "point" || relation == "segment", "truth: relation is wrong");
   if (relation == "point") claim.answers({"relation", "t", "point"});
   else claim.answers({"relation", "overlap"});
-  expect(claim.kind() == "common_part", "certificate: no such kind for this truth");
+  claim.expect_kind("common_part");
   claim.facts({"on_segment", "weights", "before", "after"});
   const std::vector<Rational> t = claim.list("on_segment"), weights = claim.list("weights"),
                               before = claim.list("before"), after = claim.list("after");
@@ -118,8 +118,7 @@ void check_triangle_triangle(const Claim& claim) {
   claim.inputs({"a", "b"});
   const Corners a = points<3>(claim.input["a"], "a"), b = points<3>(claim.input["b"], "b");
   claim.answers({"relation"});
-  expect(claim.kind() == "dimension", "certificate: no such kind for this truth"),
-      claim.facts({"planes", "on_a", "on_b"});
+  claim.expect_kind("dimension"), claim.facts({"planes", "on_a", "on_b"});
   const std::vector<Rational> planes = claim.list("planes"), on_a = claim.list("on_a"), on_b = claim.list("on_b");
   expect(planes.size() % 4 == 0, "certificate: four numbers a plane");
   std::vector<Triple> of_a(a.begin(), a.end()), of_b(b.begin(), b.end());

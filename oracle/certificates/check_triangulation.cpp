@@ -89,7 +89,7 @@ void expect_matched(const std::vector<Piece>& pieces, const Piece& polygon) {
 std::vector<Piece> proved(const Claim& claim, const char* name, const Ring& ring) {
   expect_simple(ring, "polygon");
   const std::vector<Piece> found = pieces(claim, name, ring);
-  expect(claim.kind() == "pieces", "certificate: no such kind for this truth");
+  claim.expect_kind("pieces");
   claim.facts({"doubled_area"});
   Rational sum;
   for (const Piece& piece : found) expect_convex(ring, piece), sum += doubled_area(ring, piece);

@@ -6,8 +6,6 @@
 namespace touchstone::certify {
 namespace {
 
-const char* const wrong_kind = "certificate: no such kind for this truth";
-
 /// The fact `axis`: a number from 0.
 std::size_t axis_of(const Claim& claim, const Box& box) {
   const Rational axis = claim.single("axis");
@@ -30,7 +28,7 @@ bool holds_inside(const Box& box, const std::vector<Rational>& point) {
 
 /// Every point of one box is below the value on that axis, every point of the other above.
 void check_separated(const Claim& claim, const Box& a, const Box& b) {
-  expect(claim.kind() == "separating_axis", wrong_kind), claim.facts({"axis", "value"});
+  claim.expect_kind("separating_axis"), claim.facts({"axis", "value"});
   const std::size_t k = axis_of(claim, a);
   const Rational value = claim.single("value");
   expect((a.max[k] < value && value < b.min[k]) || (b.max[k] < value && value < a.min[k]),
@@ -64,7 +62,7 @@ void check_aabb_aabb(const Claim& claim) {
     check_touching(claim, a, b);
   } else {
     expect(contact == "overlapping", "truth: contact is wrong");
-    expect(claim.kind() == "common_interior_point", wrong_kind), claim.facts({"point"});
+    claim.expect_kind("common_interior_point"), claim.facts({"point"});
     const std::vector<Rational> point = point_of(claim, a);
     expect(holds_inside(a, point) && holds_inside(b, point), "certificate: the point is not inside both boxes");
   }
@@ -81,7 +79,7 @@ void check_closest_point_on_aabb(const Claim& claim) {
   expect(answer.is_array() && answer.size() == p.size(), "truth.point: as many coordinates as the box");
   std::vector<Rational> x;
   for (const json& value : answer) x.push_back(exact_value(value, "truth.point[" + std::to_string(x.size()) + "]"));
-  expect(claim.kind() == "multipliers", wrong_kind), claim.facts({"lower", "upper"});
+  claim.expect_kind("multipliers"), claim.facts({"lower", "upper"});
   const std::vector<Rational> lower = claim.list("lower"), upper = claim.list("upper");
   expect(lower.size() == p.size() && upper.size() == p.size(), "certificate: as many multipliers as coordinates");
   expect(b.holds(x), "truth: the point is not in the box");
