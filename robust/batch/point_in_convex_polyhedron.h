@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/polyhedra.h"
+#include "robust/batch/columns.h"
+
+namespace touchstone::robust::batch {
+
+/// robust::point_in_convex_polyhedron of one mesh and each point, its Location: inside 0, boundary 1, outside 2.
+/// A mesh that is refused is named as there, without a row.
+void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
+                                Instructions at_most = Instructions::avx512);
+
+}  // namespace touchstone::robust::batch

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/polygons.h"
+#include "robust/batch/columns.h"
+
+namespace touchstone::robust::batch {
+
+/// robust::point_in_polygon of one polygon and each point, its Location: inside 0, boundary 1, outside 2.
+/// A polygon that is refused is named as there, without a row: it is asked once.
+void point_in_polygon(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
+                      Instructions at_most = Instructions::avx512);
+
+}  // namespace touchstone::robust::batch

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/batch/columns.h"
+
+namespace touchstone::robust::batch {
+
+/// robust::point_on_segment_relation of each point and segment, its Incidence: on 0, off 1.
+void point_on_segment(const Points2& points, const Segments2& segments, std::size_t count, std::uint8_t* answers,
+                      Instructions at_most = Instructions::avx512);
+
+}  // namespace touchstone::robust::batch

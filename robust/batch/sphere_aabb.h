@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robust/batch/columns.h"
+
+namespace touchstone::robust::batch {
+
+/// robust::sphere_aabb of each sphere and box, in the plane or in space, its Contact: disjoint 0, touching 1,
+/// overlapping 2.
+void sphere_aabb(const Spheres2& spheres, const Boxes2& boxes, std::size_t count, std::uint8_t* answers,
+                 Instructions at_most = Instructions::avx512);
+void sphere_aabb(const Spheres3& spheres, const Boxes3& boxes, std::size_t count, std::uint8_t* answers,
+                 Instructions at_most = Instructions::avx512);
+
+}  // namespace touchstone::robust::batch
