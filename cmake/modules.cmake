@@ -130,6 +130,13 @@ constexpr Checks (*checks_of_all_files[])() = {@listed@};
 }  // namespace touchstone::certify
 ]])
 
+# One unit for each instruction set, chosen at run time (robust/batch/isa). Nothing in such a unit may be shared with others.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/robust/batch/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/robust/batch/isa/avx512.cpp
+                              PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl")
+endif()
+
 touchstone_component(geometry)
 touchstone_component(reference)
 touchstone_component(robust ${robust_sources})

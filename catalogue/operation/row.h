@@ -17,6 +17,7 @@
 ///   TOUCHSTONE_MODULES(op)                   the functions of the three modules; where a question's alternatives have
 ///                                            answers of different types: TOUCHSTONE_MODULES_EITHER(op), and before it
 ///                                            template <class R> using Answers = std::variant<Aabb2<R>, Aabb3<R>>
+///   TOUCHSTONE_ARRAYS(op)                    where robust::batch has a function of that name: decisions over arrays
 ///   using stages = ::touchstone::robust::stages::op;    the stages of robust, if there are several
 ///   using Question = std::tuple<...>;        the arguments; alternatives are a std::variant of tuples
 ///   static const Metadata& metadata();               names, pages, kind of judgement
@@ -24,6 +25,10 @@
 ///   struct decision { ... };                 decisions alone (below), or using decision = NoDecision;
 ///   static Hooks<op> hooks();                what else is particular; a misspelt name does not compile
 /// Everything else - codec, families, judge, tests, fuzz target, vectors, report - follows from these.
+#define TOUCHSTONE_ARRAYS(op)                                                                          \
+  static auto batch(const auto&... operands)->decltype(::touchstone::robust::batch::op(operands...)) { \
+    return ::touchstone::robust::batch::op(operands...);                                               \
+  }
 #define TOUCHSTONE_MODULES(op)                                                          \
   TOUCHSTONE_MEMBER_OF_ENGINES(op)                                                      \
   static auto reference(const auto&... q) { return ::touchstone::reference::op(q...); } \

@@ -18,6 +18,7 @@
 #include "catalogue/operation/metadata.h"
 #include "catalogue/shape/shape.h"
 #include "oracle/truth.h"
+#include "robust/batch/columns.h"
 #include "robust/kernel/staged.h"
 
 namespace touchstone::catalogue {
@@ -53,6 +54,16 @@ struct StageFunctions {
   robust::Stage (*decided_by)(const Question&, std::size_t environment) = nullptr;  ///< nullptr: robust does not tell
 };
 
+/// Decisions over arrays (robust/batch/columns.h): enumerators, a byte each.
+struct ArrayFunctions {
+  /// On `count` questions, all like `shared` but for the numbers of which there are columns. nullptr: robust does not
+  /// answer arrays.
+  void (*decide)(const Question& shared, const robust::batch::Column* columns, std::size_t count, std::uint8_t* answers,
+                 robust::batch::Instructions at_most) = nullptr;
+  /// Which numbers of a question there are columns of, in their order.
+  std::vector<std::size_t> (*columns)(const Question&) = nullptr;
+};
+
 /// A row of the catalogue with its types forgotten (catalogue/operation/row_of.h makes it): the functions of the three
 /// modules over encoded values, and what the row adds to them. Whatever may be nullptr says so.
 struct RowFunctions {
@@ -81,9 +92,7 @@ struct RowFunctions {
   DecisionCount (*count_decisions)(int size, std::uint64_t first, std::uint64_t last,
                                    std::size_t list_length);  ///< nullptr likewise
 
-  /// The decisions on `count` questions over columns, one for each number of a question: enumerators, a byte each.
-  /// nullptr: robust does not answer arrays.
-  void (*batch)(const double* const* columns, std::size_t count, std::uint8_t* decisions);
+  ArrayFunctions batch;
 
   StageFunctions stages, decision_stages;
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "catalogue/judge/environment.h"
+#include "catalogue/operation/arrays_of.h"
 #include "catalogue/operation/operation.h"
 #include "catalogue/operation/row.h"
 
@@ -273,7 +274,7 @@ RowFunctions RowOf<Row>::functions() {
     f.decide_by_integers = decide_by_integers;
     f.count_decisions = count_decisions;
   }
-  if constexpr (requires { Row::batch(nullptr, 0, nullptr); }) f.batch = Row::batch;
+  if constexpr (answers_arrays<Row, Asked>) f.batch = {ArraysOf<Row, Asked>::decide, ArraysOf<Row, Asked>::columns};
   if constexpr (requires { typename Row::stages; }) f.stages = stage_functions<typename Row::stages, Asked>();
   if constexpr (requires { typename Row::stages::decision; })
     f.decision_stages = stage_functions<typename Row::stages::decision, Asked>();

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "catalogue/judge/environment.h"
+#include "catalogue/operation/array_mismatch.h"
 #include "catalogue/operation/explained.h"
 #include "catalogue/operation/judgement.h"
 
@@ -67,8 +68,12 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
   const auto in_words = [&] { return " (" + catalogue::environment_name(environment) + ")"; };
   try {
     if (quick) {
-      if (row.decide(question, environment) != row.decide_by_oracle(question))
-        return "robust and oracle decide differently" + in_words();
+      const catalogue::Word decision = row.decide(question, environment);
+      if (decision != row.decide_by_oracle(question)) return "robust and oracle decide differently" + in_words();
+      if (hash / 32 % 4 == 0) {
+        const std::string wrong = catalogue::array_mismatch(operation_, question, decision, environment, hash >> 16);
+        if (!wrong.empty()) return wrong + in_words();
+      }
       if (hash / 32 % 16 != 0) return "";
     }
     const catalogue::Examination examination(operation_, question);
@@ -76,6 +81,11 @@ std::string Target::judged(const Question& question, std::uint64_t hash) const {
     if (judgement.verdict != catalogue::Verdict::agree)
       return "robust and oracle differ: " + std::string(name_of(judgement.verdict)) + " " + judgement.remark +
              in_words();
+    if (!quick && row.batch.decide != nullptr) {
+      const catalogue::Word decision = row.robust(question, environment).words.at(0);
+      const std::string wrong = catalogue::array_mismatch(operation_, question, decision, environment, hash >> 16);
+      if (!wrong.empty()) return wrong + in_words();
+    }
     if (examination.margin()) {
       const std::size_t count = std::min<std::size_t>(question.numbers.size(), 16);
       report_margin(*examination.margin(), operation_.metadata().margin_degree, {question.numbers.data(), count},

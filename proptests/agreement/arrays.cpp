@@ -1,92 +1,255 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <limits>
+#include <map>
+
+#include "catalogue/judge/environment.h"
 #include "proptests/drawn.h"
 #include "proptests/each_operation.h"
 
-// Where robust answers questions over columns, it answers as it does one by one.
+// Where robust answers arrays, each row is answered as one question is, with every instruction set that this processor
+// has.
 namespace touchstone::proptests::arrays_tests {
 namespace {
 
-/// Valid questions of all families in turn.
-std::vector<Question> valid_questions(const Operation& operation, std::size_t count) {
+using catalogue::Word;
+using robust::batch::Column;
+using robust::batch::Instructions;
+
+constexpr Instructions every_set[] = {Instructions::portable, Instructions::avx2, Instructions::avx512};
+
+/// What robust decides of one question.
+Word decision(const Operation& operation, const Question& question, std::size_t environment = 0) {
+  const auto& row = operation.row();
+  return row.decide != nullptr ? row.decide(question, environment) : row.robust(question, environment).words.at(0);
+}
+
+/// Who is wrong; empty where it is nobody.
+std::string refusal(const Operation& operation, const Question& question) {
+  try {
+    decision(operation, question);
+  } catch (const InvalidInput& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+/// Questions that arrays can ask in one call: they differ in the columns' numbers alone.
+struct Table {
   std::vector<Question> questions;
-  for (std::uint64_t i = 0; questions.size() < count; ++i) {
-    const std::size_t family = i % operation.families().size();
+  std::vector<std::size_t> columns;
+};
+
+/// As many questions of all families in turn, those that are refused too or not.
+std::vector<Question> drawn(const Operation& operation, std::size_t count, bool valid) {
+  std::vector<Question> questions;
+  for (std::uint64_t i = 0; questions.size() < count && i < 40 * count; ++i) {
     DrawStream draws = DrawStream::seeded(catalogue::seed_of(1, "arrays", i));
-    Question question = operation.draw(draws, family);
-    try {
-      operation.row().decide(question, 0);
-    } catch (const InvalidInput&) {
-      continue;
-    }
-    questions.push_back(std::move(question));
+    Question question = operation.draw(draws, i % operation.families().size());
+    if (refusal(operation, question).empty() == valid) questions.push_back(std::move(question));
   }
   return questions;
 }
 
-/// The questions as columns that start `shift` numbers after an aligned address.
+/// Tables of questions: where every argument has columns, one for each alternative; else one for each question, whose
+/// rows take their numbers from that one and from others in turn.
+std::vector<Table> tables(const Operation& operation, std::size_t count) {
+  constexpr std::size_t rows_of_a_list = 75;
+  std::vector<Table> made;
+  const auto columns_of = operation.row().batch.columns;
+  const std::vector<Question> first = drawn(operation, 1, true);
+  if (columns_of(first[0]).size() == first[0].numbers.size()) {
+    std::map<std::vector<Word>, Table> by_words;
+    for (Question& question : drawn(operation, count, true)) {
+      Table& table = by_words[question.words];
+      if (table.questions.empty()) table.columns = columns_of(question);
+      table.questions.push_back(std::move(question));
+    }
+    for (auto& [words, table] : by_words) made.push_back(std::move(table));
+    return made;
+  }
+  const std::vector<Question> questions = drawn(operation, std::max<std::size_t>(count / rows_of_a_list, 8), true);
+  for (std::size_t n = 0; n < questions.size(); ++n) {
+    Table table{{}, columns_of(questions[n])};
+    for (std::size_t i = 0; i < rows_of_a_list; ++i) {
+      Question question = questions[n];
+      const Question& other = questions[(n + i) % questions.size()];
+      const std::vector<std::size_t> others = columns_of(other);
+      for (std::size_t k = 0; k < others.size(); ++k) question.numbers[table.columns[k]] = other.numbers[others[k]];
+      // Every second one of the shape's own numbers: points on vertices, and between them.
+      const std::size_t at = i % question.numbers.size();
+      if (i % 2 == 1 && at + others.size() <= question.numbers.size())
+        for (std::size_t k = 0; k < others.size(); ++k)
+          question.numbers[table.columns[k]] = questions[n].numbers[at + k];
+      table.questions.push_back(std::move(question));
+    }
+    made.push_back(std::move(table));
+  }
+  return made;
+}
+
+/// The first questions of a table as columns, each number `stride` after the one before (0: all are that of the first),
+/// the first `shift` after an aligned address.
 struct Columns {
   std::vector<std::vector<double>> numbers;
-  std::vector<const double*> starts;
-  Columns(const std::vector<Question>& questions, std::size_t count, std::size_t shift)
-      : numbers(questions[0].numbers.size()) {
+  std::vector<Column> columns;
+  Columns(const Table& table, std::size_t count, const std::vector<std::ptrdiff_t>& strides, std::size_t shift)
+      : numbers(table.columns.size()) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      numbers[k].resize(shift + count);
-      for (std::size_t i = 0; i < count; ++i) numbers[k][shift + i] = questions[i].numbers[k];
-      starts.push_back(numbers[k].data() + shift);
+      const std::ptrdiff_t stride = strides[k], last = count == 0 ? 0 : static_cast<std::ptrdiff_t>(count - 1);
+      const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(shift) + (stride < 0 ? -stride * last : 0);
+      numbers[k].assign(shift + static_cast<std::size_t>(std::abs(stride) * last) + 1,
+                        std::numeric_limits<double>::quiet_NaN());
+      for (std::size_t i = count; i-- > 0;)
+        numbers[k][static_cast<std::size_t>(start + stride * static_cast<std::ptrdiff_t>(i))] =
+            table.questions[i].numbers[table.columns[k]];
+      columns.emplace_back(numbers[k].data() + start, stride);
     }
   }
 };
 
-}  // namespace
-
-TEST_CASE("arrays: orientation is answered over columns") {
-  // Else what follows asks nothing.
-  CHECK(catalogue::find_operation("orientation")->row().batch != nullptr);
+std::vector<Word> decisions(const Operation& operation, const Table& table) {
+  std::vector<Word> answers;
+  for (const Question& question : table.questions) answers.push_back(decision(operation, question));
+  return answers;
 }
 
-EACH_OPERATION("over columns of any length and alignment it answers as one by one") {
-  const auto batch = operation.row().batch;
-  if (batch == nullptr) return;
-  const std::vector<Question> questions = valid_questions(operation, static_cast<std::size_t>(scaled(20'000)));
-  std::vector<std::size_t> counts{questions.size()};
-  for (std::size_t count = 0; count <= 70 && count <= questions.size(); ++count) counts.push_back(count);
-  for (const std::size_t count : counts) {
-    for (std::size_t shift = 0; shift < 8; ++shift) {
-      const Columns columns(questions, count, shift);
-      std::vector<std::uint8_t> answers(count + 1, 255);
-      batch(columns.starts.data(), count, answers.data());
-      REQUIRE(answers[count] == 255);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (answers[i] != operation.row().decide(questions[i], 0))
-          FAIL(catalogue::one_line(operation.print(questions[i])));
+void check(const Operation& operation, const Table& table, const std::vector<Word>& expected, std::size_t count,
+           const std::vector<std::ptrdiff_t>& strides, std::size_t shift, std::size_t environment = 0) {
+  const Columns given(table, count, strides, shift);
+  for (const Instructions set : every_set) {
+    std::vector<std::uint8_t> answers(count + 1, 255);
+    {
+      const catalogue::Environment environment_set(environment);
+      operation.row().batch.decide(table.questions[0], given.columns.data(), count, answers.data(), set);
+    }
+    REQUIRE(answers[count] == 255);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (answers[i] == expected[i]) continue;
+      FAIL("instructions " << static_cast<int>(set) << ", row " << i << " of " << count << ", " << answers[i] + 0
+                           << " instead of " << expected[i] << ": "
+                           << catalogue::one_line(operation.print(table.questions[i])));
+    }
+  }
+}
+
+std::vector<std::ptrdiff_t> all_of(const Table& table, std::ptrdiff_t stride) {
+  return std::vector<std::ptrdiff_t>(table.columns.size(), stride);
+}
+
+std::size_t asked_of(const Operation& operation, std::uint64_t questions) {
+  return static_cast<std::size_t>(
+      affordable(operation, static_cast<std::uint64_t>(scaled(static_cast<int>(questions)))));
+}
+
+}  // namespace
+
+TEST_CASE("arrays: what follows asks something") {
+  std::size_t with_arrays = 0;
+  for (const Operation* operation : catalogue::all_operations())
+    with_arrays += operation->row().batch.decide != nullptr;
+  CHECK(with_arrays >= 15);
+}
+
+EACH_OPERATION("over arrays it answers as one by one, and as the oracle") {
+  if (operation.row().batch.decide == nullptr) return;
+  for (const Table& table : tables(operation, asked_of(operation, 20'000))) {
+    const std::vector<Word> expected = decisions(operation, table);
+    check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+    check(operation, table, expected, expected.size(), all_of(table, 3), 1);
+    const std::size_t step = std::max<std::size_t>(1, expected.size() / 500);
+    for (std::size_t i = 0; i < expected.size(); i += step)
+      REQUIRE(operation.row().solve(table.questions[i]).answer.words.at(0) == expected[i]);
+  }
+}
+
+EACH_OPERATION("over arrays of any length, alignment and stride it answers as one by one") {
+  if (operation.row().batch.decide == nullptr) return;
+  for (const Table& table : tables(operation, 300)) {
+    const std::vector<Word> expected = decisions(operation, table);
+    for (std::size_t count = 0; count <= std::min<std::size_t>(70, expected.size()); ++count) {
+      for (std::size_t shift = 0; shift < 8; ++shift) {
+        check(operation, table, expected, count, all_of(table, 1), shift);
+        const auto stride = static_cast<std::ptrdiff_t>(shift % 4) + 2;
+        check(operation, table, expected, count, all_of(table, shift % 2 == 0 ? stride : -stride), shift);
       }
     }
   }
 }
 
-EACH_OPERATION("over columns the first question that is refused is named") {
-  const auto batch = operation.row().batch;
-  if (batch == nullptr) return;
-  std::vector<Question> questions = valid_questions(operation, 70);
-  for (const std::size_t place : {std::size_t{0}, std::size_t{17}, std::size_t{69}}) {
-    const Question kept = questions[place];
-    questions[place].numbers.back() = std::numeric_limits<double>::infinity();
-    std::string one_by_one, over_columns;
-    try {
-      operation.row().decide(questions[place], 0);
-    } catch (const InvalidInput& refused) {
-      one_by_one = "questions[" + std::to_string(place) + "]." + refused.what();
+EACH_OPERATION("over arrays one operand that all rows share is as good as many") {
+  if (operation.row().batch.decide == nullptr) return;
+  for (const Table& table : tables(operation, 300)) {
+    // Each half of the columns in turn, and all of them.
+    for (std::size_t part = 0; part < 3; ++part) {
+      std::vector<std::ptrdiff_t> strides = all_of(table, 1);
+      Table shared{{}, table.columns};
+      for (std::size_t k = 0; k < strides.size(); ++k)
+        if (part == 2 || (k < strides.size() / 2) == (part == 0)) strides[k] = 0;
+      for (Question question : table.questions) {
+        for (std::size_t k = 0; k < strides.size(); ++k)
+          if (strides[k] == 0) question.numbers[table.columns[k]] = table.questions[0].numbers[table.columns[k]];
+        if (refusal(operation, question).empty()) shared.questions.push_back(std::move(question));
+      }
+      const std::vector<Word> expected = decisions(operation, shared);
+      for (const std::size_t count : {std::size_t{1}, std::size_t{63}, std::size_t{64}, expected.size()})
+        if (count <= expected.size()) check(operation, shared, expected, count, strides, 3);
     }
-    std::vector<std::uint8_t> answers(questions.size());
-    try {
-      batch(Columns(questions, questions.size(), 0).starts.data(), questions.size(), answers.data());
-    } catch (const InvalidInput& refused) {
-      over_columns = refused.what();
-    }
-    CHECK(!one_by_one.empty());
-    CHECK(over_columns == one_by_one);
-    questions[place] = kept;
   }
+}
+
+EACH_OPERATION("over arrays it answers alike in every floating-point environment") {
+  if (operation.row().batch.decide == nullptr) return;
+  for (const Table& table : tables(operation, asked_of(operation, 1'000))) {
+    const std::vector<Word> expected = decisions(operation, table);
+    for (std::size_t environment = 0; environment < catalogue::environment_count; ++environment)
+      check(operation, table, expected, expected.size(), all_of(table, 1), 0, environment);
+  }
+}
+
+EACH_OPERATION("over arrays the first question that is refused is named") {
+  if (operation.row().batch.decide == nullptr) return;
+  const auto refused_by_arrays = [&](const Table& table, Instructions set) -> std::string {
+    std::vector<std::uint8_t> answers(table.questions.size());
+    const Columns given(table, table.questions.size(), all_of(table, 1), 0);
+    try {
+      operation.row().batch.decide(table.questions[0], given.columns.data(), answers.size(), answers.data(), set);
+    } catch (const InvalidInput& refused) {
+      return refused.what();
+    }
+    return "nothing";
+  };
+  Table table = tables(operation, 300)[0];
+  table.questions.resize(std::min<std::size_t>(table.questions.size(), 200));
+  for (const std::size_t place : {std::size_t{0}, std::size_t{17}, std::size_t{69}}) {
+    const Question kept = table.questions.at(place);
+    for (const std::size_t k : table.columns) {
+      for (const double bad : {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::quiet_NaN()}) {
+        table.questions[place].numbers[k] = bad;
+        const std::string expected =
+            "questions[" + std::to_string(place) + "]." + refusal(operation, table.questions[place]);
+        for (const Instructions set : every_set) REQUIRE(refused_by_arrays(table, set) == expected);
+        table.questions[place] = kept;
+      }
+    }
+  }
+  // What the families break on purpose: a radius below 0, a normal of length 0, a polygon that is not convex.
+  std::size_t asked = 0;
+  for (const Question& bad : drawn(operation, 200, false)) {
+    const bool of_a_row = operation.row().batch.columns(bad).size() == bad.numbers.size();
+    Table with{{}, operation.row().batch.columns(bad)};
+    if (of_a_row) {
+      if (bad.words != table.questions[0].words) continue;
+      with = table;
+      with.questions[40] = bad;
+    } else {
+      with.questions.assign(70, bad);
+    }
+    ++asked;
+    const std::string expected = (of_a_row ? "questions[40]." : "") + refusal(operation, bad);
+    for (const Instructions set : every_set) REQUIRE(refused_by_arrays(with, set) == expected);
+  }
+  INFO(asked);
 }
 
 }  // namespace touchstone::proptests::arrays_tests

@@ -1,19 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/batch/point_in_convex_polyhedron.h"
 
+#include <vector>
+
 #include "geometry/validation.h"
-#include "robust/batch/isa/rows.h"
+#include "robust/batch/isa/run.h"
+#include "robust/kernel/convex_mesh.h"
+#include "robust/kernel/face_side.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
 
 namespace touchstone::robust::batch {
+namespace {
 
+/// The nine numbers of a face that isa/kernels.h reads: a corner, the normal that points outwards, and the sums of the
+/// magnitudes of its terms, 2^-1000 too large. `outside` is the side of the face that is outside, 1 or -1.
+void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
+  const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
+  const Vector3d v = b - a, w = c - a, normal = cross(v, w);
+  const auto size = [](double p, double q) { return __builtin_fabs(p) + __builtin_fabs(q) + 0x1p-1000; };
+  const double sign = outside;
+  for (const double number : {a.x, a.y, a.z, sign * normal.x, sign * normal.y, sign * normal.z,
+                              size(v.y * w.z, v.z * w.y), size(v.z * w.x, v.x * w.z), size(v.x * w.y, v.y * w.x)})
+    numbers.push_back(number);
+}
+
+}  // namespace
+
+/// The mesh is validated once, and nine numbers for each face are kept until the call ends.
 void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
-                                Instructions) {
+                                Instructions at_most) {
   if (count == 0) return;
   validation::validate_numbers("mesh", mesh);
-  robust::point_in_convex_polyhedron(mesh, {0, 0, 0});
-  decide_each([&](const Point3d& point) { return robust::point_in_convex_polyhedron(mesh, point); }, count, answers,
-              points);
+  Stage latest = Stage::filter;
+  const int outside = kernel::validate_convex("mesh", mesh, latest);
+  std::vector<double> faces;
+  faces.reserve(9 * mesh.faces.size());
+  for (const Face& face : mesh.faces) add_face(mesh, face, outside, faces);
+  const auto decide = [&](const Point3d& point) {
+    validation::validate("point", point);
+    return stages::point_in_convex_polyhedron::of_valid(mesh, point, outside).answer;
+  };
+  isa::run(&isa::Filters::point_in_convex_solid, isa::Shared{faces.data(), mesh.faces.size()}, at_most, decide, decide,
+           count, answers, points);
 }
 
 }  // namespace touchstone::robust::batch

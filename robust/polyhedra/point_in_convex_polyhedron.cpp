@@ -11,6 +11,12 @@ Decided<Location> stages::point_in_convex_polyhedron::ask(const Meshd& mesh, con
   validation::validate_numbers("mesh", mesh), validation::validate("point", point);
   Stage latest = Stage::filter;
   const int outside = kernel::validate_convex("mesh", mesh, latest);
+  const Location location = of_valid(mesh, point, outside).noting(latest);
+  return {location, latest};
+}
+
+Decided<Location> stages::point_in_convex_polyhedron::of_valid(const Meshd& mesh, const Point3d& point, int outside) {
+  Stage latest = Stage::filter;
   bool on = false;
   for (const Face& face : mesh.faces) {
     const int side = kernel::FaceSide(mesh, face).of(point).noting(latest);

@@ -23,6 +23,8 @@ namespace stages {
 /// The latest stage that one of its decisions needed.
 struct point_in_convex_polyhedron : Signatures<decltype(robust::point_in_convex_polyhedron)> {
   static Staged ask;
+  /// The same of a mesh and a point that were validated; outside: what kernel::validate_convex answered of the mesh.
+  static Decided<Location> of_valid(const Meshd& mesh, const Point3d& point, int outside);
 };
 
 }  // namespace stages

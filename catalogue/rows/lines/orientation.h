@@ -16,6 +16,7 @@ namespace touchstone::catalogue::rows {
 
 struct orientation {
   TOUCHSTONE_MODULES(orientation)
+  TOUCHSTONE_ARRAYS(orientation)
   using stages = ::touchstone::robust::stages::orientation;
   using Question = std::tuple<Point2d, Point2d, Point2d>;
 
@@ -29,10 +30,6 @@ struct orientation {
                                    .answer = "side",
                                    .margin_degree = 2};
     return metadata;
-  }
-
-  static void batch(const double* const* c, std::size_t count, std::uint8_t* sides) {
-    ::touchstone::robust::batch::orientation({c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, count, sides);
   }
 
   static std::vector<HardCase<Question>> hard_cases() {

@@ -5,12 +5,14 @@
 #include "catalogue/operation/row.h"
 #include "oracle/lines/point_on_segment.h"
 #include "reference/lines/point_on_segment.h"
+#include "robust/batch/point_on_segment.h"
 #include "robust/lines/point_on_segment.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_on_segment {
   TOUCHSTONE_MODULES(point_on_segment)
+  TOUCHSTONE_ARRAYS(point_on_segment)
   using stages = ::touchstone::robust::stages::point_on_segment;
   using Question = std::tuple<Point2d, Segment2d>;
 

@@ -7,12 +7,14 @@
 #include "oracle/exact/elimination.h"
 #include "oracle/lines/segment_segment.h"
 #include "reference/lines/segment_segment.h"
+#include "robust/batch/segment_segment.h"
 #include "robust/lines/segment_segment.h"
 
 namespace touchstone::catalogue::rows {
 
 struct segment_segment {
   TOUCHSTONE_MODULES(segment_segment)
+  TOUCHSTONE_ARRAYS(segment_segment)
   using stages = ::touchstone::robust::stages::segment_segment;
   using Question = std::tuple<Segment2d, Segment2d>;
 

@@ -7,12 +7,14 @@
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/ray_aabb.h"
 #include "reference/mixed/ray_aabb.h"
+#include "robust/batch/ray_aabb.h"
 #include "robust/mixed/ray_aabb.h"
 
 namespace touchstone::catalogue::rows {
 
 struct ray_aabb {
   TOUCHSTONE_MODULES(ray_aabb)
+  TOUCHSTONE_ARRAYS(ray_aabb)
   using stages = ::touchstone::robust::stages::ray_aabb;
   using InPlane = std::tuple<Ray2d, Aabb2d>;
   using InSpace = std::tuple<Ray3d, Aabb3d>;

@@ -6,12 +6,14 @@
 #include "catalogue/shape/described_rays.h"
 #include "oracle/mixed/ray_triangle.h"
 #include "reference/mixed/ray_triangle.h"
+#include "robust/batch/ray_triangle.h"
 #include "robust/mixed/ray_triangle.h"
 
 namespace touchstone::catalogue::rows {
 
 struct ray_triangle {
   TOUCHSTONE_MODULES(ray_triangle)
+  TOUCHSTONE_ARRAYS(ray_triangle)
   using stages = ::touchstone::robust::stages::ray_triangle;
   using Question = std::tuple<Ray3d, Triangle3d>;
 

@@ -7,12 +7,14 @@
 #include "catalogue/operation/row.h"
 #include "oracle/planes/point_plane.h"
 #include "reference/planes/point_plane.h"
+#include "robust/batch/point_plane.h"
 #include "robust/planes/point_plane.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_plane {
   TOUCHSTONE_MODULES(point_plane)
+  TOUCHSTONE_ARRAYS(point_plane)
   using stages = ::touchstone::robust::stages::point_plane;
   using Question = std::tuple<Plane3d, Point3d>;
 

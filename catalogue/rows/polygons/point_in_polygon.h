@@ -8,12 +8,14 @@
 #include "catalogue/shape/walk.h"
 #include "oracle/polygons/point_in_polygon.h"
 #include "reference/polygons/point_in_polygon.h"
+#include "robust/batch/point_in_polygon.h"
 #include "robust/polygons/point_in_polygon.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_in_polygon {
   TOUCHSTONE_MODULES(point_in_polygon)
+  TOUCHSTONE_ARRAYS(point_in_polygon)
   using stages = ::touchstone::robust::stages::point_in_polygon;
   using Question = std::tuple<Polygon2d, Point2d>;
 

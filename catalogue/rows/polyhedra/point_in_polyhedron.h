@@ -8,12 +8,14 @@
 #include "catalogue/operation/row.h"
 #include "oracle/polyhedra/point_in_polyhedron.h"
 #include "reference/polyhedra/point_in_polyhedron.h"
+#include "robust/batch/point_in_polyhedron.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 
 namespace touchstone::catalogue::rows {
 
 struct point_in_polyhedron {
   TOUCHSTONE_MODULES(point_in_polyhedron)
+  TOUCHSTONE_ARRAYS(point_in_polyhedron)
   using stages = ::touchstone::robust::stages::point_in_polyhedron;
   using Question = std::tuple<Meshd, Point3d>;
   using decision = NoDecision;

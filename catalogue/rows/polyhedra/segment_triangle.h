@@ -6,12 +6,14 @@
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/segment_triangle.h"
 #include "reference/polyhedra/segment_triangle.h"
+#include "robust/batch/segment_triangle.h"
 #include "robust/polyhedra/segment_triangle.h"
 
 namespace touchstone::catalogue::rows {
 
 struct segment_triangle {
   TOUCHSTONE_MODULES(segment_triangle)
+  TOUCHSTONE_ARRAYS(segment_triangle)
   using stages = ::touchstone::robust::stages::segment_triangle;
   using Question = std::tuple<Segment3d, Triangle3d>;
 

@@ -8,12 +8,14 @@
 #include "catalogue/shape/described_triangles.h"
 #include "oracle/polyhedra/triangle_triangle.h"
 #include "reference/polyhedra/triangle_triangle.h"
+#include "robust/batch/triangle_triangle.h"
 #include "robust/polyhedra/triangle_triangle.h"
 
 namespace touchstone::catalogue::rows {
 
 struct triangle_triangle {
   TOUCHSTONE_MODULES(triangle_triangle)
+  TOUCHSTONE_ARRAYS(triangle_triangle)
   using stages = ::touchstone::robust::stages::triangle_triangle;
   using Question = std::tuple<Triangle3d, Triangle3d>;
 

@@ -6,12 +6,14 @@
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/aabb_aabb.h"
 #include "reference/volumes/aabb_aabb.h"
+#include "robust/batch/aabb_aabb.h"
 #include "robust/volumes/aabb_aabb.h"
 
 namespace touchstone::catalogue::rows {
 
 struct aabb_aabb {
   TOUCHSTONE_MODULES(aabb_aabb)
+  TOUCHSTONE_ARRAYS(aabb_aabb)
   using stages = ::touchstone::robust::stages::aabb_aabb;
   using InPlane = std::tuple<Aabb2d, Aabb2d>;
   using InSpace = std::tuple<Aabb3d, Aabb3d>;

@@ -7,12 +7,14 @@
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/sphere_aabb.h"
 #include "reference/volumes/sphere_aabb.h"
+#include "robust/batch/sphere_aabb.h"
 #include "robust/volumes/sphere_aabb.h"
 
 namespace touchstone::catalogue::rows {
 
 struct sphere_aabb {
   TOUCHSTONE_MODULES(sphere_aabb)
+  TOUCHSTONE_ARRAYS(sphere_aabb)
   using stages = ::touchstone::robust::stages::sphere_aabb;
   using InPlane = std::tuple<Circle2d, Aabb2d>;
   using InSpace = std::tuple<Sphere3d, Aabb3d>;

@@ -7,12 +7,14 @@
 #include "catalogue/operation/row.h"
 #include "oracle/volumes/sphere_sphere.h"
 #include "reference/volumes/sphere_sphere.h"
+#include "robust/batch/sphere_sphere.h"
 #include "robust/volumes/sphere_sphere.h"
 
 namespace touchstone::catalogue::rows {
 
 struct sphere_sphere {
   TOUCHSTONE_MODULES(sphere_sphere)
+  TOUCHSTONE_ARRAYS(sphere_sphere)
   using stages = ::touchstone::robust::stages::sphere_sphere;
   using InPlane = std::tuple<Circle2d, Circle2d>;
   using InSpace = std::tuple<Sphere3d, Sphere3d>;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// No #pragma once: a unit for each instruction set includes this with its own TOUCHSTONE_LANES.
+
+#include "bench/isa/naive_loops.h"
+#include "robust/batch/isa/lanes.h"
+
+/// The formulas that one writes where rounding is no matter, in the lanes of robust/batch: what exact answers are
+/// compared with. With one lane they are the plain loop.
+namespace touchstone::robust::batch::isa {
+namespace {
+
+Lanes quotient(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
+
+struct NaiveOrientation {
+  static constexpr std::size_t columns = 6;
+  static constexpr std::uint8_t set = 2, clear = 0;
+  static Mask of(const Lanes* c) {
+    return negative((c[2] - c[0]) * (c[5] - c[1]) - (c[3] - c[1]) * (c[4] - c[0]));
+  }
+};
+
+/// On the line, and in the box of the segment.
+struct NaivePointOnSegment {
+  static constexpr std::size_t columns = 6;
+  static constexpr std::uint8_t set = 0, clear = 1;
+  static Mask of(const Lanes* c) {
+    const Lanes x = c[0], y = c[1];
+    const Mask on_line = equal((c[4] - c[2]) * (y - c[3]) - (c[5] - c[3]) * (x - c[2]), same(0));
+    return on_line & not_below(x, lesser(c[2], c[4])) & not_below(greater(c[2], c[4]), x) &
+           not_below(y, lesser(c[3], c[5])) & not_below(greater(c[3], c[5]), y);
+  }
+};
+
+/// Four sides; says that segments on one line meet.
+struct NaiveSegmentSegment {
+  static constexpr std::size_t columns = 8;
+  static constexpr std::uint8_t set = 0, clear = 1;
+  static Mask of(const Lanes* c) {
+    const Lanes ax = c[0], ay = c[1], bx = c[2], by = c[3], px = c[4], py = c[5], qx = c[6], qy = c[7];
+    const auto turn = [](Lanes ox, Lanes oy, Lanes ex, Lanes ey, Lanes x, Lanes y) {
+      return (ex - ox) * (y - oy) - (ey - oy) * (x - ox);
+    };
+    const Lanes first = turn(ax, ay, bx, by, px, py) * turn(ax, ay, bx, by, qx, qy);
+    const Lanes second = turn(px, py, qx, qy, ax, ay) * turn(px, py, qx, qy, bx, by);
+    return above(greater(first, second), same(0));
+  }
+};
+
+struct NaivePointPlane {
+  static constexpr std::size_t columns = 7;
+  static constexpr std::uint8_t set = 2, clear = 0;
+  static Mask of(const Lanes* c) { return negative(c[0] * c[4] + c[1] * c[5] + c[2] * c[6] + c[3]); }
+};
+
+template <std::size_t n>
+struct NaiveBoxes {
+  static constexpr std::size_t columns = 4 * n;
+  static constexpr std::uint8_t set = 0, clear = 2;
+  static Mask of(const Lanes* c) {
+    Mask apart = 0;
+    for (std::size_t k = 0; k < n; ++k) apart |= above(c[k], c[3 * n + k]) | above(c[2 * n + k], c[n + k]);
+    return apart;
+  }
+};
+
+template <std::size_t n>
+struct NaiveSpheres {
+  static constexpr std::size_t columns = 2 * n + 2;
+  static constexpr std::uint8_t set = 0, clear = 2;
+  static Mask of(const Lanes* c) {
+    Lanes distance = same(0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes way = c[n + 1 + k] - c[k];
+      distance = k == 0 ? way * way : distance + way * way;
+    }
+    const Lanes reach = c[n] + c[2 * n + 1];
+    return above(distance, reach * reach);
+  }
+};
+
+template <std::size_t n>
+struct NaiveSphereBox {
+  static constexpr std::size_t columns = 3 * n + 1;
+  static constexpr std::uint8_t set = 0, clear = 2;
+  static Mask of(const Lanes* c) {
+    Lanes distance = same(0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes way = c[k] - lesser(greater(c[k], c[n + 1 + k]), c[2 * n + 1 + k]);
+      distance = k == 0 ? way * way : distance + way * way;
+    }
+    return above(distance, c[n] * c[n]);
+  }
+};
+
+/// Slabs.
+template <std::size_t n>
+struct NaiveRayBox {
+  static constexpr std::size_t columns = 4 * n;
+  static constexpr std::uint8_t set = 1, clear = 0;
+  static Mask of(const Lanes* c) {
+    Lanes first = same(0), last = same(__builtin_inf());
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes inverse = quotient(same(1), c[n + k]);
+      const Lanes s = (c[2 * n + k] - c[k]) * inverse, t = (c[3 * n + k] - c[k]) * inverse;
+      first = greater(lesser(s, t), first);
+      last = lesser(greater(s, t), last);
+    }
+    return not_below(last, first);
+  }
+};
+
+template <class F>
+void naive(const double* const* columns, std::size_t count, std::uint8_t* answers) {
+  for (std::size_t first = 0; first < count; first += chunk) {
+    std::uint64_t set = 0;
+    for (std::size_t i = 0; i < chunk; i += lanes) {
+      Lanes numbers[F::columns];
+      for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(columns[k] + first + i);
+      const Mask found = F::of(numbers);
+      if (lanes == 1) answers[first + i] = found != 0 ? F::set : F::clear;
+      else set |= static_cast<std::uint64_t>(found) << i;
+    }
+    if (lanes != 1) put_bytes(answers + first, set, F::set, F::clear);
+  }
+}
+
+constexpr NaiveLoops loops_of_this_unit{naive<NaiveOrientation>,    naive<NaivePointOnSegment>,
+                                        naive<NaiveSegmentSegment>, naive<NaivePointPlane>,
+                                        naive<NaiveBoxes<2>>,       naive<NaiveBoxes<3>>,
+                                        naive<NaiveSpheres<2>>,     naive<NaiveSpheres<3>>,
+                                        naive<NaiveSphereBox<2>>,   naive<NaiveSphereBox<3>>,
+                                        naive<NaiveRayBox<2>>,      naive<NaiveRayBox<3>>};
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "robust/batch/isa/filters.h"
+
+namespace touchstone::robust::batch::isa {
+
+/// Answers of a plain formula over contiguous columns, the number of rows a multiple of 64.
+using NaiveLoop = void(const double* const* columns, std::size_t count, std::uint8_t* answers);
+
+struct NaiveLoops {
+  NaiveLoop *orientation, *point_on_segment, *segment_segment, *point_plane;
+  NaiveLoop *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
+  NaiveLoop *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
+};
+
+extern const NaiveLoops plain_loops, avx2_loops, avx512_loops;
+
+/// The sum of numbers: reads memory as fast as it goes. The number of numbers is a multiple of 64.
+double sum_of(const double* numbers, std::size_t count);
+
+}  // namespace touchstone::robust::batch::isa

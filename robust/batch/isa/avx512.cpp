@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#define TOUCHSTONE_LANES 8
+#elif defined(__SSE2__)
+#define TOUCHSTONE_LANES 2
+#else
+#define TOUCHSTONE_LANES 1
+#endif
+#include "robust/batch/isa/kernels.h"
+
+namespace touchstone::robust::batch::isa {
+
+const Filters avx512_filters = filters_of_this_unit;
+
+}  // namespace touchstone::robust::batch::isa

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "robust/kernel/strict_math.h"
+
+/// The filters of arrays, compiled once for each instruction set.
+namespace touchstone::robust::batch::isa {
+
+/// Rows of a chunk: a bit of a 64-bit number stands for each.
+inline constexpr std::size_t chunk = 64;
+
+/// What all rows share; empty where every operand is a column.
+struct Shared {
+  const double* numbers = nullptr;
+  std::size_t count = 0;
+};
+
+/// Filters `chunks` chunks: column k starts at columns[k], and its next chunk is steps[k] doubles further on (0: the
+/// same again). answers receives a byte for each row; unknown a number for each chunk, with the bits of those rows that
+/// the filter could not decide, whose bytes mean nothing.
+using Filter = void(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
+                    std::uint8_t* answers, std::uint64_t* unknown);
+
+/// The filters of one instruction set. They hold where results are rounded to nearest and nothing is flushed.
+struct Filters {
+  Filter *orientation, *point_on_segment, *segment_segment, *point_plane;
+  Filter *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
+  Filter *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
+  Filter *point_in_ring, *point_in_convex_solid;
+};
+
+extern const Filters portable_filters, avx2_filters, avx512_filters;
+
+/// The widest of these instruction sets that the processor has; nullptr where the control word asks for anything but
+/// rounding to nearest and gradual underflow.
+const Filters* filters_here(int at_most);
+
+}  // namespace touchstone::robust::batch::isa

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: Apache-2.0
+// No #pragma once: a unit for each instruction set includes this with its own TOUCHSTONE_LANES.
+
+#include "robust/batch/isa/filters.h"
+#include "robust/batch/isa/lanes.h"
+
+/// What the filters of arrays share, and why they are right.
+///
+/// Model. These filters run only where results are rounded to nearest and nothing is flushed, so the universal model of
+/// robust/kernel/filters.h is not needed: with v = 2^-53, the result of a sum or a difference is exact * (1 + e), and
+/// that of a product exact * (1 + e) + h, with |e| <= v and |h| <= 2^-1075; a sum that underflows is exact. An FMA
+/// leaves a rounding out. What underflow costs in all is a sum of a few h, each at most times a small constant: every
+/// bound here ends with + 2^-1000, which pays for it many times over, and for what the bound itself loses by underflow.
+///
+/// Overflow. |value| > bound is false where the bound is infinite or NaN. So each bound is made to be that whenever
+/// anything in the value is, and no guard is needed besides. The trap: a bound of the kind C * size, C small, stays
+/// finite where a partial sum of the value overflows. Each filter says how it avoids that. The same holds for numbers
+/// that are infinite or NaN: the row is not decided here, and past the filter it is refused.
+///
+/// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two that
+/// exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. Not proved by
+/// machine, unless a filter says so.
+namespace touchstone::robust::batch::isa {
+namespace {
+
+/// The rows that a filter decides, and of these the rows for which the answer is F::set and not F::clear.
+struct Verdict {
+  Mask known, set;
+};
+
+constexpr double v = 0x1p-53, tiny = 0x1p-1000;
+
+/// |value| > bound, with the sign of the value.
+Verdict by_sign(Lanes value, Lanes bound) { return {above(magnitude(value), bound), negative(value)}; }
+
+/// Three points in the plane.
+///
+/// Let l and r be the exact products, L and R the computed ones: L lies between l (1 - v)^3 and l (1 + v)^3, R
+/// likewise. If the signs of l and r differ or one is 0, L - R has the right sign, or is 0. Else let both be positive,
+/// and L > R though l <= r: R >= q L with q = ((1 - v) / (1 + v))^3, so L - R <= (1 - q) / (1 + q) (L + R), and that is
+/// tanh(3 artanh v) <= 3 v. C = 4 v. The sum L + R is itself the size: where L and R are so large that it overflows,
+/// the bound is infinite. Where L - R overflows and L + R does not, the signs differ, and that of L - R is right. An
+/// infinite L or R makes both infinite, or one of them NaN. Every coordinate is in a difference, and an infinite or NaN
+/// difference makes L or R infinite or NaN.
+struct Turn {
+  Lanes value, bound;
+  Turn(Lanes px, Lanes py, Lanes qx, Lanes qy, Lanes x, Lanes y) {
+    const Lanes l = (qx - px) * (y - py), r = (qy - py) * (x - px);
+    value = l - r;
+    bound = multiply_add(magnitude(l + r), same(4 * v), same(tiny));
+  }
+};
+
+struct Orientation {
+  static constexpr std::size_t columns = 6;
+  static constexpr std::uint8_t set = 2, clear = 0;  // right, left
+  static Verdict of(const Lanes* c) {
+    const Turn turn(c[0], c[1], c[2], c[3], c[4], c[5]);
+    return by_sign(turn.value, turn.bound);
+  }
+};
+
+/// Knows only of points that are certainly off the line of the segment.
+struct PointOnSegment {
+  static constexpr std::size_t columns = 6;
+  static constexpr std::uint8_t set = 1, clear = 1;  // off
+  static Verdict of(const Lanes* c) {
+    const Turn turn(c[2], c[3], c[4], c[5], c[0], c[1]);
+    return {above(magnitude(turn.value), turn.bound), 0};
+  }
+};
+
+/// The value is that of filters::segments, and what it says of the segments is proved there: negative, they cross;
+/// positive, the line of one has the other on one side. That its sign is right where |value| > C ex ey is shown there
+/// for C = 12 u (1 + 20 u) with u = 2 v, the rounding of any mode; here C = 2^5 v, which is more. Absolute terms: the
+/// six products of the value count three times each at most.
+///
+/// With Q = ex ey as computed, every product is at most Q, rs, rf and sf are at most 2 Q, and each sum of them at most 8
+/// Q. The bound is infinite where 2^8 Q is, so nothing in the value overflows.
+struct SegmentSegment {
+  static constexpr std::size_t columns = 8;
+  static constexpr std::uint8_t set = 1, clear = 0;  // point, disjoint
+  static Verdict of(const Lanes* c) {
+    const Lanes ax = c[0], ay = c[1], bx = c[4], by = c[5];
+    const Lanes rx = c[2] - ax, ry = c[3] - ay, sx = c[6] - bx, sy = c[7] - by, fx = ax - bx, fy = ay - by;
+    const Lanes rs = rx * sy - ry * sx, rf = rx * fy - ry * fx, sf = sx * fy - sy * fx;
+    const Lanes value = magnitude((sf + rf) - rs) + magnitude(sf - rf) - magnitude(rs);
+    const Lanes ex = magnitude(rx) + magnitude(sx) + magnitude(fx), ey = magnitude(ry) + magnitude(sy) + magnitude(fy);
+    const Lanes size = ex * same(0x1p8) * ey;
+    return by_sign(value, multiply_add(size, same(0x1p-8 * 32 * v), same(tiny)));
+  }
+};
+
+/// A product has its own rounding and at most two sums' before the last sum, which cannot make a sign wrong: what that
+/// adds is off by 3 v times the sum of the magnitudes of its terms. C = 4 v. That sum is taken in the order of the
+/// value, so by monotony no partial sum of the value is greater than the same one of magnitudes. Where no term but the
+/// offset is other than 0, the normal may be zero, which is to be refused.
+struct PointPlane {
+  static constexpr std::size_t columns = 7;
+  static constexpr std::uint8_t set = 2, clear = 0;  // back, front
+  static Verdict of(const Lanes* c) {
+    const Lanes x = c[0] * c[4], y = c[1] * c[5], z = c[2] * c[6], offset = c[3];
+    const Lanes products = magnitude(x) + magnitude(y) + magnitude(z);
+    const Lanes value = x + y + z + offset;
+    Verdict found = by_sign(value, multiply_add(products + magnitude(offset), same(4 * v), same(tiny)));
+    found.known &= above(products, same(0));
+    return found;
+  }
+};
+
+/// By the differences of robust/kernel/box_differences.h, which says why.
+template <std::size_t dimensions>
+struct Boxes {
+  static constexpr std::size_t columns = 4 * dimensions;
+  static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping
+  static Verdict of(const Lanes* c) {
+    constexpr std::size_t n = dimensions;
+    Lanes depth = same(0), extent = depth, total = depth;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes a_min = c[k], a_max = c[n + k], b_min = c[2 * n + k], b_max = c[3 * n + k];
+      const Lanes of_a = a_max - a_min, of_b = b_max - b_min;
+      const Lanes own_depth = lesser(a_max, b_max) - greater(a_min, b_min), own_extent = lesser(of_a, of_b);
+      depth = k == 0 ? own_depth : lesser(depth, own_depth);
+      extent = k == 0 ? own_extent : lesser(extent, own_extent);
+      total = k == 0 ? of_a + of_b : total + (of_a + of_b);
+    }
+    const Mask certain =
+        not_below(same(0x1.fffffffffffffp1023), total) & above(extent, same(0)) & above(magnitude(depth), same(0));
+    return {certain, negative(depth)};
+  }
+};
+
+/// Let i and o be the exact squares of the sum of the radii and of the distance, I and O the computed ones: I is i with
+/// three roundings, O is o with five (a difference twice, a product, two sums). As for a turn, where I - O has the wrong
+/// sign it is at most 4 v (I + O). C = 8 v. Neither is negative, so no difference overflows where the sum does not; an
+/// infinite or NaN coordinate makes O so, a radius I. Radii that are 0, or not valid, are left to the other stages.
+template <std::size_t dimensions>
+struct Spheres {
+  static constexpr std::size_t columns = 2 * dimensions + 2;
+  static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping
+  static Verdict of(const Lanes* c) {
+    constexpr std::size_t n = dimensions;
+    const Lanes a_radius = c[n], b_radius = c[2 * n + 1];
+    Lanes outside = same(0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes way = c[n + 1 + k] - c[k];
+      outside = k == 0 ? way * way : multiply_add(way, way, outside);
+    }
+    const Lanes reach = a_radius + b_radius, inside = reach * reach;
+    Verdict found = by_sign(inside - outside, multiply_add(inside + outside, same(8 * v), same(tiny)));
+    found.known &= above(lesser(a_radius, b_radius), same(0));
+    return found;
+  }
+};
+
+/// On each axis the greatest of min - c, c - max and 0 is how far the center is beyond the box, off by one rounding. So
+/// the square of the radius has one rounding and that of the distance five, as for two balls at most. C = 8 v. The
+/// differences are rounded to 0 only where they are 0, so max - min > 0 says that the box has an interior. The
+/// magnitudes of min - c and c - max add up to something finite only where all three numbers are.
+template <std::size_t dimensions>
+struct SphereBox {
+  static constexpr std::size_t columns = 3 * dimensions + 1;
+  static constexpr std::uint8_t set = 0, clear = 2;  // disjoint, overlapping
+  static Verdict of(const Lanes* c) {
+    constexpr std::size_t n = dimensions;
+    const Lanes radius = c[n];
+    Lanes outside = same(0), extent = outside, total = outside;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes center = c[k], min = c[n + 1 + k], max = c[2 * n + 1 + k];
+      const Lanes below = min - center, beyond = center - max, own_extent = max - min;
+      const Lanes way = greater(greater(below, beyond), same(0));
+      outside = k == 0 ? way * way : multiply_add(way, way, outside);
+      extent = k == 0 ? own_extent : lesser(extent, own_extent);
+      total = total + (magnitude(below) + magnitude(beyond));
+    }
+    const Lanes inside = radius * radius;
+    Verdict found = by_sign(inside - outside, multiply_add(inside + outside, same(8 * v), same(tiny)));
+    found.known &= not_below(same(0x1.fffffffffffffp1023), total) & above(extent, same(0)) & above(radius, same(0));
+    return found;
+  }
+};
+
+/// Separating axes, as filters::box_relation has them: those of the box, where comparisons decide, and those across the
+/// ray's line and one of them, where |w_i s_j - w_j s_i| is compared with |w_i| h_j + |w_j| h_i. w is the direction, s
+/// twice the origin as seen from the box's center, h the box's width; a ray that is apart from a box is so along one of
+/// these. Across two axes along which the ray does not lead, the first and the second are both exactly 0.
+///
+/// s_j is the sum of two differences, and off by 3 v m_j, m_j the sum of their magnitudes, at least |s_j| and h_j. In
+/// units of |w_i| m_j + |w_j| m_i the first two products are off by 4 v each, their difference by v, and the other two
+/// products and their sum by 3 v: 8 v in all before the last difference, which cannot make a sign wrong. C = 16 v. The
+/// bound has m_j + h_j in the place of m_j: then it is infinite or NaN wherever a sum, a width or a product is. A number
+/// that is not finite may be on an axis that does not decide: `total` asks for all.
+template <std::size_t dimensions>
+struct RayBox {
+  static constexpr std::size_t columns = 4 * dimensions;
+  static constexpr std::uint8_t set = 0, clear = 1;  // none, hit
+
+  struct OfAxis {
+    Lanes way, start, size, width;
+    OfAxis() = default;
+    OfAxis(Lanes from, Lanes w, Lanes min, Lanes max) : way(w) {
+      const Lanes above_min = from - min, above_max = from - max;
+      start = above_min + above_max;
+      width = max - min;
+      size = magnitude(above_min) + magnitude(above_max) + magnitude(width);
+    }
+  };
+
+  static Verdict of(const Lanes* c) {
+    constexpr std::size_t n = dimensions;
+    const Lanes zero = same(0);
+    OfAxis axes[n];
+    Lanes total = zero, ways = zero, narrowest = zero;
+    Mask apart = 0, meets = all_lanes;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes from = c[k], way = c[n + k], min = c[2 * n + k], max = c[3 * n + k];
+      axes[k] = OfAxis(from, way, min, max);
+      narrowest = k == 0 ? axes[k].width : lesser(narrowest, axes[k].width);
+      ways = ways + magnitude(way);
+      total = total + axes[k].size;
+      apart |= (above(min, from) & not_below(zero, way)) | (above(from, max) & not_below(way, zero));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      if (j == 0 && n == 2) break;
+      const OfAxis &p = axes[i], &q = axes[j];
+      const Lanes value =
+          magnitude(p.way * q.start - q.way * p.start) - (magnitude(p.way) * q.width + magnitude(q.way) * p.width);
+      const Lanes bound = multiply_add(magnitude(p.way) * q.size + magnitude(q.way) * p.size, same(16 * v), same(tiny));
+      apart |= above(value, bound);
+      meets &= above(zero - value, bound) | equal(magnitude(p.way) + magnitude(q.way), zero);
+    }
+    const Mask valid =
+        not_below(same(0x1.fffffffffffffp1023), total + ways) & above(ways, zero) & not_below(narrowest, zero);
+    return {valid & (apart | meets), apart};
+  }
+};
+
+template <class F>
+void filter(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared&,
+            std::uint8_t* answers, std::uint64_t* unknown) {
+  const double* at[F::columns];
+  for (std::size_t k = 0; k < F::columns; ++k) at[k] = columns[k];
+  for (std::size_t n = 0; n < chunks; ++n) {
+    std::uint64_t known = 0, set = 0;
+    for (std::size_t i = 0; i < chunk; i += lanes) {
+      Lanes numbers[F::columns];
+      for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(at[k] + i);
+      const Verdict found = F::of(numbers);
+      known |= static_cast<std::uint64_t>(found.known) << i;
+      set |= static_cast<std::uint64_t>(found.set) << i;
+    }
+    unknown[n] = ~known;
+    put_bytes(answers + n * chunk, set, F::set, F::clear);
+    for (std::size_t k = 0; k < F::columns; ++k) at[k] += steps[k];
+  }
+}
+
+/// The ray to +x from each point, with all edges of a ring: shared.numbers holds its vertices, x and y in turn, which
+/// are finite; there are shared.count of them.
+///
+/// An edge from a to b crosses the ray's line where exactly one of a.y and b.y is greater than the point's y; those are
+/// comparisons, and exact. It crosses the ray where the turn of a, b and the point has the sign of b.y - a.y: as above,
+/// and where it is in doubt, so is the point. On the boundary the point is on an edge that crosses the line, where the
+/// turn is 0; or on a horizontal one or a vertex, and then it has the y of a vertex: left to the other stages.
+void point_in_ring(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
+                   std::uint8_t* answers, std::uint64_t* unknown) {
+  const double* const last = shared.numbers + 2 * (shared.count - 1);
+  for (std::size_t n = 0; n < chunks; ++n) {
+    std::uint64_t known = 0, inside = 0;
+    for (std::size_t i = 0; i < chunk; i += lanes) {
+      const Lanes x = Lanes::at(columns[0] + n * steps[0] + i), y = Lanes::at(columns[1] + n * steps[1] + i);
+      Lanes ay = same(last[1]), from_x = same(last[0]) - x, from_y = ay - y;
+      Mask higher = above(ay, y), doubtful = 0, odd = 0;
+      for (const double* b = shared.numbers; b != last + 2; b += 2) {
+        const Lanes by = same(b[1]), to_x = same(b[0]) - x, to_y = by - y;
+        const Mask b_higher = above(by, y), crosses = higher ^ b_higher;
+        const Lanes l = from_x * to_y, r = from_y * to_x, value = l - r;
+        const Mask certain = above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
+        doubtful |= (crosses & ~certain) | equal(by, y);
+        odd ^= crosses & (negative(value) ^ b_higher);
+        from_x = to_x, from_y = to_y, higher = b_higher;
+      }
+      const Mask finite =
+          not_below(same(0x1.fffffffffffffp1023), magnitude(x)) & not_below(same(0x1.fffffffffffffp1023), magnitude(y));
+      known |= static_cast<std::uint64_t>(finite & ~doubtful & all_lanes) << i;
+      inside |= static_cast<std::uint64_t>(odd & all_lanes) << i;
+    }
+    unknown[n] = ~known;
+    put_bytes(answers + n * chunk, inside, 0, 2);  // inside, outside
+  }
+}
+
+/// The side of every face of a convex solid on which each point lies: outside of one, or inside of all. shared.numbers
+/// holds nine numbers for each of shared.count faces, a corner a, the normal n, which
+/// points outwards, and t, the sums of the magnitudes of n's terms (robust/batch/point_in_convex_polyhedron.cpp).
+///
+/// As for FacePlane of robust/kernel/face_filter.h: a product of n . (p - a) goes through eight roundings, the last of
+/// which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes of the
+/// six products of three differences. C = 8 v. t is at least the magnitude of n, coordinate by coordinate, and the
+/// terms are summed in the order of the value: where a partial sum of the value overflows, so does that of the terms. A
+/// product in n that underflows is off by h, and by h times a coordinate of p - a in the value: t is 2^-1000 too large,
+/// and C 2^-1000 pays for that.
+void point_in_convex_solid(const double* const* columns, const std::size_t* steps, std::size_t chunks,
+                           const Shared& shared, std::uint8_t* answers, std::uint64_t* unknown) {
+  for (std::size_t n = 0; n < chunks; ++n) {
+    std::uint64_t known = 0, outside = 0;
+    for (std::size_t i = 0; i < chunk; i += lanes) {
+      Lanes p[3];
+      for (std::size_t k = 0; k < 3; ++k) p[k] = Lanes::at(columns[k] + n * steps[k] + i);
+      Mask out = 0, in = all_lanes;
+      for (std::size_t face = 0; face < shared.count && out != all_lanes; ++face) {
+        const double* const numbers = shared.numbers + 9 * face;
+        Lanes value = same(0), terms = value;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Lanes d = p[k] - same(numbers[k]);
+          const Lanes product = same(numbers[3 + k]) * d, term = same(numbers[6 + k]) * magnitude(d);
+          value = k == 0 ? product : value + product;
+          terms = k == 0 ? term : terms + term;
+        }
+        const Lanes bound = multiply_add(terms, same(8 * v), same(tiny));
+        out |= above(value, bound);
+        in &= above(same(0) - value, bound);
+      }
+      known |= static_cast<std::uint64_t>(out | in) << i;
+      outside |= static_cast<std::uint64_t>(out) << i;
+    }
+    unknown[n] = ~known;
+    put_bytes(answers + n * chunk, outside, 2, 0);  // outside, inside
+  }
+}
+
+constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
+                                       .point_on_segment = filter<PointOnSegment>,
+                                       .segment_segment = filter<SegmentSegment>,
+                                       .point_plane = filter<PointPlane>,
+                                       .boxes_in_plane = filter<Boxes<2>>,
+                                       .boxes_in_space = filter<Boxes<3>>,
+                                       .spheres_in_plane = filter<Spheres<2>>,
+                                       .spheres_in_space = filter<Spheres<3>>,
+                                       .sphere_and_box_in_plane = filter<SphereBox<2>>,
+                                       .sphere_and_box_in_space = filter<SphereBox<3>>,
+                                       .ray_and_box_in_plane = filter<RayBox<2>>,
+                                       .ray_and_box_in_space = filter<RayBox<3>>,
+                                       .point_in_ring = point_in_ring,
+                                       .point_in_convex_solid = point_in_convex_solid};
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa

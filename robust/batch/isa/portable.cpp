@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#if defined(__SSE2__)
+#define TOUCHSTONE_LANES 2
+#else
+#define TOUCHSTONE_LANES 1
+#endif
+#include "robust/batch/isa/kernels.h"
+
+namespace touchstone::robust::batch::isa {
+
+const Filters portable_filters = filters_of_this_unit;
+
+}  // namespace touchstone::robust::batch::isa

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/validation.h"
+#include "robust/batch/isa/run.h"
+#include "robust/polygons/point_in_polygon.h"
+
+namespace touchstone::robust::batch::isa {
+
+/// Where each point lies of a polygon that was validated.
+inline void locate(const Polygon2d& polygon, const Points2& points, std::size_t count, std::uint8_t* answers,
+                   Instructions at_most) {
+  static_assert(sizeof(Point2d) == 2 * sizeof(double));
+  const auto decide = [&](const Point2d& point) { return robust::point_in_polygon(polygon, point); };
+  run(&Filters::point_in_ring, Shared{&polygon.vertices.data()->x, polygon.size()}, at_most, decide, decide, count,
+      answers, points);
+}
+
+}  // namespace touchstone::robust::batch::isa
