@@ -28,6 +28,7 @@ TRIANGULATION = "triangulate_polygon_10000"
 HULL, TENTH_OF_HULL = "convex_hull_1000000", "convex_hull_100000"
 MESH = "polyhedron_complexity_100000"
 PAIRS = "all_pairs_"
+ARRAYS = "arrays_"
 FEW_REPETITIONS = 3  # of hulls, meshes and pairs: a time is up to half a minute
 SETS = ["random", "near_degenerate", "small_integer_grid", "scale_2^1012", "scale_2^-1074"]
 
@@ -64,7 +65,8 @@ def names(program):
 
 def groups(program, ops):
     found = dict.fromkeys(name.rsplit("/", 1)[0] for name in names(program))
-    return [group for group in found if not ops or group.split("/")[0] in ops]
+    return [group for group in found if not ops or group.split("/")[0] in ops or
+            re.sub(r"_[23]d$", "", group.split("/")[0].removeprefix(ARRAYS)) in ops]
 
 
 def written(value, unit=""):
@@ -170,6 +172,44 @@ def pairs(timed):
                   "bytes a box", "tree: moved / anew", "tree: moved / all_pairs"], rows)
 
 
+def arrays(timed):
+    rows = []
+    for group, t in timed.items():
+        op, data = group.removeprefix(ARRAYS).split("/")
+        if "read" in t.of:
+            continue
+        rows.append([op, data, *(written(t.least(name)) for name in ["naive", "naive_avx512", "portable", "avx2", "avx512"]),
+                     *(written(t.ratio(*pair)) for pair in [("avx512", "naive"), ("avx512", "naive_avx512"), ("avx2", "naive_avx2"),
+                                                            ("epick", "avx512")])])
+    return table(["arrays", "cases", "naive ns", "naive AVX-512 ns", "portable ns", "AVX2 ns", "AVX-512 ns", "/ naive",
+                  "/ naive AVX-512", "AVX2 / naive AVX2", "Epick / AVX-512"], rows)
+
+
+def goals_of_arrays(timed):
+    """As `goals` lists them."""
+    median, found = statistics.median, []
+
+    def ratio(group, above, below, bound, sign):
+        t = timed[group]
+        if above in t.of and below in t.of:
+            found.append((f"{group}: {above} / {below}", bound, sign, t.ratio(above, below), t.ratio(above, below, median)))
+
+    for group in timed:
+        data = group.split("/")[1]
+        if data == "random":
+            ratio(group, "avx512", "naive", 0.5, -1)
+            ratio(group, "avx512", "naive_avx512", 1.05, -1)
+            ratio(group, "avx2", "naive_avx2", 1.2, -1)
+            ratio(group, "epick", "avx512", 20, 1)
+        elif data == "one_in_a_hundred_near":
+            ratio(group, "avx512", "naive_avx512", 1.3, -1)
+        elif data == "near_degenerate":
+            ratio(group, "epick", "avx512", 10, 1)
+        else:  # from memory: of the rate at which the same memory is read
+            ratio(group, "read", "avx512", 0.9, 1)
+    return found
+
+
 def goals_of_pairs(timed):
     """As `goals` lists them."""
     median, found = statistics.median, []
@@ -272,7 +312,7 @@ def main():
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     timed = {}
-    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "pairs", "oracle"]:
+    for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "pairs", "arrays", "oracle"]:
         program = str(options.build / "bench" / name)
         timed[name] = {}
         if options.ops and not pathlib.Path(program).exists():
@@ -288,7 +328,8 @@ def main():
     decided = timed["operations"] | timed["polygons"]
     report = "\n\n".join([circumstances(options.build),
                           goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"],
-                                goals_of_pairs(timed["pairs"])), decisions(decided),
+                                goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"])), decisions(decided),
+                          arrays(timed["arrays"]),
                           triangulations(timed["triangulation"]), hulls(timed["hulls"]), meshes(timed["meshes"]), pairs(timed["pairs"]),
                           answers(timed["operations"]),
                           truths(timed["oracle"]),

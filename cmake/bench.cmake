@@ -35,3 +35,15 @@ find_library(QHULL_R_LIBRARY qhull_r)
 if(QHULL_R_LIBRARY AND TARGET bench_hulls)
   target_link_libraries(bench_hulls PRIVATE ${QHULL_R_LIBRARY})
 endif()
+# The naive formulas that decisions over arrays are compared with, in the lanes of each instruction set, contracted to FMA as users compile
+# them.
+if(TARGET bench_arrays)
+  file(GLOB naive CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/isa/*.cpp)
+  target_sources(bench_arrays PRIVATE ${naive})
+  set(as_users_do -ffp-contract=fast -fno-rounding-math)
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/plain.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do}")
+  set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma")
+  set_source_files_properties(
+    ${PROJECT_SOURCE_DIR}/bench/isa/avx512.cpp
+    PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl")
+endif()

@@ -14,9 +14,7 @@ Lanes quotient(Lanes a, Lanes b) { return Lanes(a.v / b.v); }
 struct NaiveOrientation {
   static constexpr std::size_t columns = 6;
   static constexpr std::uint8_t set = 2, clear = 0;
-  static Mask of(const Lanes* c) {
-    return negative((c[2] - c[0]) * (c[5] - c[1]) - (c[3] - c[1]) * (c[4] - c[0]));
-  }
+  static Mask of(const Lanes* c) { return negative((c[2] - c[0]) * (c[5] - c[1]) - (c[3] - c[1]) * (c[4] - c[0])); }
 };
 
 /// On the line, and in the box of the segment.
@@ -124,12 +122,10 @@ void naive(const double* const* columns, std::size_t count, std::uint8_t* answer
   }
 }
 
-constexpr NaiveLoops loops_of_this_unit{naive<NaiveOrientation>,    naive<NaivePointOnSegment>,
-                                        naive<NaiveSegmentSegment>, naive<NaivePointPlane>,
-                                        naive<NaiveBoxes<2>>,       naive<NaiveBoxes<3>>,
-                                        naive<NaiveSpheres<2>>,     naive<NaiveSpheres<3>>,
-                                        naive<NaiveSphereBox<2>>,   naive<NaiveSphereBox<3>>,
-                                        naive<NaiveRayBox<2>>,      naive<NaiveRayBox<3>>};
+constexpr NaiveLoops loops_of_this_unit{
+    naive<NaiveOrientation>,  naive<NaivePointOnSegment>, naive<NaiveSegmentSegment>, naive<NaivePointPlane>,
+    naive<NaiveBoxes<2>>,     naive<NaiveBoxes<3>>,       naive<NaiveSpheres<2>>,     naive<NaiveSpheres<3>>,
+    naive<NaiveSphereBox<2>>, naive<NaiveSphereBox<3>>,   naive<NaiveRayBox<2>>,      naive<NaiveRayBox<3>>};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa
