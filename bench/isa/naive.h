@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No #pragma once: a unit for each instruction set includes this with its own TOUCHSTONE_LANES.
+// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+#pragma once
 
 #include "bench/isa/naive_loops.h"
 #include "robust/batch/isa/lanes.h"

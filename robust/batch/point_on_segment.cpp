@@ -16,7 +16,8 @@ constexpr auto past_filter = [](const auto&... q) {
 
 void point_on_segment(const Points2& points, const Segments2& segments, std::size_t count, std::uint8_t* answers,
                       Instructions at_most) {
-  isa::run(&isa::Filters::point_on_segment, at_most, decide, past_filter, count, answers, points, segments);
+  isa::run(isa::Which{&isa::Filters::point_on_segment, &isa::Filters::close_point_on_segment}, at_most, decide,
+           past_filter, count, answers, points, segments);
 }
 
 }  // namespace touchstone::robust::batch

@@ -16,7 +16,8 @@ constexpr auto past_filter = [](const auto&... q) {
 
 void segment_segment(const Segments2& a, const Segments2& b, std::size_t count, std::uint8_t* answers,
                      Instructions at_most) {
-  isa::run(&isa::Filters::segment_segment, at_most, decide, past_filter, count, answers, a, b);
+  isa::run(isa::Which{&isa::Filters::segment_segment, &isa::Filters::close_segment_segment}, at_most, decide,
+           past_filter, count, answers, a, b);
 }
 
 }  // namespace touchstone::robust::batch

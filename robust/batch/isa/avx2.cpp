@@ -6,7 +6,7 @@
 #else
 #define TOUCHSTONE_LANES 1
 #endif
-#include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/table.h"
 
 namespace touchstone::robust::batch::isa {
 

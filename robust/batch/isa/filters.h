@@ -20,7 +20,7 @@ struct Shared {
 
 /// Filters `chunks` chunks: column k starts at columns[k], and its next chunk is steps[k] doubles further on (0: the
 /// same again). answers receives a byte for each row; unknown a number for each chunk, with the bits of those rows that
-/// the filter could not decide, whose bytes mean nothing.
+/// the filter could not decide, whose bytes mean nothing. A later stage has the same form.
 using Filter = void(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
                     std::uint8_t* answers, std::uint64_t* unknown);
 
@@ -29,7 +29,10 @@ struct Filters {
   Filter *orientation, *point_on_segment, *segment_segment, *point_plane;
   Filter *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
   Filter *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
+  Filter *segment_triangle, *ray_triangle, *triangle_triangle;
   Filter *point_in_ring, *point_in_convex_solid;
+  /// Second stages, for the rows that a filter left; nullptr where there is none.
+  Filter *close_orientation, *close_point_on_segment, *close_segment_segment, *none = nullptr;
 };
 
 extern const Filters portable_filters, avx2_filters, avx512_filters;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// No #pragma once: a unit for each instruction set includes this with its own TOUCHSTONE_LANES.
+// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+#pragma once
 
 #include "robust/batch/isa/filters.h"
 #include "robust/batch/isa/lanes.h"
@@ -329,21 +330,6 @@ void point_in_convex_solid(const double* const* columns, const std::size_t* step
     put_bytes(answers + n * chunk, outside, 2, 0);  // outside, inside
   }
 }
-
-constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
-                                       .point_on_segment = filter<PointOnSegment>,
-                                       .segment_segment = filter<SegmentSegment>,
-                                       .point_plane = filter<PointPlane>,
-                                       .boxes_in_plane = filter<Boxes<2>>,
-                                       .boxes_in_space = filter<Boxes<3>>,
-                                       .spheres_in_plane = filter<Spheres<2>>,
-                                       .spheres_in_space = filter<Spheres<3>>,
-                                       .sphere_and_box_in_plane = filter<SphereBox<2>>,
-                                       .sphere_and_box_in_space = filter<SphereBox<3>>,
-                                       .ray_and_box_in_plane = filter<RayBox<2>>,
-                                       .ray_and_box_in_space = filter<RayBox<3>>,
-                                       .point_in_ring = point_in_ring,
-                                       .point_in_convex_solid = point_in_convex_solid};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa

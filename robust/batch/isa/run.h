@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <tuple>
 
 #include "robust/batch/isa/filters.h"
 #include "robust/batch/isa/rows.h"
@@ -58,16 +59,70 @@ class Feed {
   alignas(64) double copies_[size][copied_chunks * chunk];
 };
 
-/// A filter for all rows where it holds, then past_filter(operands...) for those that it does not decide; elsewhere
-/// decide(operands...) for each row. `which` is a member of Filters.
+/// Rows that a filter left, packed to a chunk for the second stage; then what that leaves, one by one and in order.
+template <class PastFilter, class... Operands>
+class Left {
+ public:
+  static constexpr std::size_t columns = Flat<Operands...>::size;
+
+  Left(Filter* close, const PastFilter& past_filter, std::uint8_t* answers, const Operands&... operands)
+      : close_(close), past_filter_(past_filter), answers_(answers), flat_(operands...), operands_(operands...) {}
+
+  void add(std::size_t i) {
+    if (close_ == nullptr) return decide(i);
+    for (std::size_t k = 0; k < columns; ++k) packed_[k][size_] = row(flat_.columns[k], i);
+    rows_[size_++] = i;
+    if (size_ == chunk) flush();
+  }
+
+  void flush() {
+    if (size_ == 0) return;
+    std::array<const double*, columns> starts;
+    std::array<std::size_t, columns> steps{};
+    for (std::size_t k = 0; k < columns; ++k) {
+      starts[k] = packed_[k];
+      std::fill(packed_[k] + size_, packed_[k] + chunk, packed_[k][0]);
+    }
+    std::uint8_t found[chunk];
+    std::uint64_t unknown = 0;
+    close_(starts.data(), steps.data(), 1, Shared{}, found, &unknown);
+    for (std::size_t n = 0; n < size_; ++n) {
+      if ((unknown >> n & 1) == 0) answers_[rows_[n]] = found[n];
+      else decide(rows_[n]);
+    }
+    size_ = 0;
+  }
+
+ private:
+  void decide(std::size_t i) {
+    std::apply([&](const auto&... operands) { answers_[i] = decided(past_filter_, i, operands...); }, operands_);
+  }
+
+  Filter* close_;
+  const PastFilter& past_filter_;
+  std::uint8_t* answers_;
+  Flat<Operands...> flat_;
+  std::tuple<const Operands&...> operands_;
+  std::size_t size_ = 0, rows_[chunk];
+  alignas(64) double packed_[columns][chunk];
+};
+
+/// Members of Filters: the filter, and the stage for what it leaves.
+struct Which {
+  Filter *Filters::*filter, *Filters::*close = &Filters::none;
+};
+
+/// A filter for all rows where it holds, then the second stage and past_filter(operands...) for those that it does not
+/// decide; elsewhere decide(operands...) for each row.
 template <class Decide, class PastFilter, class... Operands>
-void run(Filter* Filters::*which, const Shared& shared, Instructions at_most, const Decide& decide,
-         const PastFilter& past_filter, std::size_t count, std::uint8_t* answers, const Operands&... operands) {
+void run(Which which, const Shared& shared, Instructions at_most, const Decide& decide, const PastFilter& past_filter,
+         std::size_t count, std::uint8_t* answers, const Operands&... operands) {
   if (count == 0) return;
   const Filters* const filters = filters_here(static_cast<int>(at_most));
   if (filters == nullptr) return decide_each(decide, count, answers, operands...);
-  Filter* const filter = filters->*which;
+  Filter* const filter = filters->*which.filter;
   Feed<Flat<Operands...>::size> feed(Flat<Operands...>(operands...).columns);
+  Left<PastFilter, Operands...> left(filters->*which.close, past_filter, answers, operands...);
   std::uint64_t unknown[most_chunks];
   for (std::size_t first = 0; first < count;) {
     const std::size_t rows = feed.take(first, count - first), chunks = (rows + chunk - 1) / chunk;
@@ -80,18 +135,16 @@ void run(Filter* Filters::*which, const Shared& shared, Instructions at_most, co
       std::memcpy(answers + first, all, rows);
       unknown[chunks - 1] &= (std::uint64_t{1} << (rows - full)) - 1;
     }
-    for (std::size_t n = 0; n < chunks; ++n) {
-      for (std::uint64_t left = unknown[n]; left != 0; left &= left - 1) {
-        const std::size_t i = first + n * chunk + static_cast<std::size_t>(std::countr_zero(left));
-        answers[i] = decided(past_filter, i, operands...);
-      }
-    }
+    for (std::size_t n = 0; n < chunks; ++n)
+      for (std::uint64_t bits = unknown[n]; bits != 0; bits &= bits - 1)
+        left.add(first + n * chunk + static_cast<std::size_t>(std::countr_zero(bits)));
     first += rows;
   }
+  left.flush();
 }
 template <class Decide, class PastFilter, class... Operands>
-void run(Filter* Filters::*which, Instructions at_most, const Decide& decide, const PastFilter& past_filter,
-         std::size_t count, std::uint8_t* answers, const Operands&... operands) {
+void run(Which which, Instructions at_most, const Decide& decide, const PastFilter& past_filter, std::size_t count,
+         std::uint8_t* answers, const Operands&... operands) {
   run(which, Shared{}, at_most, decide, past_filter, count, answers, operands...);
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+#pragma once
+
+#include "robust/batch/isa/close.h"
+#include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/triangles.h"
+
+namespace touchstone::robust::batch::isa {
+namespace {
+
+constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
+                                       .point_on_segment = filter<PointOnSegment>,
+                                       .segment_segment = filter<SegmentSegment>,
+                                       .point_plane = filter<PointPlane>,
+                                       .boxes_in_plane = filter<Boxes<2>>,
+                                       .boxes_in_space = filter<Boxes<3>>,
+                                       .spheres_in_plane = filter<Spheres<2>>,
+                                       .spheres_in_space = filter<Spheres<3>>,
+                                       .sphere_and_box_in_plane = filter<SphereBox<2>>,
+                                       .sphere_and_box_in_space = filter<SphereBox<3>>,
+                                       .ray_and_box_in_plane = filter<RayBox<2>>,
+                                       .ray_and_box_in_space = filter<RayBox<3>>,
+                                       .segment_triangle = filter<SegmentTriangle>,
+                                       .ray_triangle = filter<RayTriangle>,
+                                       .triangle_triangle = filter<TriangleTriangle>,
+                                       .point_in_ring = point_in_ring,
+                                       .point_in_convex_solid = point_in_convex_solid,
+                                       .close_orientation = close_stage<CloseOrientation>,
+                                       .close_point_on_segment = close_stage<ClosePointOnSegment>,
+                                       .close_segment_segment = close_stage<CloseSegmentSegment>};
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa
