@@ -45,5 +45,5 @@ if(TARGET bench_arrays)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma")
   set_source_files_properties(
     ${PROJECT_SOURCE_DIR}/bench/isa/avx512.cpp
-    PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl")
+    PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma;-mavx512f;-mavx512bw;-mavx512dq;-mavx512vl;${quietly}")
 endif()

@@ -272,19 +272,19 @@ void point_in_ring(const double* const* columns, const std::size_t* steps, std::
     for (std::size_t i = 0; i < chunk; i += lanes) {
       const Lanes x = Lanes::at(columns[0] + n * steps[0] + i), y = Lanes::at(columns[1] + n * steps[1] + i);
       Lanes ay = same(last[1]), from_x = same(last[0]) - x, from_y = ay - y;
-      Mask higher = above(ay, y), doubtful = 0, odd = 0;
+      Mask higher = above(ay, y), inconclusive = 0, odd = 0;
       for (const double* b = shared.numbers; b != last + 2; b += 2) {
         const Lanes by = same(b[1]), to_x = same(b[0]) - x, to_y = by - y;
         const Mask b_higher = above(by, y), crosses = higher ^ b_higher;
         const Lanes l = from_x * to_y, r = from_y * to_x, value = l - r;
         const Mask certain = above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
-        doubtful |= (crosses & ~certain) | equal(by, y);
+        inconclusive |= (crosses & ~certain) | equal(by, y);
         odd ^= crosses & (negative(value) ^ b_higher);
         from_x = to_x, from_y = to_y, higher = b_higher;
       }
       const Mask finite =
           not_below(same(0x1.fffffffffffffp1023), magnitude(x)) & not_below(same(0x1.fffffffffffffp1023), magnitude(y));
-      known |= static_cast<std::uint64_t>(finite & ~doubtful & all_lanes) << i;
+      known |= static_cast<std::uint64_t>(finite & ~inconclusive & all_lanes) << i;
       inside |= static_cast<std::uint64_t>(odd & all_lanes) << i;
     }
     unknown[n] = ~known;
