@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decisions over arrays: every operation of the catalogue that has them, beside the naive formula over the same columns
-// (one row at a time, and in the lanes of the same instruction sets), robust and CGAL's Epick one question at a time. And
-// from memory, where the cache is too small, beside the rate at which the same memory can be read.
+// (one row at a time, and in the lanes of the same instruction sets), robust and CGAL's Epick one question at a time.
+// And from memory, where the cache is too small, beside the rate at which the same memory can be read.
 //
 // bench/arrays --verify compares all array answers with robust, one question at a time, and times nothing.
 

@@ -234,7 +234,6 @@ EACH_OPERATION("over arrays the first question that is refused is named") {
     }
   }
   // What the families break on purpose: a radius below 0, a normal of length 0, a polygon that is not convex.
-  std::size_t asked = 0;
   for (const Question& bad : drawn(operation, 200, false)) {
     const bool of_a_row = operation.row().batch.columns(bad).size() == bad.numbers.size();
     Table with{{}, operation.row().batch.columns(bad)};
@@ -245,11 +244,9 @@ EACH_OPERATION("over arrays the first question that is refused is named") {
     } else {
       with.questions.assign(70, bad);
     }
-    ++asked;
     const std::string expected = (of_a_row ? "questions[40]." : "") + refusal(operation, bad);
     for (const Instructions set : every_set) REQUIRE(refused_by_arrays(with, set) == expected);
   }
-  INFO(asked);
 }
 
 }  // namespace touchstone::proptests::arrays_tests

@@ -19,8 +19,8 @@
 /// length, and nothing is kept between calls.
 namespace touchstone::robust::batch {
 
-/// One number of each row, that of row i at data[i * stride]: 1 for an array of its own, 2 or 3 for points side by side,
-/// as in an array of the shape (n, 2) or (n, 3), 0 for one operand that all rows share. May start at any double.
+/// One number of each row, that of row i at data[i * stride]: 1 for an array of its own, 2 or 3 for points side by
+/// side, as in an array of the shape (n, 2) or (n, 3), 0 for one operand that all rows share. May start at any double.
 struct Column {
   const double* data = nullptr;
   std::ptrdiff_t stride = 1;

@@ -18,9 +18,9 @@
 /// finite where a partial sum of the value overflows. Each filter says how it avoids that. The same holds for numbers
 /// that are infinite or NaN: the row is not decided here, and past the filter it is refused.
 ///
-/// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two that
-/// exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. Not proved by
-/// machine, unless a filter says so.
+/// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
+/// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. Not
+/// proved by machine, unless a filter says so.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -76,8 +76,8 @@ struct PointOnSegment {
 /// for C = 12 u (1 + 20 u) with u = 2 v, the rounding of any mode; here C = 2^5 v, which is more. Absolute terms: the
 /// six products of the value count three times each at most.
 ///
-/// With Q = ex ey as computed, every product is at most Q, rs, rf and sf are at most 2 Q, and each sum of them at most 8
-/// Q. The bound is infinite where 2^8 Q is, so nothing in the value overflows.
+/// With Q = ex ey as computed, every product is at most Q, rs, rf and sf are at most 2 Q, and each sum of them at most
+/// 8 Q. The bound is infinite where 2^8 Q is, so nothing in the value overflows.
 struct SegmentSegment {
   static constexpr std::size_t columns = 8;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, disjoint
@@ -132,9 +132,10 @@ struct Boxes {
 };
 
 /// Let i and o be the exact squares of the sum of the radii and of the distance, I and O the computed ones: I is i with
-/// three roundings, O is o with five (a difference twice, a product, two sums). As for a turn, where I - O has the wrong
-/// sign it is at most 4 v (I + O). C = 8 v. Neither is negative, so no difference overflows where the sum does not; an
-/// infinite or NaN coordinate makes O so, a radius I. Radii that are 0, or not valid, are left to the other stages.
+/// three roundings, O is o with five (a difference twice, a product, two sums). As for a turn, where I - O has the
+/// wrong sign it is at most 4 v (I + O). C = 8 v. Neither is negative, so no difference overflows where the sum does
+/// not; an infinite or NaN coordinate makes O so, a radius I. Radii that are 0, or not valid, are left to the other
+/// stages.
 template <std::size_t dimensions>
 struct Spheres {
   static constexpr std::size_t columns = 2 * dimensions + 2;
@@ -189,8 +190,8 @@ struct SphereBox {
 /// s_j is the sum of two differences, and off by 3 v m_j, m_j the sum of their magnitudes, at least |s_j| and h_j. In
 /// units of |w_i| m_j + |w_j| m_i the first two products are off by 4 v each, their difference by v, and the other two
 /// products and their sum by 3 v: 8 v in all before the last difference, which cannot make a sign wrong. C = 16 v. The
-/// bound has m_j + h_j in the place of m_j: then it is infinite or NaN wherever a sum, a width or a product is. A number
-/// that is not finite may be on an axis that does not decide: `total` asks for all.
+/// bound has m_j + h_j in the place of m_j: then it is infinite or NaN wherever a sum, a width or a product is. A
+/// number that is not finite may be on an axis that does not decide: `total` asks for all.
 template <std::size_t dimensions>
 struct RayBox {
   static constexpr std::size_t columns = 4 * dimensions;

@@ -41,7 +41,8 @@ struct Lanes {
   friend Lanes operator*(Lanes a, Lanes b) { return Lanes(a.v * b.v); }
 };
 
-// same(x) is x in all lanes. lesser(x, y) is y where x or y is NaN, like x < y ? x : y; greater likewise. a * b + c may be rounded once or twice.
+// same(x) is x in all lanes. lesser(x, y) is y where x or y is NaN, like x < y ? x : y; greater likewise. a * b + c may
+// be rounded once or twice.
 #if TOUCHSTONE_LANES == 8
 Lanes same(double x) { return Lanes(_mm512_set1_pd(x)); }
 Lanes magnitude(Lanes x) { return Lanes(_mm512_abs_pd(x.v)); }

@@ -26,9 +26,9 @@ Mask alike(const Certain& s, const Certain& t) { return (s.positive & t.positive
 /// counter-clockwise.
 ///
 /// The same as point_in_convex_solid, with its C: eight roundings of six products, the last of them shared. The sums of
-/// the magnitudes of the normal's terms are 2^-1000 too large, for what underflows in the normal. The terms are at least
-/// the value, and so is every partial sum of them: where anything in the value overflows, so does the bound. An infinite
-/// or NaN coordinate makes a difference so, and every difference is in the terms.
+/// the magnitudes of the normal's terms are 2^-1000 too large, for what underflows in the normal. The terms are at
+/// least the value, and so is every partial sum of them: where anything in the value overflows, so does the bound. An
+/// infinite or NaN coordinate makes a difference so, and every difference is in the terms.
 class FacePlane {
  public:
   FacePlane(const InSpace& a, const InSpace& b, const InSpace& c) : origin_(a), normal_(a), terms_(a) {
@@ -97,9 +97,9 @@ struct RayTriangle {
 };
 
 /// Where all corners of one are certainly on one side of the other's plane there is nothing in common. Where each plane
-/// certainly has corners of the other triangle on both sides and none on itself, the triangles meet where an edge of one
-/// crosses the other, and then in a segment: an edge whose ends are on different sides of the plane, with all edges of
-/// the other on one side of its line. The sides of all pairs of edges serve both.
+/// certainly has corners of the other triangle on both sides and none on itself, the triangles meet where an edge of
+/// one crosses the other, and then in a segment: an edge whose ends are on different sides of the plane, with all edges
+/// of the other on one side of its line. The sides of all pairs of edges serve both.
 struct TriangleTriangle {
   static constexpr std::size_t columns = 18;
   static constexpr std::uint8_t set = 2, clear = 0;  // segment, none
