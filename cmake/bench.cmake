@@ -40,7 +40,7 @@ endif()
 if(TARGET bench_arrays)
   file(GLOB naive CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/isa/*.cpp)
   target_sources(bench_arrays PRIVATE ${naive})
-  set(as_users_do -ffp-contract=fast -fno-rounding-math)
+  set(as_users_do -ffp-contract=fast -fno-rounding-math -Wno-unused-function)
   set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/plain.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do}")
   set_source_files_properties(${PROJECT_SOURCE_DIR}/bench/isa/avx2.cpp PROPERTIES COMPILE_OPTIONS "${as_users_do};-mavx2;-mfma")
   set_source_files_properties(
