@@ -25,6 +25,13 @@ install(CODE "set(touchstone_generated \"${touchstone_generated}\")
 include(\"${PROJECT_SOURCE_DIR}/cmake/public_headers.cmake\")
 touchstone_write_headers(\"${PROJECT_SOURCE_DIR}\" \"${PROJECT_BINARY_DIR}/include\" ${touchstone_built})")
 install(DIRECTORY ${PROJECT_BINARY_DIR}/include/touchstone DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+# Those of C stand above it: <touchstone_robust.h>, and with the component c <touchstone.h>.
+if("robust" IN_LIST touchstone_built)
+  install(FILES ${touchstone_c_headers}/touchstone_robust.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
+if("c" IN_LIST touchstone_built)
+  install(FILES ${touchstone_c_headers}/touchstone.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endif()
 
 # Libraries: each component has targets of its own, so that one is found without what the others need.
 foreach(component ${touchstone_built})
@@ -63,6 +70,9 @@ foreach(component ${touchstone_built})
   get_target_property(type touchstone_${component} TYPE)
   if(type STREQUAL STATIC_LIBRARY)
     set(libs "-L\${libdir} -ltouchstone_${component}")
+    if(component MATCHES "^(robust|c)$")  # which a C compiler may link
+      string(APPEND libs " -lstdc++ -lm")
+    endif()
   elseif(component STREQUAL audit)
     set(libs "-L\${libdir}")
     foreach(module ${touchstone_modules})

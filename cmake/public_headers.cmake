@@ -10,7 +10,7 @@ set(touchstone_public_of_certify oracle/certificates/check.h)
 set(touchstone_public_of_audit program/engine_main.h audit/engines/adapter.h audit/engines/fuzz.h catalogue/operation/operation.h)
 set(touchstone_public_of_testing testing/*.h)
 # Folders that hold no operations; of these a header is copied only where a public one includes it.
-set(touchstone_inner_folders "^(robust/(kernel|rings|hulls)|oracle/(exact|rings|certificates))/")
+set(touchstone_inner_folders "^(robust/(kernel|rings|hulls|c)|oracle/(exact|rings|certificates))/")
 # No public header may reach these.
 set(touchstone_never_public "^(report|engines|robust/(rings|hulls))/")
 

@@ -24,6 +24,8 @@ MODULES = {
     "testing": {"geometry", "oracle", "robust", "catalogue", "audit", "testing"},
     "report": {"geometry", "oracle", "catalogue", "audit", "simulate", "report"},
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
+    "c": {"oracle", "robust", "catalogue", "program", "c"},
+    "python": {"robust", "c", "python"},
     "engines": None,
     "proptests": None,
     "fuzz": None,
@@ -42,11 +44,11 @@ PLACES = {
 # Another implementation of an operation's question has a row of its own, and a formula, a robust or both.
 IMPLEMENTATION_PLACES = {"catalogue/rows"}
 # Folders beside the chapters.
-NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "structures", "proofs", "batch"}, "oracle": {"exact", "certificates", "rings"}}
+NO_CHAPTER = {"robust": {"kernel", "rings", "hulls", "structures", "proofs", "batch", "c"}, "oracle": {"exact", "certificates", "rings"}}
 # cmake/public_headers.cmake refuses to install these.
 NOT_INSTALLED = ("robust/rings/", "robust/hulls/")
 # Headers that CMake makes.
-MADE = {"catalogue/rows/all.h", "catalogue/rows/declared.h"}
+MADE = {"catalogue/rows/all.h", "catalogue/rows/declared.h", "robust/c/array_forms.h"}
 FEWEST_MUTANTS = 6
 CODE = {".h", ".cpp", ".py", ".js", ".mjs"}
 LONGEST = 400

@@ -11,8 +11,8 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("audit", "bench", "catalogue", "cmake", "coverage", "docs", "engines", "examples", "fuzz", "geometry",
-           "oracle", "program", "proptests", "reference", "report", "robust", "simulate", "testing")
+FOLDERS = ("audit", "bench", "c", "catalogue", "cmake", "coverage", "docs", "engines", "examples", "fuzz", "geometry",
+           "oracle", "program", "proptests", "python", "reference", "report", "robust", "simulate", "testing")
 SUFFIXES = {".h", ".cpp", ".py", ".js", ".mjs", ".cmake", ".md"}
 # What was replaced, as a pattern of the whole identifier, and what stands for it.
 REPLACED = {

@@ -10,18 +10,19 @@ import re
 import subprocess
 import sys
 
-COMPONENTS = "geometry|reference|robust|oracle|certify|audit|testing"
+COMPONENTS = "geometry|reference|robust|oracle|certify|audit|testing|c"
 LIB = r"lib(/[\w.-]+)?"
 ROWS = pathlib.Path(__file__).resolve().parents[2] / "catalogue/rows"
 CHAPTER = "({})".format("|".join(sorted(folder.name for folder in ROWS.iterdir())))
 # Every installed file is one of these, and each of these is there.
 HELD = [
     r"bin/touchstone",
-    rf"{LIB}/libtouchstone_(robust|oracle|certify|module_(catalogue|audit|simulate|report|program))\.a",
+    rf"{LIB}/libtouchstone_(robust|oracle|certify|c|module_(catalogue|audit|simulate|report|program))\.a",
     rf"{LIB}/cmake/touchstone/touchstone-config(-version)?\.cmake",
     rf"{LIB}/cmake/touchstone/touchstone-({COMPONENTS})(-\w+)?\.cmake",
     rf"{LIB}/cmake/touchstone/(components|touchstone_add_audit|FindGMP|FindMPFR)\.cmake",
     rf"{LIB}/pkgconfig/touchstone-({COMPONENTS})\.pc",
+    r"include/touchstone(_robust)?\.h",
     r"include/touchstone/geometry/\w+\.h",
     rf"include/touchstone/(reference|robust|oracle|catalogue/rows)/{CHAPTER}/\w+\.h",
     r"include/touchstone/robust/(masked_exceptions|(kernel|batch|structures)/\w+)\.h",

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+# touchstone_python: the Python module `touchstone`, in PROJECT_BINARY_DIR/python; the component `python` of cmake --install.
+
+find_program(TOUCHSTONE_SYSTEM_PYTHON python3 HINTS /usr/bin)
+mark_as_advanced(TOUCHSTONE_SYSTEM_PYTHON)
+set(Python_EXECUTABLE ${TOUCHSTONE_PYTHON_EXECUTABLE})
+if(NOT Python_EXECUTABLE)
+  set(Python_EXECUTABLE ${TOUCHSTONE_SYSTEM_PYTHON})
+endif()
+find_package(Python 3.9 QUIET COMPONENTS Interpreter Development.Module)
+if(Python_FOUND AND NOT pybind11_DIR)  # where pip has put it
+  execute_process(COMMAND ${Python_EXECUTABLE} -m pybind11 --cmakedir OUTPUT_VARIABLE pybind11_ROOT OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+find_package(pybind11 2.10 QUIET)
+if(NOT Python_FOUND OR NOT pybind11_FOUND)
+  message(STATUS "the Python module is left out: it needs pybind11 and the headers of Python (Debian: pybind11-dev, python3-dev)")
+  return()
+endif()
+
+set(python_package ${PROJECT_BINARY_DIR}/python/touchstone)
+set(python_files arrays.py)
+configure_file(${PROJECT_BINARY_DIR}/array_forms/arrays.py ${python_package}/arrays.py COPYONLY)
+file(GLOB files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/touchstone/*)
+foreach(file ${files})
+  cmake_path(GET file FILENAME name)
+  if(name MATCHES "[.](py|pyi|typed)$")
+    configure_file(${file} ${python_package}/${name} COPYONLY)
+    list(APPEND python_files ${name})
+  endif()
+endforeach()
+pybind11_add_module(touchstone_python MODULE NO_EXTRAS EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/python/module.cpp)
+touchstone_own(touchstone_python)
+target_link_libraries(touchstone_python PRIVATE touchstone_c touchstone_robust)
+# What is linked into it stays its own, whatever else a process has loaded.
+target_link_options(touchstone_python PRIVATE -Wl,--exclude-libs,ALL)
+set_target_properties(touchstone_python PROPERTIES OUTPUT_NAME _touchstone LIBRARY_OUTPUT_DIRECTORY ${python_package})
+
+set(python_place lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/site-packages/touchstone)
+install(TARGETS touchstone_python LIBRARY DESTINATION ${python_place} COMPONENT python EXCLUDE_FROM_ALL)
+list(TRANSFORM python_files PREPEND ${python_package}/)
+install(FILES ${python_files} DESTINATION ${python_place} COMPONENT python EXCLUDE_FROM_ALL)

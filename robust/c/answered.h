@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <touchstone_robust.h>
+
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "geometry/invalid_input.h"
+
+/// What the functions for C share: nothing is thrown out of them.
+namespace touchstone::robust::c {
+
+/// Fills in what was refused, where the caller wants to know it, and returns the code. "questions[17].p1[0]" becomes the
+/// question 17 and the field "p1[0]". What is longer than its place is cut short.
+int failed(touchstone_error* error, touchstone_code code, std::string_view field, std::string_view rule) noexcept;
+
+/// Calls call(), and returns what became of it.
+template <class Call>
+int answered(touchstone_error* error, const Call& call) noexcept {
+  try {
+    call();
+    return TOUCHSTONE_OK;
+  } catch (const InvalidInput& refused) {
+    return failed(error, TOUCHSTONE_INVALID_INPUT, refused.field(), refused.rule());
+  } catch (const std::bad_alloc&) {
+    return failed(error, TOUCHSTONE_OUT_OF_MEMORY, "", "enough memory");
+  } catch (const std::exception& unexpected) {
+    return failed(error, TOUCHSTONE_FAILED, "", unexpected.what());
+  } catch (...) {
+    return failed(error, TOUCHSTONE_FAILED, "", "an error of an unknown type");
+  }
+}
+
+}  // namespace touchstone::robust::c
