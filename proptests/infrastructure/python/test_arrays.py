@@ -1,0 +1,261 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Decisions over numpy's arrays: equal to robust's answer and to the truth, question by question, wherever the numbers stand."""
+import inspect
+import threading
+from enum import IntEnum
+
+import numpy
+import pytest
+import touchstone
+from hypothesis import given, settings, strategies
+from touchstone import arrays
+
+ENUMERATIONS = [made for made in vars(arrays).values() if isinstance(made, type) and issubclass(made, IntEnum) and made is not IntEnum]
+DECISIONS = [name for name in arrays.__all__ if inspect.isfunction(getattr(arrays, name))]
+OPERATIONS = touchstone.operations()
+
+
+def enumeration_of(name):
+    """The one that the docstring names."""
+    words = getattr(arrays, name).__doc__.replace("\n", " ").split()
+    [found] = [made for made in ENUMERATIONS if f"{made.__name__}:" in words]
+    return found
+
+
+def word_in(answer, enumeration):
+    """The enumerator in an answer, of which it is the only text."""
+    [word] = [value for value in answer.values() if isinstance(value, str)]
+    return enumeration[word]
+
+
+def numbers_in(value):
+    if isinstance(value, dict):
+        return [number for held in value.values() for number in numbers_in(held)]
+    return [number for held in value for number in numbers_in(held)] if isinstance(value, list) else [float(value)]
+
+
+def kinds_of(questions):
+    """Questions that can stand in one array: in the plane, in space. A polygon and a mesh are one for all rows."""
+    kinds = {}
+    for question in questions:
+        key = []
+        for value in question.input.values():
+            if isinstance(value, dict) and "faces" in value:
+                key.append(repr(value))
+            elif isinstance(value, list) and value and isinstance(value[0], list) and len(value) > 2:
+                key.append(repr(value))
+            else:
+                key.append(len(numbers_in(value)))
+        kinds.setdefault(tuple(key), []).append(question)
+    return list(kinds.values())
+
+
+def operands_of(name, questions):
+    """For each argument an array with a row for each question, the numbers of a row side by side."""
+    operands = []
+    for field, value in questions[0].input.items():
+        if isinstance(value, dict) and "faces" in value:
+            operands.append((numpy.array(value["vertices"], dtype=float).reshape(-1, 3), numpy.array(value["faces"], dtype=int)))
+        elif field == "polygon":
+            operands.append(numpy.array(value, dtype=float).reshape(-1, 2))
+        else:
+            operands.append(numpy.array([numbers_in(question.input[field]) for question in questions]))
+    return operands
+
+
+def test_there_are_decisions_over_arrays():
+    assert {"orientation", "segment_segment", "point_in_polygon", "ray_aabb"} <= set(DECISIONS)
+    assert set(DECISIONS) <= set(OPERATIONS)
+
+
+@pytest.mark.parametrize("name", DECISIONS)
+def test_enumerators_are_those_of_the_operation(name):
+    assert [member.name for member in enumeration_of(name)] == OPERATIONS[name]["words"]
+    assert [member.value for member in enumeration_of(name)] == list(range(len(OPERATIONS[name]["words"])))
+
+
+@pytest.mark.parametrize("name", DECISIONS)
+def test_arrays_equal_answers_equal_truth(name):
+    decide, enumeration = getattr(touchstone, name), enumeration_of(name)
+    seen = set()
+    for questions in kinds_of(touchstone.draw(name, 400)):
+        answers = decide(*operands_of(name, questions))
+        assert answers.dtype == numpy.uint8 and answers.shape == (len(questions),)
+        for answer, question in zip(answers, questions):
+            assert enumeration(answer) == word_in(question.answer, enumeration), question.claim
+            assert enumeration(answer) == word_in(touchstone.answer(name, question.input), enumeration), question.claim
+            seen.add(int(answer))
+    assert seen == set(map(int, enumeration))
+
+
+SEGMENTS = touchstone.draw("segment_segment", 300, seed=2)
+
+
+def segment_pairs(questions):
+    a = numpy.array([question.input["a"] for question in questions])
+    b = numpy.array([question.input["b"] for question in questions])
+    return a, b, numpy.array([touchstone.SegmentRelation[question.answer["relation"]] for question in questions])
+
+
+@settings(max_examples=100, deadline=None, derandomize=True)
+@given(strategies.lists(strategies.sampled_from(SEGMENTS), min_size=1, max_size=70), strategies.integers(1, 3),
+       strategies.integers(0, 3), strategies.booleans(), strategies.booleans())
+def test_where_the_numbers_stand_changes_nothing(questions, step, shift, backwards, by_columns):
+    a, b, expected = segment_pairs(questions)
+    count = len(questions)
+    spread = numpy.full((shift + step * count, 2, 2), numpy.nan)  # what is not asked about would be refused
+    spread[shift::step] = a
+    a = spread[shift::step]
+    if by_columns:
+        b = numpy.asfortranarray(b)
+    if backwards:
+        a, b, expected = a[::-1], b[::-1], expected[::-1]
+    a.flags.writeable = False
+    assert (touchstone.segment_segment(a, b) == expected).all()
+    assert (touchstone.segment_segment((a[:, 0], a[:, 1]), {"a": b[:, 0], "b": b[:, 1]}) == expected).all()
+    out = numpy.full(count, 255, dtype=numpy.uint8)
+    assert touchstone.segment_segment(a, b, out=out) is out
+    assert (out == expected).all()
+
+
+def test_one_operand_is_shared_by_all():
+    a, b, _ = segment_pairs(SEGMENTS)
+    expected = touchstone.segment_segment(numpy.repeat(a[:1], len(b), axis=0), b)
+    for shared in (a[0], a[:1], a[0].tolist(), (a[0, 0], a[0, 1]), numpy.broadcast_to(a[0], b.shape), a[0].ravel()):
+        assert (touchstone.segment_segment(shared, b) == expected).all()
+    assert touchstone.segment_segment(a[0], b[0]).tolist() == expected[:1].tolist()
+    x, y = numpy.array([1.0, 0.0, -1.0]), 0.0
+    assert touchstone.orientation((0, -1), (0.0, 1.0), (x, y)).tolist() == [touchstone.Side.right, touchstone.Side.on, touchstone.Side.left]
+
+
+def test_members_that_are_not_alike():
+    centers, radii = numpy.array([[0.0, 0, 0], [4, 0, 0], [5, 0, 0]]), numpy.array([1.0, 2, 2])
+    expected = [touchstone.Contact.overlapping, touchstone.Contact.touching, touchstone.Contact.disjoint]
+    unit = numpy.array([0.0, 0, 0, 2])
+    assert touchstone.sphere_sphere((centers, radii), unit).tolist() == expected
+    assert touchstone.sphere_sphere(numpy.column_stack([centers, radii]), ((0, 0, 0), 2)).tolist() == expected
+    assert touchstone.sphere_sphere((centers[:, :2], radii), unit[1:]).tolist() == expected
+
+
+def test_no_rows():
+    assert touchstone.orientation(numpy.zeros((0, 2)), numpy.zeros(2), numpy.zeros((0, 2))).shape == (0,)
+    assert touchstone.orientation(numpy.zeros((0, 2)), numpy.zeros((1, 2)), numpy.zeros(2)).shape == (0,)
+
+
+def refusal(decide, *operands, **out):
+    with pytest.raises(touchstone.InvalidInput) as refused:
+        decide(*operands, **out)
+    assert isinstance(refused.value, ValueError)
+    assert str(refused.value) == f"{refused.value.field}: {refused.value.rule}"
+    return refused.value.field, refused.value.rule
+
+
+def test_the_first_question_that_is_refused_is_named():
+    p = numpy.zeros((40, 2))
+    wrong = p.copy()
+    wrong[17, 0] = numpy.inf
+    wrong[23, 1] = numpy.nan
+    assert refusal(touchstone.orientation, p, wrong, p) == ("questions[17].p1[0]", "finite number")
+    assert refusal(touchstone.orientation, p, wrong[23], p) == ("questions[0].p1[1]", "finite number")
+
+
+@pytest.mark.parametrize("operand, rule", [
+    (numpy.zeros((4, 2), dtype=numpy.float32), "an array of float64, found float32"),
+    (numpy.zeros((4, 2), dtype=int), "an array of float64, found int64"),
+    (numpy.zeros((4, 2), dtype=">f8"), "an array of float64, found >f8"),
+    (numpy.zeros((4, 3)), "expected an array of the shape (n, 2), or (x, y), found the shape (4, 3)"),
+    (numpy.zeros((2, 4, 2)), "expected an array of the shape (n, 2), or (x, y), found the shape (2, 4, 2)"),
+    (numpy.float64(1), "expected an array of the shape (n, 2), or (x, y), found the shape ()"),
+    ((0.0, 1.0, 2.0), "expected an array of the shape (n, 2), or (x, y), found a tuple of 3"),
+    ({"x": 0.0, "z": 1.0}, "expected an array of the shape (n, 2), or (x, y), found the names x, z"),
+    (["a", "b"], "numbers: could not convert string to float: 'a'"),
+    ("ab", "an array of float64, found <U2"),
+    (None, "an array of float64, found object"),
+])
+def test_operands_that_are_refused(operand, rule):
+    field, found = refusal(touchstone.orientation, numpy.zeros(2), operand, numpy.zeros((4, 2)))
+    assert field == "p1" and found.startswith(rule)
+
+
+def test_strides_and_rows_that_are_refused():
+    packed = numpy.zeros(4, dtype=[("id", "i4"), ("point", "f8", 2)])
+    assert refusal(touchstone.orientation, packed["point"], numpy.zeros(2), numpy.zeros(2)) == (
+        "p0", "an array whose strides are multiples of 8 bytes, found (20, 8)")
+    unaligned = numpy.zeros(8 * 9, dtype=numpy.uint8)[4:-4].view(numpy.float64).reshape(4, 2)
+    assert refusal(touchstone.orientation, unaligned, numpy.zeros(2), numpy.zeros(2))[0] == "p0"
+    assert refusal(touchstone.orientation, numpy.zeros((3, 2)), numpy.zeros((4, 2)), numpy.zeros(2)) == (
+        "p0, p1, p", "as many rows in each operand, or one, found 3, 4")
+    assert refusal(touchstone.ray_aabb, (numpy.zeros(2), numpy.zeros(2)), numpy.zeros((4, 2, 3)))[0] == "rays.origin"
+    assert refusal(touchstone.point_in_polygon, numpy.zeros((3, 3)), numpy.zeros((4, 2)))[0] == "polygon"
+    assert refusal(touchstone.point_in_polygon, numpy.zeros((2, 2)), numpy.zeros((4, 2)))[0] == "polygon"
+    assert refusal(touchstone.point_in_polyhedron, (numpy.zeros((3, 3)), [[0, 1, -1]]), numpy.zeros(3))[0] == "mesh.faces"
+    assert refusal(touchstone.point_in_polyhedron, numpy.zeros((3, 3)), numpy.zeros(3))[0] == "mesh"
+
+
+@pytest.mark.parametrize("out", [
+    numpy.zeros(3, dtype=numpy.uint8), numpy.zeros(4, dtype=numpy.int8), numpy.zeros(8, dtype=numpy.uint8)[::2], bytearray(4),
+    numpy.frombuffer(bytes(4), dtype=numpy.uint8), numpy.zeros((4, 1), dtype=numpy.uint8)])
+def test_places_for_answers_that_are_refused(out):
+    p = numpy.zeros((4, 2))
+    assert refusal(touchstone.orientation, p, p, p, out=out)[0] == "out"
+
+
+def test_threads():
+    """Several threads at once, refusals among them."""
+    a, b, expected = segment_pairs(SEGMENTS)
+    a, b, expected = (numpy.concatenate([array] * 40) for array in (a, b, expected))
+    wrong = a.copy()
+    wrong[-1, 0, 0] = numpy.nan
+    complaints = []
+
+    def ask(number):
+        for _ in range(10):
+            if not (touchstone.segment_segment(a, b) == expected).all():
+                complaints.append("another answer")
+            try:
+                touchstone.segment_segment(wrong, b)
+                complaints.append("nothing was refused")
+            except touchstone.InvalidInput as refused:
+                if refused.field != f"questions[{len(a) - 1}].a[0][0]":
+                    complaints.append(refused.field)
+
+    threads = [threading.Thread(target=ask, args=(number,)) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert complaints == []
+
+
+def test_others_run_while_it_decides():
+    """The GIL is released: a thread counts while one call decides."""
+    a, b, _ = segment_pairs(SEGMENTS)
+    a, b = numpy.concatenate([a] * 3000), numpy.concatenate([b] * 3000)
+    counted, ended = [0], threading.Event()
+
+    def count():
+        while not ended.is_set():
+            counted[0] += 1
+
+    counter = threading.Thread(target=count)
+    counter.start()
+    before = counted[0]
+    touchstone._touchstone.decide("segment_segment", [a, 2, b, 2], numpy.empty(len(a), numpy.uint8))
+    after = counted[0]
+    ended.set()
+    counter.join()
+    assert after - before > 1000
+
+
+def test_the_extension_refuses_what_only_a_wrong_caller_hands_over():
+    decide, out = touchstone._touchstone.decide, numpy.zeros(4, numpy.uint8)
+    right = [numpy.zeros((4, 2)), 1, numpy.zeros(2), 1, numpy.zeros(4), 0, numpy.zeros(()), 0]
+    decide("orientation", right, out)
+    for wrong in (right[:6], right + right[:2], right[:6] + [numpy.zeros(5), 0], right[:6] + [numpy.zeros(4, numpy.float32), 0],
+                  right[:6] + [numpy.zeros((4, 1)), 0], right[:6] + [numpy.zeros((4, 2)), 1], right + [numpy.zeros((4, 2)), -1]):
+        with pytest.raises(ValueError):
+            decide("orientation", wrong, out)
+    with pytest.raises(ValueError):
+        decide("point_in_polygon", [numpy.zeros((6, 2))[::2], -1, numpy.zeros((4, 2)), 1], out)
+    with pytest.raises(IndexError):
+        decide("no_such_operation", right, out)

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Operands over arrays as columns of float64, without copying them."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, Optional, Union
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+from . import _touchstone
+from ._errors import InvalidInput
+
+Operand = Union[ArrayLike, tuple[Any, ...], Mapping[str, Any]]
+Out = Optional[NDArray[numpy.uint8]]
+Answers = NDArray[numpy.uint8]
+Located = tuple[NDArray[Any], int]
+_float64 = numpy.dtype(numpy.float64)
+_whole = -1  # instead of a number of axes: one array for all rows, a polygon or a part of a mesh
+
+
+class Shape:
+    """What an operand consists of: columns (None) and other shapes, by name."""
+
+    def __init__(self, **members: Optional[Shape]) -> None:
+        self.members = members
+        self.numbers: int = sum(1 if member is None else member.numbers for member in members.values())
+        first, *others = [() if member is None else member.axes for member in members.values()]
+        self.axes: Optional[tuple[int, ...]] = None
+        """The axes of an array that holds one operand, where its members are alike."""
+        if first is not None and all(other == first for other in others):
+            self.axes = (len(members), *first)
+
+    def expected(self) -> str:
+        shapes = [(self.numbers,)] + ([self.axes] if self.axes and len(self.axes) > 1 else [])
+        arrays = " or ".join(f"(n, {', '.join(map(str, shape))})" for shape in reversed(shapes))
+        return f"an array of the shape {arrays}, or ({', '.join(self.members)})"
+
+    def arrays(self, value: Any, field: str) -> Iterator[Located]:
+        """Arrays that hold its numbers in order, each with the number of its axes beside that of the rows."""
+        if isinstance(value, tuple):
+            if len(value) != len(self.members):
+                raise InvalidInput(field, f"expected {self.expected()}, found a tuple of {len(value)}")
+            value = dict(zip(self.members, value))
+        if isinstance(value, Mapping):
+            if value.keys() != self.members.keys():
+                raise InvalidInput(field, f"expected {self.expected()}, found the names {', '.join(map(str, value))}")
+            for name, member in self.members.items():
+                if member is None:
+                    yield _column(value[name], f"{field}.{name}"), 0
+                else:
+                    yield from member.arrays(value[name], f"{field}.{name}")
+            return
+        array = _array(value, field)
+        for axes in (self.axes, (self.numbers,)):
+            if axes is not None and array.shape[-len(axes):] == axes and array.ndim <= len(axes) + 1:
+                yield array, len(axes)
+                return
+        raise InvalidInput(field, f"expected {self.expected()}, found the shape {array.shape}")
+
+
+def _array(value: Any, field: str) -> NDArray[numpy.float64]:
+    """The same array; of a list, one that holds its numbers."""
+    if isinstance(value, (list, float, int)):
+        try:
+            value = numpy.array(value, dtype=numpy.float64)
+        except (TypeError, ValueError, OverflowError) as error:
+            raise InvalidInput(field, f"numbers: {error}") from None
+    array = value if isinstance(value, numpy.ndarray) else numpy.asarray(value)
+    if array.dtype != _float64:
+        raise InvalidInput(field, f"an array of float64, found {array.dtype}; astype(float) makes a copy that is one")
+    if not array.flags.aligned or any(stride % 8 for stride in array.strides):
+        raise InvalidInput(field, f"an array whose strides are multiples of 8 bytes, found {array.strides}")
+    return array
+
+
+def _column(value: Any, field: str) -> NDArray[numpy.float64]:
+    array = _array(value, field)
+    if array.ndim > 1:
+        raise InvalidInput(field, f"expected a number or an array of the shape (n,), found the shape {array.shape}")
+    return array
+
+
+class _Polygon2:
+    """One polygon: its vertices."""
+
+    def expected(self) -> str:
+        return "vertices of the shape (m, 2)"
+
+    def arrays(self, value: Any, field: str) -> Iterator[Located]:
+        yield _vertices(value, field, 2), _whole
+
+
+class _Mesh:
+    """One mesh: vertices, and three places of vertices for each face."""
+
+    def expected(self) -> str:
+        return "(vertices, faces)"
+
+    def arrays(self, value: Any, field: str) -> Iterator[Located]:
+        if isinstance(value, Mapping) and value.keys() == {"vertices", "faces"}:
+            value = value["vertices"], value["faces"]
+        if not isinstance(value, tuple) or len(value) != 2:
+            raise InvalidInput(field, f"expected {self.expected()}")
+        yield _vertices(value[0], f"{field}.vertices", 3), _whole
+        faces = numpy.asarray(value[1])
+        if faces.size == 0:
+            faces = numpy.zeros((0, 3), dtype=numpy.uint32)
+        if faces.dtype.kind not in "iu" or faces.ndim != 2 or faces.shape[1] != 3:
+            raise InvalidInput(f"{field}.faces", f"integers of the shape (f, 3), found {faces.dtype} of {faces.shape}")
+        if faces.size > 0 and (faces.min() < 0 or faces.max() > 0xFFFFFFFF):
+            raise InvalidInput(f"{field}.faces", "places of vertices, counted from 0")
+        yield numpy.ascontiguousarray(faces, dtype=numpy.uint32), _whole
+
+
+def _vertices(value: Any, field: str, dimensions: int) -> NDArray[numpy.float64]:
+    vertices = _array(value, field)
+    if vertices.size == 0:
+        vertices = numpy.zeros((0, dimensions))
+    if vertices.ndim != 2 or vertices.shape[1] != dimensions:
+        raise InvalidInput(field, f"expected vertices of the shape (m, {dimensions}), found the shape {vertices.shape}")
+    return numpy.ascontiguousarray(vertices)
+
+
+POLYGON2 = _Polygon2()
+MESH = _Mesh()
+AnyShape = Union[Shape, _Polygon2, _Mesh]
+
+
+class Form:
+    """One decision over arrays: its name in the extension, and its operands."""
+
+    def __init__(self, name: str, **operands: AnyShape) -> None:
+        self.name, self.operands = name, operands
+
+    def arrays(self, values: tuple[Any, ...]) -> list[Located]:
+        return [located for (field, shape), value in zip(self.operands.items(), values)
+                for located in shape.arrays(value, field)]
+
+
+def decide(forms: tuple[Form, ...], out: Out, *values: Any) -> Answers:
+    """The answers by the first of the forms, in the plane or in space, whose operands these are."""
+    complaints = []
+    for form in forms:
+        try:
+            located = form.arrays(values)
+            break
+        except InvalidInput as refused:
+            complaints.append(refused)
+    else:
+        first, last = complaints[0], complaints[-1]
+        if first.field != last.field or first.rule == last.rule:
+            raise last
+        raise InvalidInput(last.field, f"in the plane {first.rule}; in space {last.rule}")
+    count = _count(form, located)
+    if out is None:
+        out = numpy.empty(count, dtype=numpy.uint8)
+    elif not isinstance(out, numpy.ndarray) or out.dtype != numpy.uint8 or out.shape != (count,):
+        found = f"{out.dtype} of the shape {out.shape}" if isinstance(out, numpy.ndarray) else type(out).__name__
+        raise InvalidInput("out", f"an array of uint8 of the shape ({count},), found {found}")
+    elif not out.flags.c_contiguous or not out.flags.writeable:
+        raise InvalidInput("out", "an array that is contiguous and can be written")
+    _touchstone.decide(form.name, [part for pair in located for part in pair], out)
+    return out
+
+
+def _count(form: Form, located: list[Located]) -> int:
+    """How many rows there are; 1 where all operands are shared."""
+    rows = {array.shape[0] for array, axes in located if axes != _whole and array.ndim > axes}
+    if len(rows) > 1:
+        rows.discard(1)
+    if len(rows) > 1:
+        lengths = ", ".join(map(str, sorted(rows)))
+        raise InvalidInput(", ".join(form.operands), f"as many rows in each operand, or one, found {lengths}")
+    return rows.pop() if rows else 1
