@@ -28,6 +28,20 @@ install_consumer(my_engine ${PROJECT_SOURCE_DIR}/examples/my_engine OPTIONS -DCM
 install_consumer(own_tests ${PROJECT_SOURCE_DIR}/examples/own_tests OPTIONS -DCMAKE_PREFIX_PATH=${installed}
                  THEN ${CMAKE_CTEST_COMMAND} --output-on-failure)
 
+# From C, with CMake and with pkg-config.
+install_consumer(c ${install_tests}/c OPTIONS -DCMAKE_PREFIX_PATH=${installed} THEN ${CMAKE_CTEST_COMMAND} --output-on-failure)
+install_consumer(c_example ${PROJECT_SOURCE_DIR}/examples/c OPTIONS -DCMAKE_PREFIX_PATH=${installed} THEN
+                 sh -c "test \"$(./segments | head -n 3 | tr '\\n' ' ')\" = 'point overlap disjoint '")
+find_program(TOUCHSTONE_C_COMPILER gcc)
+mark_as_advanced(TOUCHSTONE_C_COMPILER)
+add_test(NAME install/c_pkg_config
+         COMMAND sh -c "command -v pkg-config >/dev/null && test -x '${TOUCHSTONE_C_COMPILER}' || exit 77; mkdir -p '${consumers}' && \
+'${TOUCHSTONE_C_COMPILER}' -std=c99 -pedantic -Wall -Werror '${install_tests}'/c/main.c -o '${consumers}'/pkg_config_c \
+$(pkg-config --cflags --libs touchstone-c) && '${consumers}'/pkg_config_c")
+set_tests_properties(install/c_pkg_config PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT
+                                                     PKG_CONFIG_PATH=${installed}/${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+set_tests_properties(install/c install/c_example install/c_pkg_config PROPERTIES FIXTURES_REQUIRED installed)
+
 # With pkg-config and the compiler alone.
 set(words "${CMAKE_CXX_COMPILER} ${CMAKE_CXX_FLAGS} -std=c++20")
 add_test(NAME install/pkg_config

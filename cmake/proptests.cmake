@@ -166,6 +166,22 @@ endfunction()
 example_suite(hypothesis "${TOUCHSTONE_SYSTEM_PYTHON}" test_hypothesis.py)
 example_suite(fast_check "${TOUCHSTONE_NODE}" test_fast_check.mjs)
 
+# The Python module, by the Python for which it is built.
+if(NOT TOUCHSTONE_TEST_ROBUST_ALONE)
+  foreach(name arrays operations types)
+    set(suite ${PROJECT_SOURCE_DIR}/proptests/infrastructure/python)
+    if(TARGET touchstone_python)
+      add_test(NAME python/${name} COMMAND ${Python_EXECUTABLE} -B ${suite}/run.py ${suite}/test_${name}.py WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
+    else()
+      add_test(NAME python/${name} COMMAND sh -c "echo 'skipped: built without pybind11 or the headers of Python'; exit 77")
+    endif()
+    set_tests_properties(python/${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT PYTHONPATH=${PROJECT_BINARY_DIR}/python)
+  endforeach()
+  if(TARGET touchstone_python)
+    set_target_properties(touchstone_python PROPERTIES EXCLUDE_FROM_ALL FALSE)
+  endif()
+endif()
+
 # What `touchstone ask --as` prints, of all operations: Catch2's is built and run with robust as the user's code, the others are run.
 if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   set(printed ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/proptests/regression_tests.py --program $<TARGET_FILE:touchstone>)
