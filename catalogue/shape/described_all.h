@@ -11,4 +11,5 @@
 #include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/shape/described_solids.h"
+#include "catalogue/shape/described_steps.h"
 #include "catalogue/shape/described_triangles.h"

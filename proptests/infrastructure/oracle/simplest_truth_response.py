@@ -121,17 +121,17 @@ def solved(matrix, right):
     return [row[-1] / row[k] for k, row in enumerate(rows)]
 
 
-def truth_simultaneous_collisions(q):
-    """All sets of contacts that may push, the smallest first, until one neither pulls nor breaks a demand."""
-    bodies = [(number(body["inverse_mass"]), point(body["velocity"])) for body in q["bodies"]]
-    contacts = [(c["a"], c["b"], point(c["normal"])) for c in q["contacts"]]
+def resolved(bodies, contacts, e):
+    """The velocities after, of bodies (inverse mass, velocity) in contacts (a, b, normal); None where the contacts
+    contradict each other. All sets of contacts that may push, the smallest first, until one neither pulls nor breaks a
+    demand."""
     weights = []  # of a contact's impulse in the velocities: {body: vector}
     for a, b, n in contacts:
         weights.append({a: [bodies[a][0] * x for x in n], b: [-bodies[b][0] * x for x in n]})
     zero = (0, 0, 0)
     matrix = [[dot(n, minus(w.get(a, zero), w.get(b, zero))) for w in weights] for a, b, n in contacts]
     parting = [dot(n, minus(bodies[a][1], bodies[b][1])) for a, b, n in contacts]
-    wanted = [-(1 + number(q["e"])) * g if g < 0 else -g for g in parting]
+    wanted = [-(1 + e) * g if g < 0 else -g for g in parting]
     places = range(len(contacts))
     for size in range(len(contacts) + 1):
         for pushing in combinations(places, size):
@@ -144,5 +144,54 @@ def truth_simultaneous_collisions(q):
             for j, x in zip(pushing, found):
                 for body, vector in weights[j].items():
                     after[body] = [v + x * y for v, y in zip(after[body], vector)]
-            return {"relation": "possible", "velocities": [written_velocity(v) for v in after]}, None
-    return {"relation": "impossible"}, None
+            return after
+    return None
+
+
+def truth_simultaneous_collisions(q):
+    bodies = [(number(body["inverse_mass"]), point(body["velocity"])) for body in q["bodies"]]
+    contacts = [(c["a"], c["b"], point(c["normal"])) for c in q["contacts"]]
+    after = resolved(bodies, contacts, number(q["e"]))
+    if after is None:
+        return {"relation": "impossible"}, None
+    return {"relation": "possible", "velocities": [written_velocity(v) for v in after]}, None
+
+
+def truth_simulation_step(q):
+    """Walls are bodies of a kind, each one of its own: they have no center, but a normal and a distance."""
+    settings = q["settings"]
+    h, pull = number(settings["timestep"]), point(settings["gravity"])
+    before, motion = settings["turn"] == "before_move", settings["motion"]
+    share = {"accelerate_then_move": 1, "parabola": Fraction(1, 2), "move_then_accelerate": 0}[motion]
+    movers = [(number(b["inverse_mass"]), point(b["velocity"]), point(b["sphere"]["center"]),
+               number(b["sphere"]["radius"])) for b in q["bodies"]]
+    walls = [(point(w["normal"]), number(w["offset"])) for w in q["walls"]]
+    moves = [w != 0 for w, _, _, _ in movers]
+    gravity = [tuple(h * x for x in pull) if moving else (0, 0, 0) for moving in moves]
+    ends = [tuple(x + h * (y + share * g) for x, y, g in zip(c, v, fall))
+            for (_, v, c, _), fall in zip(movers, gravity)]
+    early = motion == "accelerate_then_move" or not before  # gravity comes before the response
+    bodies = [(w, tuple(x + early * g for x, g in zip(v, fall))) for (w, v, _, _), fall in zip(movers, gravity)]
+    bodies += [(Fraction(0), (0, 0, 0))] * len(walls)
+    contacts = []
+    for i, j in combinations(range(len(bodies)), 2):
+        if i >= len(movers) or not (moves[i] or (j < len(movers) and moves[j])):
+            continue
+        if j < len(movers):
+            n, reach = minus(ends[i], ends[j]), movers[i][3] + movers[j][3]
+            meet = 0 < dot(n, n) <= reach * reach
+        else:
+            n, offset = walls[j - len(movers)]
+            height = dot(n, ends[i]) + offset
+            meet = height <= 0 or height * height <= movers[i][3] ** 2 * dot(n, n)
+        if meet and dot(n, minus(bodies[i][1], bodies[j][1])) <= 0:
+            contacts.append((i, j, n))
+    after = resolved(bodies, contacts, number(settings["restitution"]))
+    states = []
+    for (_, _, center, _), end, v, moving, fall in zip(movers, ends, after, moves, gravity):
+        if before and moving:  # of gravity's way, accelerate_then_move has all in v
+            rest = share if motion == "parabola" else 0
+            end = [x + h * (y + rest * g) for x, y, g in zip(center, v, fall)]
+        late = [y + (not early) * g for y, g in zip(v, fall)]
+        states.append({"position": written_velocity(end), "velocity": written_velocity(late)})
+    return {"contacts": [[i, j] for i, j, _ in contacts], "bodies": states}, None

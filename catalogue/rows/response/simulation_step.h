@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "catalogue/draw/motions.h"
+#include "catalogue/families/step_draws.h"
+#include "catalogue/operation/row.h"
+#include "oracle/response/simulation_step.h"
+#include "reference/response/simulation_step.h"
+#include "robust/response/simulation_step.h"
+
+namespace touchstone::catalogue::rows {
+
+struct simulation_step {
+  TOUCHSTONE_MODULES(simulation_step)
+  using Question = std::tuple<std::vector<StepBodyd>, std::vector<Plane3d>, StepSettingsd>;
+  using decision = NoDecision;
+
+  static const Metadata& metadata() {
+    static const Metadata metadata{
+        .name = "simulation_step",
+        .chapter = "response",
+        .pages = "23, 55-56, 64-71, 74",
+        .question = "Where are balls among walls after a step of time, how do they move then, and what did they meet?",
+        .kind = Kind::measure,
+        .fields = {"bodies", "walls", "settings"},
+        .ulps = 98,
+        .margin_degree = 0,
+        .cost = 11,
+        .longest_vector = 6000};
+    return metadata;
+  }
+
+  static std::vector<HardCase<Question>> hard_cases() {
+    return {hard<lattice_balls>("lattice"),
+            hard<tangent_balls>("tangent"),
+            hard<row_of_balls>("row"),
+            hard<stacked_balls>("stack"),
+            hard<ball_in_a_corner>("corner"),
+            hard<overlapping_balls>("overlapping"),
+            hard<immovable_balls>("immovable"),
+            hard<particles>("particles"),
+            hard<sliding_balls>("sliding"),
+            hard<bullets>("bullet"),
+            hard<unequal_balls>("unequal_masses"),
+            hard<full_digit_balls>("full_digits"),
+            hard<rounded_tangent_balls>("rounded_tangent"),
+            hard<balls_at_the_ends>("at_the_ends"),
+            hard<step_beside_a_tie>("beside_a_tie"),
+            hard<refused_step>("refused"),
+            hard<many_balls>("many_balls", /*unscaled=*/true),
+            hard<many_walls>("many_walls", /*unscaled=*/true)};
+  }
+
+  /// Masses, time, normals and the restitution keep their value.
+  static void scale(Question& question, int exponent) {
+    auto& [bodies, walls, settings] = question;
+    const auto scale = [exponent](auto& v) {
+      v = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+    };
+    for (auto& [w, v, sphere] : bodies) {
+      scale(v), scale(sphere.center);
+      sphere.radius = std::ldexp(sphere.radius, exponent);
+    }
+    for (Plane3d& wall : walls) wall.offset = std::ldexp(wall.offset, exponent);
+    scale(settings.gravity);
+  }
+
+  /// At most four bodies and two walls: exact values of random bits grow by thousands of digits a contact.
+  static void repair(Question& question) {
+    auto& [bodies, walls, settings] = question;
+    if (bodies.size() > 4) bodies.resize(4);
+    if (walls.size() > 2) walls.resize(2);
+    for (auto& [w, v, sphere] : bodies) {
+      w = std::fabs(w), sphere.radius = std::fabs(sphere.radius);
+      if (validation::zero(w)) v = {0, 0, 0};
+    }
+    for (Plane3d& wall : walls) wall.normal = not_zero(wall.normal);
+    make_positive(settings.timestep);
+    settings.restitution = std::fabs(settings.restitution);
+    if (settings.restitution > 1) settings.restitution = 1 / settings.restitution;
+  }
+
+  /// Two balls of one mass that just touch at the end of the step, when one has hit the other: moves the second one's
+  /// height and radius.
+  static Question map_centre() {
+    const StepSettingsd settings{{0, 0, 0}, StepMotion::accelerate_then_move, 1, 1, StepTurn::after_move};
+    return {{{1, {1, 0, 0}, {{-3, 0, 0}, 1}}, {1, {0, 0, 0}, {{0, 0, 0}, 1}}}, {}, settings};
+  }
+  static std::pair<std::size_t, std::size_t> map_axes() { return {13, 15}; }
+
+  /// Balls where they start with their velocities, and walls; and where they come to, with their velocities there.
+  static void draw(Drawing& drawing, const Question& question, const NextStated& truth) {
+    const auto& [bodies, walls, settings] = question;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const auto& [w, v, sphere] = bodies[i];
+      const std::string name = std::to_string(i);
+      catalogue::draw(drawing, name, sphere, false);
+      if (!is_zero(v)) draw_arrow(drawing, "velocity of " + name, sphere.center, v, false);
+      if (i >= truth.bodies.size()) continue;
+      const auto& [at, after] = truth.bodies[i];
+      draw_sphere(drawing, name + " after", {at, sphere.radius});
+      if (!is_zero(after)) draw_arrow(drawing, "velocity of " + name + " after", at, after, true);
+    }
+    for (std::size_t k = 0; k < walls.size(); ++k)
+      catalogue::draw(drawing, "wall " + std::to_string(k), walls[k], false);
+    for (const auto& [i, j] : truth.contacts) {
+      const bool wall = j >= bodies.size();
+      const std::string other = wall ? "wall " + std::to_string(j - bodies.size()) : std::to_string(j);
+      drawing.notes.push_back(std::to_string(i) + " meets " + other);
+    }
+    drawing.notes.push_back("restitution " + decimal(settings.restitution) + ", timestep " +
+                            decimal(settings.timestep));
+  }
+
+  /// Three balls of diameter 1 on the x axis, of inverse mass 0, 1 or 2, that come by -1, 0 or 1 in a step to where they
+  /// are at the end, before a wall; e is 0, 1/2 or 1.
+  static constexpr std::uint64_t masses = 3, speeds = 3, restitutions = 3, turns = 2;
+  static std::uint64_t domain_count(int size) {
+    const auto n = static_cast<std::uint64_t>(size), one = n * masses * speeds;
+    return one * one * one * restitutions * turns;
+  }
+  static Question domain_at(int size, std::uint64_t index) {
+    const auto next = [&index](std::uint64_t of) {
+      const std::uint64_t digit = index % of;
+      index /= of;
+      return static_cast<double>(digit);
+    };
+    const double e = next(restitutions) / 2;
+    const StepTurn turn = next(turns) == 0 ? StepTurn::before_move : StepTurn::after_move;
+    Stepping s{{}, {{{1, 0, 0}, 0}}, {{0, 0, 0}, StepMotion::parabola, e, 1, turn}};
+    for (int i = 0; i < 3; ++i) {
+      const double w = next(masses), speed = next(speeds) - 1;
+      s.add({next(static_cast<std::uint64_t>(size)), 0, 0}, 0.5, w, {speed, 0, 0});
+    }
+    return {std::move(s.bodies), std::move(s.walls), s.settings};
+  }
+
+  static Hooks<simulation_step> hooks() {
+    return {.repair = repair,
+            .scale = scale,
+            .map_centre = map_centre,
+            .map_axes = map_axes,
+            .draw = draw,
+            .domain_count = domain_count,
+            .domain_at = domain_at,
+            .laws = {.maps = Laws::Maps::axes, .scales = true}};
+  }
+
+ private:
+  static void draw_sphere(Drawing& drawing, const std::string& label, const Sphere3d& s) {
+    const std::vector<std::string> notes = drawing.notes;
+    catalogue::draw(drawing, label, s, true);
+    drawing.notes = notes;
+  }
+
+  template <auto draw>
+  static HardCase<Question> hard(const char* name, bool unscaled = false) {
+    return {name,
+            [](DrawStream& c) -> Question {
+              Stepping s = draw(c);
+              return {std::move(s.bodies), std::move(s.walls), s.settings};
+            },
+            unscaled};
+  }
+};
+
+}  // namespace touchstone::catalogue::rows

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "geometry/invalid_input.h"
+#include "geometry/steps.h"
+#include "robust/kernel/strict_math.h"
+
+namespace touchstone::robust {
+
+/// One step of balls among walls: where they are after it, how they move then, and which contacts they met at its end.
+/// Contacts are found exactly and answered all at once, with the velocities of least change; so neither the order of
+/// bodies nor that of walls matters. What parts is left alone, and nothing is pushed apart.
+///
+/// Every number is the double nearest to the one that exact arithmetic has at the end of the step, for all finite
+/// doubles in every floating-point environment; beyond the range it is infinite, and zero is +0.
+/// Time: all pairs are looked at, and n contacts that hang together by bodies that can move take up to n^3 operations on
+/// integers, which grow with n.
+/// NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a radius below 0 ("radius >=
+/// 0"), an inverse mass below 0 ("inverse mass >= 0"), a velocity of a body that never moves ("0 where the inverse mass
+/// is 0"), a wall's normal of length 0 ("nonzero normal"), a timestep of 0 or less ("timestep > 0") and a restitution
+/// out of bounds ("between 0 and 1"). Contract: reference/response/simulation_step.h.
+NextStated simulation_step(const std::vector<StepBodyd>& bodies, const std::vector<Plane3d>& walls,
+                           const StepSettingsd& settings);
+
+}  // namespace touchstone::robust
