@@ -135,7 +135,14 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   # A share of the theorems about filters; ./dev proofs proves all.
   touchstone_script_test(proofs robust/proofs/prove.py --share --jobs 1 --work ${PROJECT_BINARY_DIR}/proofs)
   touchstone_script_test(proofs/self_check robust/proofs/prove.py --self-check)
-  set_tests_properties(proofs PROPERTIES SKIP_RETURN_CODE 77)
+  # The checker of certificates that is proved: its verdicts beside those of the other two, and conditions weakened, of
+  # which each has to fail a proof; ./dev proofs proves all of it.
+  touchstone_script_test(certificates/proved proptests/infrastructure/oracle/proved_checker.py ${program}
+                         --work ${PROJECT_BINARY_DIR}/certify_proved)
+  touchstone_script_test(certificates/weakened oracle/certificates/proved/kinds.py --weakened 6 --jobs 1
+                         --work ${PROJECT_BINARY_DIR}/weakened)
+  touchstone_script_test(certificates/proofs_self_check oracle/certificates/proved/kinds.py --self-check)
+  set_tests_properties(proofs certificates/proved certificates/weakened PROPERTIES SKIP_RETURN_CODE 77)
 endif()
 
 # The launchers of examples/cluster, each where it is installed: otherwise its test is skipped, and says why.

@@ -55,20 +55,20 @@ def bare(text):
 
 
 def needed(text):
-    return [name for line in re.findall(r"From Filters Require Import ([\w ]+)\.", text) for name in line.split()]
+    return [name for line in re.findall(r"From (?:Filters|Certificates) Require Import ([\w ]+)\.", text) for name in line.split()]
 
 
 class Proof:
     """A folder of Coq files."""
 
-    def __init__(self, work, files):
-        self.work, self.files = work, files
+    def __init__(self, work, files, library="Filters"):
+        self.work, self.files, self.library = work, files, library
         work.mkdir(parents=True)
         for name, text in files.items():
             (work / f"{name}.v").write_text(text, encoding="utf-8")
 
     def compile(self, name):
-        run = subprocess.run(["coqc", "-Q", ".", "Filters", f"{name}.v"], cwd=self.work, text=True,
+        run = subprocess.run(["coqc", "-Q", ".", self.library, f"{name}.v"], cwd=self.work, text=True,
                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         return run.returncode == 0, run.stdout
 

@@ -1,0 +1,72 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** What the answers claim of points over lines and planes, and of rays and segments that meet planes and solids. *)
+Require Import Reals List.
+From Certificates Require Import solids.
+Open Scope R_scope.
+
+(** A height compared with that of the ground: y = slope x + intercept for [explicit_line], y = 0 for
+    [point_ground_plane] *)
+Inductive elevation := above | level_with | below.
+Definition elevation_spec (y ground : R) (w : elevation) : Prop :=
+  match w with above => ground < y | level_with => y = ground | below => y < ground end.
+Definition explicit_line_spec (slope intercept : R) (p : R * R) (w : elevation) : Prop :=
+  elevation_spec (snd p) (slope * fst p + intercept) w.
+Definition point_ground_plane_spec (p : list R) (w : elevation) : Prop :=
+  length p = 3%nat /\ elevation_spec (nth 1 p 0) 0 w.
+
+(** [point_plane]: the point is its foot on the plane and from there the signed distance along the normal, which is
+    taken for a vector of length 1. *)
+Inductive plane_side := front | on_plane | back.
+Definition point_plane_spec (normal : list R) (offset : R) (p : list R) (w : plane_side) (distance : R) : Prop :=
+  length normal = 3%nat /\ length p = 3%nat /\ nonzero normal /\
+  (exists foot, length foot = 3%nat /\ dot normal foot + offset = 0 /\
+     p = plus foot (times (distance / sqrt (dot normal normal)) normal)) /\
+  match w with front => 0 < distance | on_plane => distance = 0 | back => distance < 0 end.
+
+(** * Courses: the points start + t way with 0 <= t (a ray), and t <= 1 (a segment) *)
+Definition at_time (start way : list R) (t : R) : list R := plus start (times t way).
+Definition of_ray (t : R) : Prop := 0 <= t.
+Definition of_segment (t : R) : Prop := 0 <= t <= 1.
+
+Inductive line_plane (A : Type) := misses_plane | crosses_plane (t : A) (p : list A) | inside_plane.
+Arguments misses_plane {A}. Arguments crosses_plane {A}. Arguments inside_plane {A}.
+Definition line_plane_spec (times : R -> Prop) start way normal (offset : R) (w : line_plane R) : Prop :=
+  let on_the_plane t := dot normal (at_time start way t) + offset = 0 in
+  match w with
+  | misses_plane => forall t, times t -> ~ on_the_plane t
+  | crosses_plane t p => times t /\ p = at_time start way t /\ forall u, times u -> (on_the_plane u <-> u = t)
+  | inside_plane => forall t, times t -> on_the_plane t
+  end.
+Definition ray_plane_spec origin direction normal (offset : R) (w : line_plane R) : Prop :=
+  length origin = 3%nat /\ length direction = 3%nat /\ length normal = 3%nat /\ nonzero direction /\ nonzero normal /\
+  line_plane_spec of_ray origin direction normal offset w.
+Definition segment_plane_spec a b normal (offset : R) (w : line_plane R) : Prop :=
+  length a = 3%nat /\ length b = 3%nat /\ length normal = 3%nat /\ nonzero normal /\
+  line_plane_spec of_segment a (minus b a) normal offset w.
+
+(** The times from the first to the last at which the course is in a closed solid; of a segment of length 0, both are
+    0. *)
+Inductive passage (A : Type) := passes_by | passes (first last : A).
+Arguments passes_by {A}. Arguments passes {A}.
+Definition passage_spec (times : R -> Prop) start way (S : list R -> Prop) (w : passage R) : Prop :=
+  match w with
+  | passes_by => forall t, times t -> ~ S (at_time start way t)
+  | passes first last =>
+      (nonzero way -> first <= last /\ forall t, times t /\ S (at_time start way t) <-> first <= t <= last) /\
+      (~ nonzero way -> S (at_time start way 0) /\ first = 0 /\ last = 0)
+  end.
+(** Of the plane for n = 2, of space for n = 3 *)
+Definition ray_aabb_spec origin direction low high (w : passage R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length origin = n /\ length direction = n /\ length low = n /\ length high = n /\
+  nonzero direction /\ (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\
+  passage_spec of_ray origin direction (box low high) w.
+Definition segment_aabb_spec a b low high (w : passage R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length a = n /\ length b = n /\ length low = n /\ length high = n /\
+  (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\
+  passage_spec of_segment a (minus b a) (box low high) w.
+Definition ray_sphere_spec origin direction c (r : R) (w : passage R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length origin = n /\ length direction = n /\ length c = n /\ nonzero direction /\
+  0 <= r /\ passage_spec of_ray origin direction (ball c r) w.
+Definition segment_sphere_spec a b c (r : R) (w : passage R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length a = n /\ length b = n /\ length c = n /\ 0 <= r /\
+  passage_spec of_segment a (minus b a) (ball c r) w.

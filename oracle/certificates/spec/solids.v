@@ -1,0 +1,112 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** What the answers claim of solids: whether two have a common point, and whether one is inside both. *)
+Require Import Reals List.
+Open Scope R_scope.
+
+(** * Space of n dimensions: lists of n real numbers *)
+Fixpoint sqdist (x y : list R) : R :=
+  match x, y with a :: x', b :: y' => (a - b) * (a - b) + sqdist x' y' | _, _ => 0 end.
+(** A set holds all points around x that are nearer than some e > 0. *)
+Definition interior (n : nat) (S : list R -> Prop) (x : list R) : Prop :=
+  length x = n /\ exists e, 0 < e /\ forall y, length y = n -> sqdist x y < e * e -> S y.
+
+Inductive contact := disjoint | touching | overlapping.
+Definition contact_spec (n : nat) (S T : list R -> Prop) (w : contact) : Prop :=
+  match w with
+  | disjoint => forall x, length x = n -> ~ (S x /\ T x)
+  | touching => (exists x, length x = n /\ S x /\ T x) /\ forall x, ~ (interior n S x /\ interior n T x)
+  | overlapping => exists x, interior n S x /\ interior n T x
+  end.
+
+Inductive location := inside | boundary | outside.
+Definition location_spec (n : nat) (S : list R -> Prop) (x : list R) (w : location) : Prop :=
+  length x = n /\
+  match w with
+  | inside => interior n S x
+  | boundary => S x /\ ~ interior n S x
+  | outside => ~ S x
+  end.
+
+Definition ball (c : list R) (r : R) (x : list R) : Prop := sqdist c x <= r * r.
+Definition box (low high x : list R) : Prop :=
+  forall k, (k < length x)%nat -> nth k low 0 <= nth k x 0 <= nth k high 0.
+
+(** Discs for n = 2, balls for n = 3 *)
+Definition sphere_sphere_spec (c : list R) (r : R) (d : list R) (s : R) (w : contact) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length c = n /\ length d = n /\ 0 <= r /\ 0 <= s /\
+  contact_spec n (ball c r) (ball d s) w.
+(** Rectangles for n = 2, boxes for n = 3 *)
+Definition aabb_aabb_spec (la ha lb hb : list R) (w : contact) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length la = n /\ length ha = n /\ length lb = n /\ length hb = n /\
+  (forall k, (k < n)%nat -> nth k la 0 <= nth k ha 0 /\ nth k lb 0 <= nth k hb 0) /\
+  contact_spec n (box la ha) (box lb hb) w.
+(** A disc and a rectangle for n = 2, a ball and a box for n = 3 *)
+Definition sphere_aabb_spec (c : list R) (r : R) (l h : list R) (w : contact) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length c = n /\ length l = n /\ length h = n /\ 0 <= r /\
+  (forall k, (k < n)%nat -> nth k l 0 <= nth k h 0) /\
+  contact_spec n (ball c r) (box l h) w.
+
+(** [implicit_circle]: a point and a disc *)
+Definition implicit_circle_spec (c : list R) (r : R) (p : list R) (w : location) : Prop :=
+  length c = 2%nat /\ 0 <= r /\ location_spec 2 (ball c r) p w.
+
+(** * Half-spaces and slabs of space *)
+Fixpoint dot (x y : list R) : R := match x, y with a :: x', b :: y' => a * b + dot x' y' | _, _ => 0 end.
+Definition nonzero (x : list R) : Prop := exists a, In a x /\ a <> 0.
+(** The plane normal . x + offset = 0 and what is behind it, where the normal does not point *)
+Definition half_space (normal : list R) (offset : R) (x : list R) : Prop := dot normal x + offset <= 0.
+
+Definition sphere_plane_spec (c : list R) (r : R) (normal : list R) (offset : R) (w : contact) : Prop :=
+  length c = 3%nat /\ length normal = 3%nat /\ 0 <= r /\ nonzero normal /\
+  contact_spec 3 (ball c r) (half_space normal offset) w.
+Definition aabb_plane_spec (low high normal : list R) (offset : R) (w : contact) : Prop :=
+  length low = 3%nat /\ length high = 3%nat /\ length normal = 3%nat /\ nonzero normal /\
+  (forall k, (k < 3)%nat -> nth k low 0 <= nth k high 0) /\
+  contact_spec 3 (box low high) (half_space normal offset) w.
+
+(** A slab (normal, (low, high)), and the solid that several have in common, a k-DOP *)
+Definition slab (A : Type) : Type := list A * (A * A).
+Definition in_slab (s : slab R) (x : list R) : Prop := let '(n, (low, high)) := s in low <= dot n x <= high.
+Definition kdop (slabs : list (slab R)) (x : list R) : Prop := forall s, In s slabs -> in_slab s x.
+Definition proper_slab (s : slab R) : Prop :=
+  let '(n, (low, high)) := s in length n = 3%nat /\ nonzero n /\ low <= high.
+Definition point_in_kdop_spec (slabs : list (slab R)) (p : list R) (w : location) : Prop :=
+  slabs <> nil /\ (forall s, In s slabs -> proper_slab s) /\ location_spec 3 (kdop slabs) p w.
+
+(** [kdop_kdop] compares the slabs of each normal as intervals, and no more: [touching] where some pair of them has one
+    number in common alone. *)
+Definition shared (s t : slab R) (v : R) : Prop :=
+  fst (snd s) <= v <= snd (snd s) /\ fst (snd t) <= v <= snd (snd t).
+Definition kdop_kdop_spec (a b : list (slab R)) (w : contact) : Prop :=
+  a <> nil /\ (forall s, In s a \/ In s b -> proper_slab s) /\ map fst a = map fst b /\
+  let each (P : slab R -> slab R -> Prop) := forall s t, In (s, t) (combine a b) -> P s t in
+  let some (P : slab R -> slab R -> Prop) := exists s t, In (s, t) (combine a b) /\ P s t in
+  match w with
+  | disjoint => some (fun s t => forall v, ~ shared s t v)
+  | touching => each (fun s t => exists v, shared s t v) /\
+                some (fun s t => forall u v, shared s t u -> shared s t v -> u = v)
+  | overlapping => each (fun s t => exists u v, u < v /\ shared s t u /\ shared s t v)
+  end.
+
+(** * Oriented boxes: center and three half axes, at any angles *)
+Fixpoint plus (x y : list R) : list R := match x, y with a :: x', b :: y' => a + b :: plus x' y' | _, _ => nil end.
+Fixpoint minus (x y : list R) : list R := match x, y with a :: x', b :: y' => a - b :: minus x' y' | _, _ => nil end.
+Definition times (t : R) (x : list R) : list R := map (Rmult t) x.
+Fixpoint combination (c : list R) (axes : list (list R)) (t : list R) : list R :=
+  match axes, t with a :: axes', k :: t' => plus (combination c axes' t') (times k a) | _, _ => c end.
+Definition obb (c : list R) (axes : list (list R)) (x : list R) : Prop :=
+  exists t, length t = length axes /\ (forall k, In k t -> -1 <= k <= 1) /\ x = combination c axes t.
+(** Only with coefficients 0 do the axes give the zero vector. *)
+Definition proper_obb (c : list R) (axes : list (list R)) : Prop :=
+  length c = 3%nat /\ length axes = 3%nat /\ (forall a, In a axes -> length a = 3%nat) /\
+  forall t, length t = 3%nat -> ~ nonzero (combination (repeat 0 3) axes t) -> ~ nonzero t.
+Definition point_in_obb_spec c axes p (w : location) : Prop :=
+  proper_obb c axes /\ location_spec 3 (obb c axes) p w.
+Definition obb_obb_spec c axes d others (w : contact) : Prop :=
+  proper_obb c axes /\ proper_obb d others /\ contact_spec 3 (obb c axes) (obb d others) w.
+
+(** [closest_point_on_aabb], of the plane and of space *)
+Definition closest_point_on_aabb_spec (p low high x : list R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length p = n /\ length low = n /\ length high = n /\ length x = n /\
+  (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\ box low high x /\
+  forall y, length y = n -> box low high y -> sqdist p x <= sqdist p y.

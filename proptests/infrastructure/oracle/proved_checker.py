@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the proved checker gives the same verdicts as the two that are written by hand.
+
+  proved_checker.py --program PATH [--work DIR]   builds certify_proved, and gives it and the others claims:
+      all test vectors of operations with proved kinds, and their claims; and claims that are tampered with in one
+      place, some of each kind: another word, another kind, other numbers of truth, certificate and input.
+      The formulas that are printed as Python are those that are committed, and hold of the vectors.
+
+Ends with 77 where Coq or OCaml is missing.
+"""
+import argparse
+import collections
+import copy
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+CERTIFICATES = ROOT / "oracle/certificates"
+PROVED = CERTIFICATES / "proved"
+sys.dont_write_bytecode = True
+sys.path[:0] = [str(CERTIFICATES), str(PROVED)]
+import certify
+import kinds
+from certify_surd import exact_surd
+
+WORD_FIELDS = ("side", "relation", "contact", "location", "state", "axis")
+FROM_EACH_KIND = 4  # claims of a kind of one operation that are tampered with
+
+
+def vectors_of(operation):
+    with open(ROOT / f"vectors/{operation}.jsonl", encoding="utf-8") as file:
+        return [json.loads(line) for line in file]
+
+
+def claims_of(operation):
+    return (CERTIFICATES / f"claims/{operation}.jsonl").read_text(encoding="utf-8").splitlines()
+
+
+def key_of(claim):
+    truth = claim["truth"]
+    word = next((truth[name] for name in WORD_FIELDS if isinstance(truth.get(name), str)), "")
+    return claim["op"], word, claim["certificate"]["kind"]
+
+
+def places(value, path=()):
+    """Paths of all numbers and words."""
+    if isinstance(value, (list, dict)):
+        for key in value if isinstance(value, dict) else range(len(value)):
+            yield from places(value[key], path + (key,))
+    else:
+        yield path, value
+
+
+def with_value(claim, path, value):
+    claim = copy.deepcopy(claim)
+    inner = claim
+    for key in path[:-1]:
+        inner = inner[key]
+    inner[path[-1]] = value
+    return claim
+
+
+def other_exact(text):
+    if "sqrt" in text:
+        root = text.index("sqrt")
+        found = {text[:root] + "sqrt(1" + text[root + 5:], "1" + text, text[1:], text.replace("/", "/1"), text.replace("+", "-")}
+        return found | {text[0] + text[1:].replace("-", "+")}
+    x = Fraction(text)
+    return {str(x + 1), str(-x), str(x * (1 + Fraction(1, 2**60))), str(x + Fraction(1, 2**1100)), "0", "1"}
+
+
+def tampered(claim, words):
+    """Claims that differ in one place. Some of them are true: another line that separates, an input an ulp away."""
+    for path, value in places(claim["truth"], ("truth",)):
+        if path[-1] in WORD_FIELDS:
+            for word in words - {value}:
+                yield with_value(claim, path, word)
+    for kind in words:
+        yield with_value(claim, ("certificate", "kind"), kind)
+    for part in ("truth", "certificate"):
+        for path, value in places(claim[part], (part,)):
+            if path[-1] in WORD_FIELDS or path[-1] == "kind" or not isinstance(value, str):
+                continue
+            for other in sorted(other_exact(value) - {value}):
+                yield with_value(claim, path, other)
+        for name in claim[part]:
+            less = copy.deepcopy(claim)
+            del less[part][name]
+            yield less
+        yield with_value(claim, (part, "more"), "1")
+    for path, value in places(claim["input"], ("input",)):
+        if isinstance(value, (int, float)):
+            for other in (math.nextafter(value, math.inf), math.nextafter(value, -math.inf), -value, 0):
+                if math.isfinite(other) and other != value:
+                    yield with_value(claim, path, other)
+
+
+def chosen(operation):
+    """The shortest claims of each kind, and the longest among short ones."""
+    found = collections.defaultdict(list)
+    for claim in vectors_of(operation):
+        if "certificate" in claim:
+            found[key_of(claim)].append({name: claim[name] for name in ("op", "input", "truth", "certificate")})
+    for claims in found.values():
+        claims.sort(key=lambda claim: len(json.dumps(claim)))
+        yield from claims[:FROM_EACH_KIND - 1] + claims[len(claims) // 2:][:1]
+
+
+def by_hand(program, path):
+    """The verdicts of certify.py, line by line, after a look at whether touchstone certify refuses the same lines."""
+    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+    judged = [certify.judged(line) for line in lines]
+    run = subprocess.run([program, "certify", path], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    refused = {int(number) for number in re.findall(rf"^{re.escape(str(path))}:(\d+): ", run.stderr, re.M)}
+    for number, (reason, _) in enumerate(judged, 1):
+        if (reason is not None) != (number in refused):
+            yield number, "the checkers written by hand disagree"
+    for number, (reason, of_refused_input) in enumerate(judged, 1):
+        yield number, "refused" if reason else "no certificate" if of_refused_input else "accepted"
+
+
+def proved_verdicts(work, path):
+    run = subprocess.run([work / "certify_proved", "--verdicts", path], text=True, stdout=subprocess.PIPE)
+    return run.stdout.splitlines()
+
+
+def compare(program, work, lines):
+    """(how often each verdict of the proved checker is given, which lines have different verdicts)"""
+    count, wrong = collections.Counter(), []
+    with tempfile.NamedTemporaryFile("w", suffix=".jsonl", encoding="utf-8") as file:
+        file.write("".join(line + "\n" for line in lines))
+        file.flush()
+        proved = proved_verdicts(work, file.name)
+        if len(proved) != len(lines):
+            return count, [f"{len(lines)} lines, but {len(proved)} verdicts"]
+        for number, verdict in by_hand(program, file.name):
+            mine = proved[number - 1]
+            count[mine] += 1
+            if mine != verdict and not mine.startswith("not proved: "):
+                wrong.append(f"by hand {verdict}, proved {mine}: {lines[number - 1][:400]}")
+    return count, wrong
+
+
+def formulas():
+    """The committed ones."""
+    found = {}
+    for path in sorted(PROVED.glob("printed_*.py")):
+        scope = {}
+        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), scope)
+        found.update(scope["FORMULAS"])
+    return found
+
+
+class Exact(Fraction):
+    """A number that may also be read as p + q sqrt(r)."""
+
+    def __getitem__(self, k):
+        return self if k == 0 else Fraction(0)
+
+
+def fractions(value):
+    if isinstance(value, dict):
+        return {key: fractions(inner) for key, inner in value.items() if key not in WORD_FIELDS + ("kind",)}
+    if isinstance(value, list):
+        return [fractions(inner) for inner in value]
+    if isinstance(value, str) and "0x" in value:
+        return Fraction(float.fromhex(value))
+    if isinstance(value, str) and "sqrt" in value:
+        surd = exact_surd(value, "truth")
+        return surd.p, surd.q, Fraction(surd.r)
+    return Exact(value)
+
+
+def printed_holds(claim, table):
+    """None where the kind is not printed."""
+    given, truth, facts = (fractions(claim[part]) for part in ("input", "truth", "certificate"))
+    for dimension in (None, 2, 3):
+        for axis in (None, int(facts["axis"][0]) if "axis" in facts else None):
+            formula = table.get((*key_of(claim), dimension, axis))
+            if formula and (dimension is None or dimension == dimension_of(claim["input"])):
+                return formula(given, truth, facts)
+    return None
+
+
+def dimension_of(value):
+    """Of the first list of numbers alone."""
+    if isinstance(value, list) and not any(isinstance(inner, (list, dict)) for inner in value):
+        return len(value)
+    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return next((found for part in inner if (found := dimension_of(part))), None)
+
+
+def check(program, work):
+    failed = kinds.build(work, 2)
+    if failed:
+        return failed
+    wrong = []
+    subprocess.run([work / "print_python", work], check=True)
+    for path in sorted({p.name for folder in (work, PROVED) for p in folder.glob("printed_*.py")}):
+        texts = [(folder / path).read_text(encoding="utf-8") if (folder / path).exists() else "" for folder in (work, PROVED)]
+        if texts[0] != texts[1]:
+            wrong.append(f"{path}: not what is proved; copy it from {work}")
+    table, operations = formulas(), kinds.operations(kinds.sources())
+    words = {word for operation in operations for claim in vectors_of(operation) if "certificate" in claim
+             for word in key_of(claim)[1:]} - {""}
+    vectors, changed, printed = collections.Counter(), collections.Counter(), collections.Counter()
+    for operation in operations:
+        every = vectors_of(operation)
+        count, found = compare(program, work, [json.dumps(claim) for claim in every])
+        vectors.update(count)
+        wrong += found + [f"{operation}: a vector is refused"] * (count["refused"] > 0)
+        if count["accepted"] == 0:
+            wrong.append(f"{operation}: no vector is accepted")
+        lines = [json.dumps(other) for claim in chosen(operation) for other in tampered(claim, words)]
+        count, found = compare(program, work, lines + claims_of(operation))
+        changed.update(count)
+        wrong += found
+        if count["refused"] < len(lines) // 4:
+            wrong.append(f"{operation}: of {len(lines)} tampered claims only {count['refused']} are refused")
+        for claim in every:
+            if "certificate" in claim:
+                held = printed_holds(claim, table)
+                printed[held] += 1
+                if held is False:
+                    wrong.append(f"printed as Python it fails: {json.dumps(claim)[:400]}")
+    for what, count in (("vectors", vectors), ("tampered and written claims", changed)):
+        print(f"{what}: " + ", ".join(f"{n:,} {verdict}" for verdict, n in sorted(count.items())))
+    print(f"printed as Python: {printed[True]:,} vectors hold, {printed[None]:,} are of kinds that are not printed")
+    return wrong
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--program")
+    options.add_argument("--work", type=pathlib.Path, default=ROOT / "build/certify_proved")
+    given = options.parse_args()
+    if not kinds.installed():
+        print(kinds.MISSING)
+        return kinds.prove.SKIPPED
+    given.work.parent.mkdir(parents=True, exist_ok=True)
+    wrong = check(given.program, given.work)
+    for line in wrong[:40]:
+        print(line, file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
