@@ -74,9 +74,12 @@ def table_of(line, page):
 
 
 def says_answer(says, answer, written):
-    """Corners and faces by index are not looked for: the pages describe them."""
+    """Corners and faces by index are not looked for: the pages describe them. Lists of bodies and of pairs stand as in
+    JSON: [[0, 1]]."""
     if isinstance(answer, bool):
         return re.search(WORDED[answer], says)
+    if "replies" in answer or "pairs" in answer:
+        return all(json.dumps(found) in says for reply in answer.get("replies", [answer]) for found in reply.values())
     words = [answer[key] for key in ("relation", "side", "location", "contact", "class") if key in answer]
     numbers = {key: written[key] for key in ("t", "point", "overlap") if key in answer}
     return (all(re.search(WORDED.get(word, "(?!)"), says) for word in words)

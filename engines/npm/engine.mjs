@@ -74,7 +74,21 @@ const packages = {
       },
     };
   },
+  // Documented: null, Cross or Coplanar; nothing of touching.
+  "fast-triangle-triangle-intersection": async () => {
+    const { trianglesIntersect } = await import("fast-triangle-triangle-intersection/build/index.esm.js");
+    const { Triangle, Vector3 } = await import("three");
+    const triangle = (corners) => new Triangle(...corners.map((p) => new Vector3(...p)));
+    return {
+      boundary: "unspecified",
+      triangle_triangle: ({ a, b }) => trianglesIntersect(triangle(a), triangle(b)) !== null,
+    };
+  },
   three: from("./three.mjs"),
+  "three-mesh-bvh": from("./three_mesh_bvh.mjs"),
+  "manifold-3d": from("./manifold.mjs"),
+  rbush: from("./rbush.mjs"),
+  flatbush: from("./flatbush.mjs"),
   quickhull3d: from("./quickhull3d.mjs"),
   planck: from("./planck.mjs"),
   "matter-js": from("./matter.mjs"),
@@ -86,7 +100,7 @@ if (!(name in packages)) {
   console.error(`usage: node engine.mjs ${Object.keys(packages).join(" | ")}`);
   process.exit(2);
 }
-const { boundary = "closed", number = "binary64", ...operations } = await packages[name]();
+const { boundary = "closed", number = "binary64", pairs = "conservative", ...operations } = await packages[name]();
 const version = require("./package.json").dependencies[name];
 const word = (number) => (Number.isNaN(number) ? "nan" : number > 0 ? "inf" : "-inf");
 const told = (_, value) => (typeof value === "number" && !Number.isFinite(value) ? word(value) : value);
@@ -96,7 +110,7 @@ let greeted = false;
 for await (const line of createInterface({ input: process.stdin })) {
   if (!greeted) {
     greeted = true;
-    say({ engine: `${name} ${version}`, ops: Object.keys(operations), number, boundary, tolerance: 0 });
+    say({ engine: `${name} ${version}`, ops: Object.keys(operations), number, boundary, tolerance: 0, pairs });
     continue;
   }
   const { id, op, input } = JSON.parse(line);
