@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bullet as peer, in single precision: narrow phase, sweeps, hulls, and one contact of two balls.
 #include <bullet/BulletCollision/CollisionShapes/btTriangleShape.h>
+#include <bullet/BulletCollision/Gimpact/btGImpactCollisionAlgorithm.h>
+#include <bullet/BulletCollision/Gimpact/btGImpactShape.h>
 #include <bullet/LinearMath/btConvexHullComputer.h>
 #include <bullet/btBulletDynamicsCommon.h>
 
+#include <memory>
+
 #include "engines/exactly.h"
 #include "engines/one_hit.h"
+#include "engines/surfaces.h"
 #include "program/engine_main.h"
 
 using namespace touchstone;
@@ -69,6 +74,13 @@ struct Bullet {
     btTriangleShape first(vector(a.a), vector(a.b), vector(a.c)), second(vector(b.a), vector(b.b), vector(b.c));
     first.setMargin(0), second.setMargin(0);
     return meet(first, {0, 0, 0}, second, {0, 0, 0});
+  }
+
+  /// As concave meshes (GImpact), which are surfaces, without their margin.
+  std::optional<bool> polyhedron_polyhedron(const Mesh<float>& a, const Mesh<float>& b) {
+    if (!surfaces::decide(a, b)) return std::nullopt;
+    Surface first(a), second(b);
+    return meet(first.shape(), {0, 0, 0}, second.shape(), {0, 0, 0});
   }
 
   /// Rays of Bullet end.
@@ -178,9 +190,32 @@ struct Bullet {
     return info;
   }
 
-  static bool meet(btConvexShape& a, const Point3<float>& at_a, btConvexShape& b, const Point3<float>& at_b) {
+  /// The numbers stay where the shape reads them.
+  class Surface {
+   public:
+    explicit Surface(const Mesh<float>& mesh) : vertices_(mesh.vertices) {
+      for (const Face& face : mesh.faces)
+        for (const Index corner : {face.a, face.b, face.c}) corners_.push_back(static_cast<int>(corner));
+      triangles_ = std::make_unique<btTriangleIndexVertexArray>(
+          static_cast<int>(mesh.faces.size()), corners_.data(), static_cast<int>(3 * sizeof(int)),
+          static_cast<int>(vertices_.size()), &vertices_[0].x, static_cast<int>(sizeof(vertices_[0])));
+      shape_ = std::make_unique<btGImpactMeshShape>(triangles_.get());
+      shape_->setMargin(0);
+      shape_->updateBound();
+    }
+    btGImpactMeshShape& shape() { return *shape_; }
+
+   private:
+    std::vector<Point3<float>> vertices_;
+    std::vector<int> corners_;
+    std::unique_ptr<btTriangleIndexVertexArray> triangles_;
+    std::unique_ptr<btGImpactMeshShape> shape_;
+  };
+
+  static bool meet(btCollisionShape& a, const Point3<float>& at_a, btCollisionShape& b, const Point3<float>& at_b) {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
+    btGImpactCollisionAlgorithm::registerAlgorithm(&dispatcher);
     btDbvtBroadphase broad_phase;
     btCollisionWorld world(&dispatcher, &broad_phase, &configuration);
     btCollisionObject first, second;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engines/exactly.h"
+#include "engines/surfaces.h"
 #include "program/engine_main.h"
 
 using namespace touchstone;
@@ -88,6 +89,11 @@ struct Fcl {
   bool triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
     return meet(soup({a.a, a.b, a.c}), at({0, 0, 0}), soup({b.a, b.b, b.c}), at({0, 0, 0}));
   }
+  /// Its meshes are surfaces.
+  std::optional<bool> polyhedron_polyhedron(const Meshd& a, const Meshd& b) {
+    if (!surfaces::decide(a, b)) return std::nullopt;
+    return meet(surface(a), at({0, 0, 0}), surface(b), at({0, 0, 0}));
+  }
 
  private:
   /// Triangles of corners(), which need not be counter-clockwise: no function that is called here reads the faces.
@@ -121,10 +127,13 @@ struct Fcl {
                                      std::make_shared<fcl::Capsuled>(capsule.radius, 2 * along->second)};
   }
   static Shape soup(const std::array<Point3d, 3>& corners) {
+    return surface({{corners.begin(), corners.end()}, {{0, 1, 2}}});
+  }
+  static Shape surface(const Meshd& of) {
     const auto mesh = std::make_shared<fcl::BVHModel<fcl::OBBRSSd>>();
-    const auto corner = [&corners](std::size_t k) { return fcl::Vector3d(corners[k].x, corners[k].y, corners[k].z); };
+    const auto corner = [&of](Index k) { return fcl::Vector3d(of.vertices[k].x, of.vertices[k].y, of.vertices[k].z); };
     mesh->beginModel();
-    mesh->addTriangle(corner(0), corner(1), corner(2));
+    for (const Face& face : of.faces) mesh->addTriangle(corner(face.a), corner(face.b), corner(face.c));
     mesh->endModel();
     return mesh;
   }

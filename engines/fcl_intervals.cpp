@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// FCL as peer: its trees of intervals.
+#include <fcl/config.h>
+
+#include "engines/fcl_manager.h"
+#include "program/engine_main.h"
+
+using namespace touchstone;
+
+struct FclIntervals : fcl_manager::Engine<fcl::IntervalTreeCollisionManagerd> {
+  static constexpr const char* name = "FCL " FCL_VERSION " (IntervalTreeCollisionManager)";
+};
+
+TOUCHSTONE_ENGINE_MAIN(FclIntervals)

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// FCL as peer: its dynamic tree of boxes.
+#include <fcl/config.h>
+
+#include "engines/fcl_manager.h"
+#include "program/engine_main.h"
+
+using namespace touchstone;
+
+struct FclTree : fcl_manager::Engine<fcl::DynamicAABBTreeCollisionManagerd> {
+  static constexpr const char* name = "FCL " FCL_VERSION " (DynamicAABBTreeCollisionManager)";
+};
+
+TOUCHSTONE_ENGINE_MAIN(FclTree)
