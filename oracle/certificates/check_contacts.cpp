@@ -18,8 +18,6 @@ struct Contact {
   Rational demand;
 };
 
-std::string numbered(const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); }
-
 std::vector<PointBody> point_bodies(const json& value) {
   expect(value.is_array(), "bodies: a list");
   std::vector<PointBody> found;

@@ -10,8 +10,6 @@ namespace {
 
 using Face = std::array<std::size_t, 3>;
 
-std::string numbered(const std::string& what, std::size_t i) { return what + "[" + std::to_string(i) + "]"; }
-
 Face corners(const json& value, const std::string& what, std::size_t vertices) {
   expect(value.is_array() && value.size() == 3, what + ": a list of three");
   Face found{};

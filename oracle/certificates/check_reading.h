@@ -24,6 +24,9 @@ inline Rational square(const Rational& x) { return Rational(x * x); }
 /// Whether its root is rational.
 bool is_square(const Rational& x);
 
+/// The element of a list, as a refusal names it.
+inline std::string numbered(const std::string& what, std::size_t i) { return what + "[" + std::to_string(i) + "]"; }
+
 inline void expect(bool holds, const std::string& reason) {
   if (!holds) throw Refusal(reason);
 }

@@ -27,8 +27,6 @@ struct Met {
 
 const Triple nothing{0, 0, 0};
 
-std::string numbered(const char* list, std::size_t i) { return list + ("[" + std::to_string(i) + "]"); }
-
 std::vector<Mover> movers(const json& value) {
   expect(value.is_array(), "bodies: a list");
   std::vector<Mover> found;
@@ -149,7 +147,7 @@ void check_simulation_step(const Claim& claim) {
   const Settings settings = settings_of(claim.input["settings"]);
   const bool falls_first = settings.motion == "accelerate_then_move";
   claim.answers({"contacts", "bodies"});
-  expect(claim.kind() == "pushes", "certificate: no such kind for this truth");
+  claim.expect_kind("pushes");
   claim.facts({"impulses"});
   if (falls_first) accelerate(bodies, settings);
   std::vector<Triple> ends;
