@@ -49,9 +49,9 @@ namespace touchstone::reference {
 /// Not here: option 2 of p. 23, boxes, friction, bodies that turn, and the springs of p. 72-73.
 ///
 /// Method (the loop of p. 56): pairs i < j in ascending order, walls as the last objects; each contact is answered when
-/// its turn comes, by the impulse of p. 69-70, from the velocities that earlier ones have left. Where a body is in two
-/// contacts the answer depends on the order, a contact may approach afterwards, and others are found than there are
-/// (cause: algorithm). Elsewhere it is right in exact arithmetic.
+/// its turn comes, by the impulse of p. 69-70, from the velocities that earlier ones have left. Where a body meets two
+/// others, though it may part from one of them, the answer depends on the order, a contact may approach afterwards, and
+/// others are found than there are (cause: algorithm). Elsewhere it is right in exact arithmetic.
 ///
 /// Rounding: whether bodies meet is told from rounded positions, and from differences and squares that round; no bound
 /// is given but the one that running error analysis finds.

@@ -208,17 +208,23 @@ EXACT_LAW("simulation_step: whoever flies along sees the same, where nothing sta
   return equal(ask(seen), expected);
 }
 
-EXACT_LAW("simulation_step: the formula is exactly right where no body that can move is in two contacts", bodies, walls,
+EXACT_LAW("simulation_step: the formula is exactly right where no body that can move meets two others", bodies, walls,
           settings) {
-  const Exact answer = ask(asked);
-  std::vector<int> touched(bodies.size());
-  for (const auto& [i, j] : answer.contacts) {
-    ++touched[i];
-    if (j < bodies.size()) ++touched[j];
+  const auto ends = ends_of(bodies, settings);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    int met = 0;
+    for (std::size_t j = 0; j < bodies.size(); ++j) {
+      const Motion3 apart = ends[i] - ends[j];
+      const Rational reach = bodies[i].sphere.radius + bodies[j].sphere.radius;
+      met += i != j && dot(apart, apart) <= reach * reach;
+    }
+    for (const auto& [n, offset] : walls) {
+      const Rational height = dot(n, ends[i] - Position3{0, 0, 0}) + offset, r = bodies[i].sphere.radius;
+      met += height <= 0 || height * height <= r * r * dot(n, n);
+    }
+    if (movable(bodies[i]) && met > 1) return true;
   }
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (movable(bodies[i]) && touched[i] > 1) return true;
-  return equal(reference::simulation_step(bodies, walls, settings), answer);
+  return equal(reference::simulation_step(bodies, walls, settings), ask(asked));
 }
 
 TEST_CASE("simulation_step: free flight by hand, in three motions") {
@@ -319,13 +325,13 @@ TEST_CASE("simulation_step: several contacts at once, by hand") {
   // In a corner each wall answers for itself.
   example<Row>({{ball(3, 3, 1, -2, -2)}, {ground, {{2, 0, 0}, 0}}, settings_of(1, turn)},
                {{{0, 1}, {0, 2}}, {state(1, 1, 2, 2)}});
-  // Walls that face each other, nearer than the ball is wide: it approaches one, and parts from the other.
+  // Walls that face each other, nearer than the ball is wide: it approaches one, and parts from the
+  // other. The formula reverses it twice.
   example<Row>({{ball(0, 0, 3, 0, -1)}, {{{0, 1, 0}, 2}, {{0, -1, 0}, 2}}, settings_of(1, turn)},
-               {{{0, 1}}, {state(0, -1, 0, 1)}});
+               {{{0, 1}}, {state(0, -1, 0, 1)}}, "algorithm");
   // The wall that is named twice: the formula has answered it when the second one's turn comes.
   example<Row>({{ball(0, 2, 1, 0, -1)}, {ground, ground}, settings_of(1, turn)},
-               {{{0, 1}, {0, 2}}, {state(0, 1, 0, 1)}},
-               "algorithm");
+               {{{0, 1}, {0, 2}}, {state(0, 1, 0, 1)}}, "algorithm");
 }
 
 TEST_CASE("simulation_step: huge, subnormal and zeros") {
@@ -333,7 +339,7 @@ TEST_CASE("simulation_step: huge, subnormal and zeros") {
   example<Row>({{ball(0, 0, 1, greatest, 0)}, {}, settings_of(1, StepTurn::before_move, 2)},
                {{}, {state(2 * most, 0, most, 0)}});
   example<Row>({{ball(0, tiny, 0, 0, -tiny)}, {ground}, settings_of(1, StepTurn::after_move)},
-               {{{0, 1}}, {state(0, 0, 0, least)}}, "invalid");
+               {{{0, 1}}, {state(0, 0, 0, least)}});
   // A third of the way: h v is half of the least number, and goes to the even one.
   example<Row>({{ball(0, 0, 0, tiny, 0)}, {}, settings_of(1, StepTurn::after_move, 0.5)},
                {{}, {state(least / 2, 0, least, 0)}});
@@ -346,7 +352,7 @@ TEST_CASE("simulation_step: huge, subnormal and zeros") {
 
 TEST_CASE("simulation_step: of several broken rules the first is named") {
   const StepBodyd one = ball(0, 0, 1, 1, 0);
-  const StepSettingsd settings = settings_of(1, StepTurn::after_move), none_of_it{{0, 0, 0}, {}, 2, 0, {}};
+  const StepSettingsd none_of_it{{0, 0, 0}, {}, 2, 0, {}};
   refused<Row>({{one, {-1, {0, 0, infinity}, {{0, 0, 0}, -1}}}, {ground}, none_of_it}, "bodies[1].velocity[2]",
                "finite number");
   refused<Row>({{{-1, {0, 0, 0}, {{0, 0, 0}, infinity}}}, {ground}, none_of_it}, "bodies[0].sphere.radius",
