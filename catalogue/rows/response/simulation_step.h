@@ -112,8 +112,9 @@ struct simulation_step {
                             decimal(settings.timestep));
   }
 
-  /// Three balls of diameter 1 on the x axis, of inverse mass 0, 1 or 2, that come by -1, 0 or 1 in a step to where they
-  /// are at the end, before a wall; e is 0, 1/2 or 1.
+  /// Three balls of radius 2 on the x axis, of inverse mass 0, 1 or 2 and of speed -1, 0 or 1, that are 0, 2, 4 ... from
+  /// a wall at the end; e is 0, 1/2 or 1. Where a run makes every number less by 1, many are refused, and others are
+  /// valid: so the timestep is 2.
   static constexpr std::uint64_t masses = 3, speeds = 3, restitutions = 3, turns = 2;
   static std::uint64_t domain_count(int size) {
     const auto n = static_cast<std::uint64_t>(size), one = n * masses * speeds;
@@ -127,10 +128,11 @@ struct simulation_step {
     };
     const double e = next(restitutions) / 2;
     const StepTurn turn = next(turns) == 0 ? StepTurn::before_move : StepTurn::after_move;
-    Stepping s{{}, {{{1, 0, 0}, 0}}, {{0, 0, 0}, StepMotion::parabola, e, 1, turn}};
+    Stepping s{{}, {{{1, 0, 0}, 0}}, {{0, 0, 0}, StepMotion::parabola, e, 2, turn}};
     for (int i = 0; i < 3; ++i) {
       const double w = next(masses), speed = next(speeds) - 1;
-      s.add({next(static_cast<std::uint64_t>(size)), 0, 0}, 0.5, w, {speed, 0, 0});
+      const double place = 2 * next(static_cast<std::uint64_t>(size));
+      s.add({place, 0, 0}, 2, w, {speed, 0, 0});
     }
     return {std::move(s.bodies), std::move(s.walls), s.settings};
   }
