@@ -107,7 +107,9 @@ struct SimulateCommand {
   std::string runs = "float,double,robust";
   std::string trajectory;  ///< file; empty: none
   bool resume = false;
-  std::string page;  ///< file of the HTML page; empty: none
+  std::string page;                  ///< file of the HTML page; empty: none
+  std::vector<std::string> engines;  ///< commands that make the steps as well
+  double timeout = usual_timeout;
 };
 
 int ops_command(bool json, std::ostream& out);

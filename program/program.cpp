@@ -313,6 +313,14 @@ void add_simulate(CLI::App& program, Action& action) {
   command->add_option("--trajectory", options->trajectory,
                       "Write each step into this file, as CSV if its name ends in .csv, else as JSON lines; - is "
                       "standard output");
+  command
+      ->add_option("--engine", options->engines,
+                   "Command of an engine that makes the steps over pipes (docs/simulate.md); as often as there are "
+                   "engines")
+      ->allow_extra_args(false)
+      ->check(a_command)
+      ->default_str("");
+  command->add_option("--timeout", options->timeout, "Seconds for one answer of an engine")->check(positive);
   command->add_flag("--resume", options->resume, "Go on from the last whole line of that file");
   command->add_option("--page", options->page,
                       "Write an HTML page that plays the runs into this file; - is standard output");

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "program/commands.h"
+#include "program/engine_lines.h"
 #include "program/names.h"
 #include "program/program.h"
 #include "report/simulation_page.h"
@@ -104,6 +105,9 @@ int simulate_command(const SimulateCommand& command, std::ostream& out, std::ost
   if (simulate::gas::is_gas(json)) return gas_command(command, json, out, err);
   const auto scene = read_or_refuse(command.file, [&] { return simulate::read_scene(json); });
   Simulation simulation(scene, runs_named(command.runs));
+  if (command.resume && !command.engines.empty()) throw UsageError("--resume: an engine cannot go on from a file");
+  for (const std::string& engine : command.engines)
+    simulation.add(engine_run(engine_lines(engine, command.timeout), engine, scene, simulation.names()));
   Trajectory trajectory(command.trajectory);
   simulate::Recording recording(simulation);
   const bool shown = !command.page.empty();
@@ -127,6 +131,12 @@ int simulate_command(const SimulateCommand& command, std::ostream& out, std::ost
   } catch (const simulate::StepError& wrong) {
     err << "touchstone: " << command.file << ": " << wrong.what() << '\n';
     code = bad_usage;
+  }
+  for (std::size_t i = 0; i < simulation.size(); ++i) {
+    const simulate::EngineRun* const engine = simulation.run(i).engine();
+    if (engine == nullptr || engine->ended().empty() || engine->unsupported()) continue;
+    err << "touchstone: engine " << engine->name() << ": " << engine->ended() << '\n';
+    if (code == nothing_found) code = engine_failed;
   }
   if (shown) write_file("--page", command.page, report::simulation_page(recording));
   summary.print(is_standard_output(command.trajectory) ? err : out);

@@ -6,21 +6,24 @@
 //   timestep, stride   seconds of a step; steps between two frames
 //   bodies             [{name, shape, radius, half, fixed}]
 //   walls, room        [{name, normal, offset}]; least and greatest corner, or nothing
-//   runs               [{name, frames, contacts, energy, scheme, decision, rounding, momentum}], each list by frame:
-//                      position and velocity of each body in one list; points
+//   runs               [{name, engine, ended, frames, contacts, energy, scheme, decision, rounding, momentum}], each
+//                      list by frame: position and velocity of each body in one list; points. An engine's rounding is
+//                      all that is its own; one that ended has fewer frames than the others
 //   distances          [{runs, values}]
 //   partings           [{step, runs, contact}]
 'use strict';
 const player = (() => {
 const half = 100000;  // steps of viewer.js from the middle to the end of the longest side
 const mostNamed = 12, fewBodies = 4;
-const styles = ['', '6 3', '2 3'];  // runs differ in dashes as well as in colour
+const dashes = ['', '6 3', '2 3', '9 2 2 2'];  // runs differ in dashes as well as in colour
+const colour = i => 'q' + i % 4, dash = i => dashes[(i + Math.floor(i / 4)) % 4];
 const wide = 360, high = 170, margin = {left: 62, right: 10, top: 10, bottom: 20};
 
 const escaped = text => String(text).replace(/[&<>"']/g, c => '&#' + c.charCodeAt(0) + ';');
 const short = x => x === 0 ? '0' :
     Math.abs(x) >= 0.001 && Math.abs(x) < 1e6 ? String(+x.toPrecision(6)) : x.toExponential(2);
 const minus = text => text.replaceAll('-', '\u2212');
+const shown = (run, frame) => Math.min(frame, run.frames.length - 1);
 const squares = v => v.reduce((sum, x) => sum + x * x, 0);
 
 // What every frame of every run fits into, and how fast the fastest body is. A wall adds nothing.
@@ -87,7 +90,8 @@ function figures(data, run, frame, within, show) {
 }
 
 // One frame of a run as SVG. What the reader sees keeps its size from frame to frame.
-function drawn(data, run, frame, within, show, turn) {
+function drawn(data, run, now, within, show, turn) {
+  const frame = shown(run, now);
   const drawing = new viewer.Strokes({figures: figures(data, run, frame, within, show)});
   if (show.trails) {
     drawing.style = 'aid';
@@ -107,9 +111,9 @@ function drawn(data, run, frame, within, show, turn) {
 }
 
 // Lines over frames as SVG. A logarithmic axis leaves out what is 0. Series: [{name, values, style, dash}].
-function plot(series, {frame, marks, logarithmic, label}) {
+function plot(series, {frame, frames, marks, logarithmic, label}) {
   const all = series.flatMap(({values}) => values).filter(x => !logarithmic || x > 0);
-  const last = Math.max(1, series[0].values.length - 1), height = x => logarithmic ? Math.log10(x) : x;
+  const last = Math.max(1, frames ?? series[0].values.length - 1), height = x => logarithmic ? Math.log10(x) : x;
   let low = Math.min(...all.map(height)), top = Math.max(...all.map(height));
   if (!all.length) low = 0, top = 1;
   if (logarithmic) low = Math.floor(low), top = low + 2 * Math.max(1, Math.ceil((Math.ceil(top) - low) / 2));
@@ -147,10 +151,13 @@ function plot(series, {frame, marks, logarithmic, label}) {
 }
 
 const row = (name, value) => `<dt>${escaped(name)}</dt><dd>${escaped(minus(value))}</dd>`;
-function facts(run, frame) {
-  return row('energy', short(run.energy[frame])) + row('drift by scheme', short(run.scheme[frame])) +
-      row('drift by decisions', short(run.decision[frame])) + row('drift by rounding', short(run.rounding[frame])) +
-      row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')');
+function facts(run, now) {
+  const frame = shown(run, now);
+  const own = run.engine ? row('drift of its own', short(run.rounding[frame])) :
+      row('drift by decisions', short(run.decision[frame])) + row('drift by rounding', short(run.rounding[frame]));
+  return row('energy', short(run.energy[frame])) + row('drift by scheme', short(run.scheme[frame])) + own +
+      row('momentum', '(' + run.momentum[frame].map(short).join(', ') + ')') +
+      (run.ended && frame < now ? `<dt>ended</dt><dd>${escaped(run.ended)}</dd>` : '');
 }
 
 function markup(data, last) {
@@ -160,7 +167,7 @@ function markup(data, last) {
       `<dl class="facts"></dl></figure>`);
   const speeds = [0.1, 0.25, 1, 4].map(x => `<option value="${x}"${x === 1 ? ' selected' : ''}>${x}\u00d7</option>`);
   const legend = names => names.map((name, i) => `<span class="key"><svg class="fig" width="26" height="8">` +
-      `<path class="q${i} stroke" stroke-dasharray="${styles[i]}" d="M0 4h26"/></svg>${escaped(name)}</span>`).join('');
+      `<path class="${colour(i)} stroke" stroke-dasharray="${dash(i)}" d="M0 4h26"/></svg>${escaped(name)}</span>`).join('');
   const parts = data.partings.map(({step, runs, contact}) =>
       `<li><button class="mark" data-step="${step}">step ${step}: ` +
       `${escaped(runs.join(' and '))} part at ${escaped(contact)}</button></li>`);
@@ -194,7 +201,7 @@ function show(place, data) {
   let yaw = Math.atan2(viewer.firstTurn.sinYaw, viewer.firstTurn.cosYaw);
   let pitch = Math.atan2(viewer.firstTurn.sinPitch, viewer.firstTurn.cosPitch), turn = viewer.firstTurn;
   const lines = (list, values, name) => list.map((one, i) =>
-      ({name: name(one), values: values(one), style: 'q' + i, dash: styles[i]}));
+      ({name: name(one), values: values(one), style: colour(i), dash: dash(i)}));
   const energies = lines(data.runs, run => run.energy, run => run.name);
   const lengths = lines(data.runs, run => run.momentum.map(v => Math.sqrt(squares(v))), run => run.name);
   const apart = lines(data.distances, pair => pair.values, pair => pair.runs.join());
@@ -203,7 +210,7 @@ function show(place, data) {
       view.querySelector('.turning').innerHTML = drawn(data, data.runs[i], frame, within, choice, turn);
       view.querySelector('.facts').innerHTML = facts(data.runs[i], frame);
     });
-    const common = {frame, marks};
+    const common = {frame, frames: last, marks};
     one('.energy').innerHTML = plot(energies, {...common, label: 'energy of each run by step'});
     one('.momentum').innerHTML = plot(lengths, {...common, label: 'length of the momentum of each run by step'});
     if (apart.length)

@@ -60,7 +60,10 @@ double apart(const State<double>& a, const State<double>& b) {
 Json run_of(const Recording::OfRun& run, const std::vector<std::size_t>& frames) {
   Json json{{"name", run.name}, {"frames", Json::array()}, {"contacts", Json::array()}};
   std::size_t before = 0;
+  if (run.engine) json["engine"] = true;
+  if (!run.ended.empty()) json["ended"] = run.ended;
   for (const std::size_t frame : frames) {
+    if (frame >= run.states.size()) break;
     Json flat = Json::array(), contacts = Json::array();
     for (const auto& [p, v] : run.states[frame])
       for (const double x : {p.x, p.y, p.z, v.x, v.y, v.z}) flat.push_back(number(x));
@@ -82,9 +85,13 @@ Json distances(const std::vector<Recording::OfRun>& runs, const std::vector<std:
   Json distances = Json::array();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t j = i + 1; j < runs.size(); ++j) {
+      // Engines are many: each is compared with robust alone.
+      if ((runs[i].engine || runs[j].engine) && runs[i].name != "robust") continue;
+      if (runs[j].states.empty()) continue;
       Json values = Json::array();
       for (const std::size_t frame : frames)
-        values.push_back(number(apart(runs[i].states[frame], runs[j].states[frame]), 4));
+        if (frame < runs[j].states.size())
+          values.push_back(number(apart(runs[i].states[frame], runs[j].states[frame]), 4));
       distances.push_back({{"runs", {runs[i].name, runs[j].name}}, {"values", values}});
     }
   }
@@ -112,7 +119,8 @@ Json player_data(const Recording& recording) {
   Json data{{"timestep", number(scene.settings.timestep)}, {"stride", stride}, {"bodies", bodies_of(scene)}};
   add_walls(scene, data);
   data["runs"] = Json::array();
-  for (const auto& run : recording.runs()) data["runs"].push_back(run_of(run, frames));
+  for (const auto& run : recording.runs())
+    if (!run.states.empty()) data["runs"].push_back(run_of(run, frames));
   data["distances"] = distances(recording.runs(), frames);
   data["partings"] = Json::array();
   for (const auto& [step, parting] : recording.partings())

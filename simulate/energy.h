@@ -18,14 +18,15 @@ std::array<mpq_class, 3> momentum(const Scene& scene, const State<Exact>& state)
 
 State<Exact> in_exact(const State<double>& state);
 
-/// Where the change of energy in one step comes from. The three add up to it exactly.
+/// Where the change of energy in one step comes from. The parts add up to it exactly.
 struct Drift {
   mpq_class scheme;    ///< what the same step gains where nothing is rounded
   mpq_class decision;  ///< what that step gains more if it answers the contacts that the run answered
   mpq_class rounding;  ///< the rest: the run's numbers are rounded
-  mpq_class total() const { return scheme + decision + rounding; }
+  mpq_class own{};     ///< the rest of a foreign engine, which has a scheme of its own: for it, in place of these two
+  mpq_class total() const { return scheme + decision + rounding + own; }
   Drift& operator+=(const Drift& other) {
-    scheme += other.scheme, decision += other.decision, rounding += other.rounding;
+    scheme += other.scheme, decision += other.decision, rounding += other.rounding, own += other.own;
     return *this;
   }
 };

@@ -11,6 +11,7 @@ Recording::Recording(const Simulation& simulation) : scene_(simulation.scene()) 
   for (std::size_t i = 0; i < simulation.size(); ++i) {
     runs_.emplace_back();
     runs_.back().name = simulation.run(i).name();
+    runs_.back().engine = simulation.run(i).engine() != nullptr;
   }
 }
 
@@ -20,12 +21,15 @@ void Recording::add(OfRun& run, const Snapshot& now, const Drift& drift) {
   run.energy.push_back(nearest(now.energy));
   run.scheme.push_back(nearest(drift.scheme));
   run.decision.push_back(nearest(drift.decision));
-  run.rounding.push_back(nearest(drift.rounding));
+  run.rounding.push_back(nearest(run.engine ? drift.own : drift.rounding));
   run.momentum.push_back({nearest(now.momentum[0]), nearest(now.momentum[1]), nearest(now.momentum[2])});
 }
 
 void Recording::add(const Simulation& simulation) {
-  for (std::size_t i = 0; i < runs_.size(); ++i) add(runs_[i], simulation.run(i).now(), simulation.run(i).drift());
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    runs_[i].ended = simulation.run(i).ended();
+    if (runs_[i].ended.empty()) add(runs_[i], simulation.run(i).now(), simulation.run(i).drift());
+  }
   for (const Parting& parting : simulation.partings())
     if (parting.step == simulation.step()) partings_.emplace_back(parting.step, in_json(scene_, parting));
 }

@@ -14,6 +14,8 @@ class Recording {
     std::vector<std::vector<Impact>> impacts;
     std::vector<double> energy, scheme, decision, rounding;  ///< drift since the start
     std::vector<std::array<double, 3>> momentum;
+    bool engine = false;  ///< of an engine scheme and rounding hold what the exact step gains, and what is its own
+    std::string ended;    ///< why it has fewer steps than the others
   };
 
   explicit Recording(const Simulation& simulation);

@@ -18,7 +18,9 @@ struct Snapshot {
   std::uint64_t hash = 0, chain = 0;
 };
 
-/// A scene in one arithmetic.
+class EngineRun;
+
+/// A scene in one arithmetic, or by a foreign engine.
 class Run {
  public:
   virtual ~Run() = default;
@@ -29,8 +31,12 @@ class Run {
 
   /// Makes a step. Throws StepError.
   void advance();
-  /// The questions of the step from that state, in their order.
+  /// Why it makes no more steps; empty while it does. Only runs of engines end before the others.
+  const std::string& ended() const { return ended_; }
+  void end(std::string why) { ended_ = std::move(why); }
+  /// The questions of the step from that state, in their order; none of an engine, which is not asked for them.
   virtual Log log_from(const State<double>& state) const = 0;
+  virtual const EngineRun* engine() const { return nullptr; }
   /// Goes on from a snapshot of this scene, whose state alone is looked at.
   void restore(const Snapshot& then, const Drift& drift);
 
@@ -40,14 +46,16 @@ class Run {
   void begin(const State<double>& state);
 
  private:
-  virtual Stepped<double> step_from(const State<double>& state) const = 0;
+  virtual Stepped<double> step_from(const State<double>& state) = 0;
   void describe(const State<double>& state);
+  Stepped<Exact> ideal_step(const State<Exact>& start) const;
 
   std::string name_;
   const Scene& scene_;
   World<Formulas<Exact>> exact_;
   Snapshot now_;
   Drift drift_;
+  std::string ended_;
 };
 
 inline constexpr const char* all_runs[]{"float", "double", "robust"};

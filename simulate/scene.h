@@ -60,15 +60,19 @@ enum class Law {
   penalty,      ///< p. 72-73: walls are springs with dampers, for particles only
 };
 
+/// Which pairs are asked about: all (p. 56), or those whose boxes meet, found by sort and sweep along x (p. 55) or by
+/// a tree of boxes. The steps are the same.
+enum class BroadPhase : std::uint8_t { all_pairs, sort_and_sweep, tree };
+
 struct Settings {
   double timestep = 0;
   std::uint64_t steps = 600;  ///< unless the command says how many
   Motion motion = Motion::accelerate_then_move;
   int option = 1;  ///< of p. 23: 1 looks for contacts at the end of the step, 2 for the time of impact
   Turn turn = Turn::before_move;
-  std::uint32_t passes = 1;     ///< option 1: how often all contacts are gone through in a step, in their order
-  std::uint32_t moments = 64;   ///< option 2: contacts in one step; a step that needs more is refused
-  bool sort_and_sweep = false;  ///< pairs whose boxes are apart are not asked about
+  std::uint32_t passes = 1;    ///< option 1: how often all contacts are gone through in a step, in their order
+  std::uint32_t moments = 64;  ///< option 2: contacts in one step; a step that needs more is refused
+  BroadPhase broad_phase = BroadPhase::all_pairs;
   Law law = Law::restitution;
   double restitution = 1;
   double stiffness = 0, damping = 0;

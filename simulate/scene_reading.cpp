@@ -106,7 +106,8 @@ void read_advance(const Json& json, Settings& settings) {
   settings.turn = static_cast<Turn>(fields.word_or("turn", {"before_move", "after_move"}, 0));
   settings.passes = fields.count_or("passes", 1, 1);
   settings.moments = fields.count_or("moments", 1, 64);
-  settings.sort_and_sweep = fields.word_or("broad_phase", {"all_pairs", "sort_and_sweep"}, 0) == 1;
+  const std::vector<const char*> broad_phases{"all_pairs", "sort_and_sweep", "tree"};
+  settings.broad_phase = static_cast<BroadPhase>(fields.word_or("broad_phase", broad_phases, 0));
   fields.end();
 }
 

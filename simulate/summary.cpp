@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "catalogue/numbers/ulps.h"
 #include "simulate/hash.h"
 
@@ -19,13 +21,49 @@ void print_parting(const Scene& scene, const Parting& parting, std::ostream& out
                        catalogue::one_line(asked.question), asked.operation);
 }
 
+std::string listed(const std::vector<std::string>& texts, const char* none) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all.empty() ? none : all;
+}
+
+std::string names_of(const Scene& scene, const std::vector<Touch>& touches) {
+  std::vector<std::string> names;
+  for (const Touch& touch : touches) {
+    const std::string name = name_of(scene, touch);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  constexpr std::size_t most = 6;
+  if (names.size() > most) names.resize(most), names.emplace_back("...");
+  return listed(names, "none");
+}
+
+void print_engine(const Simulation& simulation, std::size_t i, std::ostream& out) {
+  const EngineRun& engine = *simulation.run(i).engine();
+  out << '\n' << engine.name() << ": ";
+  if (engine.unsupported()) {
+    out << engine.ended() << '\n';
+    return;
+  }
+  const Departure& departure = simulation.departure(i);
+  out << (engine.hello().binary32 ? "binary32" : "binary64")
+      << "; thresholds that remain: " << listed(engine.hello().thresholds, "none declared") << '\n';
+  if (departure.numbers != 0) out << fmt::format("  other numbers than robust from step {}\n", departure.numbers);
+  if (departure.contacts != 0)
+    out << fmt::format("  other contacts than robust in step {}: it answers {}; robust answers {}\n",
+                       departure.contacts, names_of(simulation.scene(), departure.of_engine),
+                       names_of(simulation.scene(), departure.of_robust));
+  if (!engine.ended().empty()) out << "  ended: " << engine.ended() << '\n';
+}
+
 }  // namespace
 
 Summary::Summary(const Simulation& simulation)
     : simulation_(simulation), first_(simulation.step()), contacts_(simulation.size()) {}
 
 void Summary::count() {
-  for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i] += simulation_.run(i).now().impacts.size();
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    if (simulation_.run(i).ended().empty()) contacts_[i] += simulation_.run(i).now().impacts.size();
 }
 
 void Summary::print(std::ostream& out) const {
@@ -33,15 +71,32 @@ void Summary::print(std::ostream& out) const {
   if (!scene.title.empty()) out << scene.title << '\n';
   out << fmt::format("{} bodies, {} walls, steps {} to {} of {}\n\n", scene.bodies.size(), scene.walls.size(), first_,
                      simulation_.step(), catalogue::decimal(scene.settings.timestep));
-  out << fmt::format("{:8}{:>14}{:>14}   = {:>12} + {:>12} + {:>12}{:>10}  {}\n", "run", "energy", "drift", "scheme",
-                     "decision", "rounding", "contacts", "hash of all steps");
+  const std::vector<std::string> names = simulation_.names();
+  std::size_t width = 8;
+  bool engines = false;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    width = std::max(width, names[i].size() + 2), engines = engines || simulation_.run(i).engine() != nullptr;
+  out << fmt::format("{:{}}{:>14}{:>14}   = {:>12} + {:>12} + {:>12}{}{:>10}  {}\n", "run", width, "energy", "drift",
+                     "scheme", "decision", "rounding", engines ? " +      its own" : "", "contacts",
+                     "hash of all steps");
   for (std::size_t i = 0; i < simulation_.size(); ++i) {
     const Run& run = simulation_.run(i);
-    const auto& [scheme, decision, rounding] = run.drift();
-    out << fmt::format("{:8}{:14.6g}{:14.6g}   = {:12.4g} + {:12.4g} + {:12.4g}{:10}  {}\n", run.name(),
-                       in_double(run.now().energy), in_double(run.drift().total()), in_double(scheme),
-                       in_double(decision), in_double(rounding), contacts_[i], in_digits(run.now().chain));
+    const EngineRun* const engine = run.engine();
+    if (engine != nullptr && engine->unsupported()) continue;
+    const auto& [scheme, decision, rounding, own] = run.drift();
+    out << fmt::format("{:{}}{:14.6g}{:14.6g}   = {:12.4g}", run.name(), width, in_double(run.now().energy),
+                       in_double(run.drift().total()), in_double(scheme));
+    if (engine == nullptr) {
+      out << fmt::format(" + {:12.4g} + {:12.4g}{:{}}{:10}", in_double(decision), in_double(rounding), "",
+                         engines ? 15 : 0, contacts_[i]);
+    } else {
+      out << fmt::format("{:33} {:12.4g}{:>10}", " +", in_double(own),
+                         engine->tells_contacts() ? std::to_string(contacts_[i]) : "not told");
+    }
+    out << "  " << in_digits(run.now().chain) << '\n';
   }
+  for (std::size_t i = 0; i < simulation_.size(); ++i)
+    if (simulation_.run(i).engine() != nullptr) print_engine(simulation_, i, out);
   if (!simulation_.partings().empty()) out << '\n';
   for (const Parting& parting : simulation_.partings()) print_parting(scene, parting, out);
 }

@@ -8,7 +8,7 @@
 namespace touchstone::simulate {
 
 /// For people: for each run the energy, its drift in parts and the last hash; then where runs came apart, with a line
-/// that asks the question of each.
+/// that asks the question of each. Of an engine: its thresholds, where it first differs from robust, and why it ended.
 class Summary {
  public:
   explicit Summary(const Simulation& simulation);

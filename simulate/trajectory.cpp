@@ -33,7 +33,7 @@ Json contact_of(const Impact& impact) {
   return contact;
 }
 
-Json in_json(const Snapshot& now) {
+Json in_json(const Snapshot& now, bool of_engine) {
   Json json = Json::object();
   json["bodies"] = bodies_of(now.state);
   json["contacts"] = Json::array();
@@ -41,9 +41,13 @@ Json in_json(const Snapshot& now) {
   json["energy"] = written(now.energy);
   json["momentum"] = Json::array();
   for (const mpq_class& sum : now.momentum) json["momentum"].push_back(written(sum));
-  json["drift"] = {{"scheme", written(now.drift.scheme)},
-                   {"decision", written(now.drift.decision)},
-                   {"rounding", written(now.drift.rounding)}};
+  json["drift"]["scheme"] = written(now.drift.scheme);
+  if (of_engine) {
+    json["drift"]["own"] = written(now.drift.own);
+  } else {
+    json["drift"]["decision"] = written(now.drift.decision);
+    json["drift"]["rounding"] = written(now.drift.rounding);
+  }
   json["hash"] = in_digits(now.hash);
   json["chain"] = in_digits(now.chain);
   return json;
@@ -64,7 +68,13 @@ Json in_json(const Scene& scene, const Parting& parting) {
 Json header_of(const Simulation& simulation) {
   Json runs = Json::array();
   for (std::size_t i = 0; i < simulation.size(); ++i) runs.push_back(simulation.run(i).name());
-  return Json{{"touchstone_trajectory", 1}, {"runs", runs}, {"scene", simulation.scene().text}};
+  Json header{{"touchstone_trajectory", 1}, {"runs", runs}};
+  for (std::size_t i = 0; i < simulation.size(); ++i)
+    if (const EngineRun* const engine = simulation.run(i).engine())
+      header["engines"][engine->name()] = {{"number", engine->hello().binary32 ? "binary32" : "binary64"},
+                                           {"thresholds", engine->hello().thresholds}};
+  header["scene"] = simulation.scene().text;
+  return header;
 }
 
 void write_header(const Simulation& simulation, std::ostream& out) {
@@ -74,7 +84,11 @@ void write_header(const Simulation& simulation, std::ostream& out) {
 void write_step(const Simulation& simulation, std::ostream& out) {
   Json line = Json::object();
   line["step"] = simulation.step();
-  for (std::size_t i = 0; i < simulation.size(); ++i) line[simulation.run(i).name()] = in_json(simulation.run(i).now());
+  for (std::size_t i = 0; i < simulation.size(); ++i) {
+    const Run& run = simulation.run(i);
+    if (run.ended().empty()) line[run.name()] = in_json(run.now(), run.engine() != nullptr);
+    else line["ended"][run.name()] = run.ended();
+  }
   for (const Parting& parting : simulation.partings())
     if (parting.step == simulation.step()) line["parted"].push_back(in_json(simulation.scene(), parting));
   out << catalogue::one_line(line) << '\n';
@@ -84,6 +98,7 @@ void write_csv_header(std::ostream& out) { out << "step,run,body,x,y,z,vx,vy,vz\
 
 void write_csv_step(const Simulation& simulation, std::ostream& out) {
   for (std::size_t i = 0; i < simulation.size(); ++i) {
+    if (!simulation.run(i).ended().empty()) continue;
     const State<double>& state = simulation.run(i).now().state;
     for (std::size_t body = 0; body < state.size(); ++body) {
       const auto& [p, v] = state[body];

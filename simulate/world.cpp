@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robust/structures/pair_tree.h"
 #include "simulate/near_pairs.h"
 
 namespace touchstone::simulate {
@@ -18,6 +19,30 @@ template <class Real>
 double in_double(const Real& x) {
   if constexpr (std::is_same_v<Real, Exact>) return catalogue::nearest(x.value());
   else return static_cast<double>(x);
+}
+
+bool all_finite(const std::vector<Aabb3d>& boxes) {
+  return std::all_of(boxes.begin(), boxes.end(), [](const Aabb3d& box) {
+    const auto& [low, high] = box;
+    return std::isfinite(low.x) && std::isfinite(low.y) && std::isfinite(low.z) && std::isfinite(high.x) &&
+           std::isfinite(high.y) && std::isfinite(high.z);
+  });
+}
+
+/// False only where n . p + d > 0 for every p of the box, by so much that float's formula for a sphere or a corner in
+/// it says so too: their distances from 0 are wrong by less than 2^-20 of the sum of the absolute values of their
+/// terms (their contracts: fewer than 16 roundings of 2^-24), and `size` is at least that sum. Where something is
+/// beyond the range the comparison is false, and the answer true.
+bool may_reach(const Aabb3d& box, const Plane3d& wall) {
+  double low = wall.offset, size = std::abs(wall.offset);
+  const auto add = [&](double n, double least, double most) {
+    low += n > 0 ? n * least : n * most;
+    size += std::abs(n) * std::max(std::abs(least), std::abs(most));
+  };
+  add(wall.normal.x, box.min.x, box.max.x);
+  add(wall.normal.y, box.min.y, box.max.y);
+  add(wall.normal.z, box.min.z, box.max.z);
+  return !(low > 0x1p-19 * size + 0x1p-100);
 }
 
 template <class Real>
@@ -72,8 +97,9 @@ std::vector<Touch> World<By>::all_touches() const {
 
 template <class By>
 std::vector<Touch> World<By>::touches(const State<Real>& from, const State<Real>& to) const {
-  if (!settings_.sort_and_sweep) return all_touches();
+  if (settings_.broad_phase == BroadPhase::all_pairs) return all_touches();
   std::vector<Aabb3d> boxes;
+  boxes.reserve(bodies());
   for (std::size_t i = 0; i < bodies(); ++i) {
     Aabb3d box{};
     const auto take = [&](double Point3d::*axis, const Real& a, const Real& b, const Real& half) {
@@ -87,10 +113,19 @@ std::vector<Touch> World<By>::touches(const State<Real>& from, const State<Real>
     boxes.push_back(box);
   }
   std::vector<Touch> touches;
-  for (const auto& [i, j] : near_pairs(boxes))
+  const auto add = [&](std::size_t i, std::size_t j) {
     if (!solids_[i].fixed || !solids_[j].fixed) touches.push_back({false, i, j});
+  };
+  if (settings_.broad_phase == BroadPhase::tree && all_finite(boxes)) {
+    for (const auto& [i, j] : robust::structures::tree_pairs(boxes)) add(i, j);
+  } else {
+    for (const auto& [i, j] : near_pairs(boxes)) add(i, j);
+  }
+  std::vector<Plane3d> planes;
+  for (const Plane<Real>& wall : walls_) planes.push_back(catalogue::converted<double>(wall, in_double<Real>));
   for (std::size_t i = 0; i < bodies(); ++i)
-    for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w) touches.push_back({true, i, w});
+    for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w)
+      if (may_reach(boxes[i], planes[w])) touches.push_back({true, i, w});
   return touches;
 }
 

@@ -36,10 +36,10 @@ class World {
 
   /// All pairs i < j that are not both fixed (p. 56), then bodies and walls.
   std::vector<Touch> all_touches() const;
-  /// Of these, pairs whose boxes meet on the way between the two states, if the scene has a broad phase; all otherwise.
-  /// The boxes are wider than the bodies by 2^-20 of their coordinates, which is more than float's formulas for two
-  /// bodies at rest are wrong by (their contracts), so that with option 1 the steps are the same. Formulas for moving
-  /// bodies may see contacts far off: these are not asked then.
+  /// Of these, pairs whose boxes meet on the way between the two states, and walls that a box reaches, if the scene has
+  /// a broad phase; all otherwise. The boxes are wider than the bodies by 2^-20 of their coordinates, which is more
+  /// than float's formulas for two bodies at rest are wrong by (their contracts), so that with option 1 the steps are
+  /// the same. Formulas for moving bodies may see contacts far off: these are not asked then.
   std::vector<Touch> touches(const State<Real>& from, const State<Real>& to) const;
 
   /// Whether they have a common point in these positions (p. 22, 44-50).

@@ -119,6 +119,25 @@ test('player: a logarithmic plot leaves out what is 0', () => {
   assert.match(svg, />1e\u22128</);
 });
 
+test('player: an engine that ended stands where it came to, and its lines end there', () => {
+  const short = {...run('engine', 0), engine: true, ended: 'step 2: no answer'};
+  for (const list of ['frames', 'contacts', 'energy', 'scheme', 'decision', 'rounding', 'momentum'])
+    short[list] = short[list].slice(0, 2);
+  const one = data(), within = player.extent(one);
+  assert.equal(player.drawn(one, short, 3, within, bare, viewer.firstTurn),
+               player.drawn(one, short, 1, within, bare, viewer.firstTurn));
+  const svg = player.plot([{name: 'engine', values: short.energy, style: 'q0', dash: ''}],
+                          {frame: 3, frames: 3, marks: [], label: ''});
+  // Two of four frames: a third of the way from 62 to 350.
+  assert.match(svg, /d="M62 [\d.]+L158 [\d.]+"/);
+  const page = shown(data({runs: [run('robust', 0), short]}));
+  const facts = i => plain(page.place.parts['.run'][i].querySelector('.facts').innerHTML);
+  assert.doesNotMatch(facts(1), /ended/);
+  for (let i = 0; i < 3; ++i) page.click('.next');
+  assert.match(facts(1), /drift of its own.*ended.*step 2: no answer/s);
+  assert.doesNotMatch(facts(0), /ended|of its own/);
+});
+
 // The page, with the parts that it asks for, and the frames of animation that it waits for.
 function shown(one = data()) {
   const place = new Element(), frames = [];

@@ -242,6 +242,10 @@ TEST_CASE("scenes: option 1 lets a fast bullet through a thin wall, option 2 sen
     CHECK(run.now().state[0].position.x < -0.01);
     CHECK(vx_of(run, 0) == -450);
   });
+  at_the_end("fast_box", [](const Run& run) {
+    CHECK(run.now().state[0].position.x < -0.02);
+    CHECK(vx_of(run, 0) == -45);
+  });
 }
 
 TEST_CASE(

@@ -112,7 +112,7 @@ TEST_CASE("step: where products overflow, the formula meets a wall that is far a
   CHECK(simulation.run(1).now().state[0].velocity.x == -1);
 }
 
-TEST_CASE("step: with sort and sweep the steps are those of all pairs, to the last bit") {
+TEST_CASE("step: with sort and sweep, and with a tree, the steps are those of all pairs, to the last bit") {
   for (const char* option : {R"("option":1)", R"("option":2)"}) {
     std::string balls;
     for (int i = 0; i < 27; ++i) {
@@ -127,14 +127,18 @@ TEST_CASE("step: with sort and sweep the steps are those of all pairs, to the la
       return scene_from(scene_text("\"timestep\":0.0625," + std::string(option) + broad_phase,
                                    R"("room":{"min":[-1,-1,-1],"max":[4,4,4]},"bodies":[)" + balls + "]"));
     };
-    const Scene plain = scene(""), swept = scene(R"(,"broad_phase":"sort_and_sweep")");
-    Simulation one(plain, {"float", "double", "robust"}), other(swept, {"float", "double", "robust"});
+    const Scene plain = scene(""), swept = scene(R"(,"broad_phase":"sort_and_sweep")"),
+                tree = scene(R"(,"broad_phase":"tree")");
+    Simulation one(plain, {"float", "double", "robust"}), other(swept, {"float", "double", "robust"}),
+        third(tree, {"float", "double", "robust"});
     std::size_t contacts = 0;
     for (int step = 0; step < 24; ++step) {
       one.advance();
       other.advance();
+      third.advance();
       for (std::size_t i = 0; i < 3; ++i) {
         REQUIRE(one.run(i).now().chain == other.run(i).now().chain);
+        REQUIRE(one.run(i).now().chain == third.run(i).now().chain);
         for (const auto& impact : one.run(i).now().impacts) contacts += impact.touch.wall ? 0 : 1;
       }
     }
