@@ -86,7 +86,7 @@ void time_broad_phase(benchmark::State& bench) {
   std::size_t pairs = 0;
   for (auto _ : bench) pairs = world.touches(state, state).size();
   bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()));
-  bench.SetLabel(std::to_string(pairs - 6 * balls) + " pairs");
+  bench.SetLabel(std::to_string(pairs) + " pairs and walls");
 }
 
 #if defined(TOUCHSTONE_BENCH_BULLET) || defined(TOUCHSTONE_BENCH_ODE)

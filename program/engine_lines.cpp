@@ -11,6 +11,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using simulate::EngineFailure;
 
+constexpr double time_to_start = 30;           // seconds: an interpreter on a busy machine
 constexpr std::size_t longest_line = 1 << 26;  // 10,000 bodies take less than 2 MiB
 
 class ProcessLines : public simulate::EngineLines {
@@ -18,7 +19,7 @@ class ProcessLines : public simulate::EngineLines {
   ProcessLines(const std::string& command, double timeout) : timeout_(timeout), process_(command) {}
 
   std::string answer_to(const std::string& line) override {
-    const double seconds = first_ ? 2 * timeout_ : timeout_;
+    const double seconds = first_ ? timeout_ + time_to_start : timeout_;
     first_ = false;
     const auto deadline =
         Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));

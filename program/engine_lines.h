@@ -6,7 +6,7 @@
 namespace touchstone::program {
 
 /// The lines of a command that the shell runs in a process of its own (docs/simulate.md). It has `timeout` seconds for
-/// each answer and twice as long for the first. Lines that do not begin with { are passed over. The process dies with
+/// each answer and 30 more for the first. Lines that do not begin with { are passed over. The process dies with
 /// this object.
 std::unique_ptr<simulate::EngineLines> engine_lines(const std::string& command, double timeout);
 

@@ -96,7 +96,7 @@ TEST_CASE("engines: one that misbehaves ends with one sentence, and the other ru
   const std::pair<const char*, const char*> all[]{
       {"crashes", "step 3: signal 11"},
       {"exits", "step 3: exit code 1: no licence"},
-      {"hangs", "step 3: no answer in 0.5 s"},
+      {"hangs", "step 3: no answer in 5 s"},
       {"says_nan", "step 3: "},
       {"says_null", "step 3: bodies[0][1]: "},
       {"is_infinite", "step 3: bodies[0][1]: "},
@@ -108,7 +108,7 @@ TEST_CASE("engines: one that misbehaves ends with one sentence, and the other ru
       {"gives_up", "step 3: error: \"no solution\""},
       {"half_a_line", "step 3: exit code 1"},
       {"says_nothing", "exit code 1: no licence"},
-      {"greets_badly", "no answer in 1 s"},
+      {"greets_badly", "exit code 1"},
       {"is_nameless", "first line: engine: missing"},
       {"misspells", "first line: canot: no such field (did you mean \"cannot\"?)"},
       {"lacks_what_is_none", "spheers: no feature of scenes (did you mean \"spheres\"?)"},
@@ -116,8 +116,7 @@ TEST_CASE("engines: one that misbehaves ends with one sentence, and the other ru
   for (const auto& [behaviour, sentence] : all) {
     CAPTURE(behaviour);
     const TextFile file("engine.jsonl", "");
-    const Called call =
-        with_engine(two_balls, misbehaving(behaviour), {"--timeout", "0.5", "--trajectory", file.path()});
+    const Called call = with_engine(two_balls, misbehaving(behaviour), {"--trajectory", file.path()});
     CHECK(call.code == engine_failed);
     CHECK(std::count(call.err.begin(), call.err.end(), '\n') == 1);
     CHECK_THAT(call.err, ContainsSubstring("touchstone: engine ") && ContainsSubstring(sentence));

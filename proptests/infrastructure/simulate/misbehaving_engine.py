@@ -28,7 +28,7 @@ def with_number(answer, text):
 
 first_lines = {
     "says_nothing": lambda: sys.exit("no licence"),
-    "greets_badly": lambda: say("hello"),
+    "greets_badly": lambda: (say("hello"), sys.exit(1)),
     "is_nameless": lambda: say({"number": "binary64"}),
     "misspells": lambda: say({**hello, "canot": ["boxes"]}),
     "lacks_what_is_none": lambda: say({**hello, "cannot": ["spheers"]}),
