@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -197,6 +198,25 @@ EACH_OPERATION("over arrays one operand that all rows share is as good as many")
       for (const std::size_t count : {std::size_t{1}, std::size_t{63}, std::size_t{64}, expected.size()})
         if (count <= expected.size()) check(operation, shared, expected, count, strides, 3);
     }
+  }
+}
+
+EACH_OPERATION("over arrays of numbers of any size it answers as one by one") {
+  if (operation.row().batch.decide == nullptr) return;
+  // By every power of two: a bound must not stay finite where something in the value overflows, nor hide underflow.
+  const std::vector<Table> all = tables(operation, 300);
+  int turn = 0;
+  for (int exponent = -1074; exponent <= 1023; exponent += operation.metadata().cost) {
+    const Table& table = all[static_cast<std::size_t>(turn++) % all.size()];
+    Table scaled_table{{}, table.columns};
+    for (Question question : table.questions) {
+      for (double& number : question.numbers) number = std::ldexp(number, exponent);
+      if (scaled_table.questions.size() < 70 && refusal(operation, question).empty())
+        scaled_table.questions.push_back(std::move(question));
+    }
+    if (scaled_table.questions.empty()) continue;
+    check(operation, scaled_table, decisions(operation, scaled_table), scaled_table.questions.size(), all_of(table, 1),
+          0);
   }
 }
 
