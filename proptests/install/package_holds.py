@@ -102,7 +102,7 @@ def right_listing():
         catalogue/rows/all.h         audit/engines/fuzz.h program/engine_main.h testing/rapidcheck.h""".split()
     doc = """LICENSE README.md CITATION.cff docs/engines.md examples/my_engine/main.cpp examples/engine.py""".split()
     return (["bin/touchstone", "lib/libtouchstone_robust.a", "lib/pkgconfig/touchstone-robust.pc"] +
-            [f"lib/cmake/touchstone/{file}" for file in config] + [f"include/touchstone/{file}" for file in include] +
+            [f"lib/cmake/touchstone/{file}" for file in config] + ["include/touchstone_robust.h"] + [f"include/touchstone/{file}" for file in include] +
             ["share/touchstone/vectors/touch.jsonl", "share/touchstone/vectors/schema.json"] +
             ["share/touchstone/certify/certify.py", "share/touchstone/certify/certify_lines.py"] +
             [f"share/doc/touchstone/{file}" for file in doc])

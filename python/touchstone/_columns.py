@@ -36,6 +36,13 @@ class Shape:
         arrays = " or ".join(f"(n, {', '.join(map(str, shape))})" for shape in reversed(shapes))
         return f"an array of the shape {arrays}, or ({', '.join(self.members)})"
 
+    def axes_of(self, shape: tuple[int, ...]) -> Optional[int]:
+        """How many axes of an array of that shape are not of rows; None where it is no array of such operands."""
+        for axes in (self.axes, (self.numbers,)):
+            if axes is not None and shape[-len(axes):] == axes and len(shape) <= len(axes) + 1:
+                return len(axes)
+        return None
+
     def arrays(self, value: Any, field: str) -> Iterator[Located]:
         """Arrays that hold its numbers in order, each with the number of its axes beside that of the rows."""
         if isinstance(value, tuple):
@@ -52,11 +59,10 @@ class Shape:
                     yield from member.arrays(value[name], f"{field}.{name}")
             return
         array = _array(value, field)
-        for axes in (self.axes, (self.numbers,)):
-            if axes is not None and array.shape[-len(axes):] == axes and array.ndim <= len(axes) + 1:
-                yield array, len(axes)
-                return
-        raise InvalidInput(field, f"expected {self.expected()}, found the shape {array.shape}")
+        axes_of_one = self.axes_of(array.shape)
+        if axes_of_one is None:
+            raise InvalidInput(field, f"expected {self.expected()}, found the shape {array.shape}")
+        yield array, axes_of_one
 
 
 def _array(value: Any, field: str) -> NDArray[numpy.float64]:
@@ -133,6 +139,11 @@ class Form:
     def __init__(self, name: str, **operands: AnyShape) -> None:
         self.name, self.operands = name, operands
 
+    def fits(self, values: tuple[Any, ...]) -> bool:
+        """Whether each operand that is an array has a shape for it."""
+        return all(not isinstance(shape, Shape) or not isinstance(value, numpy.ndarray) or shape.axes_of(value.shape) is not None
+                   for shape, value in zip(self.operands.values(), values))
+
     def arrays(self, values: tuple[Any, ...]) -> list[Located]:
         return [located for (field, shape), value in zip(self.operands.items(), values)
                 for located in shape.arrays(value, field)]
@@ -140,6 +151,8 @@ class Form:
 
 def decide(forms: tuple[Form, ...], out: Out, *values: Any) -> Answers:
     """The answers by the first of the forms, in the plane or in space, whose operands these are."""
+    if len(forms) > 1:
+        forms = tuple(form for form in forms if form.fits(values)) or forms
     complaints = []
     for form in forms:
         try:

@@ -23,8 +23,8 @@ def enumeration_of(name):
 
 
 def word_in(answer, enumeration):
-    """The enumerator in an answer, of which it is the only text."""
-    [word] = [value for value in answer.values() if isinstance(value, str)]
+    """The enumerator in an answer, of which it is the only text that the enumeration has."""
+    [word] = [value for value in answer.values() if isinstance(value, str) and value in enumeration.__members__]
     return enumeration[word]
 
 

@@ -31,9 +31,9 @@ def test_every_operation(name):
         assert question.operation == name
         answered, truth = touchstone.answer(name, question.input), touchstone.truth(name, question.input)
         assert truth.answer == question.answer and truth.margin == question.margin and truth.input == question.input
-        assert {leaf for leaf in leaves(truth.answer) if isinstance(leaf, str)} <= set(OPERATIONS[name]["words"])
+        words = {word for leaf in leaves(OPERATIONS[name]["answer"]) for word in leaf.split(" | ")}
+        assert {leaf for leaf in leaves(truth.answer) if isinstance(leaf, str)} <= words
         if OPERATIONS[name]["kind"] != "checked":
-            assert touchstone.answer(name, question.input) == answered
             assert [leaf for leaf in leaves(answered) if isinstance(leaf, (str, bool))] == [
                 leaf for leaf in leaves(truth.answer) if isinstance(leaf, (str, bool))], question.claim
         assert {type(leaf) for leaf in leaves(truth.answer)} <= {str, bool, int, Fraction, touchstone.Surd}
@@ -128,10 +128,10 @@ def test_what_draw_refuses_and_certify():
 
 
 def test_drawing():
-    drawn = touchstone.draw("segment_segment", 20, families=["collinear", "uniform"] if "uniform" in OPERATIONS["segment_segment"][
-        "families"] else ["collinear"])
-    assert [question.claim for question in drawn] == [question.claim for question in touchstone.draw(
-        "segment_segment", 20, families=",".join(dict.fromkeys(question.family for question in drawn)))]
+    chosen = OPERATIONS["segment_segment"]["families"][:2]
+    drawn = touchstone.draw("segment_segment", 20, families=chosen)
+    assert {question.family for question in drawn} == set(chosen)
+    assert drawn == touchstone.draw("segment_segment", 20, families=",".join(chosen))
     assert all(question.certificate is None for question in drawn)
     assert touchstone.draw("segment_segment", 0) == []
     assert touchstone.draw("segment_segment", 20, seed=5) != touchstone.draw("segment_segment", 20, seed=6)
