@@ -103,7 +103,7 @@ static void shapes(void) {
 }
 
 static void errors(void) {
-  double rows[40 * 2];
+  double rows[40 * 2] = {0};
   uint8_t answers[40];
   const touchstone_points2 p = touchstone_points2_rows(rows, 2);
   const touchstone_polygon2 two_corners = {rows, 2};
