@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** What the answers claim of points over lines and planes, and of rays and segments that meet planes and solids. *)
+(** What the answers claim of points over lines and planes, and of rays and segments that meet planes. *)
 Require Import Reals List.
 From Certificates Require Import solids.
 Open Scope R_scope.
@@ -43,30 +43,3 @@ Definition ray_plane_spec origin direction normal (offset : R) (w : line_plane R
 Definition segment_plane_spec a b normal (offset : R) (w : line_plane R) : Prop :=
   length a = 3%nat /\ length b = 3%nat /\ length normal = 3%nat /\ nonzero normal /\
   line_plane_spec of_segment a (minus b a) normal offset w.
-
-(** The times from the first to the last at which the course is in a closed solid; of a segment of length 0, both are
-    0. *)
-Inductive passage (A : Type) := passes_by | passes (first last : A).
-Arguments passes_by {A}. Arguments passes {A}.
-Definition passage_spec (times : R -> Prop) start way (S : list R -> Prop) (w : passage R) : Prop :=
-  match w with
-  | passes_by => forall t, times t -> ~ S (at_time start way t)
-  | passes first last =>
-      (nonzero way -> first <= last /\ forall t, times t /\ S (at_time start way t) <-> first <= t <= last) /\
-      (~ nonzero way -> S (at_time start way 0) /\ first = 0 /\ last = 0)
-  end.
-(** Of the plane for n = 2, of space for n = 3 *)
-Definition ray_aabb_spec origin direction low high (w : passage R) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length origin = n /\ length direction = n /\ length low = n /\ length high = n /\
-  nonzero direction /\ (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\
-  passage_spec of_ray origin direction (box low high) w.
-Definition segment_aabb_spec a b low high (w : passage R) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length a = n /\ length b = n /\ length low = n /\ length high = n /\
-  (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\
-  passage_spec of_segment a (minus b a) (box low high) w.
-Definition ray_sphere_spec origin direction c (r : R) (w : passage R) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length origin = n /\ length direction = n /\ length c = n /\ nonzero direction /\
-  0 <= r /\ passage_spec of_ray origin direction (ball c r) w.
-Definition segment_sphere_spec a b c (r : R) (w : passage R) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length a = n /\ length b = n /\ length c = n /\ 0 <= r /\
-  passage_spec of_segment a (minus b a) (ball c r) w.

@@ -88,22 +88,10 @@ Definition kdop_kdop_spec (a b : list (slab R)) (w : contact) : Prop :=
   | overlapping => each (fun s t => exists u v, u < v /\ shared s t u /\ shared s t v)
   end.
 
-(** * Oriented boxes: center and three half axes, at any angles *)
+(** * Sums and multiples of vectors *)
 Fixpoint plus (x y : list R) : list R := match x, y with a :: x', b :: y' => a + b :: plus x' y' | _, _ => nil end.
 Fixpoint minus (x y : list R) : list R := match x, y with a :: x', b :: y' => a - b :: minus x' y' | _, _ => nil end.
 Definition times (t : R) (x : list R) : list R := map (Rmult t) x.
-Fixpoint combination (c : list R) (axes : list (list R)) (t : list R) : list R :=
-  match axes, t with a :: axes', k :: t' => plus (combination c axes' t') (times k a) | _, _ => c end.
-Definition obb (c : list R) (axes : list (list R)) (x : list R) : Prop :=
-  exists t, length t = length axes /\ (forall k, In k t -> -1 <= k <= 1) /\ x = combination c axes t.
-(** Only with coefficients 0 do the axes give the zero vector. *)
-Definition proper_obb (c : list R) (axes : list (list R)) : Prop :=
-  length c = 3%nat /\ length axes = 3%nat /\ (forall a, In a axes -> length a = 3%nat) /\
-  forall t, length t = 3%nat -> ~ nonzero (combination (repeat 0 3) axes t) -> ~ nonzero t.
-Definition point_in_obb_spec c axes p (w : location) : Prop :=
-  proper_obb c axes /\ location_spec 3 (obb c axes) p w.
-Definition obb_obb_spec c axes d others (w : contact) : Prop :=
-  proper_obb c axes /\ proper_obb d others /\ contact_spec 3 (obb c axes) (obb d others) w.
 
 (** [closest_point_on_aabb], of the plane and of space *)
 Definition closest_point_on_aabb_spec (p low high x : list R) : Prop :=
