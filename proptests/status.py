@@ -80,6 +80,15 @@ def certificate_kinds(name):
     return sorted(set(re.findall(r'"certificate":\{"kind":"(\w+)"', text_of(f"vectors/{name}.jsonl"))))
 
 
+def checker_proved(name):
+    """Whether the checks of its certificates are proved: yes, no, or but for which kinds."""
+    tables = "".join(text_of(path.relative_to(ROOT)) for path in (ROOT / "oracle/certificates/proved").glob("operations_*.ml"))
+    found = re.search(rf'operation (?:~unproved:\[ ?([^]]*?) ?\] )?"{name}" ', tables)
+    if not found:
+        return "-"
+    return "but for " + found.group(1).replace('"', "`").replace(";", ",") if found.group(1) else "all"
+
+
 def second_opinions():
     """({operation: [what]}, {operation: why there is no second truth})"""
     truths, without = importlib.import_module("simplest_truth").found()
@@ -123,7 +132,7 @@ def worlds(program, operation):
 def table(program, operations):
     opinions, without = second_opinions()
     asked = 0
-    columns = ["operation", "judged", "second opinion", "certificates", "worlds", "stages of robust", "proved",
+    columns = ["operation", "judged", "second opinion", "certificates", "checker proved", "worlds", "stages of robust", "proved",
                "mutants", "vectors", "open"]
     lines = [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
     for operation in operations:
@@ -141,7 +150,7 @@ def table(program, operations):
         stages = stages_of(chapter, name)
         lines.append("| " + " | ".join([
             f"`{name}`", KINDS[operation["kind"]], "; ".join(opinion) or "-",
-            ", ".join(f"`{kind}`" for kind in certificate_kinds(name)), world, ", ".join(stages) or "-",
+            ", ".join(f"`{kind}`" for kind in certificate_kinds(name)), checker_proved(name), world, ", ".join(stages) or "-",
             ", ".join(filters_of(chapter, name)) or "-", str(lines_of(f"proptests/mutation/mutants/{name}.jsonl")),
             f"{lines_of(f'vectors/{name}.jsonl'):,}", "; ".join(doubts) or "-"]) + " |")
     return lines, asked
@@ -156,6 +165,7 @@ the chapters:
   does it stands [below](#how-the-oracle-decides).
 - *certificates*: the kinds that the vectors have, each checked by two programs
   ([what they prove](../oracle/certificates/README.md)).
+- *checker proved*: of which of these kinds it is a [theorem](../docs/proofs.md) that they prove the truth.
 - *worlds*: small worlds of the test run, by the number of values of each coordinate: all configurations, or that many
   of them, evenly spread. `touchstone exhaust` asks the rest.
 - *stages of robust*: in the order in which they are asked, where they can be asked one by one. `filter`: double and a

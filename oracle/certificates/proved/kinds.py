@@ -70,6 +70,16 @@ def refused(files):
         yield f"the specification has {lines} lines, more than {LONGEST_SPECIFICATION}"
 
 
+def not_told(files):
+    """What docs/proofs.md does not say."""
+    page = (ROOT / "docs/proofs.md").read_text(encoding="utf-8").partition("## Certificates that are proved to prove")[2]
+    told = set(re.findall(r"`(\w+)`", "".join(line for line in page.splitlines() if line.startswith("|"))))
+    yield from (f"docs/proofs.md: no row names {name}" for name in operations(files) if name not in told)
+    lines = sum(len(path.read_text(encoding="utf-8").splitlines()) for path in SPEC.glob("*.v"))
+    if f"{lines} lines that speak" not in page.replace("\n", " "):
+        yield f"docs/proofs.md: the specification has {lines} lines"
+
+
 def fresh(work, files):
     shutil.rmtree(work, ignore_errors=True)
     return prove.Proof(work, files, "Certificates")
@@ -166,7 +176,7 @@ def weakened(work, jobs, share):
 
 
 def self_check():
-    files, wrong = sources(), list(refused(sources()))
+    files, wrong = sources(), [*refused(sources()), *not_told(sources())]
     for defect in ("Admitted.", "Axiom x : False.", "Parameter x : nat.", "Unset Guard Checking."):
         if not any("sound_plane.v" in line for line in refused({**files, "sound_plane": files["sound_plane"] + defect})):
             wrong.append(f"not refused: {defect}")
