@@ -165,7 +165,7 @@ the chapters:
   does it stands [below](#how-the-oracle-decides).
 - *certificates*: the kinds that the vectors have, each checked by two programs
   ([what they prove](../oracle/certificates/README.md)).
-- *checker proved*: of which of these kinds it is a [theorem](../docs/proofs.md) that they prove the truth.
+- *checker proved*: of which of these kinds it is a [theorem](proofs.md) that they prove the truth.
 - *worlds*: small worlds of the test run, by the number of values of each coordinate: all configurations, or that many
   of them, evenly spread. `touchstone exhaust` asks the rest.
 - *stages of robust*: in the order in which they are asked, where they can be asked one by one. `filter`: double and a
