@@ -26,12 +26,7 @@ MODULES = {
     "program": {"geometry", "oracle", "catalogue", "audit", "simulate", "report", "program"},
     "c": {"oracle", "robust", "catalogue", "program", "c"},
     "python": {"robust", "c", "python"},
-    "engines": None,
-    "proptests": None,
-    "fuzz": None,
-    "bench": None,
-    "coverage": None,
-    "examples": None,
+    **dict.fromkeys(("engines", "proptests", "fuzz", "bench", "coverage", "examples")),
 }
 # Where an operation's files stand: folder (before the chapter) and suffixes.
 PLACES = {
