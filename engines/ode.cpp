@@ -2,13 +2,9 @@
 // ODE as peer, in double precision: geometries, and one contact.
 #include <ode/ode.h>
 
-#include <memory>
-
 #include "engines/exactly.h"
 #include "engines/one_hit.h"
-#include "engines/surfaces.h"
 #include "program/engine_main.h"
-#include "robust/planes/polygon_normal.h"
 
 using namespace touchstone;
 
@@ -45,17 +41,6 @@ struct Ode {
     const Box box = exactly::box(aabb);
     if (!has_size(box)) return std::nullopt;
     return cast(ray, solid(*box), box->center);
-  }
-
-  /// As meshes of one triangle; triangles without area have no normal, and are left out.
-  std::optional<bool> triangle_triangle(const Triangle3d& a, const Triangle3d& b) {
-    if (flat(a) || flat(b)) return std::nullopt;
-    return meet(surface({{a.a, a.b, a.c}, {{0, 1, 2}}}), surface({{b.a, b.b, b.c}, {{0, 1, 2}}}));
-  }
-  /// Its meshes are surfaces.
-  std::optional<bool> polyhedron_polyhedron(const Meshd& a, const Meshd& b) {
-    if (!surfaces::decide(a, b)) return std::nullopt;
-    return meet(surface(a), surface(b));
   }
 
   /// dContactBounce with bounce_vel 0 and no softness: the contact is between the balls, where they touch.
@@ -115,29 +100,6 @@ struct Ode {
     dGeomDestroy(line);
     dGeomDestroy(solid);
     return found > 0;
-  }
-  static bool flat(const Triangle3d& t) {
-    return robust::polygon_normal(Polygon3d{{t.a, t.b, t.c}}).normal_class == NormalClass::degenerate;
-  }
-
-  /// ODE reads the numbers where they are.
-  struct Surface {
-    explicit Surface(const Meshd& mesh) : vertices(mesh.vertices), data(dGeomTriMeshDataCreate()) {
-      for (const Face& face : mesh.faces) corners.insert(corners.end(), {face.a, face.b, face.c});
-      dGeomTriMeshDataBuildDouble(data, vertices.data(), sizeof(Point3d), static_cast<int>(vertices.size()),
-                                  corners.data(), static_cast<int>(corners.size()), 3 * sizeof(dTriIndex));
-    }
-    ~Surface() { dGeomTriMeshDataDestroy(data); }
-    Surface(const Surface&) = delete;
-
-    std::vector<Point3d> vertices;
-    std::vector<dTriIndex> corners;
-    dTriMeshDataID data;
-  };
-  static std::unique_ptr<Surface> surface(const Meshd& mesh) { return std::make_unique<Surface>(mesh); }
-  static bool meet(const std::unique_ptr<Surface>& a, const std::unique_ptr<Surface>& b) {
-    const auto mesh = [](const Surface& of) { return dCreateTriMesh(nullptr, of.data, nullptr, nullptr, nullptr); };
-    return meet(mesh(*a), {0, 0, 0}, mesh(*b), {0, 0, 0});
   }
   static bool meet(dGeomID a, const Point3d& at_a, dGeomID b, const Point3d& at_b) {
     dGeomSetPosition(a, at_a.x, at_a.y, at_a.z);
