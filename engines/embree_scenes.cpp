@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Embree as peer, in single precision, with the flag of robust rays: a scene of boxes that come, move and go, and
-// points of solids by counting what a ray meets.
+// Embree as peer, in single precision, with the flag of robust rays: a scene of boxes that come, move and go.
 #include <embree3/rtcore.h>
 
-#include <array>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -139,40 +137,9 @@ struct EmbreeScenes {
     return replies(Boxes(), boxes, commands);
   }
 
-  /// Odd or even, along x.
-  std::optional<bool> point_in_polyhedron(const Mesh<float>& mesh, const Point3<float>& point) {
-    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), held)) return std::nullopt;
-    const Scene scene = made_scene(RTC_SCENE_FLAG_ROBUST);
-    attach(*scene, mesh);
-    rtcCommitScene(scene.get());
-    struct {
-      RTCIntersectContext context;
-      int hits = 0;
-    } counted;
-    rtcInitIntersectContext(&counted.context);
-    counted.context.filter = [](const RTCFilterFunctionNArguments* asked) {
-      ++reinterpret_cast<decltype(counted)*>(asked->context)->hits;
-      asked->valid[0] = 0;
-    };
-    cast(scene.get(), {point, {1, 0, 0}}, counted.context);
-    return counted.hits % 2 == 1;
-  }
-
  private:
   static bool held(const Point3<float>& p) {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < 1.844e18F;
-  }
-  static void attach(RTCSceneTy& scene, const Mesh<float>& mesh) {
-    const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                3 * sizeof(float), mesh.vertices.size()));
-    for (const Point3<float>& p : mesh.vertices) *corners++ = p.x, *corners++ = p.y, *corners++ = p.z;
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                   3 * sizeof(unsigned), mesh.faces.size()));
-    for (const Face& face : mesh.faces) *indices++ = face.a, *indices++ = face.b, *indices++ = face.c;
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(&scene, geometry);
-    rtcReleaseGeometry(geometry);
   }
 };
 
