@@ -10,7 +10,6 @@
 #include "catalogue/rows/response/kinetic_energy.h"
 #include "catalogue/rows/response/momentum.h"
 #include "catalogue/rows/response/rigid_body_collision.h"
-#include "catalogue/rows/response/simulation_step.h"
 #include "catalogue/rows/response/simultaneous_collisions.h"
 #include "catalogue/rows/volumes/aabb_aabb.h"
 #include "catalogue/rows/volumes/aabb_of_points.h"
@@ -112,16 +111,6 @@ TEST_CASE("planted in lists: contacts after the eighth are left out") {
                                             [](const Bodies& bodies, const Contacts& contacts, double e) {
                                               return robust::simultaneous_collisions(bodies, first(8, contacts), e);
                                             });
-}
-
-TEST_CASE("planted in lists: walls after the sixteenth are left out") {
-  using Bodies = std::vector<StepBodyd>;
-  using Walls = std::vector<Plane3d>;
-  // Every second list is longer, three in four times the ball touches a wall near its end, every second time it comes.
-  is_accused<rows::simulation_step>("many_walls", 15,
-                                    [](const Bodies& bodies, const Walls& walls, const StepSettingsd& settings) {
-                                      return robust::simulation_step(bodies, first(16, walls), settings);
-                                    });
 }
 
 TEST_CASE("planted in lists: what is counted in eight bits") {
