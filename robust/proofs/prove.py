@@ -55,7 +55,8 @@ def bare(text):
 
 
 def needed(text):
-    return [name for line in re.findall(r"From (?:Filters|Certificates) Require Import ([\w ]+)\.", text) for name in line.split()]
+    lines = re.findall(r"From (?:Filters|Certificates) Require Import ([\w ]+)\.", text)
+    return [name for line in lines for name in line.split()]
 
 
 class Proof:

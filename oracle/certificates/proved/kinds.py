@@ -40,7 +40,8 @@ def installed():
 
 
 def sources():
-    return {path.stem: path.read_text(encoding="utf-8") for folder in (SPEC, HERE) for path in sorted(folder.glob("*.v"))}
+    paths = [path for folder in (SPEC, HERE) for path in sorted(folder.glob("*.v"))]
+    return {path.stem: path.read_text(encoding="utf-8") for path in paths}
 
 
 def operations(files):
@@ -92,9 +93,11 @@ def prove_all(work, jobs):
     if found:
         return found
     files.pop("extraction")
-    groups = {what: [theorem for theorem in theorems(files) if theorem.endswith(what)] for what in ("sound", "unique")}
+    groups = {what: [theorem for theorem in theorems(files) if theorem.endswith(what)]
+              for what in ("sound", "unique")}
     files["assumptions"] = f"From Certificates Require Import {' '.join(sorted(files))}.\n" + "".join(
-        f"Definition all_{what} := ({', '.join(group)}).\nPrint Assumptions all_{what}.\n" for what, group in groups.items())
+        f"Definition all_{what} := ({', '.join(group)}).\nPrint Assumptions all_{what}.\n"
+        for what, group in groups.items())
     proof = fresh(work, files)
     failed = proof.compile_all(list(files), jobs)
     if failed:
@@ -110,15 +113,18 @@ def prove_all(work, jobs):
             return [f"rests on {', '.join(sorted(set(axioms) - prove.AXIOMS))}"]
         print(f"{', '.join(group)}: proved. Axioms: {', '.join(axioms) or 'none'}")
     count = sum(map(len, groups.values()))
-    print(f"{count} theorems about certificates of {count // 2} operations, {time.monotonic() - started:.0f} s from nothing")
+    seconds = time.monotonic() - started
+    print(f"{count} theorems about certificates of {count // 2} operations, {seconds:.0f} s from nothing")
     return []
 
 
 def extracted(files):
     """extraction.v, told what to extract."""
     formulas = sorted(name for name in files if name.startswith("formulas_"))
-    return (f"From Certificates Require Import {' '.join(sorted(p.stem for p in SPEC.glob('*.v')))} language {' '.join(formulas)}.\n"
-            + files["extraction"] + f'\nExtraction "proved.ml" decide {" ".join("check_" + o for o in operations(files))}.\n')
+    specification = sorted(path.stem for path in SPEC.glob("*.v"))
+    checks = " ".join(f"check_{operation}" for operation in operations(files))
+    return (f"From Certificates Require Import {' '.join([*specification, 'language', *formulas])}.\n"
+            + files["extraction"] + f'\nExtraction "proved.ml" decide {checks}.\n')
 
 
 def build(work, jobs):
@@ -132,11 +138,13 @@ def build(work, jobs):
     for path in HERE.glob("*.ml"):
         shutil.copy(path, work)
     for program, other in (("certify_proved", "print_python"), ("print_python", "certify_proved")):
-        modules = [path.name for path in sorted(work.glob("*.ml*")) if path.stem != other and path.suffix in (".ml", ".mli")]
+        modules = [path.name for path in sorted(work.iterdir())
+                   if path.suffix in (".ml", ".mli") and path.stem != other]
         order = subprocess.run(["ocamlfind", "ocamldep", "-sort", *modules], cwd=work, check=True, text=True,
                                stdout=subprocess.PIPE).stdout.split()
-        run = subprocess.run(["ocamlfind", "ocamlopt", "-O3", "-w", "-a", "-package", "zarith", "-linkpkg", *order, "-o", program],
-                             cwd=work, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        compiler = ["ocamlfind", "ocamlopt", "-O3", "-w", "-a", "-package", "zarith", "-linkpkg"]
+        run = subprocess.run([*compiler, *order, "-o", program], cwd=work, text=True, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT)
         if run.returncode:
             return [f"{program}: not compiled", run.stdout]
     return []
@@ -161,7 +169,8 @@ def weakened(work, jobs, share):
             wrong.append(f"{change}: it is there {text.count(line['find'])} times")
             continue
         (work / f"{file}.v").write_text(text.replace(line["find"], line["plant"]), encoding="utf-8")
-        failed = proof.compile_all([n for n in prove.closure({line["proof"]}, files) if file in prove.closure({n}, files)], jobs)
+        rests = [n for n in prove.closure({line["proof"]}, files) if file in prove.closure({n}, files)]
+        failed = proof.compile_all(rests, jobs)
         if failed is None:
             wrong.append(f"{change}: still proved")
         elif failed[0] == file:
@@ -178,7 +187,8 @@ def weakened(work, jobs, share):
 def self_check():
     files, wrong = sources(), [*refused(sources()), *not_told(sources())]
     for defect in ("Admitted.", "Axiom x : False.", "Parameter x : nat.", "Unset Guard Checking."):
-        if not any("sound_plane.v" in line for line in refused({**files, "sound_plane": files["sound_plane"] + defect})):
+        with_defect = {**files, "sound_plane": files["sound_plane"] + defect}
+        if not any("sound_plane.v" in line for line in refused(with_defect)):
             wrong.append(f"not refused: {defect}")
     for theorem in theorems(files):
         without = {name: text.replace(f"Theorem {theorem} ", "Theorem another ") for name, text in files.items()}

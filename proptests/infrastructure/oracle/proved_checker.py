@@ -70,7 +70,8 @@ def with_value(claim, path, value):
 def other_exact(text):
     if "sqrt" in text:
         root = text.index("sqrt")
-        found = {text[:root] + "sqrt(1" + text[root + 5:], "1" + text, text[1:], text.replace("/", "/1"), text.replace("+", "-")}
+        found = {text[:root] + "sqrt(1" + text[root + 5:], "1" + text, text[1:], text.replace("/", "/1")}
+        found.add(text.replace("+", "-"))
         return found | {text[0] + text[1:].replace("-", "+")}
     x = Fraction(text)
     return {str(x + 1), str(-x), str(x * (1 + Fraction(1, 2**60))), str(x + Fraction(1, 2**1100)), "0", "1"}
@@ -204,7 +205,8 @@ def check(program, work):
     wrong = []
     subprocess.run([work / "print_python", work], check=True)
     for path in sorted({p.name for folder in (work, PROVED) for p in folder.glob("printed_*.py")}):
-        texts = [(folder / path).read_text(encoding="utf-8") if (folder / path).exists() else "" for folder in (work, PROVED)]
+        texts = [(folder / path).read_text(encoding="utf-8") if (folder / path).exists() else ""
+                 for folder in (work, PROVED)]
         if texts[0] != texts[1]:
             wrong.append(f"{path}: not what is proved; copy it from {work}")
     table, operations = formulas(), kinds.operations(kinds.sources())
