@@ -151,6 +151,23 @@ TEST_CASE("arrays: what follows asks something") {
   CHECK(with_arrays >= 15);
 }
 
+TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
+  // normal, offset, point
+  const Operation& operation = *catalogue::find_operation("point_plane");
+  const std::vector<Question> rows = {{{0.7, 0.6, 0.8, -0.63, 0.1, 0.8, 0.1}, {}},
+                                      {{0.3, 0.6, 0.3, -0.6, 0.4, 0.7, 0.2}, {}},
+                                      {{0.7, 0.2, 0.7, -1.18, 0.8, 0.3, 0.8}, {}},
+                                      {{0.8, 0.8, 0.5, -1.07, 0.1, 0.8, 0.7}, {}}};
+  const std::vector<Word> sides = {0, 2, 0, 2};  // front, back
+  Table table{{}, operation.row().batch.columns(rows[0])};
+  std::vector<Word> expected;
+  for (std::size_t i = 0; i < 70; ++i) {
+    table.questions.push_back(rows[i % rows.size()]);
+    expected.push_back(sides[i % rows.size()]);
+  }
+  check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+}
+
 EACH_OPERATION("over arrays it answers as one by one, and as the oracle") {
   if (operation.row().batch.decide == nullptr) return;
   for (const Table& table : tables(operation, asked_of(operation, 20'000))) {

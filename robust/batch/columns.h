@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/invalid_input.h"
 #include "robust/kernel/strict_math.h"
 
 /// Decisions asked by the million, over columns.

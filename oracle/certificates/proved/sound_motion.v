@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The formulas of moving balls are enough, also where the time is irrational. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
-From Certificates Require Import motion solids language formulas_solids formulas_motion sound_solids.
+From Certificates Require Import motion solids language formulas_vectors formulas_solids formulas_motion sound_solids.
 Import ListNotations.
 Open Scope R_scope.
 
