@@ -28,7 +28,7 @@ HELD = [
     r"include/touchstone/robust/(masked_exceptions|(kernel|batch|structures)/\w+)\.h",
     r"include/touchstone/oracle/(truth|(exact|rings)/\w+|certificates/(certificate|check))\.h",
     r"include/touchstone/catalogue/((shape|numbers|codec|draw|families|judge|operation)/)?\w+\.h",
-    r"include/touchstone/catalogue/rows/all\.h",
+    r"include/touchstone/catalogue/rows/(all|declared)\.h",
     r"include/touchstone/audit/(\w+/)?\w+\.h",
     r"include/touchstone/program/(engine_main|uses)\.h",
     r"include/touchstone/testing/(rapidcheck|catch2|fuzzed_data)\.h",

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "geometry/invalid_input.h"
+#include "robust/kernel/strict_math.h"
 
 /// What the functions for C share: nothing is thrown out of them.
 namespace touchstone::robust::c {

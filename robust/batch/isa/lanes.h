@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "robust/kernel/strict_math.h"
+
 #if TOUCHSTONE_LANES > 1
 #include <immintrin.h>
 #endif
