@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "robust/kernel/strict_math.h"
+
 #include <touchstone_robust.h>
 
 #include <exception>
@@ -8,7 +10,6 @@
 #include <string_view>
 
 #include "geometry/invalid_input.h"
-#include "robust/kernel/strict_math.h"
 
 /// What the functions for C share: nothing is thrown out of them.
 namespace touchstone::robust::c {
