@@ -94,8 +94,8 @@ class Structure {
   std::unique_ptr<Manager> manager_ = made<Manager>();
 };
 
-/// Touching boxes meet; no margin is documented, but a callback may be called for more pairs than those. FCL has no rays
-/// in its managers.
+/// Touching boxes meet; no margin is documented, but a callback may be called for more pairs than those. FCL has no
+/// rays in its managers.
 template <class Manager>
 struct Engine {
   std::optional<Replies> broad_phase(const std::vector<Aabb3d>& boxes, const std::vector<Commandd>& commands) {

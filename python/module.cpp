@@ -32,9 +32,9 @@ namespace py = pybind11;
   throw py::error_already_set();
 }
 
-/// What Python hands over, one operand after the other: arrays, each with the number of its axes that are not of rows. The
-/// caller has checked shapes and alignment, and names fields; what is checked here keeps a wrong caller from reading what
-/// is not his.
+/// What Python hands over, one operand after the other: arrays, each with the number of its axes that are not of
+/// rows. The caller has checked shapes and alignment, and names fields; what is checked here keeps a wrong caller
+/// from reading what is not his.
 class Operands {
  public:
   Operands(const py::sequence& arrays, std::size_t count) {

@@ -32,6 +32,8 @@ class EngineRun : public Run {
   const EngineHello& hello() const { return hello_; }
   /// Whether it has said of every step so far which bodies it turned.
   bool tells_contacts() const { return tells_contacts_; }
+  /// Whether it has been asked for a step, or can be: what it declares and where it stands are known.
+  bool began() const { return steps_ > 0 || ended().empty(); }
   /// The scene needs what the engine does not have: no failure.
   bool unsupported() const { return unsupported_; }
 

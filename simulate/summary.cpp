@@ -41,7 +41,7 @@ std::string names_of(const Scene& scene, const std::vector<Touch>& touches) {
 void print_engine(const Simulation& simulation, std::size_t i, std::ostream& out) {
   const EngineRun& engine = *simulation.run(i).engine();
   out << '\n' << engine.name() << ": ";
-  if (engine.unsupported()) {
+  if (!engine.began()) {
     out << engine.ended() << '\n';
     return;
   }
@@ -82,7 +82,7 @@ void Summary::print(std::ostream& out) const {
   for (std::size_t i = 0; i < simulation_.size(); ++i) {
     const Run& run = simulation_.run(i);
     const EngineRun* const engine = run.engine();
-    if (engine != nullptr && engine->unsupported()) continue;
+    if (engine != nullptr && !engine->began()) continue;
     const auto& [scheme, decision, rounding, own] = run.drift();
     out << fmt::format("{:{}}{:14.6g}{:14.6g}   = {:12.4g}", run.name(), width, in_double(run.now().energy),
                        in_double(run.drift().total()), in_double(scheme));

@@ -9,8 +9,8 @@ namespace touchstone::reference {
 /// system.
 ///
 /// Deck p. 23 (option 1: contacts are looked for at the end of the step), 55-56 (the loop over all pairs), 64-71 and 74
-/// (the response). No page asks the question; the step is put together from theirs: motion of p. 9, balls and planes as on
-/// p. 44-50, the impulse of p. 69-70, all contacts at once as on p. 74 (simultaneous_collisions).
+/// (the response). No page asks the question; the step is put together from theirs: motion of p. 9, balls and planes
+/// as on p. 44-50, the impulse of p. 69-70, all contacts at once as on p. 74 (simultaneous_collisions).
 ///
 /// 1. Every body that can move flies freely to the end of the step, as `motion` says (StepMotion).
 /// 2. A contact is a pair of bodies, not both immovable, or a movable body and a wall, that have a common point there
@@ -41,8 +41,8 @@ namespace touchstone::reference {
 /// more than 0; gravity in lengths per its square; restitution from 0 to 1, without unit, the same for all contacts.
 /// NaN or infinity: refused by robust and oracle (field "bodies[0].sphere.center[0]" ..., "finite number"); so are an
 /// inverse mass below 0 ("bodies[0].inverse_mass", "inverse mass >= 0"), an immovable body with a velocity
-/// ("bodies[0].velocity", "0 where the inverse mass is 0"), a radius below 0 ("bodies[0].sphere.radius", "radius >= 0"),
-/// a wall's normal of length 0 ("walls[0].normal", "nonzero normal"), a restitution out of bounds
+/// ("bodies[0].velocity", "0 where the inverse mass is 0"), a radius below 0 ("bodies[0].sphere.radius", "radius >=
+/// 0"), a wall's normal of length 0 ("walls[0].normal", "nonzero normal"), a restitution out of bounds
 /// ("settings.restitution", "between 0 and 1") and a timestep of 0 or less ("settings.timestep", "timestep > 0"). The
 /// first is named: all numbers before all else, then body after body, wall after wall, and the settings.
 ///
@@ -56,8 +56,8 @@ namespace touchstone::reference {
 /// Rounding: whether bodies meet is told from rounded positions, and from differences and squares that round; no bound
 /// is given but the one that running error analysis finds.
 /// ulps: 98 roundings behind a component of two bodies in one contact with gravity (2 for a velocity; 2 more for a
-/// position and 1 for a difference, three of them in n . (va - vb) with 14 each and 5 of its own, and 32 in n . n; 6 for
-/// the impulse, 10 for its part along n, 1 for the velocity, 2 for the position).
+/// position and 1 for a difference, three of them in n . (va - vb) with 14 each and 5 of its own, and 32 in n . n; 6
+/// for the impulse, 10 for its part along n, 1 for the velocity, 2 for the position).
 template <class Real>
 NextState<Real> simulation_step(const std::vector<StepBody<Real>>& bodies, const std::vector<Plane<Real>>& walls,
                                 const StepSettings<Real>& settings) {

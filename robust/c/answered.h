@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robust/kernel/strict_math.h"
-
 #include <touchstone_robust.h>
 
 #include <exception>
@@ -10,12 +8,13 @@
 #include <string_view>
 
 #include "geometry/invalid_input.h"
+#include "robust/kernel/strict_math.h"
 
 /// What the functions for C share: nothing is thrown out of them.
 namespace touchstone::robust::c {
 
-/// Fills in what was refused, where the caller wants to know it, and returns the code. "questions[17].p1[0]" becomes the
-/// question 17 and the field "p1[0]". What is longer than its place is cut short.
+/// Fills in what was refused, where the caller wants to know it, and returns the code. "questions[17].p1[0]" becomes
+/// the question 17 and the field "p1[0]". What is longer than its place is cut short.
 int failed(touchstone_error* error, touchstone_code code, std::string_view field, std::string_view rule) noexcept;
 
 /// Calls call(), and returns what became of it.

@@ -13,8 +13,8 @@ namespace touchstone::robust {
 ///
 /// Every number is the double nearest to the one that exact arithmetic has at the end of the step, for all finite
 /// doubles in every floating-point environment; beyond the range it is infinite, and zero is +0.
-/// Time: all pairs are looked at, and n contacts that hang together by bodies that can move take up to n^3 operations on
-/// integers, which grow with n.
+/// Time: all pairs are looked at, and n contacts that hang together by bodies that can move take up to n^3 operations
+/// on integers, which grow with n.
 /// NaN and infinities throw InvalidInput, which names the field and "finite number"; so do a radius below 0 ("radius >=
 /// 0"), an inverse mass below 0 ("inverse mass >= 0"), a velocity of a body that never moves ("0 where the inverse mass
 /// is 0"), a wall's normal of length 0 ("nonzero normal"), a timestep of 0 or less ("timestep > 0") and a restitution

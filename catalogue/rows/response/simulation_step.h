@@ -112,9 +112,9 @@ struct simulation_step {
                             decimal(settings.timestep));
   }
 
-  /// Three balls of radius 2 on the x axis, of inverse mass 0, 1 or 2 and of speed -1, 0 or 1, that are 0, 2, 4 ... from
-  /// a wall at the end; e is 0, 1/2 or 1. Where a run makes every number less by 1, many are refused, and others are
-  /// valid: so the timestep is 2.
+  /// Three balls of radius 2 on the x axis, of inverse mass 0, 1 or 2 and of speed -1, 0 or 1, that are 0, 2, 4 ...
+  /// from a wall at the end; e is 0, 1/2 or 1. Where a run makes every number less by 1, many are refused, and
+  /// others are valid: so the timestep is 2.
   static constexpr std::uint64_t masses = 3, speeds = 3, restitutions = 3, turns = 2;
   static std::uint64_t domain_count(int size) {
     const auto n = static_cast<std::uint64_t>(size), one = n * masses * speeds;

@@ -103,17 +103,7 @@ LAW("simulation_step: permuting bodies and walls permutes the answer, and change
 }
 
 LAW("simulation_step: masses have any unit") {
-  for (const int k : {1, -30, 300}) {
-    auto other = asked;
-    bool held = true;
-    for (auto& body : std::get<0>(other)) {
-      const double w = std::ldexp(body.inverse_mass, k);
-      held = held && finite(w) && std::ldexp(w, -k) == body.inverse_mass;
-      body.inverse_mass = w;
-    }
-    if (held && !equal(ask(other), ask(asked))) return false;
-  }
-  return true;
+  return inverse_masses_have_any_unit(asked, ask);
 }
 
 LAW("simulation_step: the length of a wall's normal does not matter") {
