@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// First, so that the flags are refused before a header that CMake makes.
-#include "robust/kernel/strict_math.h"
-
-#include <touchstone_robust.h>
-
 #include <exception>
 #include <new>
 #include <string_view>
 
 #include "geometry/invalid_input.h"
+#include "robust/kernel/strict_math.h"
+#include "touchstone_robust.h"
 
 /// What the functions for C share: nothing is thrown out of them.
 namespace touchstone::robust::c {
