@@ -121,13 +121,13 @@ Declaration declaration_of() {
 template <class Row, class Engine, class... Ts>
 std::optional<Json> said_to(Engine& engine, const std::tuple<Ts...>& asked) {
   if constexpr (AnswersTo<Engine, Row, Ts...>) {
-    return std::apply([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
+    return spread([&](const auto&... value) { return engine_answer<Row>(Row::ask(engine, value...)); }, asked);
   }
   return std::nullopt;
 }
 template <class Row, class Engine, class... Ts>
 std::optional<Json> said_to(Engine& engine, const std::variant<Ts...>& asked) {
-  return std::visit([&](const auto& alternative) { return said_to<Row>(engine, alternative); }, asked);
+  return visited([&](const auto& alternative) { return said_to<Row>(engine, alternative); }, asked);
 }
 
 /// What the engine says to one question of a row; empty: unsupported.

@@ -17,7 +17,7 @@ constexpr bool has_plain_reading() {
   if constexpr (Enumeration<Answer>) {
     return requires { Words<Answer>::no; };
   } else if constexpr (Composite<Answer>) {
-    return std::apply(
+    return spread(
         [](const auto&... member) {
           return (has_plain_reading<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>>() || ...);
         },
@@ -43,7 +43,7 @@ const char* member_of_type() {
 template <class Answer, class Word>
 constexpr bool has_member_of_type() {
   if constexpr (Composite<Answer>) {
-    return std::apply(
+    return spread(
         [](const auto&... member) {
           return (std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word> || ...);
         },
@@ -55,7 +55,7 @@ constexpr bool has_member_of_type() {
 /// Whether that word alone is an answer: whatever else the answer holds are numbers, which may be left out.
 template <class Answer, class Word>
 constexpr bool is_the_only_word() {
-  return std::apply(
+  return spread(
       [](const auto&... member) {
         return ((std::is_same_v<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>, Word> ||
                  may_be_left_out<rebound_t<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>,

@@ -19,7 +19,6 @@ namespace touchstone::audit {
 namespace {
 
 constexpr std::size_t most_of_a_family = 24, most_alike = 6;
-constexpr std::uint64_t drawn_of_a_family = 600;
 
 Json without_marks(const Json& truth) { return Json::parse(truth.dump()); }
 

@@ -10,6 +10,9 @@
 
 namespace touchstone::audit {
 
+/// Of each family so many questions are drawn, and of those some are kept.
+inline constexpr std::uint64_t drawn_of_a_family = 600;
+
 /// The test vectors of one operation, a line each: at most two dozen a family, of every outcome and of every way in
 /// which the textbook formula fails. The same seed gives the same bytes on every machine. The id of a line is its
 /// operation and its number, from 1.

@@ -34,7 +34,7 @@ using Draw = void (*)(Drawing&, const std::string& label, Cursor<double>& from, 
 template <class T>
 void draw_as(Drawing& drawing, const std::string& label, Cursor<double>& from, bool answer) {
   T value{};
-  unpack(value, from, [](double number) { return number; });
+  unpack(value, from, as_it_is);
   draw(drawing, label, value, answer);
 }
 

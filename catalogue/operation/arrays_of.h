@@ -74,7 +74,7 @@ struct ArraysOf {
         [&]<class... Ts>(const Ts&... argument) {
           const batch::Column* next = columns;
           const std::tuple<typename OperandOf<Ts>::type...> operands{operand(argument, next)...};
-          std::apply([&](const auto&... each) { Row::batch(each..., count, answers, at_most); }, operands);
+          spread([&](const auto&... each) { Row::batch(each..., count, answers, at_most); }, operands);
         },
         unpacked<Asked>(shared));
   }

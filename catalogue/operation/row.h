@@ -98,11 +98,11 @@ struct NoDecision {};
 /// A function of the modules on a question.
 template <class Call, class... Ts>
 auto applied(const Call& call, const std::tuple<Ts...>& q) {
-  return std::apply(call, q);
+  return spread(call, q);
 }
 template <class Call, class... Ts>
 auto applied(const Call& call, const std::variant<Ts...>& q) {
-  return std::visit([&](const auto& alternative) { return applied(call, alternative); }, q);
+  return visited([&](const auto& alternative) { return applied(call, alternative); }, q);
 }
 template <class Row, class Question>
 auto ask_reference(const Question& q) {

@@ -81,6 +81,14 @@ StageFunctions stage_functions() {
   return found;
 }
 
+/// A number of a question as one of the type in which it is asked.
+inline constexpr auto in_float = [](double number) { return static_cast<float>(number); };
+inline constexpr auto in_exact = [](double number) { return Exact(exact_value(number)); };
+inline constexpr auto in_tracked = [](double number) { return Tracked<double>(number); };
+inline constexpr auto in_tracked_float = [](double number) { return Tracked<float>(static_cast<float>(number)); };
+inline constexpr auto in_integers = [](double number) { return static_cast<std::int64_t>(number); };
+inline constexpr auto rational = [](const TrueNumber& number) { return number.rational_part(); };
+
 template <class Row>
 struct RowOf {
   using Asked = typename Row::Question;
@@ -97,19 +105,16 @@ struct RowOf {
     return packed(ask_reference<Row>(unpacked<Asked>(question)));
   }
   static EncodedValue<double> reference_in_float(const Question& question) {
-    return packed(formula<float>(question, [](double number) { return static_cast<float>(number); }));
+    return packed(formula<float>(question, in_float));
   }
   static EncodedValue<Exact> reference_exactly(const Question& question) {
-    return packed_as<Exact>(formula<Exact>(question, [](double number) { return Exact(exact_value(number)); }));
+    return packed_as<Exact>(formula<Exact>(question, in_exact));
   }
   static EncodedValue<Tracked<double>> reference_tracked(const Question& question) {
-    using Bounded = Tracked<double>;
-    return packed_as<Bounded>(formula<Bounded>(question, [](double number) { return Bounded(number); }));
+    return packed_as<Tracked<double>>(formula<Tracked<double>>(question, in_tracked));
   }
   static EncodedValue<Tracked<float>> reference_tracked_in_float(const Question& question) {
-    using Bounded = Tracked<float>;
-    return packed_as<Bounded>(
-        formula<Bounded>(question, [](double number) { return Bounded(static_cast<float>(number)); }));
+    return packed_as<Tracked<float>>(formula<Tracked<float>>(question, in_tracked_float));
   }
 
   static EncodedValue<double> robust(const Question& question, std::size_t environment) {
@@ -122,7 +127,7 @@ struct RowOf {
   }
   static Solution solve_as_typed(const EncodedValue<mpq_class>& question) {
     using Typed = rebound_t<Asked, mpq_class>;
-    auto truth = ask_oracle<Row>(unpacked<Typed>(question, [](const mpq_class& number) { return number; }));
+    auto truth = ask_oracle<Row>(unpacked<Typed>(question, as_it_is));
     return {packed_as<TrueNumber>(truth.answer), std::move(truth.margin)};
   }
 
@@ -135,8 +140,7 @@ struct RowOf {
   }
   static Word decide_by_integers(const Question& question) {
     using Whole = rebound_t<Asked, std::int64_t>;
-    return static_cast<Word>(Row::decision::oracle(
-        unpacked<Whole>(question, [](double number) { return static_cast<std::int64_t>(number); })));
+    return static_cast<Word>(Row::decision::oracle(unpacked<Whole>(question, in_integers)));
   }
   static DecisionCount count_decisions(int size, std::uint64_t first, std::uint64_t last, std::size_t list_length);
 
@@ -150,12 +154,12 @@ struct RowOf {
 
   /// The hooks with their types forgotten.
   static constexpr auto hooks = [] { return Row::hooks(); };
-  static auto typed_number(const TrueNumber& number) {
-    if constexpr (std::is_same_v<number_of_t<Truth>, TrueNumber>) return number;
-    else return number.rational_part();
+  static Truth typed(const EncodedTruth& truth) {
+    if constexpr (std::is_same_v<number_of_t<Truth>, TrueNumber>) return unpacked<Truth>(truth, as_it_is);
+    else return unpacked<Truth>(truth, rational);
   }
   static std::optional<EncodedTruth> as_open_sets(const EncodedTruth& truth, const Question& question) {
-    const auto open = hooks().as_open_sets(unpacked<Truth>(truth, typed_number), unpacked<Asked>(question));
+    const auto open = hooks().as_open_sets(typed(truth), unpacked<Asked>(question));
     if (!open) return std::nullopt;
     return packed_as<TrueNumber>(*open);
   }
@@ -164,7 +168,6 @@ struct RowOf {
   }
   static std::string exact_defect(const Question& question, const EncodedValue<mpq_class>& answer) {
     using ExactAnswer = rebound_t<Answer, mpq_class>;
-    const auto as_it_is = [](const mpq_class& number) { return number; };
     return hooks().exact_defect(unpacked<Asked>(question), unpacked<ExactAnswer>(answer, as_it_is));
   }
   static Excess excess(const Question& question, const EncodedValue<double>& answer,

@@ -11,7 +11,7 @@ void for_each_value(const Shape& shape, Cursor<double>& at, const Visit& visit) 
   const Cursor<double> start = at;
   if (&shape == &shape_of<T>()) {
     T value{};
-    unpack(value, at, [](double number) { return number; });
+    unpack(value, at, as_it_is);
     return visit(value, start);
   }
   switch (shape.kind) {

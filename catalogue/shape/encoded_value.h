@@ -41,7 +41,7 @@ struct Cursor {
 template <class Real, class T>
 void pack(const T& value, EncodedValue<Real>& encoded) {
   if constexpr (is_tuple<T>) {
-    std::apply([&](const auto&... part) { (pack(part, encoded), ...); }, value);
+    spread([&](const auto&... part) { (pack(part, encoded), ...); }, value);
   } else if constexpr (Enumeration<T> || Plain<T>) {
     encoded.words.push_back(static_cast<Word>(value));
   } else if constexpr (Composite<T>) {
@@ -54,7 +54,7 @@ void pack(const T& value, EncodedValue<Real>& encoded) {
     for (const auto& element : value) pack(element, encoded);
   } else if constexpr (is_variant<T>) {
     encoded.words.push_back(static_cast<Word>(value.index()));
-    std::visit([&](const auto& alternative) { pack(alternative, encoded); }, value);
+    visited([&](const auto& alternative) { pack(alternative, encoded); }, value);
   } else {
     encoded.numbers.push_back(static_cast<Real>(value));
   }
@@ -79,7 +79,7 @@ void unpack_alternative(std::variant<Ts...>& value, Word which, Cursor<Real>& fr
 template <class T, class Real, class Convert>
 void unpack(T& value, Cursor<Real>& from, const Convert& convert) {
   if constexpr (is_tuple<T>) {
-    std::apply([&](auto&... part) { (unpack(part, from, convert), ...); }, value);
+    spread([&](auto&... part) { (unpack(part, from, convert), ...); }, value);
   } else if constexpr (Enumeration<T> || Plain<T>) {
     value = static_cast<T>(*from.word++);
   } else if constexpr (Composite<T>) {
@@ -126,6 +126,9 @@ struct NumberTypeOf<std::variant<T, Ts...>> : NumberTypeOf<T> {};
 template <class T>
 using number_of_t = typename NumberTypeOf<T>::type;
 
+/// Each of these has one type, so that what unpacks a shape with it is compiled once for all rows of a unit.
+inline constexpr auto as_it_is = [](const auto& number) { return number; };
+
 template <class T, class Real, class Convert>
 T unpacked(const EncodedValue<Real>& encoded, const Convert& convert) {
   T value{};
@@ -135,7 +138,7 @@ T unpacked(const EncodedValue<Real>& encoded, const Convert& convert) {
 }
 template <class T>
 T unpacked(const Question& encoded) {
-  return unpacked<T>(encoded, [](double number) { return number; });
+  return unpacked<T>(encoded, as_it_is);
 }
 
 }  // namespace touchstone::catalogue

@@ -21,9 +21,9 @@ void walk(T& value, const Visit& visit, const VisitList& visit_list) {
     visit_list(value);
     for (auto& element : value) walk(element, visit, visit_list);
   } else if constexpr (is_tuple<Bare>) {
-    std::apply([&](auto&... part) { (walk(part, visit, visit_list), ...); }, value);
+    spread([&](auto&... part) { (walk(part, visit, visit_list), ...); }, value);
   } else if constexpr (is_variant<Bare>) {
-    std::visit([&](auto& alternative) { walk(alternative, visit, visit_list); }, value);
+    visited([&](auto& alternative) { walk(alternative, visit, visit_list); }, value);
   } else {
     visit(value);
   }
@@ -41,11 +41,10 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
     return value;
   } else if constexpr (Composite<T>) {
     rebound_t<T, To> result{};
-    std::apply(
+    spread(
         [&](const auto&... from) {
-          std::apply(
-              [&](const auto&... to) { ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...); },
-              Described<rebound_t<T, To>>::members);
+          spread([&](const auto&... to) { ((result.*to.pointer = converted<To>(value.*from.pointer, change)), ...); },
+                 Described<rebound_t<T, To>>::members);
         },
         Described<T>::members);
     return result;
@@ -58,10 +57,10 @@ rebound_t<T, To> converted(const T& value, const Change& change) {
     for (const auto& element : value) result.push_back(converted<To>(element, change));
     return result;
   } else if constexpr (is_tuple<T>) {
-    return std::apply([&](const auto&... part) { return rebound_t<T, To>{converted<To>(part, change)...}; }, value);
+    return spread([&](const auto&... part) { return rebound_t<T, To>{converted<To>(part, change)...}; }, value);
   } else if constexpr (is_variant<T>) {
-    return std::visit([&](const auto& alternative) { return rebound_t<T, To>(converted<To>(alternative, change)); },
-                      value);
+    return visited([&](const auto& alternative) { return rebound_t<T, To>(converted<To>(alternative, change)); },
+                   value);
   } else {
     return change(value);
   }
