@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "audit/engines/signature.h"
-#include "catalogue/catalogue.h"
 #include "program/regression_test.h"
 
 namespace touchstone::program {
@@ -15,62 +14,36 @@ std::string spelled_number(double number) {
 }
 
 /// A value as C++ with `using namespace touchstone` reads it.
-template <class T>
-std::string spelled_in_cpp(const T& value) {
-  if constexpr (Enumeration<T>) {
-    return type_text<T>() + "::" + Words<T>::words[static_cast<std::size_t>(value)];
-  } else if constexpr (std::is_same_v<T, bool>) {
-    return value ? "true" : "false";
-  } else if constexpr (Plain<T>) {
-    return std::to_string(value);
-  } else if constexpr (is_optional<T>) {
-    return value ? spelled_in_cpp(*value) : "std::nullopt";
-  } else if constexpr (is_variant<T>) {
-    return std::visit([](const auto& alternative) { return spelled_in_cpp(alternative); }, value);
-  } else if constexpr (std::is_floating_point_v<T>) {
-    return spelled_number(value);
-  } else {
-    std::string parts;
-    const auto add = [&parts](const auto& part) { parts += (parts.empty() ? "" : ", ") + spelled_in_cpp(part); };
-    if constexpr (is_vector<T>) {
-      for (const auto& element : value) add(element);
-    } else {
-      for_each_member<T>([&](const auto& member) { add(value.*member.pointer); });
-    }
-    return type_text<T>() + "{" + parts + "}";
+std::string spelled_in_cpp(const Shape& shape, Cursor<double>& at) {
+  std::string parts;
+  const auto add = [&](const Shape& part) { parts += (parts.empty() ? "" : ", ") + spelled_in_cpp(part, at); };
+  switch (shape.kind) {
+    case Shape::Kind::number: return spelled_number(*at.number++);
+    case Shape::Kind::flag: return *at.word++ != 0 ? "true" : "false";
+    case Shape::Kind::index: return std::to_string(*at.word++);
+    case Shape::Kind::word: return shape.name + "::" + shape.words[*at.word++];
+    case Shape::Kind::optional: return *at.word++ != 0 ? spelled_in_cpp(*shape.parts[0].shape, at) : "std::nullopt";
+    case Shape::Kind::choice: return spelled_in_cpp(*shape.parts[*at.word++].shape, at);
+    case Shape::Kind::list:
+      for (Word left = *at.word++; left > 0; --left) add(*shape.parts[0].shape);
+      break;
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) add(*part.shape);
   }
-}
-
-template <class Row>
-InCpp in_cpp_of_row(const Operation& operation, const Question& encoded, const EncodedValue<double>& answer) {
-  const alternatives_t<typename Row::Question> question = unpacked<typename Row::Question>(encoded);
-  InCpp result;
-  result.declaration = signature_texts<Row>()[question.index()].text;
-  const std::string name = operation.name() + "(";
-  result.declaration.insert(result.declaration.find(" " + name) + 1, "my_");
-  result.call = "my_" + name;
-  std::visit(
-      [&](const auto& alternative) {
-        std::apply(
-            [&](const auto&... value) {
-              std::size_t at = 0;
-              ((result.call += (at++ == 0 ? "" : ", ") + spelled_in_cpp(value)), ...);
-            },
-            alternative);
-      },
-      question);
-  result.call += ")";
-  result.expected = spelled_in_cpp(unpacked<answer_t<Row>>(answer));
-  return result;
+  return shape.name.empty() && shape.kind == Shape::Kind::record ? parts : type_text(shape) + "{" + parts + "}";
 }
 
 }  // namespace
 
 InCpp in_cpp(const Operation& operation, const Question& question, const EncodedValue<double>& answer) {
+  const Shape& asked = operation.question_shape();
+  Cursor<double> of_question(question), of_answer(answer);
   InCpp result;
-  for_each_row([&]<class Row>() {
-    if (operation.name() == Row::metadata().name) result = in_cpp_of_row<Row>(operation, question, answer);
-  });
+  result.declaration = audit::signatures(operation)[asked.kind == Shape::Kind::choice ? question.words[0] : 0].text;
+  const std::string name = operation.name() + "(";
+  result.declaration.insert(result.declaration.find(" " + name) + 1, "my_");
+  result.call = "my_" + name + spelled_in_cpp(asked, of_question) + ")";
+  result.expected = spelled_in_cpp(operation.answer_shape(), of_answer);
   return result;
 }
 

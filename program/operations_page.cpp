@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "audit/engines/signature.h"
-#include "catalogue/catalogue.h"
 #include "program/commands.h"
 #include "program/program.h"
 
@@ -51,12 +50,11 @@ std::string spaced(const Json& json) {
   return text;
 }
 
-template <class Row>
 void print_operation(const Operation& operation, std::ostream& out) {
   out << "\n### `" << operation.name() << "`\n\n"
       << operation.metadata().question << " ([contract](../reference/" << operation.metadata().chapter << '/'
       << operation.name() << ".h))\n\n```cpp\n";
-  for (const Signature& signature : signature_texts<Row>()) {
+  for (const audit::Signature& signature : audit::signatures(operation)) {
     out << signature.text << ";";
     for (const std::string& shorter : signature.instead)
       out << (&shorter == &signature.instead[0] ? "  // or " : ", ") << shorter;
@@ -85,11 +83,9 @@ int operations_page_command(std::ostream& out) {
   }
   for (const std::string& chapter : chapters) {
     out << "\n## " << chapter << '\n';
-    for_each_row([&]<class Row>() {
-      const Operation& operation = *find_operation(Row::metadata().name);
-      if (operation.metadata().chapter == chapter && !operation.metadata().is_implementation())
-        print_operation<Row>(operation, out);
-    });
+    for (const Operation* operation : all_operations())
+      if (operation->metadata().chapter == chapter && !operation->metadata().is_implementation())
+        print_operation(*operation, out);
   }
   return nothing_found;
 }

@@ -78,7 +78,7 @@ std::vector<std::string> alternatives_left_out() {
     const auto look = [&]<class Alternative>(const Alternative*) {
       constexpr bool answers =
           answers_row<Engine, Row, Alternative> || answers_row<Engine, Row, rebound_t<Alternative, float>>;
-      if (!answers) left_out.push_back(arguments_text<Alternative>(*find_operation(Row::metadata().name), at));
+      if (!answers) left_out.push_back(arguments_text(*find_operation(Row::metadata().name), at));
       ++at;
     };
     (look(static_cast<const Ts*>(nullptr)), ...);

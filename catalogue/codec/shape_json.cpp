@@ -12,20 +12,6 @@ namespace {
 
 std::string element(const std::string& path, std::size_t i) { return path + "[" + std::to_string(i) + "]"; }
 
-/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
-bool may_be_left_out(const Shape& shape, bool partial) {
-  switch (shape.kind) {
-    case Shape::Kind::optional: return true;
-    case Shape::Kind::number: return partial;
-    case Shape::Kind::record:
-      for (const Shape::Part& part : shape.parts) {
-        if (!may_be_left_out(*part.shape, partial)) return false;
-      }
-      return true;
-    default: return false;
-  }
-}
-
 template <class Real>
 void leave_out(const Shape& shape, EncodedValue<Real>& encoded) {
   if (shape.kind != Shape::Kind::record) return encoded.words.push_back(0);
@@ -72,7 +58,7 @@ void read_record(const Shape& shape, const Json& json, const std::string& path, 
   for (const Shape::Part& part : shape.parts) {
     if (json.contains(part.name)) {
       read_json(*part.shape, json[part.name], member_path(path, part.name), encoded, read, partial);
-    } else if (may_be_left_out(*part.shape, partial)) {
+    } else if (can_be_left_out(*part.shape, partial)) {
       leave_out(*part.shape, encoded);
     } else {
       throw InvalidInput(member_path(path, part.name), "missing");
@@ -125,6 +111,19 @@ void read_choice(const Shape& shape, const Json& json, const std::string& path, 
 }
 
 }  // namespace
+
+bool can_be_left_out(const Shape& shape, bool partial) {
+  switch (shape.kind) {
+    case Shape::Kind::optional: return true;
+    case Shape::Kind::number: return partial;
+    case Shape::Kind::record:
+      for (const Shape::Part& part : shape.parts) {
+        if (!can_be_left_out(*part.shape, partial)) return false;
+      }
+      return true;
+    default: return false;
+  }
+}
 
 template <class Real>
 Json json_of(const Shape& shape, Cursor<Real>& at, WriteNumber<Real> write) {

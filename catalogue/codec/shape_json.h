@@ -24,6 +24,9 @@ Json json_of(const Shape& shape, const EncodedValue<Real>& encoded, WriteNumber<
   return json_of(shape, at, write);
 }
 
+/// Whether a value may be left out where it is read: it is optional, or all that it is made of.
+bool can_be_left_out(const Shape& shape, bool partial);
+
 /// Appends the value to the encoded value. Throws InvalidInput naming the path and the rule. In a partial reading any
 /// number may be left out: each is preceded on the encoded value by a word that says whether it is there. Double or
 /// mpq_class.

@@ -36,6 +36,31 @@ Shape measured(Shape shape) {
   return shape;
 }
 
+std::string name_of_type(std::string_view written) {
+  std::string text(written.substr(written.find("T = ") + 4));
+  text.erase(text.find_first_of(";]"));
+  const std::string space = "touchstone::";
+  for (std::size_t at; (at = text.find(space)) != std::string::npos;) text.erase(at, space.size());
+  for (std::size_t at; (at = text.find("> >")) != std::string::npos;) text.erase(at + 1, 1);  // as g++ writes it
+  return text;
+}
+
+std::string type_text(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::number: return "double";
+    case Shape::Kind::flag: return "bool";
+    case Shape::Kind::index: return "Index";
+    case Shape::Kind::optional: return "std::optional<" + type_text(*shape.parts[0].shape) + ">";
+    case Shape::Kind::list: return "std::vector<" + type_text(*shape.parts[0].shape) + ">";
+    case Shape::Kind::choice: {
+      std::string types;
+      for (const Shape::Part& part : shape.parts) types += (types.empty() ? "" : ", ") + type_text(*part.shape);
+      return "std::variant<" + types + ">";
+    }
+    default: return shape.name;
+  }
+}
+
 std::vector<std::size_t> places_of_numbers(const Shape& shape, const Question& question) {
   struct Places {
     std::size_t slots = 0;

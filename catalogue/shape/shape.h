@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct Shape {
   };
 
   Kind kind = Kind::number;
+  std::string name;                   ///< of an enumeration or a struct: "Segment2<double>"
   Form form = Form::record;           ///< of a record: how JSON writes it
   Meaning meaning = Meaning::number;  ///< of a record's own numbers, else of the number
   std::vector<const char*> words;     ///< of a word: its enumerators
@@ -49,6 +51,17 @@ Shape measured(Shape shape);
 template <class T>
 const Shape& shape_of(Meaning meaning = Meaning::number);
 
+/// As the compiler writes it, with more around it.
+template <class T>
+constexpr std::string_view written_by_compiler() {
+  return __PRETTY_FUNCTION__;
+}
+/// Of what is written so: the name of the type alone, as users write it with `using namespace touchstone`.
+std::string name_of_type(std::string_view written);
+
+/// A type over doubles as users write it: "double", "std::vector<Point3<double>>".
+std::string type_text(const Shape& shape);
+
 template <class T>
 Shape made_shape() {
   Shape shape;
@@ -59,6 +72,7 @@ Shape made_shape() {
     }(static_cast<const T*>(nullptr));
   } else if constexpr (Enumeration<T>) {
     shape.kind = Shape::Kind::word;
+    shape.name = name_of_type(written_by_compiler<T>());
     shape.words.assign(Words<T>::words.begin(), Words<T>::words.end());
     if constexpr (requires { Words<T>::no; }) shape.no = static_cast<int>(Words<T>::no);
   } else if constexpr (Plain<T>) {
@@ -77,6 +91,7 @@ Shape made_shape() {
   } else {
     static_assert(Composite<T>);
     shape.kind = Shape::Kind::record;
+    shape.name = name_of_type(written_by_compiler<T>());
     shape.form = Described<T>::form;
     if constexpr (requires { Described<T>::meaning; }) shape.meaning = Described<T>::meaning;
     for_each_member<T>([&](const auto& member) {

@@ -5,8 +5,8 @@
 
 #include "audit/judged.h"
 #include "audit/vectors/named_files.h"
+#include "audit/vectors/schemas.h"
 #include "audit/vectors/vectors.h"
-#include "catalogue/operation/not_finite.h"
 #include "proptests/each_operation.h"
 
 namespace touchstone::proptests::draws_tests {
@@ -23,7 +23,7 @@ std::map<std::string, std::vector<std::string>> vectors_of(const Operation& oper
     const auto line = catalogue::Json::parse(text);
     inputs[line["family"]].push_back(catalogue::one_line(line["input"]));
   }
-  inputs.erase(catalogue::not_finite_family);
+  inputs.erase(audit::not_finite_family);
   return inputs;
 }
 
