@@ -31,7 +31,7 @@ bool is_short(const nlohmann::json& input) {
 
 TEST_CASE("truth: answers and margins are those of a slower and shorter program in fractions") {
   std::vector<std::string> lines;
-  for (const nlohmann::json& claim : drawn_claims("simplest truth", static_cast<std::uint64_t>(scaled(30))))
+  for (const nlohmann::json& claim : drawn_claims("simplest truth", static_cast<std::uint64_t>(scaled(12))))
     if (is_short(claim.at("input"))) lines.push_back(claim.dump());
   REQUIRE(lines.size() > 2000);
   const LinesInFile claims("truths.jsonl", lines), operations("operations.jsonl", listed_operations());
