@@ -26,7 +26,16 @@ const minus = text => text.replaceAll('-', '\u2212');
 const shown = (run, frame) => Math.min(frame, run.frames.length - 1);
 const squares = v => v.reduce((sum, x) => sum + x * x, 0);
 
-// What every frame of every run fits into, and how fast the fastest body is. A wall adds nothing.
+// Where a wall is drawn, as viewer.js counts: below the middle of everything.
+function footOf({normal, offset}, within) {
+  const square = squares(normal), e = (normal.reduce((sum, n, i) => sum + n * within.middle[i], 0) + offset) / square;
+  return placed(within.middle.map((x, i) => x - e * normal[i]), within);
+}
+// A wall far from everything is left out: it would make the rest small.
+const isNear = foot => foot.every(x => Math.abs(x) <= 2 * half);
+
+// What every frame of every run fits into, and how fast the fastest body is. A wall does not change the scale; what is
+// drawn of it lies within reach: a square whose half side is half / 2.
 function extent(data) {
   const low = [Infinity, Infinity, Infinity], high = low.map(x => -x);
   let fastest = 0;
@@ -45,7 +54,9 @@ function extent(data) {
   for (const corner of data.room ?? []) add(corner, [0, 0, 0]);
   const middle = low.map((x, i) => (x + high[i]) / 2), side = Math.max(...low.map((x, i) => high[i] - x));
   const scale = side > 0 ? 2 * half / side : 1, corner = Math.sqrt(squares(low.map((x, i) => (high[i] - x) / 2)));
-  return {low, high, middle, scale, reach: Math.max(1, corner * scale), fastest};
+  const feet = data.walls.map(wall => footOf(wall, {middle, scale})).filter(isNear);
+  const reach = Math.max(1, corner * scale, ...feet.map(foot => Math.sqrt(squares(foot) + half * half / 2)));
+  return {low, high, middle, scale, reach, fastest};
 }
 
 const placed = (p, {middle, scale}) => p.map((x, i) => Math.round((x - middle[i]) * scale));
@@ -65,13 +76,10 @@ function figures(data, run, frame, within, show) {
   const list = [], numbers = run.frames[frame], named = data.bodies.length <= mostNamed;
   const names = shortNames(data.bodies);
   if (data.room) list.push({kind: 'box', label: '', whose: 'question', points: data.room.map(p => placed(p, within))});
-  for (const {name, normal, offset} of data.walls) {
-    const square = squares(normal), e = (normal.reduce((sum, n, i) => sum + n * within.middle[i], 0) + offset) / square;
-    const foot = placed(within.middle.map((x, i) => x - e * normal[i]), within);
-    const tip = foot.map((x, i) => Math.round(x + normal[i] / Math.sqrt(square) * half / 4));
-    // A wall far from everything is left out: it would make the rest small.
-    if (foot.every(x => Math.abs(x) <= 2 * half))
-      list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tip]});
+  for (const wall of data.walls) {
+    const foot = footOf(wall, within), long = half / 4 / Math.sqrt(squares(wall.normal));
+    const tip = foot.map((x, i) => Math.round(x + wall.normal[i] * long));
+    if (isNear(foot)) list.push({kind: 'plane', label: '', whose: 'question', points: [foot, tip]});
   }
   data.bodies.forEach((body, i) => {
     const p = numbers.slice(6 * i, 6 * i + 3), v = numbers.slice(6 * i + 3, 6 * i + 6);
@@ -110,6 +118,14 @@ function drawn(data, run, now, within, show, turn) {
   return viewer.picture(drawing, turn);
 }
 
+// Round numbers from low to top, three to six of them: multiples of 1, 2 or 5 times a power of 10.
+function roundNumbers(low, top) {
+  const power = 10 ** Math.floor(Math.log10(top - low));
+  const multiples = step => [...Array(6).keys()].map(k => +((Math.ceil(low / step) + k) * step).toPrecision(12))
+      .filter(x => x <= top);
+  return [2, 1, 0.5, 0.2].map(k => multiples(k * power)).find(numbers => numbers.length > 2) ?? [low, top];
+}
+
 // Lines over frames as SVG. A logarithmic axis leaves out what is 0. Series: [{name, values, style, dash}].
 function plot(series, {frame, frames, marks, logarithmic, label}) {
   const all = series.flatMap(({values}) => values).filter(x => !logarithmic || x > 0);
@@ -122,7 +138,6 @@ function plot(series, {frame, frames, marks, logarithmic, label}) {
   if (level) top += flat + 1e-12, low -= flat + 1e-12;
   const x = k => +(margin.left + (wide - margin.left - margin.right) * k / last).toFixed(1);
   const y = v => +(high - margin.bottom - (high - margin.top - margin.bottom) * (v - low) / (top - low)).toFixed(1);
-  const ticks = !all.length ? [] : level ? [middle] : [0, 1, 2].map(k => low + (top - low) * k / 2);
   const lines = series.map(({values, style, dash}) => {
     let path = '', pen = 'M';
     values.forEach((v, k) => {
@@ -139,13 +154,16 @@ function plot(series, {frame, frames, marks, logarithmic, label}) {
   for (let digits = 1; close && digits <= 17 && !(from >= low && from <= top); ++digits)
     from = +((low + top) / 2).toPrecision(digits);
   const signed = v => (v > 0 ? '+' : '') + (v === 0 ? '0' : v.toExponential(1));
-  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : close ? signed(v - from) : short(+v.toPrecision(5)));
+  const tick = v => minus(logarithmic ? '1e' + Math.round(v) : close ? signed(v) : short(+v.toPrecision(5)));
+  const ticks = !all.length ? [] : level ? [middle] : logarithmic ? [low, (low + top) / 2, top] :
+      roundNumbers(low - from, top - from);
   const words = !all.length ? '0 throughout' : close ? 'differences from ' + minus(String(from)) : '';
   const base = words && `<text class="scale" x="${margin.left}" y="${high - 6}">${words}</text>`;
   return `<svg class="fig plot" viewBox="0 0 ${wide} ${high}" width="${wide}" height="${high}" role="img" ` +
       `aria-label="${escaped(label)}">` +
-      ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v)}H${wide - margin.right}"/><text class="scale" ` +
-                     `x="${margin.left - 5}" y="${y(v) + 4}" text-anchor="end">${tick(v)}</text>`).join('') +
+      ticks.map(v => `<path class="grid" d="M${margin.left} ${y(v + from)}H${wide - margin.right}"/>` +
+                     `<text class="scale" x="${margin.left - 5}" y="${+(y(v + from) + 4).toFixed(1)}" ` +
+                     `text-anchor="end">${tick(v)}</text>`).join('') +
       base + marks.filter(k => k <= last).map(k => column(k, 'mark')).join('') + lines.join('') + column(frame, 'now') +
       '</svg>';
 }
@@ -166,8 +184,9 @@ function markup(data, last) {
   const views = data.runs.map(run => `<figure class="run"><figcaption><b>${escaped(run.name)}</b></figcaption>${svg}` +
       `<dl class="facts"></dl></figure>`);
   const speeds = [0.1, 0.25, 1, 4].map(x => `<option value="${x}"${x === 1 ? ' selected' : ''}>${x}\u00d7</option>`);
-  const legend = names => names.map((name, i) => `<span class="key"><svg class="fig" width="26" height="8">` +
-      `<path class="${colour(i)} stroke" stroke-dasharray="${dash(i)}" d="M0 4h26"/></svg>${escaped(name)}</span>`).join('');
+  const key = (name, i) => `<span class="key"><svg class="fig" width="26" height="8">` +
+      `<path class="${colour(i)} stroke" stroke-dasharray="${dash(i)}" d="M0 4h26"/></svg>${escaped(name)}</span>`;
+  const legend = names => `<p class="small">${names.map(key).join('')}</p>`, names = data.runs.map(run => run.name);
   const parts = data.partings.map(({step, runs, contact}) =>
       `<li><button class="mark" data-step="${step}">step ${step}: ` +
       `${escaped(runs.join(' and '))} part at ${escaped(contact)}</button></li>`);
@@ -182,12 +201,10 @@ function markup(data, last) {
       `<p class="small quiet">Space plays and pauses, the arrow keys step, a drag turns the view. Rings are contacts.` +
       `</p>` +
       (parts.length ? `<ul class="marks">${parts.join('')}</ul>` : '') +
-      `<div class="plots"><section><h2>Energy</h2><p class="small">${legend(data.runs.map(run => run.name))}</p>` +
-      `<div class="energy"></div></section><section><h2>Momentum, its length</h2><p class="small">` +
-      `${legend(data.runs.map(run => run.name))}</p><div class="momentum"></div></section>` +
-      (data.distances.length ? `<section><h2>How far apart</h2><p class="small">` +
-          `${legend(data.distances.map(({runs}) => runs.join(' \u2013 ')))}</p>` +
-          `<div class="apart"></div></section>` : '') + '</div>';
+      `<div class="plots"><section><h2>Energy</h2><div class="energy"></div>${legend(names)}</section>` +
+      `<section><h2>Momentum, its length</h2><div class="momentum"></div>${legend(names)}</section>` +
+      (data.distances.length ? `<section><h2>How far apart</h2><div class="apart"></div>` +
+          `${legend(data.distances.map(({runs}) => runs.join(' \u2013 ')))}</section>` : '') + '</div>';
 }
 
 // Draws the data into an element of the page and plays it as the reader asks.
@@ -281,7 +298,10 @@ function show(place, data) {
     for (const end of ['pointerup', 'pointercancel', 'lostpointercapture'])
       svg.addEventListener(end, () => { held = null; });
   }
-  go(0);
+  // A page's address may name the step at which it begins: page.html#step=40.
+  const named = () => /[#&]step=(\d+)/.exec(globalThis.location?.hash ?? '');
+  go(named() ? named()[1] / data.stride : 0);
+  globalThis.addEventListener?.('hashchange', () => named() && stop(named()[1] / data.stride));
 }
 
 return {extent, figures, drawn, plot, show};

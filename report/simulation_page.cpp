@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "report/html_parts.h"
 #include "report/wording.h"
@@ -64,13 +65,14 @@ Json run_of(const Recording::OfRun& run, const std::vector<std::size_t>& frames)
   if (!run.ended.empty()) json["ended"] = run.ended;
   for (const std::size_t frame : frames) {
     if (frame >= run.states.size()) break;
-    Json flat = Json::array(), contacts = Json::array();
+    Json flat = Json::array();
+    std::set<Json> contacts;  // one ring where a contact was answered many times
     for (const auto& [p, v] : run.states[frame])
       for (const double x : {p.x, p.y, p.z, v.x, v.y, v.z}) flat.push_back(number(x));
     for (; before <= frame; ++before)
-      for (const auto& impact : run.impacts[before]) contacts.push_back(three(impact.point));
+      for (const auto& impact : run.impacts[before]) contacts.insert(three(impact.point));
     json["frames"].push_back(std::move(flat));
-    json["contacts"].push_back(std::move(contacts));
+    json["contacts"].push_back(Json(contacts));
     json["energy"].push_back(number(run.energy[frame], 9));
     json["scheme"].push_back(number(run.scheme[frame], 4));
     json["decision"].push_back(number(run.decision[frame], 4));

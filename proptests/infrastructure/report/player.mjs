@@ -86,6 +86,27 @@ test('player: a plot leads from its least to its greatest value, and marks where
   assert.deepEqual([...svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]), ['1', '2', '3']);
 });
 
+test('player: what is drawn of a wall is within reach', () => {
+  const bounce = {...run('float', 0), frames: [0, 2].map(y => [0, y, 0, 0, 0, 0])};
+  const point = {name: 'p', shape: 'particle', radius: 0, half: [0, 0, 0], fixed: false};
+  const one = data({bodies: [point], walls: [{name: 'floor', normal: [0, 1, 0], offset: 0}], runs: [bounce]});
+  const within = player.extent(one), [{points: [foot, tip]}] = player.figures(one, bounce, 0, within, bare);
+  // The square about the foot, as viewer.js draws it: twice as far to its sides as the normal is long.
+  const corner = [foot[0] + 2 * (tip[1] - foot[1]), foot[1], foot[2] + 2 * (tip[1] - foot[1])];
+  assert.ok(Math.hypot(...corner) <= within.reach);
+  assert.ok(Math.hypot(...corner) > 0.99 * within.reach);
+});
+
+test('player: ticks are round numbers within the plot', () => {
+  const ticks = values => [...player.plot([{name: 'a', values, style: 'q0', dash: ''}], {frame: 0, marks: [], label: ''})
+      .matchAll(/<text[^>]*>(.*?)<\/text>/g)].map(found => found[1]);
+  assert.deepEqual(ticks([19.077, 23.527]), ['20', '21', '22', '23']);
+  assert.deepEqual(ticks([-0.12, 9.81]), ['0', '2', '4', '6', '8']);
+  assert.deepEqual(ticks([0.31298, 8.9015]), ['2', '4', '6', '8']);
+  assert.deepEqual(ticks([100, 900]), ['200', '400', '600', '800']);
+  assert.deepEqual(ticks([9.9, 10.1]), ['9.9', '10', '10.1']);
+});
+
 test('player: of many bodies the numbers alone are shown after the first of a name', () => {
   const bodies = ['wall', 'ball_1', 'ball_2', 'cue', 'ball_10'].map(name => ({...ball, name}));
   const names = count => {
@@ -189,6 +210,26 @@ test('player: buttons, keys, the slider, a mark and a click in a plot go to a st
   page.part('.energy').width = 360;
   page.click('.energy', {clientX: 206, currentTarget: page.part('.energy')});
   assert.equal(at(), 2);
+});
+
+test('player: a page whose address names a step begins there, and goes there when the address changes', () => {
+  const listeners = {};
+  globalThis.addEventListener = (name, listener) => { listeners[name] = listener; };
+  try {
+    globalThis.location = {hash: '#step=2'};
+    const page = shown();
+    assert.equal(page.where(), 'step 2 of 3, 1.000 s');
+    globalThis.location.hash = '#step=99';
+    listeners.hashchange();
+    assert.equal(page.where(), 'step 3 of 3, 1.500 s');
+    globalThis.location.hash = '#energy';
+    listeners.hashchange();
+    assert.equal(page.where(), 'step 3 of 3, 1.500 s');
+    assert.equal(shown().where(), 'step 0 of 3, 0.000 s');
+  } finally {
+    delete globalThis.location;
+    delete globalThis.addEventListener;
+  }
 });
 
 test('player: it plays as fast as time passes, by its speed, and stops at the end', () => {
