@@ -25,49 +25,78 @@ void sort_row(IndexPair* row, std::size_t size) {
   }
 }
 
-/// A counting sort of pairs i < j < size: into stretches of i that a cache holds, there by i, and each row by j.
-std::vector<IndexPair> sorted(const std::vector<IndexPair>& pairs, std::size_t size) {
-  const int shift = std::max(0, static_cast<int>(std::bit_width(size)) - 10);
-  std::vector<std::size_t> stretch((size >> shift) + 2);
-  for (const IndexPair& pair : pairs) ++stretch[(pair.i >> shift) + 1];
-  for (std::size_t k = 1; k < stretch.size(); ++k) stretch[k] += stretch[k - 1];
-  std::vector<IndexPair> parted(pairs.size()), result(pairs.size());
-  std::vector<std::size_t> next(stretch);
-  for (const IndexPair& pair : pairs) parted[next[pair.i >> shift]++] = pair;
-  std::vector<std::size_t> row;
-  for (std::size_t k = 0; k + 1 < stretch.size(); ++k) {
-    const auto first = static_cast<Index>(k << shift);
-    row.assign((std::size_t{1} << shift) + 2, 0);
-    for (std::size_t p = stretch[k]; p < stretch[k + 1]; ++p) ++row[parted[p].i - first + 2];
-    row[0] = row[1] = stretch[k];
-    for (std::size_t r = 2; r < row.size(); ++r) row[r] += row[r - 1];
-    for (std::size_t p = stretch[k]; p < stretch[k + 1]; ++p) result[row[parted[p].i - first + 1]++] = parted[p];
-    for (std::size_t r = 0; r + 1 < row.size(); ++r) sort_row(result.data() + row[r], row[r + 1] - row[r]);
+/// A counting sort of pairs i < j < size: into stretches of i that a cache holds, there by i, and each row by j. The
+/// memory is kept.
+class PairOrder {
+ public:
+  void sort(const std::vector<IndexPair>& pairs, std::size_t size, std::vector<IndexPair>& result) {
+    const int shift = std::max(0, static_cast<int>(std::bit_width(size)) - 10);
+    stretch_.assign((size >> shift) + 2, 0);
+    for (const IndexPair& pair : pairs) ++stretch_[(pair.i >> shift) + 1];
+    for (std::size_t k = 1; k < stretch_.size(); ++k) stretch_[k] += stretch_[k - 1];
+    parted_.resize(pairs.size()), result.resize(pairs.size());
+    next_ = stretch_;
+    for (const IndexPair& pair : pairs) parted_[next_[pair.i >> shift]++] = pair;
+    for (std::size_t k = 0; k + 1 < stretch_.size(); ++k) {
+      const auto first = static_cast<Index>(k << shift);
+      row_.assign((std::size_t{1} << shift) + 2, 0);
+      for (std::size_t p = stretch_[k]; p < stretch_[k + 1]; ++p) ++row_[parted_[p].i - first + 2];
+      row_[0] = row_[1] = stretch_[k];
+      for (std::size_t r = 2; r < row_.size(); ++r) row_[r] += row_[r - 1];
+      for (std::size_t p = stretch_[k]; p < stretch_[k + 1]; ++p) result[row_[parted_[p].i - first + 1]++] = parted_[p];
+      for (std::size_t r = 0; r + 1 < row_.size(); ++r) sort_row(result.data() + row_[r], row_[r + 1] - row_[r]);
+    }
   }
-  return result;
-}
+
+ private:
+  std::vector<std::size_t> stretch_, next_, row_;
+  std::vector<IndexPair> parted_;
+};
 
 enum class Step : std::uint8_t { apart, open_first, open_second, compare };
+
+}  // namespace
 
 /// In scope of a guard, so that doubles may be compared.
 class PairTree {
  public:
-  PairTree(const std::vector<Aabb3d>& boxes, PairProof* proof)
-      : boxes_(boxes), proof_(proof), cut_(boxes), coarse_{cut_.origin()} {
-    nodes_.reserve(boxes.size() / 2 + 8), leaves_.reserve(boxes.size() / 4 + 8);
-    if (!boxes.empty()) build(0, static_cast<Index>(boxes.size()));
-    if (proof_) {
-      proof_->order = cut_.order();
-      for (const Node& node : nodes_) proof_->cuts.push_back(node.cut);
-    }
-    cut_ = {};
+  explicit PairTree(PairProof* proof = nullptr) : proof_(proof) {}
+
+  /// The boxes are looked at until the next call of `make` or `refit`.
+  void make(const std::vector<Aabb3d>& boxes) {
+    boxes_ = boxes.data(), size_ = boxes.size();
+    cut_ = PairCut(boxes), coarse_ = {cut_.origin()};
+    nodes_.clear(), leaves_.clear();
+    nodes_.reserve(size_ / 2 + 8), leaves_.reserve(size_ / 4 + 8);
+    if (size_ > 0) build(0, static_cast<Index>(size_));
+    if (proof_ == nullptr) return;
+    proof_->order = cut_.order();
+    for (const Node& node : nodes_) proof_->cuts.push_back(node.cut);
   }
 
-  std::vector<IndexPair> pairs() {
-    if (nodes_.empty()) return {};
-    if (proof_) within<true>(0);
-    else within<false>(0);
-    return sorted(met_, boxes_.size());
+  std::size_t size() const { return size_; }
+
+  /// The same tree around as many boxes, which are elsewhere now: each node becomes the least box around its own.
+  void refit(const std::vector<Aabb3d>& boxes) {
+    boxes_ = boxes.data();
+    for (std::size_t place = nodes_.size(); place-- > 0;) {
+      Node& node = nodes_[place];
+      node.box =
+          node.leaf() ? refilled(leaves_[node.right]) : least_around(nodes_[place + 1].box, nodes_[node.right].box);
+      node.size = cut_.size(node.box);
+    }
+  }
+
+  /// How many pairs of nodes were compared for the last list: by how much refitting has made the tree worse.
+  std::size_t compared() const { return compared_; }
+
+  void find_pairs(std::vector<IndexPair>& result) {
+    met_.clear(), compared_ = 0;
+    if (!nodes_.empty()) {
+      if (proof_) within<true>(0);
+      else within<false>(0);
+    }
+    order_.sort(met_, size_, result);
   }
 
  private:
@@ -105,10 +134,21 @@ class PairTree {
 
   Aabb3d add_leaf(Index begin, Index end) {
     PairLeaf& leaf = leaves_.emplace_back();
-    Aabb3d box = boxes_[cut_.body(begin)];
-    for (Index i = begin; i < end; ++i) {
-      const std::size_t place = i - begin;
-      const Aabb3d& own = boxes_[leaf.body[place] = cut_.body(i)];
+    for (Index i = begin; i < end; ++i) leaf.body[i - begin] = cut_.body(i);
+    return filled(leaf, end - begin);
+  }
+  /// A place that is taken has ends in order.
+  Aabb3d refilled(PairLeaf& leaf) {
+    std::size_t taken = 0;
+    while (taken < PairLeaf::places && leaf.low[0][taken] <= leaf.high[0][taken]) ++taken;
+    leaf.around = PairLeaf().around;
+    return filled(leaf, taken);
+  }
+  /// The ends of as many boxes, and the least box around them.
+  Aabb3d filled(PairLeaf& leaf, std::size_t taken) {
+    Aabb3d box = boxes_[leaf.body[0]];
+    for (std::size_t place = 0; place < taken; ++place) {
+      const Aabb3d& own = boxes_[leaf.body[place]];
       box = least_around(box, own);
       const auto add = [&](std::size_t axis, double low, double high) {
         leaf.low[axis][place] = coarse_(low, axis), leaf.high[axis][place] = coarse_(high, axis);
@@ -162,6 +202,7 @@ class PairTree {
 
   template <bool proved>
   void between(Place one, Place other) {
+    ++compared_;
     const Node &a = nodes_[one], &b = nodes_[other];
     const auto taken = [&](Step what) {
       if constexpr (proved) step(what);
@@ -182,22 +223,43 @@ class PairTree {
     }
   }
 
-  const std::vector<Aabb3d>& boxes_;
+  const Aabb3d* boxes_ = nullptr;
+  std::size_t size_ = 0;
   PairProof* proof_;
   PairCut cut_;
   Coarse coarse_;
   std::vector<Node> nodes_;  ///< in preorder
   std::vector<PairLeaf> leaves_;
   std::vector<IndexPair> met_;
-  std::size_t steps_ = 0;
+  PairOrder order_;
+  std::size_t steps_ = 0, compared_ = 0;
 };
-
-}  // namespace
 
 std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* proof) {
   const kernel::ControlWord guard;
   if (proof) *proof = {};
-  return PairTree(boxes, proof).pairs();
+  std::vector<IndexPair> pairs;
+  PairTree tree(proof);
+  tree.make(boxes);
+  tree.find_pairs(pairs);
+  return pairs;
+}
+
+KeptPairTree::KeptPairTree() = default;
+KeptPairTree::KeptPairTree(KeptPairTree&&) noexcept = default;
+KeptPairTree& KeptPairTree::operator=(KeptPairTree&&) noexcept = default;
+KeptPairTree::~KeptPairTree() = default;
+
+const std::vector<IndexPair>& KeptPairTree::pairs(const std::vector<Aabb3d>& boxes) {
+  const kernel::ControlWord guard;
+  if (!tree_) tree_ = std::make_unique<PairTree>();
+  // No answer depends on when. Measured on 10,000 falling balls, where a later time was no faster.
+  const bool made = tree_->size() != boxes.size() || 8 * tree_->compared() > 9 * at_first_;
+  if (made) tree_->make(boxes);
+  else tree_->refit(boxes);
+  tree_->find_pairs(pairs_);
+  if (made) at_first_ = tree_->compared();
+  return pairs_;
 }
 
 }  // namespace touchstone::robust::structures

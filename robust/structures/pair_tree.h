@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "geometry/volumes.h"
 #include "robust/kernel/strict_math.h"
 
-/// All pairs of boxes that meet, by a binary tree over the boxes that is made for one list and then thrown away.
+/// All pairs of boxes that meet, by a binary tree over the boxes.
 namespace touchstone::robust::structures {
 
 /// Shows that a list of pairs is complete; oracle/certificates/README.md explains each part.
@@ -22,5 +23,25 @@ struct PairProof {
 /// every floating-point environment. The tree decides only how long it takes: n log n and the pairs where boxes are of
 /// like size or of many sizes; about n^1.5 for long boxes across each other.
 std::vector<IndexPair> tree_pairs(const std::vector<Aabb3d>& boxes, PairProof* proof = nullptr);
+
+class PairTree;
+
+/// The same pairs of a list that is asked again and again while its boxes move: the tree is kept, with all memory, and
+/// fitted to where the boxes are now; it is made anew when it has become bad.
+class KeptPairTree {
+ public:
+  KeptPairTree();
+  KeptPairTree(KeptPairTree&&) noexcept;
+  KeptPairTree& operator=(KeptPairTree&&) noexcept;
+  ~KeptPairTree();
+
+  /// What tree_pairs(boxes) is, until the next call.
+  const std::vector<IndexPair>& pairs(const std::vector<Aabb3d>& boxes);
+
+ private:
+  std::unique_ptr<PairTree> tree_;
+  std::size_t at_first_ = 0;  ///< comparisons when it was made
+  std::vector<IndexPair> pairs_;
+};
 
 }  // namespace touchstone::robust::structures
