@@ -9,7 +9,7 @@
 #include "program/names.h"
 #include "program/program.h"
 #include "report/simulation_page.h"
-#include "simulate/gas/gas_scene.h"
+#include "simulate/gas/referee.h"
 #include "simulate/scene_reading.h"
 #include "simulate/summary.h"
 #include "simulate/trajectory.h"
@@ -34,7 +34,15 @@ int gas_command(const SimulateCommand& command, const Json& json, std::ostream& 
     throw UsageError(command.file + ": an exact gas has no steps: no --steps, --trajectory, --resume, --page");
   const auto scene = read_or_refuse(command.file, [&] { return simulate::gas::read_gas(json); });
   try {
-    return simulate::gas::run_gas(scene, out) ? nothing_found : findings;
+    int code = simulate::gas::run_gas(scene, out) ? nothing_found : findings;
+    for (const std::string& engine : command.engines) {
+      const auto verdict = simulate::gas::referee(scene, engine_lines(engine, command.timeout), engine);
+      out << simulate::gas::sentence_of(scene, verdict) << std::endl;
+      if (verdict.ended.empty() || verdict.unsupported) continue;
+      err << "touchstone: engine " << verdict.engine << ": " << verdict.ended << '\n';
+      if (code == nothing_found) code = engine_failed;
+    }
+    return code;
   } catch (const simulate::gas::GasError& wrong) {
     err << "touchstone: " << command.file << ": " << wrong.what() << '\n';
     return bad_usage;

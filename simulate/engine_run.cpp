@@ -26,7 +26,7 @@ EngineRun::EngineRun(std::unique_ptr<EngineLines> lines, EngineHello hello, cons
   begin(in_number_of(hello_, scene.start()));
 }
 
-Stepped<double> EngineRun::step_from(const State<double>&) {
+Stepped<double> EngineRun::own_step() {
   ++steps_;
   EngineStep answer = read_engine_step(lines_->answer_to(engine_question(steps_)), played_, steps_);
   tells_contacts_ = tells_contacts_ && answer.tells_contacts;

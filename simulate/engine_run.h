@@ -27,6 +27,9 @@ class EngineRun : public Run {
   /// `failure`: why it cannot begin; empty if it can. The scene has to outlive it.
   EngineRun(std::unique_ptr<EngineLines> lines, EngineHello hello, const std::string& failure, const Scene& scene);
 
+  /// Asks the engine for its next step, and for nothing beside it. Throws EngineFailure and InvalidInput.
+  Stepped<double> own_step();
+
   Log log_from(const State<double>&) const override { return {}; }
   const EngineRun* engine() const override { return this; }
   const EngineHello& hello() const { return hello_; }
@@ -38,7 +41,7 @@ class EngineRun : public Run {
   bool unsupported() const { return unsupported_; }
 
  private:
-  Stepped<double> step_from(const State<double>& state) override;
+  Stepped<double> step_from(const State<double>&) override { return own_step(); }
 
   const Scene& played_;
   std::unique_ptr<EngineLines> lines_;

@@ -193,16 +193,29 @@ std::uint64_t Gas::hash() const {
 void Gas::respond(const std::vector<std::size_t>& seeds) {
   std::vector<bool> seen(cubes_.size()), changed(cubes_.size());
   std::vector<std::size_t> touched;
+  const std::size_t before = hits_ == nullptr ? 0 : hits_->size();
   for (const std::size_t seed : seeds) {
     if (seen[seed]) continue;
     const Part part = part_of(seed, seen);
     for (const Join& join : part.joins) counts_.pairs += approach(join);
     for (int axis = 0; axis < 3; ++axis) answer(part, axis, changed);
+    if (hits_ != nullptr) add_hit(part, changed);
     touched.insert(touched.end(), part.cubes.begin(), part.cubes.end());
   }
+  if (hits_ != nullptr)
+    std::sort(hits_->begin() + static_cast<std::ptrdiff_t>(before), hits_->end(),
+              [](const Hit& a, const Hit& b) { return a.cubes[0] < b.cubes[0]; });
   for (const std::size_t cube : touched) places_[cube].stamp += changed[cube];
   for (const std::size_t cube : touched)
     if (changed[cube]) expect_near(cube);
+}
+
+void Gas::add_hit(const Part& part, const std::vector<bool>& changed) {
+  Hit hit{now_, part.cubes};
+  std::sort(hit.cubes.begin(), hit.cubes.end());
+  std::erase_if(hit.cubes, [&](std::size_t cube) { return !changed[cube]; });
+  for (const std::size_t cube : hit.cubes) hit.velocities.push_back(cubes_[cube].velocity);
+  if (!hit.cubes.empty()) hits_->push_back(std::move(hit));
 }
 
 Gas::Part Gas::part_of(std::size_t seed, std::vector<bool>& seen) const {

@@ -28,6 +28,13 @@ struct Instant {
   friend bool operator==(const Instant& a, const Instant& b) { return Wide(a.p) * b.q == Wide(b.p) * a.q; }
 };
 
+/// Cubes that met, or one that met a wall, and came out of it with other velocities.
+struct Hit {
+  Instant at;
+  std::vector<std::size_t> cubes;                  ///< ascending
+  std::vector<std::array<Whole, 3>> velocities{};  ///< of each of them, afterwards
+};
+
 /// The numbers became too long for 64 bits, or the start is none.
 struct GasError : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -59,6 +66,8 @@ class Gas {
 
   /// Up to that time, what happens at it included. Throws GasError.
   void run(Whole until);
+  /// From now on each hit is added to the list, in order; of one instant those with the least cube first.
+  void record(std::vector<Hit>& hits) { hits_ = &hits; }
   /// Turns every velocity round at that time, at which the clock then begins again at 0.
   void reverse(Whole at);
 
@@ -112,6 +121,7 @@ class Gas {
   // response.cpp: what happens then
   void respond(const std::vector<std::size_t>& seeds);
   Part part_of(std::size_t seed, std::vector<bool>& seen) const;
+  void add_hit(const Part& part, const std::vector<bool>& changed);
   void answer(const Part& part, int axis, std::vector<bool>& changed);
   void answer_group(const Part& part, std::vector<std::size_t> group, bool row, int axis, std::vector<bool>& changed);
   void mirror(const std::vector<std::size_t>& group, int axis);
@@ -135,6 +145,7 @@ class Gas {
   Instant now_;
   std::array<Wide, 3> wall_impulse_{};
   Counts counts_;
+  std::vector<Hit>* hits_ = nullptr;
 };
 
 /// SplitMix64: the same integers everywhere.

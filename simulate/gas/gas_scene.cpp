@@ -48,16 +48,21 @@ GasScene read_gas(const catalogue::Json& json) {
   scene.side = whole(gas, "side", 1);
   scene.until = whole(gas, "until", 0);
   const Whole along = whole(gas, "cubes_along", 1), gap = whole(gas, "gap", 2), speed = whole(gas, "speed", 0);
+  scene.speed = speed;
+  scene.planar = gas.flag_or("planar", false);
+  scene.steps_per_second = gas.count_or("steps_per_second", 1, 60);
   Draws draws(static_cast<std::uint64_t>(whole(gas, "seed", 0)));
   gas.end();
   if (along > 64) throw InvalidInput("gas.cubes_along", catalogue::expected("up to 64", gas.at("cubes_along")));
   const Whole spacing = scene.side + gap;
   scene.room = spacing * along - scene.side;
-  for (Whole i = 0; i < along * along * along; ++i) {
+  const int axes = scene.planar ? 2 : 3;
+  for (Whole i = 0; i < along * along * (scene.planar ? 1 : along); ++i) {
     Cube cube;
     const Whole place[]{i / (along * along), i / along % along, i % along};
-    for (int axis = 0; axis < 3; ++axis) {
-      cube.line[axis] = place[axis] * spacing + draws.between(1, gap - 1);
+    if (scene.planar) cube.line[2] = scene.room / 2;
+    for (int axis = 0; axis < axes; ++axis) {
+      cube.line[axis] = place[scene.planar ? axis + 1 : axis] * spacing + draws.between(1, gap - 1);
       cube.velocity[axis] = draws.between(-speed, speed);
     }
     scene.cubes.push_back(cube);

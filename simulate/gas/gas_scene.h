@@ -12,6 +12,9 @@ namespace touchstone::simulate::gas {
 struct GasScene {
   std::string title, about;
   Whole side = 1, room = 0, until = 0;
+  bool planar = false;                  ///< one layer, which nothing leaves
+  Whole speed = 0;                      ///< no component of a velocity is greater
+  std::uint32_t steps_per_second = 60;  ///< of engines beside it (referee.h)
   std::vector<Cube> cubes;
 };
 
