@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Steps of 10,000 balls in a room, by the formulas in double, by robust, and by Bullet and ODE where they are
-// installed. items_per_second are steps.
+// installed. items_per_second are steps. What a body more takes of memory, of a run too, which has the exact step and
+// its rationals beside its own.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include "bench/timing.h"
-#include "simulate/step.h"
+#include "simulate/run.h"
 #if defined(TOUCHSTONE_BENCH_BULLET)
 #include "engines/simulated_bullet.h"
 #endif
@@ -15,7 +20,7 @@ namespace {
 
 using namespace simulate;
 
-constexpr std::size_t balls = 10000, along = 22;  // 22^3 places of a lattice
+constexpr std::size_t balls = 10000;
 constexpr double radius = 0.25, place = 0.75;
 
 /// Uniform in [0, 1), of 32 bits, by the generator of Lehmer: the same with every library.
@@ -30,7 +35,8 @@ class Random {
   std::uint64_t state_ = 1;
 };
 
-Scene balls_in_a_room() {
+Scene balls_in_a_room(std::size_t many) {
+  const auto along = static_cast<std::size_t>(std::ceil(std::cbrt(static_cast<double>(many))));
   Scene scene;
   scene.gravity = {0, -9.81, 0};
   scene.settings.timestep = 1.0 / 60;
@@ -44,7 +50,7 @@ Scene balls_in_a_room() {
     scene.walls.push_back({"", {normal, side}});
   }
   Random random;
-  for (std::size_t i = 0; i < balls; ++i) {
+  for (std::size_t i = 0; i < many; ++i) {
     const auto at = [&](std::size_t k) {
       return radius + 0.01 + place * static_cast<double>(k) + (place - 2 * radius - 0.02) * random.next();
     };
@@ -60,7 +66,7 @@ Scene balls_in_a_room() {
 }
 
 const Scene& scene() {
-  static const Scene scene = balls_in_a_room();
+  static const Scene scene = balls_in_a_room(balls);
   return scene;
 }
 
@@ -68,9 +74,10 @@ template <class By>
 void time_steps(benchmark::State& bench) {
   const World<By> world(scene());
   State<double> state = scene().start();
+  Nearby nearby;
   std::size_t contacts = 0, steps = 0;
   for (auto _ : bench) {
-    auto stepped = step(world, state);
+    auto stepped = step(world, state, nullptr, nullptr, &nearby);
     state = std::move(stepped.state);
     contacts += stepped.impacts.size();
     ++steps;
@@ -79,15 +86,73 @@ void time_steps(benchmark::State& bench) {
   bench.SetLabel(std::to_string(contacts / steps) + " contacts a step");
 }
 
+/// Its part of `time_steps`. `kept`: from one step to the next, as there; else all is made anew.
+template <bool kept>
 void time_broad_phase(benchmark::State& bench) {
   const World<Formulas<double>> world(scene());
   State<double> state = scene().start();
-  for (int i = 0; i < 60; ++i) state = step(world, state).state;
+  Nearby of_steps, nearby;
   std::size_t pairs = 0;
-  for (auto _ : bench) pairs = world.touches(state, state).size();
+  for (auto _ : bench) {
+    bench.PauseTiming();
+    state = step(world, state, nullptr, nullptr, &of_steps).state;
+    if (!kept) nearby = {};
+    bench.ResumeTiming();
+    pairs = world.touches(state, state, nearby).size();
+  }
   bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()));
   bench.SetLabel(std::to_string(pairs) + " pairs and walls");
 }
+
+/// The most memory, in bytes, that a process of its own has had in use after that work.
+template <class Work>
+double most_memory(const Work& work) {
+  int ends[2];
+  if (pipe(ends) != 0) std::abort();
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    const auto kilobytes = static_cast<double>(used.ru_maxrss);
+    _exit(write(ends[1], &kilobytes, sizeof kilobytes) == sizeof kilobytes ? 0 : 1);
+  }
+  double kilobytes = 0;
+  if (read(ends[0], &kilobytes, sizeof kilobytes) != sizeof kilobytes) std::abort();
+  waitpid(child, nullptr, 0);
+  close(ends[0]), close(ends[1]);
+  return kilobytes * 1024;
+}
+
+/// How much more 40,000 bodies need than 10,000, for each, after five steps; the scene is counted.
+template <class Work>
+void measure_memory(benchmark::State& bench, const Work& work) {
+  for (auto _ : bench) {
+    const double few = most_memory([&] { work(balls_in_a_room(10000)); });
+    const double many = most_memory([&] { work(balls_in_a_room(40000)); });
+    bench.counters["bytes_a_body"] = (many - few) / 30000;
+  }
+}
+
+template <class By>
+void memory_of_steps(benchmark::State& bench) {
+  measure_memory(bench, [](const Scene& scene) {
+    const World<By> world(scene);
+    using Real = typename By::Number;
+    State<Real> state = scene.start();
+    Nearby nearby;
+    for (int i = 0; i < 5; ++i) state = step(world, state, nullptr, nullptr, &nearby).state;
+  });
+}
+void memory_of_run(benchmark::State& bench) {
+  measure_memory(bench, [](const Scene& scene) {
+    const auto run = run_of("robust", scene);
+    for (int i = 0; i < 5; ++i) run->advance();
+  });
+}
+BENCHMARK(memory_of_steps<Formulas<double>>)->Name("simulation_memory/double")->Iterations(1);
+BENCHMARK(memory_of_steps<Robust>)->Name("simulation_memory/robust")->Iterations(1);
+BENCHMARK(memory_of_run)->Name("simulation_memory/run_of_robust")->Iterations(1);
 
 #if defined(TOUCHSTONE_BENCH_BULLET) || defined(TOUCHSTONE_BENCH_ODE)
 simulated::Scene for_engines() {
@@ -128,7 +193,8 @@ BENCHMARK(time_ode)->Name("simulation_10000/ode")->Unit(benchmark::kMillisecond)
 #endif
 BENCHMARK(time_steps<Formulas<double>>)->Name("simulation_10000/double")->Unit(benchmark::kMillisecond);
 BENCHMARK(time_steps<Robust>)->Name("simulation_10000/robust")->Unit(benchmark::kMillisecond);
-BENCHMARK(time_broad_phase)->Name("simulation_10000/broad_phase")->Unit(benchmark::kMillisecond);
+BENCHMARK(time_broad_phase<true>)->Name("simulation_10000/broad_phase")->Unit(benchmark::kMillisecond);
+BENCHMARK(time_broad_phase<false>)->Name("simulation_10000/broad_phase_anew")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace touchstone::bench

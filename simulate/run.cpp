@@ -23,7 +23,7 @@ class RunOf : public Run {
 
  private:
   Stepped<double> step_from(const State<double>& state) override {
-    auto [after, impacts] = step(world_, in_arithmetic(state));
+    auto [after, impacts] = step(world_, in_arithmetic(state), nullptr, nullptr, &nearby_);
     return {in_double(after), std::move(impacts)};
   }
 
@@ -39,6 +39,7 @@ class RunOf : public Run {
   static State<double> in_double(const State<Real>& state) { return changed<double>(state); }
 
   World<By> world_;
+  Nearby nearby_;
 };
 
 std::vector<Touch> touches_of(const std::vector<Impact>& impacts) {
@@ -62,9 +63,9 @@ void Run::begin(const State<double>& state) {
   now_.chain = chained(0, now_.hash);
 }
 
-Stepped<Exact> Run::ideal_step(const State<Exact>& start) const {
+Stepped<Exact> Run::ideal_step(const State<Exact>& start) {
   try {
-    return step(exact_, start);
+    return step(exact_, start, nullptr, nullptr, &nearby_exact_);
   } catch (const StepError& wrong) {
     throw StepError("the exact step from its state: " + std::string(wrong.what()));
   }

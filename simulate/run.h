@@ -48,11 +48,12 @@ class Run {
  private:
   virtual Stepped<double> step_from(const State<double>& state) = 0;
   void describe(const State<double>& state);
-  Stepped<Exact> ideal_step(const State<Exact>& start) const;
+  Stepped<Exact> ideal_step(const State<Exact>& start);
 
   std::string name_;
   const Scene& scene_;
   World<Formulas<Exact>> exact_;
+  Nearby nearby_exact_;
   Snapshot now_;
   Drift drift_;
   std::string ended_;

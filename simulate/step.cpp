@@ -26,8 +26,8 @@ class Step {
  public:
   using Real = typename By::Number;
 
-  Step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log)
-      : world_(world), settings_(world.settings()), follow_(follow), log_(log), state_(state) {}
+  Step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log, Nearby& nearby)
+      : world_(world), settings_(world.settings()), follow_(follow), log_(log), nearby_(nearby), state_(state) {}
 
   Stepped<Real> made() {
     const bool accelerates_first = settings_.motion == Motion::accelerate_then_move;
@@ -95,7 +95,7 @@ class Step {
       return;
     }
     if (settings_.law == Law::penalty) return;
-    const std::vector<Touch> touches = world_.touches(at, at);
+    const std::vector<Touch>& touches = world_.touches(at, at, nearby_);
     for (std::uint32_t pass = 0; pass < settings_.passes; ++pass) {
       for (const Touch& touch : touches) {
         if (!world_.meet(touch, at, log_)) continue;
@@ -122,7 +122,7 @@ class Step {
 
   std::optional<Moment> first_moment(const Real& left) const {
     std::optional<Moment> first;
-    for (const Touch& touch : world_.touches(state_, moved(left))) {
+    for (const Touch& touch : world_.touches(state_, moved(left), nearby_)) {
       // Two that just bounced do not meet again before another contact has turned one of them.
       if (!impacts_.empty() && impacts_.back().touch == touch) continue;
       const auto moment = moment_of(touch, left);
@@ -158,6 +158,7 @@ class Step {
   const Settings& settings_;
   const std::vector<Impact>* follow_;
   Log* log_;
+  Nearby& nearby_;
   State<Real> state_;
   std::vector<Impact> impacts_;
 };
@@ -165,13 +166,18 @@ class Step {
 }  // namespace
 
 template <class By, class Real>
-Stepped<Real> step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log) {
-  return Step<By>(world, state, follow, log).made();
+Stepped<Real> step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow, Log* log,
+                   Nearby* nearby) {
+  Nearby own;
+  return Step<By>(world, state, follow, log, nearby == nullptr ? own : *nearby).made();
 }
 
-template Stepped<float> step(const World<Formulas<float>>&, const State<float>&, const std::vector<Impact>*, Log*);
-template Stepped<double> step(const World<Formulas<double>>&, const State<double>&, const std::vector<Impact>*, Log*);
-template Stepped<Exact> step(const World<Formulas<Exact>>&, const State<Exact>&, const std::vector<Impact>*, Log*);
-template Stepped<double> step(const World<Robust>&, const State<double>&, const std::vector<Impact>*, Log*);
+template Stepped<float> step(const World<Formulas<float>>&, const State<float>&, const std::vector<Impact>*, Log*,
+                             Nearby*);
+template Stepped<double> step(const World<Formulas<double>>&, const State<double>&, const std::vector<Impact>*, Log*,
+                              Nearby*);
+template Stepped<Exact> step(const World<Formulas<Exact>>&, const State<Exact>&, const std::vector<Impact>*, Log*,
+                             Nearby*);
+template Stepped<double> step(const World<Robust>&, const State<double>&, const std::vector<Impact>*, Log*, Nearby*);
 
 }  // namespace touchstone::simulate

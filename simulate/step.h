@@ -37,9 +37,10 @@ struct StepError : std::runtime_error {
 /// arithmetic: rounded once an operation, or never. Springs (p. 72-73) act with gravity, from the state at the start.
 ///
 /// `follow`: these contacts are answered in place of those that the step would find; one that it does not meet, at the
-/// time written there. `log`: filled with the questions asked. Throws StepError, and what robust throws.
+/// time written there. `log`: filled with the questions asked. `nearby`: kept for the next step, which is faster then.
+/// Throws StepError, and what robust throws.
 template <class By, class Real = typename By::Number>
 Stepped<Real> step(const World<By>& world, const State<Real>& state, const std::vector<Impact>* follow = nullptr,
-                   Log* log = nullptr);
+                   Log* log = nullptr, Nearby* nearby = nullptr);
 
 }  // namespace touchstone::simulate

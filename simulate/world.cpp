@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "robust/structures/pair_tree.h"
 #include "simulate/near_pairs.h"
 
 namespace touchstone::simulate {
@@ -96,10 +95,10 @@ std::vector<Touch> World<By>::all_touches() const {
 }
 
 template <class By>
-std::vector<Touch> World<By>::touches(const State<Real>& from, const State<Real>& to) const {
-  if (settings_.broad_phase == BroadPhase::all_pairs) return all_touches();
-  std::vector<Aabb3d> boxes;
-  boxes.reserve(bodies());
+const std::vector<Touch>& World<By>::touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const {
+  auto& [boxes, planes, tree, touches] = nearby;
+  if (settings_.broad_phase == BroadPhase::all_pairs) return touches = all_touches();
+  boxes.clear(), planes.clear(), touches.clear();
   for (std::size_t i = 0; i < bodies(); ++i) {
     Aabb3d box{};
     const auto take = [&](double Point3d::*axis, const Real& a, const Real& b, const Real& half) {
@@ -112,16 +111,14 @@ std::vector<Touch> World<By>::touches(const State<Real>& from, const State<Real>
     take(&Point3d::x, a.x, b.x, half.x), take(&Point3d::y, a.y, b.y, half.y), take(&Point3d::z, a.z, b.z, half.z);
     boxes.push_back(box);
   }
-  std::vector<Touch> touches;
-  const auto add = [&](std::size_t i, std::size_t j) {
-    if (!solids_[i].fixed || !solids_[j].fixed) touches.push_back({false, i, j});
+  const auto add = [this, &list = touches](std::size_t i, std::size_t j) {
+    if (!solids_[i].fixed || !solids_[j].fixed) list.push_back({false, i, j});
   };
   if (settings_.broad_phase == BroadPhase::tree && all_finite(boxes)) {
-    for (const auto& [i, j] : robust::structures::tree_pairs(boxes)) add(i, j);
+    for (const auto& [i, j] : tree.pairs(boxes)) add(i, j);
   } else {
     for (const auto& [i, j] : near_pairs(boxes)) add(i, j);
   }
-  std::vector<Plane3d> planes;
   for (const Plane<Real>& wall : walls_) planes.push_back(catalogue::converted<double>(wall, in_double<Real>));
   for (std::size_t i = 0; i < bodies(); ++i)
     for (std::size_t w = 0; w < walls() && !solids_[i].fixed; ++w)

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "catalogue/shape/walk.h"
+#include "robust/structures/pair_tree.h"
 #include "simulate/log.h"
 #include "simulate/scene.h"
 
@@ -16,6 +17,14 @@ struct Solid {
   bool fixed;
   Real mass, radius;
   Vector3<Real> half_extents;
+};
+
+/// What a broad phase keeps from one step to the next: memory, and a tree of boxes. No answer depends on it.
+struct Nearby {
+  std::vector<Aabb3d> boxes;
+  std::vector<Plane3d> planes;
+  robust::structures::KeptPairTree tree;
+  std::vector<Touch> touches;
 };
 
 template <class By>
@@ -39,8 +48,9 @@ class World {
   /// Of these, pairs whose boxes meet on the way between the two states, and walls that a box reaches, if the scene has
   /// a broad phase; all otherwise. The boxes are wider than the bodies by 2^-20 of their coordinates, which is more
   /// than float's formulas for two bodies at rest are wrong by (their contracts), so that with option 1 the steps are
-  /// the same. Formulas for moving bodies may see contacts far off: these are not asked then.
-  std::vector<Touch> touches(const State<Real>& from, const State<Real>& to) const;
+  /// the same. Formulas for moving bodies may see contacts far off: these are not asked then. The list stands in
+  /// `nearby`, until the next call with it.
+  const std::vector<Touch>& touches(const State<Real>& from, const State<Real>& to, Nearby& nearby) const;
 
   /// Whether they have a common point in these positions (p. 22, 44-50).
   bool meet(const Touch& touch, const State<Real>& at, Log* log) const;
