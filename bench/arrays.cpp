@@ -205,12 +205,14 @@ void add_row() {
   }
 }
 
-/// Far more rows than any cache holds: random numbers in [0, 1), and the sum of them all.
-void add_memory(const char* name, std::size_t columns) {
-  constexpr std::size_t rows = std::size_t{1} << 22;
+constexpr std::size_t more_than_any_cache = std::size_t{1} << 22;
+
+/// So many rows of random numbers in [0, 1), and the sum of them all.
+void add_rows(const char* name, std::size_t columns, std::size_t rows) {
   const Operation& operation = *catalogue::find_operation(name);
-  const std::string group = std::string("arrays_") + name + "/from_memory/";
-  const auto numbers = [columns]() -> const std::vector<double>& {
+  const std::string length = rows == more_than_any_cache ? "from_memory" : "rows_" + std::to_string(rows);
+  const std::string group = std::string("arrays_") + name + "/" + length + "/";
+  const auto numbers = [columns, rows]() -> const std::vector<double>& {
     static std::vector<double> made;
     if (made.size() != rows * columns) {
       made.resize(rows * columns);
@@ -229,6 +231,19 @@ void add_memory(const char* name, std::size_t columns) {
     }
     done(state, rows);
   });
+  for (const Naive& formula : naive_formulas) {
+    if (formula.name != operation.name() || formula.columns != columns) continue;
+    benchmark::RegisterBenchmark((group + "naive_avx512").c_str(), [=](benchmark::State& state) {
+      std::vector<const double*> starts;
+      for (std::size_t k = 0; k < columns; ++k) starts.push_back(numbers().data() + k * rows);
+      std::vector<std::uint8_t> answers(rows);
+      for (auto _ : state) {
+        (robust::batch::isa::avx512_loops.*formula.loop)(starts.data(), rows, answers.data());
+        benchmark::ClobberMemory();
+      }
+      done(state, rows);
+    });
+  }
   benchmark::RegisterBenchmark((group + "read").c_str(), [=](benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(robust::batch::isa::sum_of(numbers().data(), rows * columns));
     done(state, rows);
@@ -266,8 +281,10 @@ int main(int argc, char** argv) {
   using namespace touchstone;
   if (argc == 2 && std::strcmp(argv[1], "--verify") == 0) return bench::verified() ? 0 : 1;
   catalogue::for_each_row([]<class Row>() { bench::add_row<Row>(); });
-  bench::add_memory("orientation", 6);
-  bench::add_memory("segment_segment", 8);
+  for (std::size_t rows = 1024; rows <= bench::more_than_any_cache; rows *= 8) {
+    bench::add_rows("orientation", 6, rows);
+    bench::add_rows("segment_segment", 8, rows);
+  }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the benchmarks and prints ratios: everything that is compared is timed in one process, in turns.
 
-  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write]
+  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--page FILE.html]
 
 BUILD is the build directory (build/bench). A time is the least of N repetitions (default 25) of 10 ms each: what else the
 machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
-bench/README.md.
+bench/README.md, --page writes them with bars and curves (page.py).
 """
 
 import argparse
 import json
 import math
+import os
 import pathlib
 import platform
 import re
@@ -21,6 +22,8 @@ import statistics
 import subprocess
 import sys
 import tempfile
+
+import page
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 OF_ANGLES = {"parametric_circle", "interior_angles"}  # whose formulas call the library's cosine or arc tangent
@@ -76,6 +79,9 @@ def written(value, unit=""):
 
 
 def table(head, rows):
+    """Empty where nothing was timed."""
+    if not rows:
+        return ""
     widths = [max(len(str(row[i])) for row in [head, *rows]) for i in range(len(head))]
     line = lambda row: "| " + " | ".join(str(cell).ljust(width) for cell, width in zip(row, widths)) + " |"
     return "\n".join([line(head), "|" + "|".join("-" * (width + 2) for width in widths) + "|", *map(line, rows)])
@@ -205,7 +211,7 @@ def goals_of_arrays(timed):
             ratio(group, "avx512", "naive_avx512", 1.3, -1)
         elif data == "near_degenerate":
             ratio(group, "epick", "avx512", 10, 1)
-        else:  # from memory: of the rate at which the same memory is read
+        elif data == "from_memory":  # of the rate at which the same memory is read
             ratio(group, "read", "avx512", 0.9, 1)
     return found
 
@@ -310,7 +316,9 @@ def main():
     parser.add_argument("--ops", type=lambda text: text.split(","), default=[])
     parser.add_argument("--repetitions", type=int, default=25)
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--page", type=pathlib.Path)
     options = parser.parse_args()
+    load = os.getloadavg()[0]
     timed = {}
     for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "pairs", "arrays", "oracle"]:
         program = str(options.build / "bench" / name)
@@ -326,15 +334,16 @@ def main():
         sys.exit(f"{', '.join(options.ops)}: no program in {options.build / 'bench'} measures this")
     add_earcut(str(options.build / "bench/triangulation"), timed["triangulation"])
     decided = timed["operations"] | timed["polygons"]
-    report = "\n\n".join([circumstances(options.build),
-                          goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"],
-                                goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"])), decisions(decided),
-                          arrays(timed["arrays"]),
-                          triangulations(timed["triangulation"]), hulls(timed["hulls"]), meshes(timed["meshes"]), pairs(timed["pairs"]),
-                          answers(timed["operations"]),
-                          truths(timed["oracle"]),
-                          exhausted(timed["oracle"])])
+    reached = goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"],
+                    goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"]))
+    parts = [circumstances(options.build), reached, decisions(decided), arrays(timed["arrays"]), triangulations(timed["triangulation"]),
+             hulls(timed["hulls"]), meshes(timed["meshes"]), pairs(timed["pairs"]), answers(timed["operations"]), truths(timed["oracle"]),
+             exhausted(timed["oracle"])]
+    report = "\n\n".join(part for part in parts if part)
     print(report)
+    if options.page:
+        command = shlex.join(["bench/ratios.py", *sys.argv[1:]])
+        options.page.write_text(page.page(circumstances(options.build), command, options.repetitions, load, os.cpu_count(), timed, report))
     if options.write:
         readme = ROOT / "bench/README.md"
         text = readme.read_text()
