@@ -4,13 +4,18 @@
 // CGAL's box_self_intersection_d, which only counts, in processor time; and a BoxTree of which a tenth has moved.
 //
 // bench/pairs --verify compares the counts, checks the certificates and prints their size, and times nothing.
+// TOUCHSTONE_BOXES=FILE adds the boxes of a real scene: one a line, "min.x min.y min.z max.x max.y max.z".
 
 // CGAL as peer: the same question by the library that people use for it.
 #include <CGAL/box_intersection_d.h>
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "bench/box_sets.h"
@@ -73,12 +78,35 @@ void move_some(robust::BoxTree& tree, const Boxes& boxes, bool forth) {
   }
 }
 
+constexpr const char* scene = "scene";
+
+/// Throws where a line is no box.
+Boxes boxes_of_file(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  Boxes boxes;
+  std::size_t number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    std::istringstream words(line);
+    Aabb3d box;
+    std::string more;
+    for (double* x : {&box.min.x, &box.min.y, &box.min.z, &box.max.x, &box.max.y, &box.max.z}) words >> *x;
+    if (!words || words >> more || box.min.x > box.max.x || box.min.y > box.max.y || box.min.z > box.max.z)
+      throw std::runtime_error(path + ":" + std::to_string(number) + ": six numbers, min <= max");
+    boxes.push_back(box);
+  }
+  if (boxes.empty()) throw std::runtime_error(path + ": at least one box");
+  return boxes;
+}
+
 /// Made when first asked for, and thrown away when another one is: a list of a million takes long to draw.
 const Boxes& boxes_of(const std::string& set, std::size_t n) {
   static std::string held;
   static Boxes boxes;
   const std::string name = set + std::to_string(n);
-  if (held != name) boxes = box_set(set, n, 3), held = name;
+  if (held != name)
+    boxes = set == scene ? boxes_of_file(std::getenv("TOUCHSTONE_BOXES")) : box_set(set, n, 3), held = name;
   return boxes;
 }
 
@@ -154,6 +182,16 @@ int main(int argc, char** argv) {
     for (std::size_t n = 10'000; n <= most(set); n *= 10) {
       if (verify) held = verified(set, n) && held;
       else add_all(set, n);
+    }
+  }
+  if (const char* file = std::getenv("TOUCHSTONE_BOXES")) {
+    try {
+      const std::size_t n = boxes_of_file(file).size();
+      if (verify) held = verified(scene, n) && held;
+      else add_all(scene, n);
+    } catch (const std::runtime_error& error) {
+      std::fprintf(stderr, "bench/pairs: %s\n", error.what());
+      return 2;
     }
   }
   if (verify) return held ? 0 : 1;

@@ -15,6 +15,7 @@
 #include "geometry/invalid_input.h"
 #include "report/answered.h"
 #include "report/html_parts.h"
+#include "report/html_search.h"
 #include "report/phrases.h"
 #include "report/space_model.h"
 #include "report/svg.h"
@@ -65,7 +66,7 @@ std::string drawn(const Drawing& drawing, const std::string& title, const std::s
                   const std::optional<mpq_class>& least_gap) {
   const std::string svg =
       drawing.figures.empty() ? space_figure(drawing, title, least_gap) : drawing_svg(drawing, title, false, least_gap);
-  return "<figure>" + svg + "<figcaption>" + caption + "</figcaption></figure>";
+  return "<figure>" + svg + "<figcaption>" + caption + search_caption(drawing) + "</figcaption></figure>";
 }
 
 bool shows_an_answer(const Drawing& drawing) {

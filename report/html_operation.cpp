@@ -10,6 +10,7 @@
 #include "report/html_footer.h"
 #include "report/html_map.h"
 #include "report/html_parts.h"
+#include "report/html_search.h"
 #include "report/phrases.h"
 #include "report/ways.h"
 
@@ -142,7 +143,8 @@ std::string operation_page(const Tally& tally, std::size_t operation, const std:
     const std::string matrix = confusion_matrix(
         *known, here.total(), speaker == Speaker::foreign ? tally.declaration.engine : std::string("the formula"));
     if (!matrix.empty()) body += "<h2>Truth and answer</h2>" + matrix;
-    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) + right_case(*known);
+    body += "<h2>How it fails, an example of each way</h2>" + findings(tally, here, *known) + right_case(*known) +
+            search_section(*known);
   }
   if (known && !maps.empty() && subject_of(maps).findings() > 0) {
     body += "<h2 id=\"map\">Failure map</h2><div class=\"card\">" + map_section(*known, maps, tally.repeat) + "</div>";

@@ -133,6 +133,7 @@ Json json_of(const SpaceFigure& figure, const Lens& lens, const SpaceVertex& nea
             {"points", whole ? points : Json::array()},
             {"places", places}};
   if (json["kind"] == "mesh") json["faces"] = faces;
+  add_node(json, figure);
   if (shape.radius) json["radius"] = lens.steps(near + SpaceVector{*shape.radius, 0, 0})[0] - lens.steps(near)[0];
   return json;
 }
@@ -159,6 +160,12 @@ Json turn_to(const SpaceVector& along) {
 }
 
 }  // namespace
+
+void add_node(Json& model, const SpaceFigure& figure) {
+  if (!figure.node) return;
+  model["node"] = figure.node->depth;
+  model["entered"] = figure.node->entered;
+}
 
 Json space_lens(const std::vector<SpaceFigure>& figures, const SpaceScale& whole, const SpaceGap& gap) {
   const Lens lens(gap.at, mpq_class(half_in_gaps * gap.gap));

@@ -43,6 +43,7 @@ Json json_of(const SpaceFigure& figure, const SpaceScale& scale) {
   if (figure.kind == SpaceFigure::Kind::plane) json["points"] = normal_of(figure, scale);
   if (figure.kind == SpaceFigure::Kind::sphere) json["radius"] = scale.radius_in_steps(figure);
   if (figure.kind == SpaceFigure::Kind::mesh) json["faces"] = figure.faces;
+  add_node(json, figure);
   return json;
 }
 
@@ -69,11 +70,13 @@ std::string stretch_in_words(const SpaceScale& scale) {
 }
 
 /// "In space: sphere a, 7 × point points, truth: mesh; x: 0 to 1; ..."
-std::string in_words(const Json& model, const std::vector<std::string>& notes) {
+std::string in_words(const Json& model, const Drawing& scene) {
   std::vector<std::pair<std::string, std::size_t>> lists;
   for (const Json& figure : model["figures"]) {
     const std::string label = figure["label"], kind = figure["kind"], list = label.substr(0, label.find('['));
-    const std::string name = (figure["whose"] == "truth" ? "truth: " : "") + kind + (list.empty() ? "" : " ") + list;
+    const bool node = figure.contains("node");
+    const std::string name =
+        (figure["whose"] == "truth" ? "truth: " : "") + (node ? "node" : kind) + (list.empty() ? "" : " ") + list;
     if (lists.empty() || lists.back().first != name) lists.emplace_back(name, 0);
     ++lists.back().second;
   }
@@ -84,8 +87,8 @@ std::string in_words(const Json& model, const std::vector<std::string>& notes) {
   for (const char* lines : {"spans", "remarks"})
     for (const std::string line : model[lines]) text += "; " + line;
   if (model.contains("lens")) text += "; " + model["lens"]["spans"][0].get<std::string>();
-  for (const std::string& note : notes) text += "; " + note;
-  return text + ".";
+  for (const std::string& note : scene.notes) text += "; " + note;
+  return text + "." + (scene.search.empty() ? "" : " " + scene.search);
 }
 
 }  // namespace
@@ -96,6 +99,8 @@ std::string space_style() {
          ".fig.space .q0.stroke{stroke-width:2.2}.fig.space .q1.stroke{stroke-width:1.7}"
          ".fig.space .truth.stroke{stroke-width:3.4}"
          ".fig.space .many .stroke{stroke-width:.8}"
+         ".fig.space .node.stroke{stroke-width:1.2}.fig.space .deep.stroke{stroke-width:.9}"
+         ".fig.space .deepest.stroke{stroke-width:.6}.fig.space .node.face{fill-opacity:.045}"
          ".fig.space .stroke.thin{stroke-width:.8;stroke-opacity:.7}"
          ".fig.space .stroke.hid{stroke-width:1;stroke-dasharray:2 4;stroke-opacity:.6}"
          ".turns{cursor:grab;touch-action:pan-y;user-select:none;-webkit-user-select:none}"
@@ -138,7 +143,7 @@ Json space_model(const Drawing& scene, const std::string& title, const std::opti
 std::string space_figure(const Drawing& scene, const std::string& title, const std::optional<mpq_class>& least_gap) {
   const Json model = space_model(scene, title, least_gap);
   if (model.is_null()) return "";
-  return figure_opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene.notes)) +
+  return figure_opening + escaped(one_line(model)) + "\"><noscript><p>" + escaped(in_words(model, scene)) +
          "</p></noscript></div>";
 }
 

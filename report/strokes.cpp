@@ -135,8 +135,19 @@ void circle(Strokes& strokes, const Figure& figure, const Viewport& view, const 
   wish(strokes, figure, style, places);
 }
 
+/// The inside of a node that a search entered, which is filled.
+void fill(Strokes& strokes, const std::vector<ExactPoint>& vertices, const Viewport& view, const Style& style) {
+  std::string outline;
+  for (const ExactPoint& vertex : vertices) {
+    const Pixel p = view.at(vertex);
+    outline += (outline.empty() ? "M" : "L") + pixels(p.x) + " " + pixels(p.y);
+  }
+  strokes.lines += fmt::format("<path class=\"{} face\" d=\"{}Z\"/>", style.name, outline);
+}
+
 void polygon(Strokes& strokes, const Figure& figure, const Viewport& view, const Style& style) {
   const std::vector<ExactPoint> vertices = vertices_of(figure);
+  if (figure.node && figure.node->entered) fill(strokes, vertices, view, style);
   std::vector<Pixel> places, further;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const ExactPoint& next = vertices[(i + 1) % vertices.size()];
@@ -150,7 +161,7 @@ void polygon(Strokes& strokes, const Figure& figure, const Viewport& view, const
       places.push_back(part(0.5));
       for (const double t : {0.3, 0.7, 0.15, 0.85}) further.push_back(part(t));
     }
-    if (view.shows(vertices[i])) dot(strokes, view.at(vertices[i]), style, false);
+    if (!figure.node && view.shows(vertices[i])) dot(strokes, view.at(vertices[i]), style, false);
   }
   places.insert(places.end(), further.begin(), further.end());
   wish(strokes, figure, style, places);

@@ -25,6 +25,10 @@ std::string framed(const Drawing& drawing, const Viewport& view, const std::stri
   std::string list;
   for (const Figure& figure : drawing.figures) {
     if (figure.answer || figure.said) continue;
+    if (figure.node) {
+      stroke(strokes, figure, view, {"node", std::max(0.6, 1.4 - 0.2 * figure.node->depth)});
+      continue;
+    }
     if (figure.label.empty()) {
       stroke(strokes, figure, view, {"aid", 1.2});
       continue;
@@ -129,7 +133,8 @@ std::string figure_style() {
          ".fig .double{stroke:var(--faint,#b9c0c8);stroke-width:.8;fill:none}"
          ".fig .lens{stroke:var(--quiet,#59636e);stroke-width:.8;stroke-dasharray:2 3;fill:none}"
          ".fig .stroke{fill:none}.fig .dot{stroke:var(--paper,#fff);stroke-width:1.2}"
-         ".fig .aid{--c:var(--quiet,#59636e)}.fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig "
+         ".fig .aid{--c:var(--quiet,#59636e)}.fig .node{--c:var(--q2,#2c7347)}.fig .node.face{fill:var(--c);"
+         "fill-opacity:.09}.fig .q0{--c:var(--q0,#1d5fa6)}.fig .q1{--c:var(--q1,#a4510c)}.fig "
          ".q2{--c:var(--q2,#2c7347)}.fig "
          ".q3{--c:var(--q3,#7a3f98)}"
          ".fig .truth{--c:var(--truth,#c2186b)}.fig .said{--c:var(--said,#0b7a75)}.fig .stroke{stroke:var(--c)}.fig "

@@ -7,7 +7,8 @@
 //              point, sphere (its centre): one; segment: its ends; arrow: start, tip; box: least and greatest corner;
 //              plane: a point of it, then the tip of its normal; polygon, mesh: their vertices
 //            whose: question, truth or answer; radius: of a sphere; faces: of a mesh, as places in points,
-//            counter-clockwise as seen from outside
+//            counter-clockwise as seen from outside; of a node of a structure also node, how deep it is, and entered,
+//            whether a search went on to what is in it: thin lines, thinner the deeper, filled where it was entered
 //   spans    what x, y and z span, in words
 //   bar      [length, words]: a round length, where one scale holds for all axes
 //   remarks  further lines below
@@ -50,7 +51,10 @@ class Strokes {
       const list = listOf(figure);
       // Each part of the question has a colour; a list is one part.
       if (figure.whose === 'question' && figure.label && list !== before) ++part, before = list;
-      this.style = {truth: 'truth', answer: 'said'}[figure.whose] ?? (figure.label ? 'q' + part % 4 : 'aid');
+      this.node = figure.node !== undefined;
+      this.empty = this.node && !figure.entered;
+      this.style = this.node ? 'node' + ['', ' deep', ' deepest'][Math.min(2, figure.node >> 1)]
+          : {truth: 'truth', answer: 'said'}[figure.whose] ?? (figure.label ? 'q' + part % 4 : 'aid');
       const middles = this[figure.kind](figure, figure.points);
       const places = (figure.places ?? middles).slice(0, mostPlaces);
       // The first element of a list bears its name, the others their numbers; of a long list the first alone is named.
@@ -58,7 +62,8 @@ class Strokes {
       const first = number === '' || number === '[0]';
       const whose = figure.whose === 'truth' ? 'truth' : '', name = long ? list : figure.label;
       const label = first ? [whose, name].filter(Boolean).join(': ') : long ? '' : number;
-      if (label && this.labels.length < mostLabels)
+      const again = !name && this.labels.some(other => other.text === label);  // the truth's figures without a name
+      if (label && !again && this.labels.length < mostLabels)
         this.labels.push({style: this.style, text: label, places, radius: figure.radius ?? 0});
     }
     this.mark = model.lens?.mark;
@@ -73,13 +78,13 @@ class Strokes {
   }
   dot(point, radius) { this.add('dot', [point], {radius}); }
   dotIfSmall(points) {
-    if (points.every(p => minus(p, points[0]).every(x => Math.abs(x) <= small))) this.dot(points[0], endDot);
+    if (!this.node && points.every(p => minus(p, points[0]).every(x => Math.abs(x) <= small))) this.dot(points[0], endDot);
   }
   // Faces with their edges. An edge knows its faces, so that it is drawn as hidden where all of them look away.
   solid(faces, closed) {
     const edges = new Map(), order = new Map();
     for (const corners of faces) {
-      const face = this.add('face', corners);
+      const face = this.add('face', corners, {empty: this.empty});
       corners.forEach((p, i) => {
         const q = corners[(i + 1) % corners.length];
         for (const end of [p, q]) if (!order.has(end)) order.set(end, order.size);
@@ -120,8 +125,8 @@ class Strokes {
     return middles;
   }
   sphere({radius}, [centre]) {
-    this.dot(centre, radius > small ? centreDot : endDot);
-    if (radius > 0) this.add('ball', [centre], {radius});
+    if (!this.node) this.dot(centre, radius > small ? centreDot : endDot);
+    if (radius > 0) this.add('ball', [centre], {radius, empty: this.empty});
     return [centre];
   }
   // A square about its point. Across: the axis that is least along the normal; of equal ones the first, so that a level
@@ -174,8 +179,8 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
            pair(c.x - ux + k * fx, c.y - uy + k * fy) + ' ' + pair(c.x - ux, c.y - uy);
   };
   const draw = {
-    face({style}, corners, stroke) {
-      add(facing.get(stroke).depth, path(style + ' face', 'M' + corners.map(p => pair(p.x, p.y)).join('L') + 'Z'));
+    face({style, empty}, corners, stroke) {
+      if (!empty) add(facing.get(stroke).depth, path(style + ' face', 'M' + corners.map(p => pair(p.x, p.y)).join('L') + 'Z'));
     },
     edge({style, faces}, [a, b]) {
       const own = faces.map(face => facing.get(face)), hidden = own.length > 0 && own.every(face => face.away);
@@ -192,7 +197,7 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
                                        `L${pair(b.x - ux + 0.4 * uy, b.y - uy - 0.4 * ux)}Z`));
     },
     // Its outline, the equator and the meridians across x and z; the half behind of each lighter.
-    ball({style, radius}, [c]) {
+    ball({style, radius, empty}, [c]) {
       const r = radius * scale;
       let behind = '', before = '';
       for (const axis of axes) {
@@ -205,7 +210,8 @@ function picture(drawing, {cosYaw, sinYaw, cosPitch, sinPitch}) {
       }
       const round = `cx="${tenths(c.x)}" cy="${tenths(c.y)}" r="${tenths(r)}"/>`;
       add(c.depth - r, path(style + ' stroke hid thin', behind));
-      add(c.depth, `<circle class="${style} face" ${round}<circle class="${style} stroke" ${round}`);
+      if (!empty) add(c.depth, `<circle class="${style} face" ${round}`);
+      add(c.depth, `<circle class="${style} stroke" ${round}`);
       add(c.depth + nearer, path(style + ' stroke thin', before));
       for (const [x, y] of diagonals)
         for (const part of [0.92, 1, 1.08]) drawn.push([c.x + part * r * x, c.y + part * r * y]);

@@ -2,10 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace touchstone::catalogue {
+
+/// What a search did with a node of a structure over bodies.
+struct Passed {
+  int depth = 0;         ///< below the root, which has 0
+  bool entered = false;  ///< the search went on to what is in it
+};
 
 /// A figure in the coordinates of the input, before anyone decides on pixels.
 struct Figure {
@@ -14,8 +21,9 @@ struct Figure {
   std::string label;  ///< field name of the input ("a", "segment") or of the answer; a line drawn to help has none
   /// point x y; segment, line, ray, arrow x y x y (ray and line: two points on it); circle x y r; polygon x y x y ...
   std::vector<double> numbers;
-  bool answer = false;  ///< belongs to the truth, not to the question
-  bool said = false;    ///< is what an implementation answered, right or wrong
+  bool answer = false;           ///< belongs to the truth, not to the question
+  bool said = false;             ///< is what an implementation answered, right or wrong
+  std::optional<Passed> node{};  ///< drawn to help: a node of a structure
 };
 
 /// A figure in space, y up.
@@ -30,6 +38,7 @@ struct SpaceFigure {
   std::vector<std::vector<std::uint32_t>> faces;
   bool answer = false;
   bool said = false;
+  std::optional<Passed> node{};
 };
 
 /// What is drawn of a question and its truth. A drawing with figures in the plane is shown in the plane: a row that
@@ -38,6 +47,7 @@ struct Drawing {
   std::vector<Figure> figures;
   std::vector<SpaceFigure> space;
   std::vector<std::string> notes;  ///< what cannot be drawn, in words
+  std::string search;              ///< of a search in a structure that is drawn: what it passed, counted, in words
 };
 
 }  // namespace touchstone::catalogue

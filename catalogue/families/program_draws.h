@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -14,6 +15,21 @@
 namespace touchstone::catalogue {
 
 using Program = std::tuple<std::vector<Aabb3d>, std::vector<Commandd>>;
+
+/// Calls `see` at each query with the boxes by index, empty where a body was removed, and the query. Returns the boxes
+/// at the end.
+template <class See>
+std::vector<std::optional<Aabb3d>> each_query(const Program& program, const See& see) {
+  const auto& [start, commands] = program;
+  std::vector<std::optional<Aabb3d>> boxes(start.begin(), start.end());
+  for (const Commandd& command : commands) {
+    if (const auto* insert = std::get_if<Insertd>(&command)) boxes.emplace_back(insert->box);
+    else if (const auto* move = std::get_if<Moved>(&command)) boxes[move->body] = move->box;
+    else if (const auto* remove = std::get_if<Remove>(&command)) boxes[remove->body].reset();
+    else see(boxes, command);
+  }
+  return boxes;
+}
 
 /// A direction is not zero.
 inline Ray3d repaired(Ray3d ray) {
@@ -103,6 +119,26 @@ class Programming {
   std::vector<Index> there_;
   Index next_ = 0;
 };
+
+/// Boxes of small integers, wider ones, and those of a lattice that touch.
+inline Aabb3d small_box(DrawStream& c) {
+  const double x = small_integer(c, 4), y = small_integer(c, 4), z = small_integer(c, 4);
+  const auto width = [&c] { return static_cast<double>(c.below(4)); };
+  const double dx = width(), dy = width(), dz = width();
+  return {{x, y, z}, {x + dx, y + dy, z + dz}};
+}
+inline Aabb3d wide_box(DrawStream& c) {
+  const double x = integer(c, 6), y = integer(c, 6), z = integer(c, 3);
+  const auto width = [&c] { return static_cast<double>(c.below(12)); };
+  const double dx = width(), dy = width(), dz = width();
+  return {{x, y, z}, {x + dx, y + dy, z + dz}};
+}
+/// Of the lattice of unit boxes.
+inline Aabb3d cell(DrawStream& c) {
+  const double x = static_cast<double>(c.below(3)), y = static_cast<double>(c.below(3));
+  const double z = static_cast<double>(c.below(3));
+  return {{x, y, z}, {x + 1, y + 1, z + 1}};
+}
 
 /// So many bodies to start with and so many commands at most, one after another ("one more?"), so that the draws of
 /// one can be cut out and leave the others as they are; a query at the end.

@@ -23,6 +23,13 @@ bool pair_meets(const Aabb3<Real>& a, const Aabb3<Real>& b) {
          b.min.z <= a.max.z;
 }
 
+/// What is called for each node that a search in a structure looks at, with whether the search goes on to what is in
+/// it. This one does nothing.
+struct Unseen {
+  template <class Node>
+  void operator()(const Node&, bool) const {}
+};
+
 template <class Solid>
 std::vector<IndexPair> pairs_that_meet(const std::vector<Solid>& solids) {
   std::vector<IndexPair> pairs;

@@ -29,12 +29,17 @@ class BoxHierarchy {
     children_.emplace_back(IndexedBoxes<Real>(half, bodies.end()));
   }
 
-  template <class Query, class Found>
-  void search(const Query& query, const Found& found) const {
-    if (box_.empty() || !query.meets(box_[0])) return;
+  template <class Query, class Found, class See = Unseen>
+  void search(const Query& query, const Found& found, const See& see = {}) const {
+    if (box_.empty()) return;
+    const bool entered = query.meets(box_[0]);
+    see(*this, entered);
+    if (!entered) return;
     for (const IndexedBox<Real>& body : body_) found(body);
-    for (const BoxHierarchy& child : children_) child.search(query, found);
+    for (const BoxHierarchy& child : children_) child.search(query, found, see);
   }
+  const Aabb3<Real>& volume() const { return box_[0]; }  ///< there is none without bodies
+  const std::vector<BoxHierarchy>& children() const { return children_; }
 
  private:
   static Real Point3<Real>::*longest_axis(const Aabb3<Real>& box) {

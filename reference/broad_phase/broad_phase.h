@@ -124,7 +124,8 @@ struct RayQuery {
 };
 
 /// Bodies in a structure, which is made of those that are there when something is asked. `Structure<Real>(bodies)` has
-/// `search(query, found)`, which calls found(body) for those that the query may meet, perhaps more than once.
+/// `search(query, found, see)`, which calls found(body) for those that the query may meet, perhaps more than once, and
+/// see(node, entered) for each node that it looks at (`Unseen`, where it is left out).
 template <template <class> class Structure, class Real>
 class InStructure {
  public:

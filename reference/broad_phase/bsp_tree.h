@@ -60,14 +60,17 @@ class PlaneTree {
     parts_.push_back(PlaneTree(std::move(back)));
   }
 
-  template <class Query, class Found>
-  void search(const Query& query, const Found& found) const {
+  template <class Query, class Found, class See = Unseen>
+  void search(const Query& query, const Found& found, const See& see = {}) const {
+    see(*this, true);
     for (const IndexedBox<Real>& body : bodies_) found(body);
     if (parts_.empty()) return;
     const Sides at = sides(plane_, query);
-    if (at.front) parts_[0].search(query, found);
-    if (at.back) parts_[1].search(query, found);
+    if (at.front) parts_[0].search(query, found, see);
+    if (at.back) parts_[1].search(query, found, see);
   }
+  const Plane<Real>& plane() const { return plane_; }             ///< which cuts it, unless it is a leaf
+  const std::vector<PlaneTree>& parts() const { return parts_; }  ///< in front of the plane and behind it; a leaf: none
 
  private:
   /// Through the middle of both middles, with the way from one to the other as its normal.

@@ -20,12 +20,17 @@ class CellTree {
     *this = CellTree(all, std::move(bodies), 4);
   }
 
-  template <class Query, class Found>
-  void search(const Query& query, const Found& found) const {
-    if ((bodies_.empty() && children_.empty()) || !query.meets(cell_)) return;
+  template <class Query, class Found, class See = Unseen>
+  void search(const Query& query, const Found& found, const See& see = {}) const {
+    if (bodies_.empty() && children_.empty()) return;
+    const bool entered = query.meets(cell_);
+    see(*this, entered);
+    if (!entered) return;
     for (const IndexedBox<Real>& body : bodies_) found(body);
-    for (const CellTree& child : children_) child.search(query, found);
+    for (const CellTree& child : children_) child.search(query, found, see);
   }
+  const Aabb3<Real>& volume() const { return cell_; }
+  const std::vector<CellTree>& children() const { return children_; }
 
  private:
   CellTree(const Aabb3<Real>& cell, IndexedBoxes<Real> bodies, int depth) : cell_(cell) {

@@ -49,12 +49,16 @@ class SphereHierarchy {
     ball_ = ball_around(children_[0].ball_, children_[1].ball_);
   }
 
-  template <class Found>
-  void search(const Sphere3<Real>& ball, const Found& found) const {
-    if (!pair_meets(ball_, ball)) return;
+  template <class Found, class See = Unseen>
+  void search(const Sphere3<Real>& ball, const Found& found, const See& see = {}) const {
+    const bool entered = pair_meets(ball_, ball);
+    see(*this, entered);
+    if (!entered) return;
     if (children_.empty()) found(place_);
-    for (const SphereHierarchy& child : children_) child.search(ball, found);
+    for (const SphereHierarchy& child : children_) child.search(ball, found, see);
   }
+  const Sphere3<Real>& volume() const { return ball_; }
+  const std::vector<SphereHierarchy>& children() const { return children_; }
 
  private:
   Sphere3<Real> ball_;

@@ -24,13 +24,22 @@ class Grid {
         for (int k = 0; k < count; ++k) add_cell(all, {i, j, k}, count, bodies);
   }
 
-  template <class Query, class Found>
-  void search(const Query& query, const Found& found) const {
-    for (const auto& [cell, bodies] : cells_) {
-      if (!query.meets(cell)) continue;
-      for (const IndexedBox<Real>& body : bodies) found(body);
+  /// A cell that has bodies.
+  struct Cell {
+    Aabb3<Real> box;
+    IndexedBoxes<Real> bodies;
+  };
+
+  template <class Query, class Found, class See = Unseen>
+  void search(const Query& query, const Found& found, const See& see = {}) const {
+    for (const Cell& cell : cells_) {
+      const bool entered = query.meets(cell.box);
+      see(cell, entered);
+      if (!entered) continue;
+      for (const IndexedBox<Real>& body : cell.bodies) found(body);
     }
   }
+  const std::vector<Cell>& cells() const { return cells_; }
 
  private:
   void add_cell(const Aabb3<Real>& all, const std::array<int, 3>& number, int count, const IndexedBoxes<Real>& bodies) {
@@ -44,10 +53,10 @@ class Grid {
     IndexedBoxes<Real> in;
     for (const IndexedBox<Real>& body : bodies)
       if (pair_meets(cell, body.box)) in.push_back(body);
-    if (!in.empty()) cells_.emplace_back(cell, std::move(in));
+    if (!in.empty()) cells_.push_back({cell, std::move(in)});
   }
 
-  std::vector<std::pair<Aabb3<Real>, IndexedBoxes<Real>>> cells_;
+  std::vector<Cell> cells_;
 };
 
 /// What `broad_phase` asks, by a uniform grid.

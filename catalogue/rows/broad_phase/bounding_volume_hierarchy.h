@@ -24,6 +24,12 @@ struct bounding_volume_hierarchy : broad_phase {
     }();
     return metadata;
   }
+
+  static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
+    draw_in<::touchstone::reference::BoxHierarchy<double>>(drawing, {"hierarchy of boxes", "node", "nodes"}, question,
+                                                           truth);
+  }
+  static Hooks<broad_phase> hooks() { return drawn_by(draw); }
 };
 
 }  // namespace touchstone::catalogue::rows

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "catalogue/draw/figures.h"
+#include "catalogue/draw/searches.h"
 #include "catalogue/families/program_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_commands.h"
@@ -281,13 +281,12 @@ struct broad_phase {
     return there;
   }
 
-  /// The bodies that are there at the last query, by their indices.
-  static void draw(Drawing& drawing, const Question& question, const Replies&) {
-    std::vector<std::optional<Aabb3d>> last;
-    each_query(question, [&](const auto& boxes, const Commandd&) { last = boxes; });
-    for (std::size_t i = 0; i < last.size(); ++i)
-      if (last[i]) catalogue::draw(drawing, std::to_string(i), *last[i], false);
-    drawing.notes.push_back("boxes at the last query, after " + std::to_string(std::get<1>(question).size()) +
+  /// The bodies that are there at the last query, by their indices, that query, and which of them its reply names.
+  static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
+    const auto [bodies, query] = at_last_query(question);
+    if (query) draw_bodies(drawing, bodies, *query, truth.back());
+    else draw_bodies(drawing, bodies);
+    drawing.notes.push_back("the bodies at the last query, after " + std::to_string(std::get<1>(question).size()) +
                             " commands");
   }
 
@@ -336,31 +335,43 @@ struct broad_phase {
             .laws = {.maps = Laws::Maps::axes, .scales = true}};
   }
 
+ protected:
+  /// What a row draws that searches a structure: that as well.
+  template <class Structure>
+  static void draw_in(Drawing& drawing, const StructureWords& words, const Question& question, const Replies& truth) {
+    const auto [bodies, query] = at_last_query(question);
+    if (!query) return draw(drawing, question, truth);
+    draw_in_structure<Structure>(drawing, words, bodies, *query, truth.back());
+  }
+  static Hooks<broad_phase> drawn_by(void (*draw)(Drawing&, const Question&, const Replies&)) {
+    Hooks<broad_phase> own = hooks();
+    own.draw = draw;
+    return own;
+  }
+
  private:
   static constexpr double greatest_number = std::numeric_limits<double>::max();
+
+  /// The bodies that are there at the last query, and it; where nothing is asked, at the end.
+  static std::pair<::touchstone::reference::IndexedBoxes<double>, std::optional<Commandd>> at_last_query(
+      const Question& question) {
+    using Boxes = std::vector<std::optional<Aabb3d>>;
+    std::optional<Commandd> last;
+    Boxes there;
+    const Boxes at_end = each_query(question, [&](const Boxes& boxes, const Commandd& query) {
+      there = boxes;
+      last = query;
+    });
+    if (!last) there = at_end;
+    ::touchstone::reference::IndexedBoxes<double> bodies;
+    for (Index i = 0; i < there.size(); ++i)
+      if (there[i]) bodies.push_back({i, *there[i]});
+    return {bodies, last};
+  }
 
   static std::uint64_t intervals(int size) {
     const auto n = static_cast<std::uint64_t>(size);
     return n * (n + 1) / 2;
-  }
-
-  static Aabb3d small_box(DrawStream& c) {
-    const double x = small_integer(c, 4), y = small_integer(c, 4), z = small_integer(c, 4);
-    const auto width = [&c] { return static_cast<double>(c.below(4)); };
-    const double dx = width(), dy = width(), dz = width();
-    return {{x, y, z}, {x + dx, y + dy, z + dz}};
-  }
-  static Aabb3d wide_box(DrawStream& c) {
-    const double x = integer(c, 6), y = integer(c, 6), z = integer(c, 3);
-    const auto width = [&c] { return static_cast<double>(c.below(12)); };
-    const double dx = width(), dy = width(), dz = width();
-    return {{x, y, z}, {x + dx, y + dy, z + dz}};
-  }
-  /// Of the lattice of unit boxes.
-  static Aabb3d cell(DrawStream& c) {
-    const double x = static_cast<double>(c.below(3)), y = static_cast<double>(c.below(3));
-    const double z = static_cast<double>(c.below(3));
-    return {{x, y, z}, {x + 1, y + 1, z + 1}};
   }
 
   static bool touching(const Aabb3d& a, const Aabb3d& b) {
@@ -372,19 +383,6 @@ struct broad_phase {
     if (const auto* box = std::get_if<InBoxd>(&query)) return touching(box->box, body);
     if (const auto* at = std::get_if<AtPointd>(&query)) return !in_interior(exact(at->point), exact(body));
     return !in_interior(exact(std::get<AlongRayd>(query).ray), exact(body));
-  }
-
-  /// Calls `see` at each query with the boxes by index, empty where a body was removed, and the query.
-  template <class See>
-  static void each_query(const Question& question, const See& see) {
-    const auto& [start, commands] = question;
-    std::vector<std::optional<Aabb3d>> boxes(start.begin(), start.end());
-    for (const Commandd& command : commands) {
-      if (const auto* insert = std::get_if<Insertd>(&command)) boxes.emplace_back(insert->box);
-      else if (const auto* move = std::get_if<Moved>(&command)) boxes[move->body] = move->box;
-      else if (const auto* remove = std::get_if<Remove>(&command)) boxes[remove->body].reset();
-      else see(boxes, command);
-    }
   }
 };
 

@@ -22,6 +22,11 @@ struct bsp_tree : broad_phase {
     }();
     return metadata;
   }
+
+  static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
+    draw_in<::touchstone::reference::PlaneTree<double>>(drawing, {"tree of planes", "node", "nodes"}, question, truth);
+  }
+  static Hooks<broad_phase> hooks() { return drawn_by(draw); }
 };
 
 }  // namespace touchstone::catalogue::rows

@@ -22,6 +22,13 @@ struct quadtree : broad_phase {
     }();
     return metadata;
   }
+
+  /// The tree is one over x and y: so is its picture.
+  static void draw(Drawing& drawing, const Question& question, const Replies& truth) {
+    draw_in<::touchstone::reference::Quadtree<double>>(drawing, {"quadtree", "cell", "cells"}, question, truth);
+    seen_from_above(drawing);
+  }
+  static Hooks<broad_phase> hooks() { return drawn_by(draw); }
 };
 
 }  // namespace touchstone::catalogue::rows

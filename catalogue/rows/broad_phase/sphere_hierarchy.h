@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/draw/searches.h"
 #include "catalogue/rows/broad_phase/all_pairs.h"
 #include "reference/broad_phase/sphere_hierarchy.h"
 #include "robust/broad_phase/sphere_hierarchy.h"
@@ -24,6 +25,19 @@ struct sphere_hierarchy : all_pairs {
       return other;
     }();
     return metadata;
+  }
+
+  static void draw(Drawing& drawing, const Question& question, const Pairs& truth) {
+    std::visit(
+        [&](const auto& asked) {
+          draw_in_balls(drawing, {"hierarchy of spheres", "node", "nodes"}, std::get<0>(asked), truth);
+        },
+        question);
+  }
+  static Hooks<all_pairs> hooks() {
+    Hooks<all_pairs> own = all_pairs::hooks();
+    own.draw = draw;
+    return own;
   }
 };
 

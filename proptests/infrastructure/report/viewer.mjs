@@ -68,6 +68,26 @@ test('viewer: a list has one colour and its name once, a line drawn to help none
   assert.deepEqual(texts(drawn(long)), [['q0', 'points']]);
 });
 
+test('viewer: a node of a structure is a thin line, thinner the deeper, and filled where a search entered it', () => {
+  const box = [o, [end, end, end]], node = (depth, entered, kind = 'box', points = box, more = {}) =>
+      figure(kind, points, {label: '', node: depth, entered, ...more});
+  const passed = drawn([node(0, true)]), left = drawn([node(3, false)]), deepest = drawn([node(4, false)]);
+  assert.deepEqual([count(passed, 'class="node face"'), count(passed, 'class="node stroke( hid)?"')], [6, 12]);
+  assert.deepEqual([count(left, ' face"'), count(left, 'class="node deep stroke( hid)?"')], [0, 12]);
+  assert.equal(count(deepest, 'class="node deepest stroke( hid)?"'), 12);
+  const ball = entered => drawn([node(1, entered, 'sphere', [o], {radius: end})]);
+  assert.deepEqual([count(ball(true), '<circle class="node face"'), count(ball(false), ' face"')], [1, 0]);
+  assert.equal(strokes(ball(true)).dots, 0);  // a node has no dots, not even a small one
+  assert.equal(strokes(drawn([node(0, true, 'box', [o, [9, 9, 9]]), figure('point', [x])])).dots, 1);
+  // It takes no colour from what the question consists of.
+  assert.deepEqual(texts(drawn([node(0, true), figure('point', [x])])), [['q0', 'point']]);
+});
+
+test('viewer: figures of the truth without a name are named once', () => {
+  const truth = at => figure('point', [at], {label: '', whose: 'truth'});
+  assert.deepEqual(texts(drawn([truth(x), truth(y)])), [['truth', 'truth']]);
+});
+
 test('viewer: a label is no markup', () => {
   const svg = drawn([figure('point', [x], {label: '<b>&"'})]);
   assert.ok(!svg.includes('<b>'));
