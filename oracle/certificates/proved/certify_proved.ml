@@ -8,62 +8,11 @@
    certificate" for a test vector of an input that is refused. Exit code: 0 all are accepted, 1 some are not, 2 a file
    cannot be read. Nothing in this program is proved but the formulas and how they are decided: it must say truthfully
    which number stands where in a line. *)
-open Numbers
-
-module From_claim = struct
-  type place = string * Json.t (* its path in the claim, for messages *)
-  type number = Proved.q
-
-  let object_of (what, value) = match value with
-    | Json.Object members -> members
-    | _ -> refuse what "an object"
-
-  let member (what, members) name = match List.assoc_opt name members with
-    | Some value -> ((if what = "input" then name else what ^ "." ^ name), value)
-    | None -> refuse what ("field " ^ name ^ " is missing")
-
-  let members names place =
-    let all = object_of place in
-    let found = List.map (member (fst place, all)) names in
-    if List.length all <> List.length names then refuse (fst place) "an unexpected field";
-    found
-
-  let items (what, value) = match value with
-    | Json.List values -> List.mapi (fun i value -> (Printf.sprintf "%s[%d]" what i, value)) values
-    | _ -> refuse what "a list"
-
-  let coordinates = items
-
-  let exactly count place =
-    let found = items place in
-    if List.length found <> count then refuse (fst place) (Printf.sprintf "a list of %d" count);
-    found
-
-  let given (what, value) = Numbers.given what value
-  let exact (what, value) = Numbers.exact what value
-  let surd (what, value) = Numbers.surd what value
-
-  let index place = match exactly 1 place with
-    | [ (what, value) ] ->
-        let q = Numbers.exact what value in
-        let negative = Whole.sign q.qnum < 0 and limit = Whole.of_int 1_000_000 in
-        let top, rest = Whole.div_rem q.qnum q.qden in
-        if negative || Whole.sign rest <> 0 || Whole.gt top limit then refuse what "an index";
-        let rec nat k = if k = 0 then Proved.O else Proved.S (nat (k - 1)) in
-        nat (Whole.to_int top)
-    | _ -> assert false
-
-  let same_length (what, _) one other =
-    if List.compare_lengths one other <> 0 then refuse what "lists of one length"
-
-  let word (what, value) = match value with Json.Text text -> text | _ -> refuse what "a string"
-end
-
-module Table = Operations.Of (From_claim)
+let refuse = Numbers.refuse
 
 let by_name =
   let table = Hashtbl.create 64 in
-  List.iter (fun (operation : Table.operation) -> Hashtbl.replace table operation.name operation) Table.all;
+  List.iter (fun (operation : Shapes.operation) -> Hashtbl.replace table operation.name operation) Operations.all;
   table
 
 type verdict = Accepted | Refused of string | Not_proved of string | No_certificate
@@ -73,31 +22,31 @@ let judge (claim : (string * Json.t) list) =
     | Some value -> (name, value)
     | None -> refuse "claim" ("field " ^ name ^ " is missing") in
   let input = get "input" and truth = get "truth" and certificate = get "certificate" in
-  let name = From_claim.word (get "op") in
-  let kind = From_claim.word (From_claim.member ("certificate", From_claim.object_of certificate) "kind") in
+  let name = Source.word (get "op") in
+  let kind = Source.word (Source.member ("certificate", Source.object_of certificate) "kind") in
   let not_proved = Not_proved (name ^ " " ^ kind) in
   match Hashtbl.find_opt by_name name with
   | None -> not_proved
   | Some operation ->
-      let inputs = From_claim.members operation.inputs input in
+      let inputs = Source.members operation.inputs input in
       let word =
         if operation.field = "" then ""
-        else From_claim.word (From_claim.member ("truth", From_claim.object_of truth) operation.field) in
-      let fits (found : Table.kind) = found.word = word && found.kind = kind in
+        else Source.word (Source.member ("truth", Source.object_of truth) operation.field) in
+      let fits (found : Shapes.kind) = found.word = word && found.kind = kind in
       match List.find_opt fits (operation.kinds inputs) with
       | None when List.mem kind operation.unproved -> not_proved
       | None -> Refused "certificate: no such kind for this truth"
       | Some found ->
           let own = if operation.field = "" then [] else [ operation.field ] in
-          let answers = From_claim.members (found.answers @ own) truth in
-          let facts = From_claim.members (found.facts @ [ "kind" ]) certificate in
+          let answers = Source.members (found.answers @ own) truth in
+          let facts = Source.members (found.facts @ [ "kind" ]) certificate in
           let first count list = List.filteri (fun i _ -> i < count) list in
           let answers = first (List.length found.answers) answers and facts = first (List.length found.facts) facts in
           if Proved.decide (found.formula answers facts) then Accepted else Refused "the proved formula does not hold"
 
 let verdict_on text =
   try
-    let claim = From_claim.object_of ("claim", Json.parse text) in
+    let claim = Source.object_of ("claim", Json.parse text) in
     let has name = List.mem_assoc name claim in
     if has "refused" && not (has "truth" || has "certificate") then No_certificate
     else

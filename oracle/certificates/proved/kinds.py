@@ -128,7 +128,7 @@ def extracted(files):
 
 
 def build(work, jobs):
-    """certify_proved and print_python; returns what went wrong."""
+    """certify_proved; returns what went wrong."""
     files = sources()
     wanted = prove.closure({name for name in files if name.startswith("formulas_")}, files)
     proof = fresh(work, {**{name: files[name] for name in wanted}, "extraction": extracted(files)})
@@ -137,16 +137,14 @@ def build(work, jobs):
         return [f"not extracted: {failed[0]}.v", failed[1]]
     for path in HERE.glob("*.ml"):
         shutil.copy(path, work)
-    for program, other in (("certify_proved", "print_python"), ("print_python", "certify_proved")):
-        modules = [path.name for path in sorted(work.iterdir())
-                   if path.suffix in (".ml", ".mli") and path.stem != other]
-        order = subprocess.run(["ocamlfind", "ocamldep", "-sort", *modules], cwd=work, check=True, text=True,
-                               stdout=subprocess.PIPE).stdout.split()
-        compiler = ["ocamlfind", "ocamlopt", "-O3", "-w", "-a", "-package", "zarith", "-linkpkg"]
-        run = subprocess.run([*compiler, *order, "-o", program], cwd=work, text=True, stdout=subprocess.PIPE,
-                             stderr=subprocess.STDOUT)
-        if run.returncode:
-            return [f"{program}: not compiled", run.stdout]
+    modules = [path.name for path in sorted(work.iterdir()) if path.suffix in (".ml", ".mli")]
+    order = subprocess.run(["ocamlfind", "ocamldep", "-sort", *modules], cwd=work, check=True, text=True,
+                           stdout=subprocess.PIPE).stdout.split()
+    compiler = ["ocamlfind", "ocamlopt", "-O3", "-w", "-a", "-package", "zarith", "-linkpkg"]
+    run = subprocess.run([*compiler, *order, "-o", "certify_proved"], cwd=work, text=True, stdout=subprocess.PIPE,
+                         stderr=subprocess.STDOUT)
+    if run.returncode:
+        return ["certify_proved: not compiled", run.stdout]
     return []
 
 

@@ -21,26 +21,34 @@ Proof.
   repeat split; [destruct (Rmult_integral a a) | destruct (Rmult_integral b b) | destruct (Rmult_integral c c)]; auto.
 Qed.
 
-Lemma reflection : forall (v n : vec3 R) (k : R) (after along across : vec3 R), n <> (0, 0, 0) -> add3 along across = v ->
-  cross3 along n = (0, 0, 0) -> dot3 across n = 0 -> after = minus3 across (times3 k along) ->
-  damped_reflection_spec v n k after.
+(** What has the cross product 0 with the normal is along it. *)
+Lemma along_normal : forall u n : vec3 R, n <> (0, 0, 0) -> cross3 u n = (0, 0, 0) -> exists s, u = times3 s n.
 Proof.
-  intros v n k after [[u1 u2] u3] [[w1 w2] w3] nz <- hc hw ->. split; auto. destruct n as [[n1 n2] n3].
-  apply nonzero3 in nz. simpl in hc, hw. rewrite equal3 in hc. destruct hc as (c1 & c2 & c3).
+  intros [[u1 u2] u3] [[n1 n2] n3] nz hc. apply nonzero3 in nz. simpl in hc. rewrite equal3 in hc. destruct hc as (c1 & c2 & c3).
   set (q := n1 * n1 + n2 * n2 + n3 * n3) in *. set (s := (u1 * n1 + u2 * n2 + u3 * n3) / q).
   assert (sq : s * q = u1 * n1 + u2 * n2 + u3 * n3) by (unfold s; field; lra).
   assert (only : forall a b, (a - b) * q = 0 -> a = b).
   { intros a b e. destruct (Rmult_integral _ _ e); lra. }
   assert (e1 : u1 = s * n1).
   { apply only. transitivity (u1 * q - s * q * n1); [ring|]. rewrite sq. unfold q.
-    transitivity (n3 * (u1 * n3 - u3 * n1) + n2 * (u1 * n2 - u2 * n1)); [ring|]. rewrite c3. replace (u1 * n3 - u3 * n1) with 0 by lra. ring. }
+    transitivity (n3 * (u1 * n3 - u3 * n1) + n2 * (u1 * n2 - u2 * n1)); [ring|].
+    rewrite c3. replace (u1 * n3 - u3 * n1) with 0 by lra. ring. }
   assert (e2 : u2 = s * n2).
   { apply only. transitivity (u2 * q - s * q * n2); [ring|]. rewrite sq. unfold q.
     transitivity (n3 * (u2 * n3 - u3 * n2) - n1 * (u1 * n2 - u2 * n1)); [ring|]. rewrite c3, c1. ring. }
   assert (e3 : u3 = s * n3).
   { apply only. transitivity (u3 * q - s * q * n3); [ring|]. rewrite sq. unfold q.
     transitivity (n1 * (u3 * n1 - u1 * n3) - n2 * (u2 * n3 - u3 * n2)); [ring|]. rewrite c2, c1. ring. }
-  exists s, (w1, w2, w3). simpl. rewrite !equal3. rewrite e1, e2, e3. repeat split; auto; ring.
+  exists s. simpl. rewrite equal3. auto.
+Qed.
+
+Lemma reflection : forall (v n : vec3 R) (k : R) (after along across : vec3 R), n <> (0, 0, 0) ->
+  add3 along across = v -> cross3 along n = (0, 0, 0) -> dot3 across n = 0 -> after = minus3 across (times3 k along) ->
+  damped_reflection_spec v n k after.
+Proof.
+  intros v n k after along across nz <- hc hw ->. split; auto. destruct (along_normal _ _ nz hc) as [s ->].
+  exists s, across. repeat split; auto. destruct n as [[n1 n2] n3], across as [[w1 w2] w3].
+  unfold minus3; simpl. rewrite equal3. repeat split; ring.
 Qed.
 
 Ltac three := repeat match goal with p : vec3 Q |- _ => let q := fresh in destruct p as [[? ?] ?] end.

@@ -1,18 +1,47 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* Where the numbers of a formula come from: from a claim, so that it can be decided, or from names of fields, so that
-   it can be printed. *)
-module type S = sig
-  type place (* where a value stands *)
-  type number
+(* How the parts of a claim are read; what is no such part is refused. *)
+open Numbers
 
-  val members : string list -> place -> place list (* of an object with exactly these fields *)
-  val coordinates : place -> place list (* of a point of the plane or of space *)
-  val items : place -> place list (* of a list of any length *)
-  val exactly : int -> place -> place list (* of a list of that many *)
-  val given : place -> number (* a number of the input *)
-  val exact : place -> number
-  val surd : place -> number Proved.surd
-  val index : place -> Proved.nat (* one that an exact value names *)
-  val word : place -> string
-  val same_length : place -> 'a list -> 'b list -> unit (* else the claim is refused *)
-end
+type place = string * Json.t (* its path in the claim, for messages *)
+type number = Proved.q
+
+let object_of (what, value) = match value with
+  | Json.Object members -> members
+  | _ -> refuse what "an object"
+
+let member (what, members) name = match List.assoc_opt name members with
+  | Some value -> ((if what = "input" then name else what ^ "." ^ name), value)
+  | None -> refuse what ("field " ^ name ^ " is missing")
+
+let members names place =
+  let all = object_of place in
+  let found = List.map (member (fst place, all)) names in
+  if List.length all <> List.length names then refuse (fst place) "an unexpected field";
+  found
+
+let items (what, value) = match value with
+  | Json.List values -> List.mapi (fun i value -> (Printf.sprintf "%s[%d]" what i, value)) values
+  | _ -> refuse what "a list"
+
+let exactly count place =
+  let found = items place in
+  if List.length found <> count then refuse (fst place) (Printf.sprintf "a list of %d" count);
+  found
+
+let given (what, value) = Numbers.given what value
+let exact (what, value) = Numbers.exact what value
+let surd (what, value) = Numbers.surd what value
+
+(* An index that an exact value names. *)
+let place_in_list (what, value) =
+  let q = Numbers.exact what value in
+  let negative = Whole.sign q.qnum < 0 and limit = Whole.of_int 1_000_000 in
+  let top, rest = Whole.div_rem q.qnum q.qden in
+  if negative || Whole.sign rest <> 0 || Whole.gt top limit then refuse what "an index";
+  let rec nat k = if k = 0 then Proved.O else Proved.S (nat (k - 1)) in
+  nat (Whole.to_int top)
+
+let same_length (what, _) one other =
+  if List.compare_lengths one other <> 0 then refuse what "lists of one length"
+
+let word (what, value) = match value with Json.Text text -> text | _ -> refuse what "a string"

@@ -37,3 +37,46 @@ Definition contact_state_spec (a b : vec3 R * vec3 R * vec3 R) (p n : vec3 R) (w
   n <> (0, 0, 0) /\
   let rate := dot3 n (minus3 (velocity_at a p) (velocity_at b p)) in
   match w with separating => 0 < rate | resting => rate = 0 | colliding => rate < 0 end.
+
+(** [reflect_wall]: what is along the axis is reversed. *)
+Inductive axis := along_x | along_y | along_z.
+Definition reflect_wall_spec (v : vec3 R) (w : axis) (after : vec3 R) : Prop :=
+  let '(x, y, z) := v in
+  after = match w with along_x => (- x, y, z) | along_y => (x, - y, z) | along_z => (x, y, - z) end.
+
+(** Two bodies push each other along the normal, and along it part e times as fast as they met. *)
+Definition restitution_collision_spec (a b : R * vec3 R) (n : vec3 R) (e : R) (v w : vec3 R) : Prop :=
+  let before := a :: b :: nil in let after := (fst a, v) :: (fst b, w) :: nil in
+  have_mass before /\ n <> (0, 0, 0) /\ 0 <= e <= 1 /\
+  (exists push, v = add3 (snd a) (times3 push n)) /\ total_momentum after = total_momentum before /\
+  dot3 n (minus3 v w) = - e * dot3 n (minus3 (snd a) (snd b)) /\ total_energy after <= total_energy before.
+Definition elastic_collision_spec (a b : R * vec3 R) (n v w : vec3 R) : Prop :=
+  restitution_collision_spec a b n 1 v w /\
+  total_energy ((fst a, v) :: (fst b, w) :: nil) = total_energy (a :: b :: nil).
+
+(** [penalty_force]: behind the plane n . x + d = 0 a spring pulls to the nearest point of it, and a damper holds back
+    what of the velocity is along the normal. *)
+Definition penalty_force_spec (p v n : vec3 R) (d stiffness damping : R) (force : vec3 R) : Prop :=
+  n <> (0, 0, 0) /\
+  (0 <= dot3 n p + d -> force = (0, 0, 0)) /\
+  (dot3 n p + d < 0 -> exists t s w, dot3 n (add3 p (times3 t n)) + d = 0 /\ v = add3 (times3 s n) w /\ dot3 w n = 0 /\
+     force = minus3 (times3 stiffness (times3 t n)) (times3 damping (times3 s n))).
+
+(** [rigid_body_collision]: a body is ((mass, inertia), (position, velocity, angular velocity)); it is pushed at the
+    point p, the other by the opposite push. The points of both at p part e times as fast as they met. *)
+Definition rigid_body : Type := (R * vec3 (vec3 R)) * (vec3 R * vec3 R * vec3 R).
+Definition matrix_times (m : vec3 (vec3 R)) (x : vec3 R) : vec3 R :=
+  let '(a, b, c) := m in (dot3 a x, dot3 b x, dot3 c x).
+Definition right_body (body : rigid_body) : Prop :=
+  let '((mass, inertia), _) := body in 0 < mass /\
+  (forall x y, dot3 x (matrix_times inertia y) = dot3 y (matrix_times inertia x)) /\
+  forall x, x <> (0, 0, 0) -> 0 < dot3 x (matrix_times inertia x).
+Definition pushed (body : rigid_body) (p push v w : vec3 R) : Prop :=
+  let '((mass, inertia), (position, velocity, turn)) := body in times3 mass (minus3 v velocity) = push /\
+  matrix_times inertia (minus3 w turn) = cross3 (minus3 p position) push.
+Definition rigid_body_collision_spec (a b : rigid_body) (p n : vec3 R) (e : R) (after_a after_b : vec3 R * vec3 R) : Prop :=
+  let before (body : rigid_body) := velocity_at (snd body) p in
+  let after (body : rigid_body) motion := velocity_at (fst (fst (snd body)), fst motion, snd motion) p in
+  right_body a /\ right_body b /\ n <> (0, 0, 0) /\ 0 <= e <= 1 /\
+  dot3 n (minus3 (after a after_a) (after b after_b)) = - e * dot3 n (minus3 (before a) (before b)) /\
+  exists j, pushed a p (times3 j n) (fst after_a) (snd after_a) /\ pushed b p (times3 (- j) n) (fst after_b) (snd after_b).

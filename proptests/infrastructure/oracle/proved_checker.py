@@ -5,7 +5,6 @@
   proved_checker.py --program PATH [--work DIR]   builds certify_proved, and gives it and the others claims:
       all test vectors of operations with proved kinds, and their claims; and claims that are tampered with in one
       place, some of each kind: another word, another kind, other numbers of truth, certificate and input.
-      The formulas that are printed as Python are those that are committed, and hold of the vectors.
 
 Ends with 77 where Coq or OCaml is missing.
 """
@@ -28,7 +27,6 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(CERTIFICATES), str(PROVED)]
 import certify
 import kinds
-from certify_surd import exact_surd
 
 WORD_FIELDS = ("side", "relation", "contact", "location", "state", "axis")
 FROM_EACH_KIND = 4  # claims of a kind of one operation that are tampered with
@@ -149,70 +147,15 @@ def compare(program, work, lines):
     return count, wrong
 
 
-def formulas():
-    """The committed ones."""
-    found = {}
-    for path in sorted(PROVED.glob("printed_*.py")):
-        scope = {}
-        exec(compile(path.read_text(encoding="utf-8"), str(path), "exec"), scope)
-        found.update(scope["FORMULAS"])
-    return found
-
-
-class Exact(Fraction):
-    """A number that may also be read as p + q sqrt(r)."""
-
-    def __getitem__(self, k):
-        return self if k == 0 else Fraction(0)
-
-
-def fractions(value):
-    if isinstance(value, dict):
-        return {key: fractions(inner) for key, inner in value.items() if key not in WORD_FIELDS + ("kind",)}
-    if isinstance(value, list):
-        return [fractions(inner) for inner in value]
-    if isinstance(value, str) and "0x" in value:
-        return Fraction(float.fromhex(value))
-    if isinstance(value, str) and "sqrt" in value:
-        surd = exact_surd(value, "truth")
-        return surd.p, surd.q, Fraction(surd.r)
-    return Exact(value)
-
-
-def printed_holds(claim, table):
-    """None where the kind is not printed."""
-    given, truth, facts = (fractions(claim[part]) for part in ("input", "truth", "certificate"))
-    for dimension in (None, 2, 3):
-        for axis in (None, int(facts["axis"][0]) if "axis" in facts else None):
-            formula = table.get((*key_of(claim), dimension, axis))
-            if formula and (dimension is None or dimension == dimension_of(claim["input"])):
-                return formula(given, truth, facts)
-    return None
-
-
-def dimension_of(value):
-    """Of the first list of numbers alone."""
-    if isinstance(value, list) and not any(isinstance(inner, (list, dict)) for inner in value):
-        return len(value)
-    inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
-    return next((found for part in inner if (found := dimension_of(part))), None)
-
-
 def check(program, work):
     failed = kinds.build(work, 2)
     if failed:
         return failed
     wrong = []
-    subprocess.run([work / "print_python", work], check=True)
-    for path in sorted({p.name for folder in (work, PROVED) for p in folder.glob("printed_*.py")}):
-        texts = [(folder / path).read_text(encoding="utf-8") if (folder / path).exists() else ""
-                 for folder in (work, PROVED)]
-        if texts[0] != texts[1]:
-            wrong.append(f"{path}: not what is proved; copy it from {work}")
-    table, operations = formulas(), kinds.operations(kinds.sources())
+    operations = kinds.operations(kinds.sources())
     words = {word for operation in operations for claim in vectors_of(operation) if "certificate" in claim
              for word in key_of(claim)[1:]} - {""}
-    vectors, changed, printed = collections.Counter(), collections.Counter(), collections.Counter()
+    vectors, changed = collections.Counter(), collections.Counter()
     for operation in operations:
         every = vectors_of(operation)
         count, found = compare(program, work, [json.dumps(claim) for claim in every])
@@ -226,15 +169,8 @@ def check(program, work):
         wrong += found
         if count["refused"] < len(lines) // 4:
             wrong.append(f"{operation}: of {len(lines)} tampered claims only {count['refused']} are refused")
-        for claim in every:
-            if "certificate" in claim:
-                held = printed_holds(claim, table)
-                printed[held] += 1
-                if held is False:
-                    wrong.append(f"printed as Python it fails: {json.dumps(claim)[:400]}")
     for what, count in (("vectors", vectors), ("tampered and written claims", changed)):
         print(f"{what}: " + ", ".join(f"{n:,} {verdict}" for verdict, n in sorted(count.items())))
-    print(f"printed as Python: {printed[True]:,} vectors hold, {printed[None]:,} are of kinds that are not printed")
     return wrong
 
 
