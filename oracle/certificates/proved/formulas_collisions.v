@@ -71,13 +71,15 @@ Definition doubled_energy (body : rigid) (v w : vec3 A) : T :=
   Leaf mass * inner3 (term3 v) (term3 v) + inner3 (term3 w) (mapped inertia (term3 w)).
 
 (** [rigid_body_collision], kind [impulse_at] *)
-Definition check_rigid_body_collision (a b : rigid) (p n : vec3 A) (e : A) (va wa vb wb : vec3 A) (j first last : A) : C :=
+Definition check_rigid_body_collision (a b : rigid) (p n : vec3 A) (e : A) (va wa vb wb : vec3 A)
+    (j first last : A) : C :=
   let n' := term3 n in
   right_mass a /\ right_mass b /\ ~ same3 n' zero3 /\ zero <= Leaf e /\ Leaf e <= one /\
   is_pushed a p (scaled3 (Leaf j) n') va wa /\ is_pushed b p (scaled3 (zero - Leaf j) n') vb wb /\
   inner3 n' (gap3 (motion_at a va wa p) (motion_at b vb wb p)) =
     (zero - Leaf e) * inner3 n' (gap3 (motion_before a p) (motion_before b p)) /\
-  Leaf first = doubled_energy a (snd (fst (snd a))) (snd (snd a)) + doubled_energy b (snd (fst (snd b))) (snd (snd b)) /\
+  Leaf first = doubled_energy a (snd (fst (snd a))) (snd (snd a)) +
+    doubled_energy b (snd (fst (snd b))) (snd (snd b)) /\
   Leaf last = doubled_energy a va wa + doubled_energy b vb wb /\
   Leaf last <= Leaf first /\ (Leaf e < one \/ Leaf last = Leaf first).
 End checks.

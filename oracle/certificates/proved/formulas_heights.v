@@ -9,7 +9,8 @@ Section checks.
 Context {A : Type}.
 Notation T := (term A). Notation C := (cond A).
 
-Definition elevation_of (h : T) (w : elevation) : C := match w with above => zero < h | level_with => h = zero | below => h < zero end.
+Definition elevation_of (h : T) (w : elevation) : C :=
+  match w with above => zero < h | level_with => h = zero | below => h < zero end.
 
 (** [explicit_line], kind [height] *)
 Definition check_explicit_line (slope intercept : A) (p : A * A) (w : elevation) (h : A) : C :=
@@ -33,7 +34,8 @@ Definition check_point_plane (n : list A) (d : A) (p : list A) (w : plane_side) 
 Definition at_term (start way : list T) (t : T) : list T := sum_of start (scaled t way).
 
 (** What ray and segment share: the heights over the plane at t = 0 and at t = 1 *)
-Definition heights_prove (ends : bool) (start way : list T) (n : list A) (d : A) (w : line_plane A) (first second : A) : C :=
+Definition heights_prove (ends : bool) (start way : list T) (n : list A) (d : A) (w : line_plane A)
+    (first second : A) : C :=
   let climb := Leaf second - Leaf first in
   Leaf first = inner (leaves n) start + Leaf d /\ climb = inner (leaves n) way /\
   match w with
@@ -41,7 +43,8 @@ Definition heights_prove (ends : bool) (start way : list T) (n : list A) (d : A)
   | misses_plane =>
       if ends then zero < Leaf first * Leaf second else ~ (Leaf first = zero) /\ zero <= Leaf first * climb
   | crosses_plane t p =>
-      ~ (climb = zero) /\ zero <= Leaf t /\ (if ends then Leaf t <= one else Yes) /\ Leaf first + Leaf t * climb = zero /\
+      ~ (climb = zero) /\ zero <= Leaf t /\ (if ends then Leaf t <= one else Yes) /\
+      Leaf first + Leaf t * climb = zero /\
       same_vector (leaves p) (at_term start way (Leaf t))
   end.
 

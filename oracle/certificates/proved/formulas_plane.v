@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The formulas of points and lines of the plane: what each kind of certificate compares, in the language of conditions.
-    They are written for numbers of any type A: for rationals they are computed, for names of fields they are printed. *)
+(** The formulas of points and lines of the plane: what each kind of certificate compares, in the language of
+    conditions. *)
 Require Import ZArith List Arith.
 From Certificates Require Import plane language.
 Import ListNotations.
@@ -49,7 +49,8 @@ Definition check_point_on_segment (p : vec2 A) (s : seg2 A) (w : incidence A) (f
   end.
 
 Definition not_parallel (a b : seg2 A) (determinant : A) : C :=
-  Leaf determinant = cross (X (snd a) - X (fst a)) (Y (snd a) - Y (fst a)) (X (snd b) - X (fst b)) (Y (snd b) - Y (fst b))
+  Leaf determinant = cross (X (snd a) - X (fst a)) (Y (snd a) - Y (fst a))
+    (X (snd b) - X (fst b)) (Y (snd b) - Y (fst b))
   /\ ~ (Leaf determinant = zero).
 Definition end_of_one (s u : A) : C := Leaf s = zero \/ Leaf s = one \/ Leaf u = zero \/ Leaf u = one.
 

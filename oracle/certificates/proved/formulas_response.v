@@ -61,7 +61,8 @@ Definition velocity_term (body : vec3 A * vec3 A * vec3 A) (p : vec3 A) : vec3 T
   let '(position, v, turn) := body in sum3 (term3 v) (outer3 (term3 turn) (gap3 (term3 p) (term3 position))).
 
 (** [contact_state], kind [point_velocities] *)
-Definition check_contact_state (a b : vec3 A * vec3 A * vec3 A) (p n : vec3 A) (w : contact_state) (of_a of_b : vec3 A) : C :=
+Definition check_contact_state (a b : vec3 A * vec3 A * vec3 A) (p n : vec3 A) (w : contact_state)
+    (of_a of_b : vec3 A) : C :=
   let rate := inner3 (term3 n) (gap3 (term3 of_a) (term3 of_b)) in
   ~ same3 (term3 n) zero3 /\ same3 (term3 of_a) (velocity_term a p) /\ same3 (term3 of_b) (velocity_term b p) /\
   match w with separating => zero < rate | resting => rate = zero | colliding => rate < zero end.

@@ -63,7 +63,8 @@ Definition least (s : slab A) : T := Leaf (fst (snd s)).
 Definition most (s : slab A) : T := Leaf (snd (snd s)).
 Definition right_slab (s : slab A) : C := of_length 3 (fst s) /\ not_zero (fst s) /\ least s <= most s.
 Definition right_slabs (l : list (slab A)) : C := if_so (negb (length l =? 0)) /\ all right_slab l.
-Definition at_index {B} (k : nat) (l : list B) (f : B -> C) : C := match nth_error l k with Some s => f s | None => No end.
+Definition at_index {B} (k : nat) (l : list B) (f : B -> C) : C :=
+  match nth_error l k with Some s => f s | None => No end.
 
 Inductive slab_facts := all_values (v : list A) | end_of_slab (k : nat) (v : A) | beyond_slab (k : nat) (v : A).
 
@@ -82,7 +83,8 @@ Definition check_point_in_kdop (slabs : list (slab A)) (p : list A) (w : locatio
   | _, _ => No
   end.
 
-Inductive slabs_facts := separating_slab (k : nat) (v : A) | touching_slab (k : nat) (v : list A) | common_values (v : list A).
+Inductive slabs_facts := separating_slab (k : nat) (v : A) | touching_slab (k : nat) (v : list A)
+  | common_values (v : list A).
 
 (** [kdop_kdop] *)
 Definition check_kdop_kdop (a b : list (slab A)) (w : contact) (facts : slabs_facts) : C :=
@@ -92,7 +94,8 @@ Definition check_kdop_kdop (a b : list (slab A)) (w : contact) (facts : slabs_fa
   all (fun p => same_vector (leaves (fst (fst p))) (leaves (fst (snd p)))) both /\
   match w, facts with
   | disjoint, separating_slab k v =>
-      at_index k both (fun p => most (fst p) < Leaf v /\ Leaf v < least (snd p) \/ most (snd p) < Leaf v /\ Leaf v < least (fst p))
+      at_index k both (fun p => most (fst p) < Leaf v /\ Leaf v < least (snd p) \/ most (snd p) < Leaf v /\
+        Leaf v < least (fst p))
   | touching, touching_slab k v =>
       each_with v (fun q => let '(x, (s, t)) := q in
         least s <= Leaf x /\ Leaf x <= most s /\ least t <= Leaf x /\ Leaf x <= most t) /\
@@ -114,4 +117,5 @@ Definition check_closest_point_on_aabb (p low high x lower upper : list A) : C :
   on_each n (fun k => zero <= c k lower /\ zero <= c k upper /\ (c k lower = zero \/ c k x = c k low) /\
                       (c k upper = zero \/ c k x = c k high) /\ c k x - c k p = c k lower - c k upper).
 End checks.
-Arguments plane_facts : clear implicits. Arguments slab_facts : clear implicits. Arguments slabs_facts : clear implicits.
+Arguments plane_facts : clear implicits. Arguments slab_facts : clear implicits.
+  Arguments slabs_facts : clear implicits.

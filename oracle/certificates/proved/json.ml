@@ -16,7 +16,8 @@ let is_utf8 text =
   let length = String.length text in
   let byte at = Char.code text.[at] in
   let rec follow at count code = if count = 0 then Some code
-    else if at < length && byte at land 0xC0 = 0x80 then follow (at + 1) (count - 1) ((code lsl 6) lor (byte at land 0x3F))
+    else if at < length && byte at land 0xC0 = 0x80 then follow (at + 1) (count - 1)
+      ((code lsl 6) lor (byte at land 0x3F))
     else None in
   let rec from at =
     if at >= length then true

@@ -118,12 +118,10 @@ def prove_all(work, jobs):
     return []
 
 
-def extracted(files):
-    """extraction.v, told what to extract."""
-    formulas = sorted(name for name in files if name.startswith("formulas_"))
-    specification = sorted(path.stem for path in SPEC.glob("*.v"))
+def extracted(files, wanted):
+    """extraction.v, told what to extract; of the files only those are wanted that formulas need."""
     checks = " ".join(f"check_{operation}" for operation in operations(files))
-    return (f"From Certificates Require Import {' '.join([*specification, 'language', *formulas])}.\n"
+    return (f"From Certificates Require Import {' '.join(sorted(wanted))}.\n"
             + files["extraction"] + f'\nExtraction "proved.ml" decide {checks}.\n')
 
 
@@ -131,7 +129,7 @@ def build(work, jobs):
     """certify_proved; returns what went wrong."""
     files = sources()
     wanted = prove.closure({name for name in files if name.startswith("formulas_")}, files)
-    proof = fresh(work, {**{name: files[name] for name in wanted}, "extraction": extracted(files)})
+    proof = fresh(work, {**{name: files[name] for name in wanted}, "extraction": extracted(files, wanted)})
     failed = proof.compile_all([name for name in proof.files], jobs)
     if failed:
         return [f"not extracted: {failed[0]}.v", failed[1]]

@@ -38,7 +38,8 @@ let segment_segment = operation "segment_segment" [ "a"; "b" ] "relation" (funct
         | [ ta; tb; p ] -> check (Point (exact ta, exact tb, exact_point p)) (facts_of facts)
         | _ -> assert false in
       let point_answers = [ "ta"; "tb"; "point" ] in
-      [ kind "disjoint" [] "separating_line" [ "normal"; "offset" ] (fun _ facts -> check Apart (separating_line facts));
+      [ kind "disjoint" [] "separating_line" [ "normal"; "offset" ] (fun _ facts ->
+        check Apart (separating_line facts));
         kind "point" point_answers "transversal" [ "determinant" ]
           (meeting (fun facts -> Transversal (one (List.hd facts))));
         kind "point" point_answers "single_point" [] (meeting (fun _ -> Single_point));

@@ -29,7 +29,8 @@ let kinetic_energy = operation "kinetic_energy" [ "bodies" ] "" (function
       [ kind "" [ "energy" ] "centre" [ "mass"; "velocity"; "doubled_energies" ] (fun answers facts -> match facts with
           | [ mass; velocity; energies ] ->
               let of_centre, seen = exact_point energies in
-              check_kinetic_energy (bodies l) (exact (List.hd answers)) (one mass) (exact_vector velocity) of_centre seen
+              check_kinetic_energy (bodies l) (exact (List.hd answers)) (one mass) (exact_vector velocity) of_centre
+                seen
           | _ -> assert false) ]
   | _ -> assert false)
 

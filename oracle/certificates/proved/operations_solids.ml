@@ -13,7 +13,8 @@ let of_point_and_axis word name check facts_of =
     | [ x; axis ] -> check (facts_of (exact_list x) (index axis))
     | _ -> assert false)
 
-let interior_point check = of_point "overlapping" "common_interior_point" (check Overlapping) (fun x -> Common_interior_point x)
+let interior_point check = of_point "overlapping" "common_interior_point" (check Overlapping) (fun x ->
+  Common_interior_point x)
 
 let sphere_sphere = operation "sphere_sphere" [ "a"; "b" ] "contact" (function
   | [ a; b ] ->

@@ -95,7 +95,8 @@ Proof.
     split; [destruct p as [[p1 p2] p3], n as [[n1 n2] n3]; simpl in *; lra | intros _].
     rewrite same3_means in cf, ca, h. rewrite term3_means in h.
     destruct (along_normal (minus3 (r3 foot) (r3 p)) (r3 n) nz) as [t ht].
-    { etransitivity; [|exact cf]. destruct foot as [[f1 f2] f3], p as [[p1 p2] p3], n as [[n1 n2] n3]. unfold minus3; simpl.
+    { etransitivity; [|exact cf]. destruct foot as [[f1 f2] f3], p as [[p1 p2] p3], n as [[n1 n2] n3]. unfold minus3;
+        simpl.
       rewrite equal3. repeat split; ring. }
     destruct (along_normal (r3 along) (r3 n) nz) as [s hs].
     { etransitivity; [|exact ca]. destruct along as [[f1 f2] f3], n as [[n1 n2] n3]. reflexivity. }
@@ -134,7 +135,8 @@ Proof.
   set (q := x * (a * x + b * y + c * z) + y * (b * x + d * y + f * z) + z * (c * x + f * y + g * z)).
   assert (e : a * m * q = m * ((a * x + b * y + c * z) * (a * x + b * y + c * z)) +
     ((m * y + k * z) * (m * y + k * z) + a * det * (z * z))) by (unfold q, m, k, det; ring).
-  assert (s1 := Rle_0_sqr (a * x + b * y + c * z)). assert (s2 := Rle_0_sqr (m * y + k * z)). assert (s3 := Rle_0_sqr z).
+  assert (s1 := Rle_0_sqr (a * x + b * y + c * z)). assert (s2 := Rle_0_sqr (m * y + k * z)).
+    assert (s3 := Rle_0_sqr z).
   unfold Rsqr in *. assert (am : 0 < a * m) by (apply Rmult_lt_0_compat; auto).
   assert (ad : 0 < a * det) by (apply Rmult_lt_0_compat; auto).
   assert (t1 := Rmult_le_pos m _ (Rlt_le _ _ hm) s1). assert (t3 := Rmult_le_pos (a * det) _ (Rlt_le _ _ ad) s3).
@@ -145,7 +147,8 @@ Proof.
   assert (hz : z = 0). { destruct (Rmult_integral _ _ z3) as [i | i]; [lra | destruct (Rmult_integral _ _ i); auto]. }
   subst z. assert (hy : m * y = 0) by (destruct (Rmult_integral _ _ z2); lra).
   assert (y = 0) by (destruct (Rmult_integral _ _ hy); lra). subst y.
-  assert (hx : a * x = 0). { destruct (Rmult_integral _ _ z1) as [i | i]; [lra | destruct (Rmult_integral _ _ i); lra]. }
+  assert (hx : a * x = 0). { destruct (Rmult_integral _ _ z1) as [i | i]; [lra | destruct (Rmult_integral _ _ i);
+    lra]. }
   assert (x = 0) by (destruct (Rmult_integral _ _ hx); lra). apply nz; auto.
 Qed.
 Lemma right_mass_means : forall b, means Q2R (right_mass b) -> right_body (r_rigid b).
@@ -187,7 +190,8 @@ Qed.
 (** What another impulse changes has energy. *)
 Lemma two_pushes : forall body p n s t v w v' w', right_body body -> pushed body p (times3 s n) v w ->
   pushed body p (times3 t n) v' w' -> exists g, 0 <= g /\
-  (s - t) * dot3 n (minus3 (velocity_at (fst (fst (snd body)), v, w) p) (velocity_at (fst (fst (snd body)), v', w') p)) =
+  (s - t) * dot3 n (minus3 (velocity_at (fst (fst (snd body)), v, w) p) (velocity_at (fst (fst (snd body)), v',
+    w') p)) =
     (s - t) * (s - t) * dot3 n n / fst (fst body) + g.
 Proof.
   intros [[m i] [[[[x1 x2] x3] [[y1 y2] y3]] [[z1 z2] z3]]] [[p1 p2] p3] [[n1 n2] n3] s t [[v1 v2] v3] [[w1 w2] w3]
@@ -198,12 +202,17 @@ Proof.
     rewrite H, H0, H1. destruct i as [[[[? ?] ?] [[? ?] ?]] [[? ?] ?]]; simpl; lra. }
   destruct i as [[[[a1 a2] a3] [[b1 b2] b3]] [[c1 c2] c3]]. unfold minus3 in *. simpl in *. rewrite !equal3 in *.
   destruct h as (h1 & h2 & h3), h' as (h1' & h2' & h3'), k as (k1 & k2 & k3), k' as (k1' & k2' & k3').
-  assert (split3 : forall x y r, m * (x + -1 * y) = s * r -> forall x', m * (x' + -1 * y) = t * r -> x - x' = (s - t) * r / m).
-  { intros x y r e x' f. apply (Rmult_eq_reg_l m); [|lra]. replace (m * ((s - t) * r / m)) with ((s - t) * r) by (field; lra). lra. }
+  assert (split3 : forall x y r, m * (x + -1 * y) = s * r -> forall x',
+    m * (x' + -1 * y) = t * r -> x - x' = (s - t) * r / m).
+  { intros x y r e x' f. apply (Rmult_eq_reg_l m); [|lra]. replace (m * ((s - t) * r / m)) with ((s - t) * r) by
+      (field; lra). lra. }
   assert (d1 := split3 _ _ _ h1 _ h1'). assert (d2 := split3 _ _ _ h2 _ h2'). assert (d3 := split3 _ _ _ h3 _ h3').
-  assert (i1 : a1 * (w1 - w1') + a2 * (w2 - w2') + a3 * (w3 - w3') = (s - t) * ((p2 + -1 * x2) * n3 - (p3 + -1 * x3) * n2)) by lra.
-  assert (i2 : b1 * (w1 - w1') + b2 * (w2 - w2') + b3 * (w3 - w3') = (s - t) * ((p3 + -1 * x3) * n1 - (p1 + -1 * x1) * n3)) by lra.
-  assert (i3 : c1 * (w1 - w1') + c2 * (w2 - w2') + c3 * (w3 - w3') = (s - t) * ((p1 + -1 * x1) * n2 - (p2 + -1 * x2) * n1)) by lra.
+  assert (i1 : a1 * (w1 - w1') + a2 * (w2 - w2') + a3 * (w3 - w3') = (s - t) * ((p2 + -1 * x2) * n3 - (p3 + -1 * x3)
+    * n2)) by lra.
+  assert (i2 : b1 * (w1 - w1') + b2 * (w2 - w2') + b3 * (w3 - w3') = (s - t) * ((p3 + -1 * x3) * n1 - (p1 + -1 * x1)
+    * n3)) by lra.
+  assert (i3 : c1 * (w1 - w1') + c2 * (w2 - w2') + c3 * (w3 - w3') = (s - t) * ((p1 + -1 * x1) * n2 - (p2 + -1 * x2)
+    * n1)) by lra.
   rewrite i1, i2, i3.
   transitivity ((s - t) * (n1 * (v1 - v1') + n2 * (v2 - v2') + n3 * (v3 - v3')) +
     (s - t) * (n1 * ((w2 - w2') * (p3 + -1 * x3) - (w3 - w3') * (p2 + -1 * x2)) +
@@ -233,7 +242,8 @@ Qed.
 Theorem rigid_body_collision_unique : forall a b p n e x y x' y',
   rigid_body_collision_spec a b p n e x y -> rigid_body_collision_spec a b p n e x' y' -> x = x' /\ y = y'.
 Proof.
-  intros a b p n e [va wa] [vb wb] [va' wa'] [vb' wb'] (ra & rb & nz & _ & d & j & pa & pb) (_ & _ & _ & _ & d' & k & pa' & pb').
+  intros a b p n e [va wa] [vb wb] [va' wa'] [vb' wb'] (ra & rb & nz & _ & d & j & pa & pb) (_ & _ & _ & _ & d' & k &
+    pa' & pb').
   cbv zeta in d, d'. simpl fst in *. simpl snd in *.
   destruct (two_pushes _ _ _ _ _ _ _ _ _ ra pa pa') as (ga & hga & ea).
   destruct (two_pushes _ _ _ _ _ _ _ _ _ rb pb pb') as (gb & hgb & eb).
@@ -241,16 +251,19 @@ Proof.
   assert (hmb : 0 < fst (fst b)) by (destruct b as [[m i] [[q v] w]]; apply rb).
   assert (jk : j = k).
   { rewrite <- d in d'. set (A := velocity_at _ p) in d' at 1. 
-    assert (split3 : forall n x y z w, dot3 n (minus3 x y) = dot3 n (minus3 z w) -> dot3 n (minus3 x z) = dot3 n (minus3 y w)).
+    assert (split3 : forall n x y z w, dot3 n (minus3 x y) = dot3 n (minus3 z w) ->
+      dot3 n (minus3 x z) = dot3 n (minus3 y w)).
     { intros [[n1 n2] n3] [[x1 x2] x3] [[y1 y2] y3] [[z1 z2] z3] [[w1 w2] w3]. unfold minus3; simpl. intro. lra. }
     unfold A in d'. symmetry in d'. apply split3 in d'. rewrite d' in ea.
     assert (s : 0 < dot3 n n) by (destruct n as [[n1 n2] n3]; apply nonzero3 in nz; exact nz).
-    assert (c : 0 < dot3 n n / fst (fst a) + dot3 n n / fst (fst b)) by (apply Rplus_lt_0_compat; apply Rdiv_lt_0_compat; auto).
+    assert (c : 0 < dot3 n n / fst (fst a) + dot3 n n / fst (fst b)) by (apply Rplus_lt_0_compat;
+      apply Rdiv_lt_0_compat; auto).
     assert (q := Rle_0_sqr (j - k)). unfold Rsqr in q.
     assert (f : (j - k) * (j - k) * (dot3 n n / fst (fst a) + dot3 n n / fst (fst b)) + (ga + gb) = 0).
     { unfold Rdiv in *. lra. }
     assert (0 <= (j - k) * (j - k) * (dot3 n n / fst (fst a) + dot3 n n / fst (fst b))) by (apply Rmult_le_pos; lra).
     assert (z : (j - k) * (j - k) * (dot3 n n / fst (fst a) + dot3 n n / fst (fst b)) = 0) by lra.
     destruct (Rmult_integral _ _ z) as [i | i]; [destruct (Rmult_integral _ _ i); lra | lra]. }
-  subst k. destruct (same_push _ _ _ _ _ _ _ ra pa pa') as [-> ->]. destruct (same_push _ _ _ _ _ _ _ rb pb pb') as [-> ->]. auto.
+  subst k. destruct (same_push _ _ _ _ _ _ _ ra pa pa') as [-> ->].
+    destruct (same_push _ _ _ _ _ _ _ rb pb pb') as [-> ->]. auto.
 Qed.

@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The formulas of heights are enough, and their specifications leave no choice. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
-From Certificates Require Import solids planes language formulas_vectors formulas_slabs formulas_heights sound_solids sound_vectors.
+From Certificates Require Import solids planes language formulas_vectors formulas_slabs formulas_heights sound_solids
+  sound_vectors.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -44,7 +45,8 @@ Proof.
   do 3 (split; [auto|]). simpl in sq. rewrite !inner_means, !leaves_mean in sq.
   assert (q := dot_nonzero _ nz). set (Q := dot (rl n) (rl n)) in *. set (E := dot (rl n) (rl p) + Q2R d) in *.
   assert (s0 := sqrt_lt_R0 Q q). assert (s2 := sqrt_def Q ltac:(lra)). set (s := sqrt Q) in *.
-  assert (ds : Q2R distance * s = E /\ match w with front => 0 < Q2R distance | on_plane => Q2R distance = 0 | back => Q2R distance < 0 end).
+  assert (ds : Q2R distance * s = E /\ match w with front => 0 < Q2R distance | on_plane => Q2R distance = 0 | back
+    => Q2R distance < 0 end).
   { assert (f : (Q2R distance * s - E) * (Q2R distance * s + E) = 0).
     { transitivity (Q2R distance * Q2R distance * (s * s) - E * E); [ring | rewrite s2; lra]. }
     destruct w; simpl in h; rewrite ?inner_means, ?leaves_mean in h; fold E in h; destruct h as [hE hd];
@@ -55,7 +57,8 @@ Proof.
   assert (k : Q2R distance / s * Q = E) by (rewrite <- s2, <- ds; field; lra).
   set (t := Q2R distance / s) in *. exists (minus (rl p) (times t (rl n))).
   assert (l : length (rl p) = length (times t (rl n))) by (rewrite times_length; congruence).
-  split; [rewrite minus_length, times_length; auto|]. split; [rewrite dot_minus, dot_times by auto; fold Q; unfold E in *; lra|].
+  split; [rewrite minus_length, times_length; auto|]. split; [rewrite dot_minus, dot_times by auto; fold Q;
+    unfold E in *; lra|].
   rewrite plus_minus; auto.
 Qed.
 Theorem point_plane_unique : forall n d p v x w y,
@@ -76,19 +79,23 @@ Qed.
 
 (** ** Rays and segments *)
 Definition r_line_plane (w : line_plane Q) : line_plane R :=
-  match w with misses_plane => misses_plane | crosses_plane t p => crosses_plane (Q2R t) (rl p) | inside_plane => inside_plane end.
+  match w with misses_plane => misses_plane | crosses_plane t p => crosses_plane (Q2R t) (rl p) | inside_plane =>
+    inside_plane end.
 
-Lemma at_term_means : forall start way t, values (at_term start way t) = at_time (values start) (values way) (value Q2R t).
+Lemma at_term_means : forall start way t, values (at_term start way t) = at_time (values start) (values way) (value
+  Q2R t).
 Proof. intros; unfold at_term, at_time. rewrite sum_means, scaled_means; auto. Qed.
 
-Lemma heights_mean : forall (ends : bool) (D : R -> Prop) start way n d w first second, length (values start) = length (values way) ->
+Lemma heights_mean : forall (ends : bool) (D : R -> Prop) start way n d w first second,
+  length (values start) = length (values way) ->
   (forall t, D t <-> 0 <= t /\ (if ends then t <= 1 else True)) ->
   means Q2R (heights_prove ends start way n d w first second) ->
   line_plane_spec D (values start) (values way) (rl n) (Q2R d) (r_line_plane w).
 Proof.
   intros ends D start way n d w first second l hD h. unfold heights_prove in h. cbv zeta in h.
   destruct h as (e & c & h). simpl in e, c. rewrite !inner_means, !leaves_mean in e, c.
-  assert (line : forall t, dot (rl n) (at_time (values start) (values way) t) + Q2R d = Q2R first + t * (Q2R second - Q2R first)).
+  assert (line : forall t, dot (rl n) (at_time (values start) (values way) t) + Q2R d = Q2R first + t * (Q2R second -
+    Q2R first)).
   { intro t. unfold at_time. rewrite dot_plus, dot_times by (rewrite times_length; auto). rewrite c. lra. }
   unfold line_plane_spec. destruct w as [| t p |]; simpl.
   - intros t ht k. rewrite line in k. apply hD in ht. destruct ends; simpl in h.
@@ -126,7 +133,8 @@ Proof.
 Qed.
 Lemma way_means : forall a b, values (difference (leaves b) (leaves a)) = minus (rl b) (rl a).
 Proof. intros. rewrite difference_means, !leaves_mean; auto. Qed.
-Theorem segment_plane_sound : forall a b n d w first second, decide (check_segment_plane a b n d w first second) = true ->
+Theorem segment_plane_sound : forall a b n d w first second, decide (check_segment_plane a b n d w first second) =
+  true ->
   segment_plane_spec (rl a) (rl b) (rl n) (Q2R d) (r_line_plane w).
 Proof.
   intros a b n d w first second h. apply decide_means in h. destruct h as (la & lb & ln & nn & h).
@@ -146,15 +154,18 @@ Proof.
   - destruct h as (a & b & c). exfalso. apply (g u a), c; auto.
   - destruct g as (a & b & c). exfalso. apply (h t a), c; auto.
   - destruct g as (a & b & c), h as (a' & b' & c'). assert (e : u = t) by (apply c; auto; apply c'; auto). subst; auto.
-  - destruct g as (a & b & c). exfalso. assert (e0 : 0 = t) by (apply c; auto). assert (e1 : 1 = t) by (apply c; auto). lra.
-  - destruct h as (a & b & c). exfalso. assert (e0 : 0 = u) by (apply c; auto). assert (e1 : 1 = u) by (apply c; auto). lra.
+  - destruct g as (a & b & c). exfalso. assert (e0 : 0 = t) by (apply c; auto). assert (e1 : 1 = t) by (apply c;
+      auto). lra.
+  - destruct h as (a & b & c). exfalso. assert (e0 : 0 = u) by (apply c; auto). assert (e1 : 1 = u) by (apply c;
+      auto). lra.
 Qed.
 Theorem ray_plane_unique : forall o v n d x y, ray_plane_spec o v n d x -> ray_plane_spec o v n d y -> x = y.
 Proof.
   intros o v n d x y (_ & _ & _ & _ & _ & g) (_ & _ & _ & _ & _ & h).
   apply (line_plane_unique of_ray o v n d); auto; unfold of_ray; lra.
 Qed.
-Theorem segment_plane_unique : forall a b n d x y, segment_plane_spec a b n d x -> segment_plane_spec a b n d y -> x = y.
+Theorem segment_plane_unique : forall a b n d x y, segment_plane_spec a b n d x -> segment_plane_spec a b n d y ->
+  x = y.
 Proof.
   intros a b n d x y (_ & _ & _ & _ & g) (_ & _ & _ & _ & h).
   apply (line_plane_unique of_segment a (minus b a) n d); auto; unfold of_segment; lra.

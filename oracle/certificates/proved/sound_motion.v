@@ -28,9 +28,11 @@ Proof.
       assert (k1 : (1 + - k) * (r + s) = r) by (unfold k; field; auto).
       assert (k2 : k * (r + s) = s) by (unfold k; field; auto).
       split.
-      * replace (r * r) with ((1 + - k) * (1 + - k) * ((r + s) * (r + s))) by (transitivity (((1 + - k) * (r + s)) * ((1 + - k) * (r + s))); [ring | rewrite k1; auto]).
+      * replace (r * r) with ((1 + - k) * (1 + - k) * ((r + s) * (r + s))) by (transitivity (((1 + - k) * (r + s)) *
+          ((1 + - k) * (r + s))); [ring | rewrite k1; auto]).
         apply Rmult_le_compat_l; auto; apply square.
-      * replace (s * s) with (k * k * ((r + s) * (r + s))) by (transitivity ((k * (r + s)) * (k * (r + s))); [ring | rewrite k2; auto]).
+      * replace (s * s) with (k * k * ((r + s) * (r + s))) by (transitivity ((k * (r + s)) * (k * (r + s)));
+          [ring | rewrite k2; auto]).
         replace (- k * - k) with (k * k) by ring. apply Rmult_le_compat_l; auto; apply square.
 Qed.
 
@@ -53,7 +55,8 @@ Proof.
   set (z := q * h) in *. split.
   - intros [[a [b | b]] | [a b]].
     + apply down in b; lra.
-    + destruct (Rle_lt_dec z (- p)); [lra|]. exfalso. assert (- p * - p < z * z) by (apply Rmult_le_0_lt_compat; lra). lra.
+    + destruct (Rle_lt_dec z (- p)); [lra|]. exfalso. assert (- p * - p < z * z) by (apply Rmult_le_0_lt_compat;
+        lra). lra.
     + apply down in a. destruct (Rle_lt_dec p (- z)); [lra|]. exfalso.
       assert (- z * - z < p * p) by (apply Rmult_le_0_lt_compat; lra). lra.
   - intro a. destruct (Rle_lt_dec p 0) as [b | b].
@@ -65,7 +68,8 @@ Proof.
 Qed.
 
 (** ** The first zero of c + b t + a t^2 *)
-Lemma before_first_root : forall a b c t u, 0 <= a -> 0 < c -> c + b * t + a * (t * t) = 0 -> b + 2 * a * t <= 0 -> u < t ->
+Lemma before_first_root : forall a b c t u, 0 <= a -> 0 < c -> c + b * t + a * (t * t) = 0 -> b + 2 * a * t <= 0 ->
+  u < t ->
   0 < c + b * u + a * (u * u).
 Proof.
   intros a b c t u ha hc z d l. apply Rnot_le_lt; intro n.
@@ -83,11 +87,13 @@ Theorem swept_sphere_sphere_sound : forall p r v o s w answer facts,
   decide (check_swept_sphere_sphere p r v o s w answer facts) = true ->
   swept_sphere_sphere_spec (rl p) (Q2R r) (rl v) (rl o) (Q2R s) (rl w) (r_swept answer).
 Proof.
-  intros p r v o s w answer facts H. apply decide_means in H. unfold check_swept_sphere_sphere, not_negative, not_positive in H.
+  intros p r v o s w answer facts H. apply decide_means in H. unfold check_swept_sphere_sphere, not_negative,
+    not_positive in H.
   cbv zeta in H. simpl in H. rewrite !if_so_means, !Nat.eqb_eq in H. destruct H as (l1 & l2 & l3 & l4 & hr & hs & H).
   unfold swept_sphere_sphere_spec. rewrite !rl_length. do 6 (split; auto).
   assert (core : forall t, meet (rl p) (Q2R r) (rl v) (rl o) (Q2R s) (rl w) t <->
-    (sqdist (rl p) (rl o) - (Q2R r + Q2R s) * (Q2R r + Q2R s)) + 2 * value Q2R (products p o v w) * t + sqdist (rl v) (rl w) * (t * t) <= 0).
+    (sqdist (rl p) (rl o) - (Q2R r + Q2R s) * (Q2R r + Q2R s)) + 2 * value Q2R (products p o v w) * t + sqdist (rl v)
+      (rl w) * (t * t) <= 0).
   { intro t. unfold meet. rewrite meet_iff; auto; try (rewrite moved_length; rewrite ?rl_length; congruence).
     rewrite products_means; try congruence. lra. }
   assert (ha := sqdist_nonneg (rl v) (rl w)).
@@ -95,17 +101,20 @@ Proof.
     rewrite ?squared_distance_means in H; destruct H as ((<- & <- & <-) & H) || destruct H as ((ec & eb & ea) & H);
     try (rewrite <- ec, <- eb, <- ea in *); simpl.
   - destruct H as (hc & hk & n & m). apply not_positive_iff in n, m; auto.
-    assert (z : Q2R x + Q2R y * sqrt (Q2R k) = 0) by lra. rewrite z. split; [lra|]. split; [apply core; lra | intros; lra].
+    assert (z : Q2R x + Q2R y * sqrt (Q2R k) = 0) by lra. rewrite z. split; [lra|]. split; [apply core; lra | intros;
+      lra].
   - destruct H as (hc & hk & pos & one & f & g & d). rewrite not_positive_iff in pos, one, f, g, d; auto.
     assert (k2 := sqrt_def _ hk). set (h := sqrt (Q2R k)) in *. set (t := Q2R x + Q2R y * h).
-    assert (t2 : t * t = Q2R x * Q2R x + Q2R y * Q2R y * Q2R k + 2 * Q2R x * Q2R y * h) by (unfold t; rewrite <- k2; ring).
+    assert (t2 : t * t = Q2R x * Q2R x + Q2R y * Q2R y * Q2R k + 2 * Q2R x * Q2R y * h) by (unfold t; rewrite <- k2;
+      ring).
     assert (zero : Q2R c + Q2R b * t + Q2R a * (t * t) = 0) by (rewrite t2; unfold t; lra).
     split; [unfold t in *; lra|]. split; [apply core; lra|].
     intros u hu meets. apply core in meets.
     assert (q := before_first_root (Q2R a) (Q2R b) (Q2R c) t u ha hc zero). 
     assert (Q2R b + 2 * Q2R a * t <= 0) by (unfold t; lra). lra.
   - destruct H as (hc & hb). intros u hu meets. apply core in meets.
-    assert (0 <= Q2R b * u) by (apply Rmult_le_pos; lra). assert (0 <= Q2R a * (u * u)) by (apply Rmult_le_pos; [auto | apply square]). lra.
+    assert (0 <= Q2R b * u) by (apply Rmult_le_pos; lra). assert (0 <= Q2R a * (u * u)) by (apply Rmult_le_pos;
+      [auto | apply square]). lra.
   - destruct H as (hc & h1 & d). intros u hu meets. apply core in meets.
     assert (0 <= (1 - u) * - (2 * Q2R a + Q2R b)) by (apply Rmult_le_pos; lra).
     assert (0 <= Q2R a * ((1 - u) * (1 - u))) by (apply Rmult_le_pos; [auto | apply square]). lra.

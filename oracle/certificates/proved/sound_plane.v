@@ -40,7 +40,8 @@ Proof. intros a b h k; destruct (Rmult_integral _ _ h); tauto. Qed.
 Lemma one_parameter : forall a d s t c, a + s * d = c -> a + t * d = c -> d <> 0 -> s = t.
 Proof. intros. assert ((s - t) * d = 0) by lra. apply zero_product in H2; auto. lra. Qed.
 
-Ltac start h := apply decide_means in h; unfold not_parallel, at_parameter_of, same_point, within, end_of_one, cross, level, X, Y in h;
+Ltac start h := apply decide_means in h; unfold not_parallel, at_parameter_of, same_point, within, end_of_one, cross,
+  level, X, Y in h;
   simpl in h.
 
 Theorem orientation_sound : forall p0 p1 p w d, decide (check_orientation p0 p1 p w d) = true ->
@@ -88,7 +89,8 @@ Proof.
   unfold point_on_segment_spec, parameter, on_segment, r_incidence, rs, r2; simpl.
   - intros [t [ht e]].
     assert (f := along_form (Q2R (fst normal)) (Q2R (snd normal)) _ _ _ _ _ _ _ e).
-    assert (g := mix_gt t (Q2R (fst normal) * Q2R ax + Q2R (snd normal) * Q2R ay) (Q2R (fst normal) * Q2R bx + Q2R (snd normal) * Q2R by_) (Q2R offset)).
+    assert (g := mix_gt t (Q2R (fst normal) * Q2R ax + Q2R (snd normal) * Q2R ay) (Q2R (fst normal) * Q2R bx + Q2R
+      (snd normal) * Q2R by_) (Q2R offset)).
     lra.
   - assert (e : Q2R wa = 1 - Q2R wb) by lra. rewrite e in h. rewrite !same_points. split; [lra|].
     assert (ht : Q2R t = Q2R wb) by tauto. rewrite ht in *. split.
@@ -122,7 +124,8 @@ Proof.
       { destruct hd as [-> _]. 
         assert (u : (s - Q2R ta) * (Q2R bx - Q2R ax) = (t - Q2R tb) * (Q2R dx - Q2R cx)) by lra.
         assert (v : (s - Q2R ta) * (Q2R by_ - Q2R ay) = (t - Q2R tb) * (Q2R dy - Q2R cy)) by lra.
-        transitivity ((s - Q2R ta) * (Q2R bx - Q2R ax) * (Q2R dy - Q2R cy) - (s - Q2R ta) * (Q2R by_ - Q2R ay) * (Q2R dx - Q2R cx)); [ring|].
+        transitivity ((s - Q2R ta) * (Q2R bx - Q2R ax) * (Q2R dy - Q2R cy) - (s - Q2R ta) * (Q2R by_ - Q2R ay) * (Q2R
+          dx - Q2R cx)); [ring|].
         rewrite u, v; ring. }
       apply zero_product in z; [|tauto]. replace s with (Q2R ta) in e by lra. lra.
     + intros ->; split; [exists (Q2R ta) | exists (Q2R tb)]; rewrite same_points; tauto.
@@ -137,10 +140,14 @@ Proof.
     destruct h as (wa & wb & pa & pb & za & zb & hd). split; [| unfold along; rewrite !same_points; tauto].
     intros [x y]; split.
     + intros [[s [hs e]] [t [ht f]]].
-      assert (la : (Q2R px, Q2R py) = along (Q2R ax, Q2R ay, (Q2R bx, Q2R by_)) (Q2R ta)) by (unfold along; rewrite same_points; tauto).
-      assert (lb : (Q2R px, Q2R py) = along (Q2R cx, Q2R cy, (Q2R dx, Q2R dy)) (Q2R tb)) by (unfold along; rewrite same_points; tauto).
-      assert (e' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ e); assert (f' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ f).
-      assert (la' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ la); assert (lb' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ lb).
+      assert (la : (Q2R px, Q2R py) = along (Q2R ax, Q2R ay, (Q2R bx, Q2R by_)) (Q2R ta)) by (unfold along;
+        rewrite same_points; tauto).
+      assert (lb : (Q2R px, Q2R py) = along (Q2R cx, Q2R cy, (Q2R dx, Q2R dy)) (Q2R tb)) by (unfold along;
+        rewrite same_points; tauto).
+      assert (e' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ e);
+        assert (f' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ f).
+      assert (la' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ la);
+        assert (lb' := along_form (Q2R nx) (Q2R ny) _ _ _ _ _ _ _ lb).
       set (A0 := Q2R nx * Q2R ax + Q2R ny * Q2R ay) in *; set (A1 := Q2R nx * Q2R bx + Q2R ny * Q2R by_) in *.
       set (B0 := Q2R nx * Q2R cx + Q2R ny * Q2R cy) in *; set (B1 := Q2R nx * Q2R dx + Q2R ny * Q2R dy) in *.
       assert (g := mix_le s A0 A1 (Q2R offset)). assert (k := mix_ge t B0 B1 (Q2R offset)).
@@ -155,7 +162,8 @@ Proof.
     + intros ->; split; [exists (Q2R ta) | exists (Q2R tb)]; unfold along; rewrite same_points; tauto.
   - (* overlap *)
     destruct on_a as [s0 s1], on_b as [u0 u1]; simpl in h.
-    destruct h as (lex & (S0 & S0') & (S1 & S1') & (U0 & U0') & (U1 & U1') & (pax & pay) & (qax & qay) & (pbx & pby) & (qbx & qby) & e0 & e1).
+    destruct h as (lex & (S0 & S0') & (S1 & S1') & (U0 & U0') & (U1 & U1') & (pax & pay) & (qax & qay) & (pbx & pby)
+      & (qbx & qby) & e0 & e1).
     split; [| unfold before; simpl; tauto].
     set (ux := Q2R bx - Q2R ax) in *; set (uy := Q2R by_ - Q2R ay) in *.
     set (vx := Q2R dx - Q2R cx) in *; set (vy := Q2R dy - Q2R cy) in *.
@@ -175,7 +183,8 @@ Proof.
       assert (mx : x = Q2R px + m * (Q2R qx - Q2R px)) by (rewrite (proj1 f), pbx, qbx, tm; ring).
       assert (my : y = Q2R py + m * (Q2R qy - Q2R py)) by (rewrite (proj2 f), pby, qby, tm; ring).
       assert (lm : l = m).
-      { destruct differ; [apply (one_parameter (Q2R px) (Q2R qx - Q2R px) l m x) | apply (one_parameter (Q2R py) (Q2R qy - Q2R py) l m y)]; lra. }
+      { destruct differ; [apply (one_parameter (Q2R px) (Q2R qx - Q2R px) l m x) | apply (one_parameter (Q2R py) (Q2R
+          qy - Q2R py) l m y)]; lra. }
       exists l. split; [split |unfold along; rewrite same_points; auto].
       * destruct e0 as [e0 | [e0 | [e0 | e0]]]; [| | rewrite lm | rewrite lm];
           [eapply from_end_0 | eapply from_end_1 | eapply from_end_0 | eapply from_end_1]; eauto; lra.
@@ -209,7 +218,8 @@ Proof.
       { destruct hd as [-> _].
         assert (u : (s - Q2R ta) * (Q2R bx - Q2R ax) = (t - Q2R tb) * (Q2R dx - Q2R cx)) by lra.
         assert (v : (s - Q2R ta) * (Q2R by_ - Q2R ay) = (t - Q2R tb) * (Q2R dy - Q2R cy)) by lra.
-        transitivity ((s - Q2R ta) * (Q2R bx - Q2R ax) * (Q2R dy - Q2R cy) - (s - Q2R ta) * (Q2R by_ - Q2R ay) * (Q2R dx - Q2R cx)); [ring|].
+        transitivity ((s - Q2R ta) * (Q2R bx - Q2R ax) * (Q2R dy - Q2R cy) - (s - Q2R ta) * (Q2R by_ - Q2R ay) * (Q2R
+          dx - Q2R cx)); [ring|].
         rewrite u, v; ring. }
       apply zero_product in z; [|tauto]. replace s with (Q2R ta) in e by lra. lra.
     + intros ->; split; [exists (Q2R ta) | exists (Q2R tb)]; rewrite same_points; tauto.
@@ -230,21 +240,24 @@ Qed.
 
 Definition r_hit (w : hit Q) : hit R :=
   match w with
-  | missed => missed | hit_point t p => hit_point (Q2R t) (r2 p) | hit_overlap t p q => hit_overlap (Q2R t) (r2 p) (r2 q)
+  | missed => missed | hit_point t p => hit_point (Q2R t) (r2 p) | hit_overlap t p q => hit_overlap (Q2R t) (r2 p)
+    (r2 q)
   end.
 
 Theorem ray_segment_sound : forall o d s w facts, decide (check_ray_segment o d s w facts) = true ->
   ray_segment_spec (r2 o) (r2 d) (rs s) (r_hit w).
 Proof.
   intros [ox oy] [vx vy] [[ax ay] [bx by_]] w facts h.
-  destruct w as [| t [px py] | t [px py] [qx qy]]; destruct facts; start h; try tauto; unfold ray_at, X, Y in h; simpl in h;
+  destruct w as [| t [px py] | t [px py] [qx qy]]; destruct facts; start h; try tauto; unfold ray_at, X, Y in h;
+    simpl in h;
   unfold ray_segment_spec, on_ray, on_ray_at, on_segment, r_hit, rs, r2; simpl fst; simpl snd; rewrite !same_points;
   destruct h as (nz & h); (split; [replace 0 with (IZR 0) by reflexivity; tauto |]).
   - (* separating line *)
     destruct normal as [nx ny]; simpl in h. destruct h as (ho & hv & ha & hb).
     intros [x y] [[u [hu e]] [s [hs f]]]. rewrite same_points in e.
     apply (along_form (Q2R nx) (Q2R ny)) in f.
-    assert (k := mix_gt s (Q2R nx * Q2R ax + Q2R ny * Q2R ay) (Q2R nx * Q2R bx + Q2R ny * Q2R by_) (Q2R offset) hs ha hb).
+    assert (k := mix_gt s (Q2R nx * Q2R ax + Q2R ny * Q2R ay) (Q2R nx * Q2R bx + Q2R ny * Q2R by_) (Q2R offset) hs ha
+      hb).
     assert (0 <= u * - (Q2R nx * Q2R vx + Q2R ny * Q2R vy)) by (apply Rmult_le_pos; lra).
     rewrite (proj1 e), (proj2 e) in f. lra.
   - (* transversal *)
@@ -270,11 +283,13 @@ Proof.
     intros [x y]; split.
     + intros [[u [hu e]] [s [hs' f]]]. assert (f0 := f). unfold along in f. rewrite same_points in e, f |- *.
       apply (along_form (Q2R nx) (Q2R ny)) in f0.
-      assert (g : (Q2R px, Q2R py) = along (Q2R ax, Q2R ay, (Q2R bx, Q2R by_)) (Q2R su)) by (unfold along; rewrite same_points; tauto).
+      assert (g : (Q2R px, Q2R py) = along (Q2R ax, Q2R ay, (Q2R bx, Q2R by_)) (Q2R su)) by (unfold along;
+        rewrite same_points; tauto).
       apply (along_form (Q2R nx) (Q2R ny)) in g.
       set (O := Q2R nx * Q2R ox + Q2R ny * Q2R oy) in *. set (V := Q2R nx * Q2R vx + Q2R ny * Q2R vy) in *.
       assert (e' : Q2R nx * x + Q2R ny * y = O + u * V) by (rewrite (proj1 e), (proj2 e); unfold O, V; ring).
-      assert (pr' : Q2R nx * Q2R px + Q2R ny * Q2R py = O + Q2R t * V) by (rewrite (proj1 pr), (proj2 pr); unfold O, V; ring).
+      assert (pr' : Q2R nx * Q2R px + Q2R ny * Q2R py = O + Q2R t * V) by (rewrite (proj1 pr), (proj2 pr);
+        unfold O, V; ring).
       assert (0 <= u * - V) by (apply Rmult_le_pos; lra). assert (0 <= Q2R t * - V) by (apply Rmult_le_pos; lra).
       set (A0 := Q2R nx * Q2R ax + Q2R ny * Q2R ay) in *; set (A1 := Q2R nx * Q2R bx + Q2R ny * Q2R by_) in *.
       assert (k := mix_ge s A0 A1 (Q2R offset) hs' ha hb). assert (k' := mix_ge (Q2R su) A0 A1 (Q2R offset) hs ha hb).
@@ -305,7 +320,8 @@ Proof.
       assert (mx : x = Q2R px + m * (Q2R qx - Q2R px)) by (rewrite (proj1 f), (proj1 ps), (proj1 qs), sm; ring).
       assert (my : y = Q2R py + m * (Q2R qy - Q2R py)) by (rewrite (proj2 f), (proj2 ps), (proj2 qs), sm; ring).
       assert (lm : l = m).
-      { destruct differ; [apply (one_parameter (Q2R px) (Q2R qx - Q2R px) l m x) | apply (one_parameter (Q2R py) (Q2R qy - Q2R py) l m y)]; lra. }
+      { destruct differ; [apply (one_parameter (Q2R px) (Q2R qx - Q2R px) l m x) | apply (one_parameter (Q2R py) (Q2R
+          qy - Q2R py) l m y)]; lra. }
       exists l. split; [split | unfold along; rewrite same_points; auto].
       * destruct e0 as [e0 | [e0 | e0]].
         -- unfold l, Rdiv. apply Rmult_le_pos; [lra|]. left; apply Rinv_0_lt_compat; lra.
@@ -320,5 +336,6 @@ Proof.
         rewrite same_points, ex, ey, (proj1 pr), (proj2 pr), (proj1 qr), (proj2 qr). split; ring.
       * exists (Q2R u0 + l * (Q2R u1 - Q2R u0)).
         assert (r := mix_le l (Q2R u0) (Q2R u1) 1). assert (r' := mix_ge l (Q2R u0) (Q2R u1) 0).
-        split; [lra|]. unfold along; rewrite same_points, ex, ey, (proj1 ps), (proj2 ps), (proj1 qs), (proj2 qs). split; ring.
+        split; [lra|]. unfold along; rewrite same_points, ex, ey, (proj1 ps), (proj2 ps), (proj1 qs), (proj2 qs).
+          split; ring.
 Qed.

@@ -24,7 +24,8 @@ Qed.
 (** What has the cross product 0 with the normal is along it. *)
 Lemma along_normal : forall u n : vec3 R, n <> (0, 0, 0) -> cross3 u n = (0, 0, 0) -> exists s, u = times3 s n.
 Proof.
-  intros [[u1 u2] u3] [[n1 n2] n3] nz hc. apply nonzero3 in nz. simpl in hc. rewrite equal3 in hc. destruct hc as (c1 & c2 & c3).
+  intros [[u1 u2] u3] [[n1 n2] n3] nz hc. apply nonzero3 in nz. simpl in hc. rewrite equal3 in hc.
+    destruct hc as (c1 & c2 & c3).
   set (q := n1 * n1 + n2 * n2 + n3 * n3) in *. set (s := (u1 * n1 + u2 * n2 + u3 * n3) / q).
   assert (sq : s * q = u1 * n1 + u2 * n2 + u3 * n3) by (unfold s; field; lra).
   assert (only : forall a b, (a - b) * q = 0 -> a = b).
@@ -91,7 +92,8 @@ Lemma sum3_means : forall p q, v3 (sum3 p q) = add3 (v3 p) (v3 q).
 Proof. intros [[a b] c] [[x y] z]; auto. Qed.
 Lemma momenta_mean : forall l, v3 (momenta l) = total_momentum (map r_body l).
 Proof.
-  induction l as [|[m [[x y] z]] l IH]; [reflexivity|]. change (momenta ((m, (x, y, z)) :: l)) with (sum3 (scaled3 (Leaf m) (term3 (x, y, z))) (momenta l)).
+  induction l as [|[m [[x y] z]] l IH]; [reflexivity|]. change (momenta ((m, (x, y,
+    z)) :: l)) with (sum3 (scaled3 (Leaf m) (term3 (x, y, z))) (momenta l)).
   rewrite sum3_means, IH. reflexivity.
 Qed.
 Lemma energies_mean : forall l, value Q2R (doubled_energies l zero3) = 2 * total_energy (map r_body l).
@@ -126,17 +128,20 @@ Qed.
 Theorem inelastic_collision_unique : forall a b v w,
   inelastic_collision_spec a b v -> inelastic_collision_spec a b w -> v = w.
 Proof.
-  intros a b [[x y] z] [[x' y'] z'] [m e] [_ f]. rewrite e in f. simpl in f. rewrite equal3 in *. destruct f as (f1 & f2 & f3).
+  intros a b [[x y] z] [[x' y'] z'] [m e] [_ f]. rewrite e in f. simpl in f. rewrite equal3 in *.
+    destruct f as (f1 & f2 & f3).
   assert (ha := m a ltac:(simpl; auto)). assert (hb := m b ltac:(simpl; auto)).
   assert (only : forall s t, (fst a + fst b) * s = (fst a + fst b) * t -> s = t).
   { intros s t g. apply (Rmult_eq_reg_l (fst a + fst b)); auto; lra. }
   auto.
 Qed.
 
-Definition r_moving (b : vec3 Q * vec3 Q * vec3 Q) : vec3 R * vec3 R * vec3 R := let '(p, v, w) := b in (r3 p, r3 v, r3 w).
+Definition r_moving (b : vec3 Q * vec3 Q * vec3 Q) : vec3 R * vec3 R * vec3 R := let '(p, v, w) := b in (r3 p, r3 v,
+  r3 w).
 Lemma velocity_means : forall b p, v3 (velocity_term b p) = velocity_at (r_moving b) (r3 p).
 Proof.
-  intros [[[[a1 a2] a3] [[b1 b2] b3]] [[c1 c2] c3]] [[x y] z]. unfold velocity_at, minus3; simpl. rewrite equal3. repeat split; ring.
+  intros [[[[a1 a2] a3] [[b1 b2] b3]] [[c1 c2] c3]] [[x y] z]. unfold velocity_at, minus3;
+    simpl. rewrite equal3. repeat split; ring.
 Qed.
 Theorem contact_state_sound : forall a b p n w of_a of_b, decide (check_contact_state a b p n w of_a of_b) = true ->
   contact_state_spec (r_moving a) (r_moving b) (r3 p) (r3 n) w.
@@ -147,5 +152,6 @@ Proof.
   destruct n as [[n1 n2] n3], of_a as [[a1 a2] a3], of_b as [[b1 b2] b3]. unfold minus3; simpl.
   destruct w; simpl in h; lra.
 Qed.
-Theorem contact_state_unique : forall a b p n v w, contact_state_spec a b p n v -> contact_state_spec a b p n w -> v = w.
+Theorem contact_state_unique : forall a b p n v w, contact_state_spec a b p n v -> contact_state_spec a b p n w ->
+  v = w.
 Proof. intros a b p n v w [_ g] [_ h]. cbv zeta in *. destruct v, w; auto; lra. Qed.

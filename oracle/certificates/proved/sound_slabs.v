@@ -1,7 +1,8 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** The formulas of discs, half-spaces and slabs are enough. *)
 Require Import Reals Qreals QArith Lra Lia List Arith Bool.
-From Certificates Require Import solids language formulas_vectors formulas_solids formulas_slabs sound_solids sound_vectors.
+From Certificates Require Import solids language formulas_vectors formulas_solids formulas_slabs sound_solids
+  sound_vectors.
 Import ListNotations.
 Open Scope R_scope.
 
@@ -41,9 +42,11 @@ Proof.
     { rewrite (minus_length (times (dot N N) v)), times_length; congruence. }
     assert (k := cauchy _ _ lk). rewrite z in k.
     assert (g := square (dot (minus y x) (minus (times (dot N N) v) (times a N)))).
-    assert (q : dot (minus y x) (minus (times (dot N N) v) (times a N)) * dot (minus y x) (minus (times (dot N N) v) (times a N)) = 0) by lra.
+    assert (q : dot (minus y x) (minus (times (dot N N) v) (times a N)) * dot (minus y x) (minus (times (dot N N) v)
+      (times a N)) = 0) by lra.
     destruct (Rmult_integral _ _ q); auto. }
-  rewrite dot_minus, !dot_times in e by auto. rewrite (dot_sym (minus y x) v), (dot_sym (minus y x) N), (dot_minus N) in e by congruence.
+  rewrite dot_minus, !dot_times in e by auto. rewrite (dot_sym (minus y x) v), (dot_sym (minus y x) N),
+    (dot_minus N) in e by congruence.
   assert (le : a * (dot N y - dot N x) <= 0).
   { destruct (Req_dec a 0) as [za | na]; [rewrite za; lra|].
     assert (t : dot N x + d = 0) by (destruct (Rmult_integral _ _ hz); [tauto | auto]).
@@ -74,12 +77,14 @@ Qed.
 
 Lemma lowest : forall n low high x y, length x = length n -> length y = length n ->
   (forall k, (k < length n)%nat -> nth k low 0 <= nth k y 0 <= nth k high 0) ->
-  (forall k, (k < length n)%nat -> (nth k n 0 <= 0 \/ nth k x 0 = nth k low 0) /\ (0 <= nth k n 0 \/ nth k x 0 = nth k high 0)) ->
+  (forall k, (k < length n)%nat -> (nth k n 0 <= 0 \/ nth k x 0 = nth k low 0) /\
+    (0 <= nth k n 0 \/ nth k x 0 = nth k high 0)) ->
   dot n x <= dot n y.
 Proof.
   induction n as [|c n IH]; intros low high [|a x] [|b y] lx ly hb hl; simpl in *; try discriminate; try lra.
   assert (g : dot n x <= dot n y).
-  { apply (IH (tl low) (tl high)); try lia; intros k hk; [specialize (hb (S k) ltac:(lia)) | specialize (hl (S k) ltac:(lia))];
+  { apply (IH (tl low) (tl high)); try lia; intros k hk; [specialize (hb (S k) ltac:(lia)) | specialize (hl (S k)
+      ltac:(lia))];
       simpl in *; destruct low, high; simpl in *; destruct k; auto. }
   specialize (hb O ltac:(lia)). specialize (hl O ltac:(lia)). simpl in hb, hl.
   destruct (Rlt_le_dec c 0) as [s | s].
@@ -104,14 +109,16 @@ Proof.
     - intros k hk. apply b. lia.
     - intros k hk. rewrite on_each_means in m. specialize (m k hk). simpl in m. rewrite !coordinate_means in m. auto. }
   destruct w, facts; try (simpl in h; tauto).
-  - destruct h as (l & b & m & far). rewrite of_length_means in l. simpl in far. rewrite inner_means, !leaves_mean in far.
+  - destruct h as (l & b & m & far). rewrite of_length_means in l. simpl in far.
+      rewrite inner_means, !leaves_mean in far.
     intros y ly [b' s]. assert (g := low_means x y l ly b' m). unfold half_space in s. lra.
   - destruct h as (l & b & m & e). rewrite of_length_means in l. simpl in e. rewrite inner_means, !leaves_mean in e.
     apply box_means in b; auto. split.
     + exists (rl x). rewrite rl_length. unfold half_space. split; [auto | split; [auto | lra]].
     + intros y [b' s]. assert (ly := proj1 s). apply interior_in in b'. assert (g := low_means x y l ly b' m).
       apply half_space_interior in s; auto. lra.
-  - destruct h as (l & b & hh & k & e). rewrite of_length_means in l. simpl in hh, e. rewrite inner_means, !leaves_mean in hh.
+  - destruct h as (l & b & hh & k & e). rewrite of_length_means in l. simpl in hh, e.
+      rewrite inner_means, !leaves_mean in hh.
     rewrite if_so_means, Nat.ltb_lt in k. rewrite !coordinate_means in e. apply box_means in b; auto. split.
     + exists (rl x). rewrite rl_length. auto.
     + intros y [b' _]. assert (B := interior_box _ _ _ _ _ b' k). lra.
@@ -128,7 +135,8 @@ Proof.
   intros l [h k]. rewrite if_so_means, negb_true_iff, Nat.eqb_neq in h. rewrite all_means in k. split.
   - destruct l; simpl in *; [tauto | discriminate].
   - intros s i. apply in_map_iff in i. destruct i as [t [<- i]]. destruct (k t i) as (a & b & c).
-    rewrite of_length_means in a. unfold proper_slab, r_slab. rewrite rl_length. split; [auto|]. split; [apply not_zero_means; auto | auto].
+    rewrite of_length_means in a. unfold proper_slab, r_slab. rewrite rl_length. split; [auto|]. split;
+      [apply not_zero_means; auto | auto].
 Qed.
 Lemma at_index_means : forall {B} k (l : list B) f, means Q2R (at_index k l f) -> exists s, In s l /\ means Q2R (f s).
 Proof.
@@ -146,11 +154,13 @@ Proof.
   - apply interior_both; apply interior_half_space; rewrite ?times_length; auto; [lra|].
     rewrite times_dot. lra.
 Qed.
-Lemma interior_slab : forall s x, proper_slab s -> interior 3 (in_slab s) x -> fst (snd s) < dot (fst s) x < snd (snd s).
+Lemma interior_slab : forall s x, proper_slab s -> interior 3 (in_slab s) x ->
+  fst (snd s) < dot (fst s) x < snd (snd s).
 Proof.
   intros [n [low high]] x (ln & nz & lh) h; simpl in *. split.
   - assert (g : interior 3 (half_space (times (-1) n) low) x).
-    { apply (interior_subset 3 (in_slab (n, (low, high)))); auto. intros y _ [a b]. unfold half_space. rewrite times_dot. lra. }
+    { apply (interior_subset 3 (in_slab (n, (low, high)))); auto. intros y _ [a b]. unfold half_space.
+        rewrite times_dot. lra. }
     apply half_space_interior in g.
     + rewrite times_dot in g. lra.
     + rewrite times_length; auto.
@@ -164,7 +174,8 @@ Theorem point_in_kdop_sound : forall slabs p w facts, decide (check_point_in_kdo
   point_in_kdop_spec (map r_slab slabs) (rl p) w.
 Proof.
   intros slabs p w facts h. apply decide_means in h. unfold check_point_in_kdop in h. cbv zeta in h.
-  destruct h as (right & lp & h). rewrite of_length_means in lp. apply right_slabs_mean in right. destruct right as [some right].
+  destruct h as (right & lp & h). rewrite of_length_means in lp. apply right_slabs_mean in right.
+    destruct right as [some right].
   assert (lp' := rl_length p). rewrite lp in lp'. split; [auto|]. split; [auto|]. split; [auto|].
   destruct w, facts; try (simpl in h; tauto).
   - destruct h as [_ h]. rewrite all_means in h. unfold kdop.
@@ -172,7 +183,8 @@ Proof.
     apply in_map_iff in i. destruct i as [t [<- i]]. specialize (h t i). simpl in h. rewrite slab_value_means in h.
     destruct k as (l & _). apply slab_interior; auto.
   - destruct h as [e h]. rewrite all_means in h. split.
-    + intros s i. apply in_map_iff in i. destruct i as [t [<- i]]. specialize (h t i). simpl in h. rewrite slab_value_means in h. auto.
+    + intros s i. apply in_map_iff in i. destruct i as [t [<- i]]. specialize (h t i). simpl in h.
+        rewrite slab_value_means in h. auto.
     + intro ki. apply at_index_means in e. destruct e as [s [i e]]. simpl in e. rewrite slab_value_means in e.
       assert (j : interior 3 (in_slab (r_slab s)) (rl p)).
       { apply (interior_subset 3 (kdop (map r_slab slabs))); auto. intros y _ g. apply g, in_map; auto. }
@@ -181,9 +193,11 @@ Proof.
     intro held. assert (j := held (r_slab s) (in_map _ _ _ i)). simpl in j. lra.
 Qed.
 
-Lemma combine_map : forall a b, combine (map r_slab a) (map r_slab b) = map (fun p => (r_slab (fst p), r_slab (snd p))) (combine a b).
+Lemma combine_map : forall a b, combine (map r_slab a) (map r_slab b) = map (fun p => (r_slab (fst p),
+  r_slab (snd p))) (combine a b).
 Proof. induction a as [|s a IH]; intros [|t b]; simpl; auto. rewrite IH; auto. Qed.
-Lemma with_each : forall {B D} (v : list B) (l : list D) x, length v = length l -> In x l -> exists y, In (y, x) (combine v l).
+Lemma with_each : forall {B D} (v : list B) (l : list D) x, length v = length l -> In x l -> exists y, In (y,
+  x) (combine v l).
 Proof.
   induction v as [|y v IH]; intros [|z l] x e i; simpl in *; try tauto; try discriminate.
   destruct i as [-> | i]; [exists y; auto|]. destruct (IH l x) as [u hu]; auto. exists u; auto.
@@ -195,12 +209,16 @@ Proof.
   intros a b w facts h. apply decide_means in h. unfold check_kdop_kdop in h. cbv zeta in h.
   destruct h as (ra & rb & lab & same & h). rewrite if_so_means, Nat.eqb_eq in lab. rewrite all_means in same.
   apply right_slabs_mean in ra, rb. split; [tauto|]. split; [intros s [i | i]; [apply ra | apply rb]; auto|]. split.
-  { clear - lab same. revert b lab same. induction a as [|s a IH]; intros [|t b] l same; simpl in *; try discriminate; auto.
+  { clear - lab same. revert b lab same. induction a as [|s a IH]; intros [|t b] l same; simpl in *;
+      try discriminate; auto.
     rewrite (IH b); auto. f_equal. specialize (same (s, t) (or_introl eq_refl)). simpl in same.
     apply same_vector_means in same. rewrite !leaves_mean in same. auto. }
-  assert (each : forall s t, In (s, t) (combine (map r_slab a) (map r_slab b)) -> exists p, In p (combine a b) /\ s = r_slab (fst p) /\ t = r_slab (snd p)).
-  { intros s t i. rewrite combine_map in i. apply in_map_iff in i. destruct i as [p [e i]]. injection e; intros <- <-. exists p; auto. }
-  assert (some : forall p, In p (combine a b) -> In (r_slab (fst p), r_slab (snd p)) (combine (map r_slab a) (map r_slab b))).
+  assert (each : forall s t, In (s, t) (combine (map r_slab a) (map r_slab b)) -> exists p, In p (combine a b) /\
+    s = r_slab (fst p) /\ t = r_slab (snd p)).
+  { intros s t i. rewrite combine_map in i. apply in_map_iff in i. destruct i as [p [e i]]. injection e;
+      intros <- <-. exists p; auto. }
+  assert (some : forall p, In p (combine a b) -> In (r_slab (fst p),
+    r_slab (snd p)) (combine (map r_slab a) (map r_slab b))).
   { intros p i. rewrite combine_map. apply (in_map (fun p => (r_slab (fst p), r_slab (snd p)))); auto. }
   cbv zeta. destruct w, facts; try (simpl in h; tauto).
   - apply at_index_means in h. destruct h as [p [i e]]. exists (r_slab (fst p)), (r_slab (snd p)).
@@ -212,8 +230,10 @@ Proof.
       split; [apply (some (s, t)); auto|]. unfold shared; simpl in *. intros; lra.
   - destruct h as [l h]. rewrite if_so_means, Nat.eqb_eq in l. rewrite all_means in h. intros s t i.
     destruct (each s t i) as (p & ip & -> & ->). destruct (with_each _ _ _ l ip) as [x ix]. specialize (h _ ix).
-    destruct p as [s t]. simpl in h. exists (Q2R x), (Rmin (Q2R (snd (snd s))) (Q2R (snd (snd t)))). unfold shared; simpl.
-    assert (m1 := Rmin_l (Q2R (snd (snd s))) (Q2R (snd (snd t)))). assert (m2 := Rmin_r (Q2R (snd (snd s))) (Q2R (snd (snd t)))).
+    destruct p as [s t]. simpl in h. exists (Q2R x), (Rmin (Q2R (snd (snd s))) (Q2R (snd (snd t)))). unfold shared;
+      simpl.
+    assert (m1 := Rmin_l (Q2R (snd (snd s))) (Q2R (snd (snd t)))).
+      assert (m2 := Rmin_r (Q2R (snd (snd s))) (Q2R (snd (snd t)))).
     assert (Q2R x < Rmin (Q2R (snd (snd s))) (Q2R (snd (snd t)))) by (apply Rmin_glb_lt; tauto). lra.
 Qed.
 
@@ -221,7 +241,8 @@ Theorem closest_point_on_aabb_sound : forall p low high x lower upper,
   decide (check_closest_point_on_aabb p low high x lower upper) = true ->
   closest_point_on_aabb_spec (rl p) (rl low) (rl high) (rl x).
 Proof.
-  intros p low high x lower upper h. apply decide_means in h. unfold check_closest_point_on_aabb, as_long in h. cbv zeta in h.
+  intros p low high x lower upper h. apply decide_means in h. unfold check_closest_point_on_aabb, as_long in h.
+    cbv zeta in h.
   simpl in h. rewrite !if_so_means, !Nat.eqb_eq in h. destruct h as (n & l1 & l2 & lx & _ & _ & v & b & m).
   apply two_or_three_means in n. exists (length p). rewrite !rl_length. do 5 (split; [auto|]). split.
   { intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v. rewrite !coordinate_means in v. auto. }
@@ -229,7 +250,8 @@ Proof.
   apply nearest; rewrite ?rl_length; auto. intros k hk. rewrite on_each_means in m. specialize (m k hk). simpl in m.
   rewrite !coordinate_means in m. assert (bk := by_ k ltac:(lia)).
   set (P := nth k (rl p) 0) in *; set (X := nth k (rl x) 0) in *; set (Y := nth k y 0) in *.
-  set (L := nth k (rl low) 0) in *; set (H := nth k (rl high) 0) in *; set (a := nth k (rl lower) 0) in *; set (u := nth k (rl upper) 0) in *.
+  set (L := nth k (rl low) 0) in *; set (H := nth k (rl high) 0) in *; set (a := nth k (rl lower) 0) in *;
+    set (u := nth k (rl upper) 0) in *.
   destruct m as (ha & hu & ea & eu & e).
   assert (0 <= a * (Y - X)) by (destruct ea as [-> | ->]; [lra | apply Rmult_le_pos; lra]).
   assert (0 <= u * (X - Y)) by (destruct eu as [-> | ->]; [lra | apply Rmult_le_pos; lra]).

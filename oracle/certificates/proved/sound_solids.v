@@ -10,7 +10,8 @@ Open Scope R_scope.
 Lemma square : forall a, 0 <= a * a.
 Proof. intro a; apply (Rle_0_sqr a). Qed.
 Lemma sqdist_nonneg : forall x y, 0 <= sqdist x y.
-Proof. induction x as [|a x IH]; destruct y as [|b y]; simpl; try lra. specialize (IH y). assert (g := square (a - b)). lra. Qed.
+Proof. induction x as [|a x IH]; destruct y as [|b y]; simpl; try lra. specialize (IH y).
+  assert (g := square (a - b)). lra. Qed.
 Lemma sqdist_sym : forall x y, sqdist x y = sqdist y x.
 Proof. induction x as [|a x IH]; destruct y as [|b y]; simpl; auto. rewrite IH; ring. Qed.
 Lemma sqdist_self : forall x, sqdist x x = 0.
@@ -44,21 +45,27 @@ Proof.
   assert (0 < s) by (destruct (Req_dec s 0); [subst; lra | lra]).
   assert (w := weighted r s x y z lx ly H H0).
   assert (0 < r * s) by (apply Rmult_lt_0_compat; auto).
-  assert (s * (r + s) * sqdist x z < s * (r + s) * (r * r)) by (apply Rmult_lt_compat_l; auto; apply Rmult_lt_0_compat; lra).
-  assert (r * (r + s) * sqdist z y < r * (r + s) * (s * s)) by (apply Rmult_lt_compat_l; auto; apply Rmult_lt_0_compat; lra).
+  assert (s * (r + s) * sqdist x z < s * (r + s) * (r * r)) by (apply Rmult_lt_compat_l; auto;
+    apply Rmult_lt_0_compat; lra).
+  assert (r * (r + s) * sqdist z y < r * (r + s) * (s * s)) by (apply Rmult_lt_compat_l; auto;
+    apply Rmult_lt_0_compat; lra).
   apply (Rmult_lt_reg_l (r * s)); auto. lra.
 Qed.
 Lemma triangle : forall r s x y z, length x = length z -> length y = length z -> 0 <= r -> 0 <= s ->
   sqdist x z <= r * r -> sqdist z y <= s * s -> sqdist x y <= (r + s) * (r + s).
 Proof.
   intros r s x y z lx ly hr hs h k.
-  destruct (Req_dec r 0) as [e | nr]; [subst; apply sqdist_zero in h || (rewrite Rmult_0_l in h; apply sqdist_zero in h); auto; subst; rewrite Rplus_0_l; auto|].
-  destruct (Req_dec s 0) as [e | ns]; [subst; rewrite Rmult_0_l in k; apply sqdist_zero in k; auto; subst; rewrite Rplus_0_r; auto|].
+  destruct (Req_dec r 0) as [e | nr]; [subst; apply sqdist_zero in h || (rewrite Rmult_0_l in h;
+    apply sqdist_zero in h); auto; subst; rewrite Rplus_0_l; auto|].
+  destruct (Req_dec s 0) as [e | ns]; [subst; rewrite Rmult_0_l in k; apply sqdist_zero in k; auto; subst;
+    rewrite Rplus_0_r; auto|].
   assert (hr' : 0 < r) by lra. assert (hs' : 0 < s) by lra.
   assert (w := weighted r s x y z lx ly hr' hs').
   assert (0 < r * s) by (apply Rmult_lt_0_compat; auto).
-  assert (s * (r + s) * sqdist x z <= s * (r + s) * (r * r)) by (apply Rmult_le_compat_l; auto; apply Rmult_le_pos; lra).
-  assert (r * (r + s) * sqdist z y <= r * (r + s) * (s * s)) by (apply Rmult_le_compat_l; auto; apply Rmult_le_pos; lra).
+  assert (s * (r + s) * sqdist x z <= s * (r + s) * (r * r)) by (apply Rmult_le_compat_l; auto; apply Rmult_le_pos;
+    lra).
+  assert (r * (r + s) * sqdist z y <= r * (r + s) * (s * s)) by (apply Rmult_le_compat_l; auto; apply Rmult_le_pos;
+    lra).
   apply (Rmult_le_reg_l (r * s)); auto. lra.
 Qed.
 
@@ -67,7 +74,8 @@ Lemma interior_in : forall n S x, interior n S x -> S x.
 Proof. intros n S x [l [e [he h]]]. apply h; auto. rewrite sqdist_self. apply Rmult_lt_0_compat; auto. Qed.
 
 (** ** The interior of a ball *)
-Lemma inside_ball : forall n c r x, length c = n -> length x = n -> 0 <= r -> sqdist c x < r * r -> interior n (ball c r) x.
+Lemma inside_ball : forall n c r x, length c = n -> length x = n -> 0 <= r -> sqdist c x < r * r ->
+  interior n (ball c r) x.
 Proof.
   intros n c r x lc lx hr h. split; auto. assert (g := sqdist_nonneg c x).
   set (q := sqrt (sqdist c x)). assert (q2 : q * q = sqdist c x) by (apply sqrt_def; auto).
@@ -104,7 +112,8 @@ Qed.
 Lemma shift_nth : forall x k d, (k < length x)%nat -> nth k (shift k d x) 0 = nth k x 0 + d.
 Proof. induction x as [|b x IH]; destruct k; simpl; intros; try lia; auto. apply IH; lia. Qed.
 
-Lemma interior_ball : forall n c r x, (0 < n)%nat -> length c = n -> 0 <= r -> interior n (ball c r) x -> sqdist c x < r * r.
+Lemma interior_ball : forall n c r x, (0 < n)%nat -> length c = n -> 0 <= r -> interior n (ball c r) x ->
+  sqdist c x < r * r.
 Proof.
   intros n c r x hn lc hr [lx [e [he h]]]. apply Rnot_le_lt; intro k.
   assert (g := sqdist_nonneg c x).
@@ -144,7 +153,8 @@ Proof.
   - split; auto. exists 1. split; [lra|]. intros y ly _ k hk. rewrite ly in hk; simpl in hk; lia.
   - assert (H0 := H O ltac:(simpl; lia)). simpl in H0.
     destruct (IH (tl l) (tl h)) as [_ [e [he He]]].
-    { intros k hk. assert (Hk := H (S k) ltac:(simpl; lia)). simpl in Hk. destruct l, h; simpl in *; auto; destruct k; auto. }
+    { intros k hk. assert (Hk := H (S k) ltac:(simpl; lia)). simpl in Hk. destruct l, h; simpl in *; auto;
+        destruct k; auto. }
     split; auto. exists (Rmin e (Rmin (b - nth 0 l 0) (nth 0 h 0 - b))). split.
     { repeat apply Rmin_glb_lt; lra. }
     set (m := Rmin e _). assert (m1 : m <= e) by apply Rmin_l.
@@ -232,7 +242,8 @@ Proof.
   { rewrite on_each_means in va. specialize (va k H). simpl in va. rewrite !coordinate_means in va. auto. }
   { rewrite on_each_means in vb. specialize (vb k H). simpl in vb. rewrite !coordinate_means in vb. auto. }
   clear va vb n.
-  destruct w, facts; simpl in h; try tauto; rewrite ?if_so_means, ?Nat.eqb_eq, ?Nat.ltb_lt, ?coordinate_means in h; simpl.
+  destruct w, facts; simpl in h; try tauto; rewrite ?if_so_means, ?Nat.eqb_eq, ?Nat.ltb_lt, ?coordinate_means in h;
+    simpl.
   - destruct h as [k sep]. intros x lx [a b]. rewrite <- lx in k. specialize (a axis k); specialize (b axis k).
     destruct sep; lra.
   - destruct h as (k & lx & a & b & sup). apply box_means in a, b; auto. split.
@@ -248,7 +259,8 @@ Qed.
 
 (** ** A ball and a box *)
 Lemma nearest : forall c x y, length x = length c -> length y = length c ->
-  (forall k, (k < length c)%nat -> (nth k c 0 - nth k x 0) * (nth k c 0 - nth k x 0) <= (nth k c 0 - nth k y 0) * (nth k c 0 - nth k y 0)) ->
+  (forall k, (k < length c)%nat -> (nth k c 0 - nth k x 0) * (nth k c 0 - nth k x 0) <= (nth k c 0 - nth k y 0) *
+    (nth k c 0 - nth k y 0)) ->
   sqdist c x <= sqdist c y.
 Proof.
   induction c as [|a c IH]; intros [|b x] [|d y]; simpl; intros lx ly H; try discriminate; try lra.
@@ -256,7 +268,8 @@ Proof.
   apply IH; auto. intros k hk. apply (H (S k)); lia.
 Qed.
 Lemma nearest_means : forall p x l h y, length x = length p -> length y = length p -> box (rl l) (rl h) y ->
-  means Q2R (on_each (length p) (fun k => And (Or (Le (coordinate k x) (coordinate k p)) (Eq (coordinate k x) (coordinate k l)))
+  means Q2R (on_each (length p) (fun k => And (Or (Le (coordinate k x) (coordinate k p)) (Eq (coordinate k x)
+    (coordinate k l)))
      (Or (Le (coordinate k p) (coordinate k x)) (Eq (coordinate k x) (coordinate k h))))) ->
   sqdist (rl p) (rl x) <= sqdist (rl p) y.
 Proof.
@@ -282,7 +295,8 @@ Proof.
   { intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v. rewrite !coordinate_means in v. auto. }
   assert (pos : (0 < length p)%nat) by (destruct n; lia).
   clear v n.
-  destruct w, facts; simpl in H; try tauto; rewrite ?if_so_means, ?Nat.eqb_eq, ?Nat.ltb_lt, ?coordinate_means, ?squared_distance_means in H; simpl.
+  destruct w, facts; simpl in H; try tauto; rewrite ?if_so_means, ?Nat.eqb_eq, ?Nat.ltb_lt, ?coordinate_means,
+    ?squared_distance_means in H; simpl.
   - destruct H as (lx & a & m & far). intros y ly [b b'].
     assert (g := nearest_means p x l h y lx ly b' m). unfold ball in b. lra.
   - destruct H as (lx & a & m & e). assert (a0 := a). apply box_means in a; auto. split.
@@ -293,5 +307,6 @@ Proof.
   - destruct H as (k & lx & a & q & flat). apply box_means in a; auto. split.
     + exists (rl x). rewrite rl_length; auto.
     + intros y [_ b]. assert (B := interior_box _ _ _ _ _ b k). lra.
-  - destruct H as (lx & a & q). exists (rl x). split; [apply inside_ball; rewrite ?rl_length; auto | apply inside_means; auto].
+  - destruct H as (lx & a & q). exists (rl x). split; [apply inside_ball; rewrite ?rl_length;
+      auto | apply inside_means; auto].
 Qed.

@@ -69,9 +69,11 @@ Proof.
 Qed.
 
 (** ** Interiors *)
-Lemma interior_subset : forall n (S T : list R -> Prop) x, (forall y, length y = n -> S y -> T y) -> interior n S x -> interior n T x.
+Lemma interior_subset : forall n (S T : list R -> Prop) x, (forall y,
+  length y = n -> S y -> T y) -> interior n S x -> interior n T x.
 Proof. intros n S T x h [l [e [he g]]]; split; auto. exists e; split; auto. Qed.
-Lemma interior_both : forall n (S T : list R -> Prop) x, interior n S x -> interior n T x -> interior n (fun y => S y /\ T y) x.
+Lemma interior_both : forall n (S T : list R -> Prop) x, interior n S x -> interior n T x ->
+  interior n (fun y => S y /\ T y) x.
 Proof.
   intros n S T x [l [d [hd g]]] [_ [e [he h]]]; split; auto. exists (Rmin d e).
   split; [apply Rmin_glb_lt; auto|]. intros y ly k.
@@ -122,7 +124,8 @@ Proof.
       induction x as [|a x IH]; intros [|b N] l; simpl in *; try discriminate; try ring. rewrite IH by lia. ring. }
     rewrite sq.
     assert (0 < t * t) by (apply Rmult_lt_0_compat; auto).
-    rewrite <- te. replace (t * (dot N N + 1) * (t * (dot N N + 1))) with (t * t * ((dot N N + 1) * (dot N N + 1))) by ring.
+    rewrite <- te. replace (t * (dot N N + 1) * (t * (dot N N + 1))) with (t * t * ((dot N N + 1) * (dot N N + 1)))
+      by ring.
     apply Rmult_lt_compat_l; auto. assert (g := square (dot N N)). lra. }
   unfold half_space in m. rewrite dot_plus, dot_times in m by (rewrite times_length; congruence).
   assert (0 < t * dot N N) by (apply Rmult_lt_0_compat; auto). lra.
@@ -134,7 +137,8 @@ Lemma nearest_by_angle : forall c x y, length c = length x -> length y = length 
 Proof.
   intros c x y lc ly h.
   assert (e : sqdist c y = sqdist c x + sqdist x y - 2 * dot (minus c x) (minus y x)).
-  { clear h. revert c y lc ly. induction x as [|a x IH]; intros [|b c] [|d y] lc ly; simpl in *; try discriminate; try ring.
+  { clear h. revert c y lc ly. induction x as [|a x IH]; intros [|b c] [|d y] lc ly; simpl in *; try discriminate;
+      try ring.
     rewrite (IH c y); [ring | lia | lia]. }
   assert (g := sqdist_nonneg x y). lra.
 Qed.

@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The specifications of the plane leave no choice: of one input no two different answers are true. So an accepted answer is
+(** The specifications of the plane leave no choice: of one input no two different answers are true.
+  So an accepted answer is
     not only a true one, it is the one. *)
 Require Import Reals Lra Lia List.
 From Certificates Require Import plane sound_plane sound_solids.
@@ -63,10 +64,12 @@ Qed.
 (** In a segment (p, q) with p before q, p is the first point and q the last. *)
 Lemma first_last : forall p q x, before p q -> on_segment (p, q) x -> (x = p \/ before p x) /\ (x = q \/ before x q).
 Proof.
-  intros [px py] [qx qy] [x y] lex [t [ht e]]. unfold along in e. rewrite same_points in e |- *. unfold before in *; simpl in *.
+  intros [px py] [qx qy] [x y] lex [t [ht e]]. unfold along in e. rewrite same_points in e |- *. unfold before in *;
+    simpl in *.
   rewrite same_points. destruct e as [-> ->].
   destruct lex as [l | [<- l]].
-  - assert (0 <= t * (qx - px)) by (apply Rmult_le_pos; lra). assert (0 <= (1 - t) * (qx - px)) by (apply Rmult_le_pos; lra).
+  - assert (0 <= t * (qx - px)) by (apply Rmult_le_pos; lra). assert (0 <= (1 - t) * (qx - px)) by (apply
+      Rmult_le_pos; lra).
     split.
     + destruct (Req_dec t 0) as [-> | n]; [left; lra | right; left].
       assert (0 < t * (qx - px)) by (apply Rmult_lt_0_compat; lra). lra.
@@ -92,19 +95,23 @@ Proof.
   - exfalso. destruct g as [g _]. apply (h p), g; auto.
   - destruct g as (g & ga & gb), h as (h & ha & hb). assert (e : p = r) by (apply h, g; auto). subst r.
     rewrite (parameter_once a ta sa p), (parameter_once b tb sb p); auto.
-  - exfalso. destruct g as (g & _), h as (h & lex). assert (r = p) by (apply g, h, ends). assert (s = p) by (apply g, h, ends).
+  - exfalso. destruct g as (g & _), h as (h & lex). assert (r = p) by (apply g, h, ends).
+      assert (s = p) by (apply g, h, ends).
     subst. apply (before_not_same p); auto.
   - exfalso. destruct g as (g & _). apply (h p), g, ends.
-  - exfalso. destruct g as (g & lex), h as (h & _). assert (e : p = r) by (apply h, g, ends). assert (f : q = r) by (apply h, g, ends).
+  - exfalso. destruct g as (g & lex), h as (h & _). assert (e : p = r) by (apply h, g, ends).
+      assert (f : q = r) by (apply h, g, ends).
     subst. apply (before_not_same r); auto.
   - destruct g as (g & lex), h as (h & lex').
     assert (pr : on_segment (r, s) p) by (apply h, g, ends). assert (qr : on_segment (r, s) q) by (apply h, g, ends).
     assert (rp : on_segment (p, q) r) by (apply g, h, ends). assert (sp : on_segment (p, q) s) by (apply g, h, ends).
     apply first_last in pr, qr, rp, sp; auto.
     assert (e : p = r).
-    { destruct pr as [[e | pr] _]; auto. destruct rp as [[e | rp] _]; auto. exfalso; apply (before_not_after p r); auto. }
+    { destruct pr as [[e | pr] _]; auto. destruct rp as [[e | rp] _]; auto. exfalso; apply (before_not_after p r);
+        auto. }
     assert (f : q = s).
-    { destruct qr as [_ [f | qr]]; auto. destruct sp as [_ [f | sp]]; auto. exfalso; apply (before_not_after q s); auto. }
+    { destruct qr as [_ [f | qr]]; auto. destruct sp as [_ [f | sp]]; auto. exfalso; apply (before_not_after q s);
+        auto. }
     subst; auto.
 Qed.
 
@@ -121,7 +128,8 @@ Proof.
   intros a b v w (na & nb & g) (_ & _ & h).
   assert (two : forall s, on_line s (along s 0) /\ on_line s (along s 1)).
   { intro s; split; [exists 0 | exists 1]; auto. }
-  assert (only_one : forall p, (forall x, on_line a x /\ on_line b x <-> x = p) -> ~ (forall x, on_line a x <-> on_line b x)).
+  assert (only_one : forall p, (forall x, on_line a x /\ on_line b x <-> x = p) -> ~ (forall x,
+    on_line a x <-> on_line b x)).
   { intros p one sm. assert (e : along a 0 = p) by (apply one; rewrite <- sm; split; apply two).
     assert (f : along a 1 = p) by (apply one; rewrite <- sm; split; apply two).
     assert (0 = 1) by (apply (line_parameter_once a 0 1 p); auto). lra. }
@@ -163,10 +171,12 @@ Proof.
   - destruct g as [g ga], h as [h ha]. assert (e : p = r) by (apply h, g; auto). subst r.
     rewrite (ray_parameter_once o d t u p); auto.
   - exfalso. destruct g as [g ga], h as (h & ha & l & lt & hb). assert (e : r = p) by (apply g, h, ends).
-    assert (f : k = p) by (apply g, h, ends). subst. assert (u = l) by (apply (ray_parameter_once o d u l p); auto). lra.
+    assert (f : k = p) by (apply g, h, ends). subst. assert (u = l) by (apply (ray_parameter_once o d u l p);
+      auto). lra.
   - exfalso. destruct g as [g _]. apply (h p), g, ends.
   - exfalso. destruct h as [h ha], g as (g & ga & l & lt & gb). assert (e : p = r) by (apply h, g, ends).
-    assert (f : q = r) by (apply h, g, ends). subst. assert (t = l) by (apply (ray_parameter_once o d t l r); auto). lra.
+    assert (f : q = r) by (apply h, g, ends). subst. assert (t = l) by (apply (ray_parameter_once o d t l r);
+      auto). lra.
   - destruct g as (g & ga & l & lt & gb), h as (h & ha & m & mt & hb).
     destruct (ray_between o d t l p q r) as (x1 & y1 & z1); auto; [apply g, h, ends|].
     destruct (ray_between o d t l p q k) as (x2 & y2 & z2); auto; [apply g, h, ends|].
@@ -177,6 +187,7 @@ Proof.
     assert (x3 = t) by (apply (ray_parameter_once o d x3 t p); auto).
     assert (x4 = l) by (apply (ray_parameter_once o d x4 l q); auto).
     assert (eu : t = u) by lra. assert (em : l = m) by lra.
-    assert (e : p = r) by (rewrite (proj2 ga), (proj2 ha), eu; auto). assert (f : q = k) by (rewrite (proj2 gb), (proj2 hb), em; auto).
+    assert (e : p = r) by (rewrite (proj2 ga), (proj2 ha), eu;
+      auto). assert (f : q = k) by (rewrite (proj2 gb), (proj2 hb), em; auto).
     rewrite e, f, eu; auto.
 Qed.

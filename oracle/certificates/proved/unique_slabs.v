@@ -16,7 +16,8 @@ Proof.
   - tauto.
 Qed.
 
-Theorem implicit_circle_unique : forall c r p v w, implicit_circle_spec c r p v -> implicit_circle_spec c r p w -> v = w.
+Theorem implicit_circle_unique : forall c r p v w, implicit_circle_spec c r p v -> implicit_circle_spec c r p w ->
+  v = w.
 Proof. intros c r p v w (_ & _ & g) (_ & _ & h). apply (location_unique _ _ _ _ _ g h). Qed.
 Theorem point_in_kdop_unique : forall l p v w, point_in_kdop_spec l p v -> point_in_kdop_spec l p w -> v = w.
 Proof. intros l p v w (_ & _ & g) (_ & _ & h). apply (location_unique _ _ _ _ _ g h). Qed.
@@ -37,7 +38,8 @@ Proof.
   - destruct h as [_ (s & t & i & h)]. destruct (g s t i) as (x & y & l & hx & hy). assert (e := h x y hx hy). lra.
 Qed.
 
-Fixpoint middle (x y : list R) : list R := match x, y with a :: x', b :: y' => (a + b) / 2 :: middle x' y' | _, _ => nil end.
+Fixpoint middle (x y : list R) : list R := match x, y with a :: x', b :: y' => (a + b) / 2 :: middle x' y' | _,
+  _ => nil end.
 Lemma middle_length : forall x y, length x = length y -> length (middle x y) = length y.
 Proof. induction x as [|a x IH]; intros [|b y] l; simpl in *; try discriminate; auto. Qed.
 Lemma middle_nth : forall x y k, length x = length y -> nth k (middle x y) 0 = (nth k x 0 + nth k y 0) / 2.

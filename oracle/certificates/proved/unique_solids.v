@@ -1,5 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The specifications of solids leave no choice: of one input no two different answers are true. So an accepted answer is
+(** The specifications of solids leave no choice: of one input no two different answers are true.
+  So an accepted answer is
     not only a true one, it is the one. *)
 Require Import Reals Lra Lia List.
 From Certificates Require Import solids sound_solids.

@@ -23,8 +23,10 @@ Definition total_momentum (bodies : list (R * vec3 R)) : vec3 R :=
 Definition total_energy (bodies : list (R * vec3 R)) : R :=
   fold_right (fun body sum => fst body * dot3 (snd body) (snd body) / 2 + sum) 0 bodies.
 Definition have_mass (bodies : list (R * vec3 R)) : Prop := forall body, In body bodies -> 0 < fst body.
-Definition momentum_spec (bodies : list (R * vec3 R)) (p : vec3 R) : Prop := have_mass bodies /\ p = total_momentum bodies.
-Definition kinetic_energy_spec (bodies : list (R * vec3 R)) (e : R) : Prop := have_mass bodies /\ e = total_energy bodies.
+Definition momentum_spec (bodies : list (R * vec3 R)) (p : vec3 R) : Prop := have_mass bodies /\
+  p = total_momentum bodies.
+Definition kinetic_energy_spec (bodies : list (R * vec3 R)) (e : R) : Prop := have_mass bodies /\
+  e = total_energy bodies.
 (** Two bodies that stick together keep their momentum. *)
 Definition inelastic_collision_spec (a b : R * vec3 R) (v : vec3 R) : Prop :=
   have_mass (a :: b :: nil) /\ total_momentum (a :: b :: nil) = times3 (fst a + fst b) v.
@@ -74,9 +76,11 @@ Definition right_body (body : rigid_body) : Prop :=
 Definition pushed (body : rigid_body) (p push v w : vec3 R) : Prop :=
   let '((mass, inertia), (position, velocity, turn)) := body in times3 mass (minus3 v velocity) = push /\
   matrix_times inertia (minus3 w turn) = cross3 (minus3 p position) push.
-Definition rigid_body_collision_spec (a b : rigid_body) (p n : vec3 R) (e : R) (after_a after_b : vec3 R * vec3 R) : Prop :=
+Definition rigid_body_collision_spec (a b : rigid_body) (p n : vec3 R) (e : R) (after_a after_b : vec3 R * vec3 R) :
+  Prop :=
   let before (body : rigid_body) := velocity_at (snd body) p in
   let after (body : rigid_body) motion := velocity_at (fst (fst (snd body)), fst motion, snd motion) p in
   right_body a /\ right_body b /\ n <> (0, 0, 0) /\ 0 <= e <= 1 /\
   dot3 n (minus3 (after a after_a) (after b after_b)) = - e * dot3 n (minus3 (before a) (before b)) /\
-  exists j, pushed a p (times3 j n) (fst after_a) (snd after_a) /\ pushed b p (times3 (- j) n) (fst after_b) (snd after_b).
+  exists j, pushed a p (times3 j n) (fst after_a) (snd after_a) /\
+    pushed b p (times3 (- j) n) (fst after_b) (snd after_b).

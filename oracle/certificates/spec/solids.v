@@ -98,3 +98,13 @@ Definition closest_point_on_aabb_spec (p low high x : list R) : Prop :=
   exists n, (n = 2 \/ n = 3)%nat /\ length p = n /\ length low = n /\ length high = n /\ length x = n /\
   (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\ box low high x /\
   forall y, length y = n -> box low high y -> sqdist p x <= sqdist p y.
+
+(** The least interval, box or slabs around points *)
+Definition least_interval (values : list R) (low high : R) : Prop :=
+  In low values /\ In high values /\ forall v, In v values -> low <= v <= high.
+Definition aabb_of_points_spec (points : list (list R)) (low high : list R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ length low = n /\ length high = n /\ (forall p, In p points -> length p = n) /\
+  forall k, (k < n)%nat -> least_interval (map (fun p => nth k p 0) points) (nth k low 0) (nth k high 0).
+Definition kdop_of_points_spec (points normals : list (list R)) (slabs : list (R * R)) : Prop :=
+  (forall p, In p points -> length p = 3%nat) /\ (forall n, In n normals -> length n = 3%nat /\ nonzero n) /\
+  normals <> nil /\ Forall2 (fun n s => least_interval (map (dot n) points) (fst s) (snd s)) normals slabs.

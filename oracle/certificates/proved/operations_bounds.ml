@@ -1,0 +1,57 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(* The kinds of certificates of boxes and slabs around points, and of oriented boxes: which field is which number of a
+   formula. *)
+open Proved
+open Shapes
+open Source
+
+let points read place = List.map read (items place)
+
+let extreme_points answer check =
+  [ kind "" [ answer ] "extreme_points" [ "least"; "greatest" ] (fun answers facts -> match facts with
+      | [ least; greatest ] -> check (List.hd answers) (indices least) (indices greatest)
+      | _ -> assert false) ]
+
+let aabb_of_points = operation "aabb_of_points" [ "points" ] "" (function
+  | [ everything ] ->
+      extreme_points "aabb" (fun aabb ->
+        let low, high = two_members "min" "max" exact_list exact_list aabb in
+        check_aabb_of_points (points given_coordinates everything) low high)
+  | _ -> assert false)
+
+let kdop_of_points = operation "kdop_of_points" [ "points"; "normals" ] "" (function
+  | [ everything; normals ] ->
+      extreme_points "slabs" (fun slabs ->
+        check_kdop_of_points (points in_space everything) (points in_space normals) (points exact_point slabs))
+  | _ -> assert false)
+
+let obb = two_members "center" "half_axes" in_space (fun axes -> List.map in_space (exactly 3 axes))
+
+let point_in_obb = operation "point_in_obb" [ "obb"; "point" ] "location" (function
+  | [ solid; p ] ->
+      let center, axes = obb solid in
+      let check = check_point_in_obb center axes (in_space p) in
+      let of_coefficients word location =
+        kind word [] "coefficients" [ "coefficients" ] (fun _ facts ->
+          check location (Coefficients (exact_list (List.hd facts)))) in
+      [ of_coefficients "inside" Inside; of_coefficients "boundary" Boundary;
+        kind "outside" [] "separating_plane" [ "normal" ] (fun _ facts ->
+          check Outside (Beyond_plane (exact_list (List.hd facts)))) ]
+  | _ -> assert false)
+
+let obb_obb = operation "obb_obb" [ "a"; "b" ] "contact" (function
+  | [ a; b ] ->
+      let (center_a, axes_a), (center_b, axes_b) = (obb a, obb b) in
+      let check = check_obb_obb center_a axes_a center_b axes_b in
+      [ kind "disjoint" [] "separating_axis" [ "normal" ] (fun _ facts ->
+          check Disjoint (Apart_along (exact_list (List.hd facts))));
+        kind "touching" [] "supporting_axis" [ "on_a"; "on_b"; "normal" ] (fun _ facts -> match facts with
+          | [ on_a; on_b; normal ] ->
+              check Touching (Touch_along (exact_list on_a, exact_list on_b, exact_list normal))
+          | _ -> assert false);
+        kind "overlapping" [] "common_interior_point" [ "on_a"; "on_b" ] (fun _ facts -> match facts with
+          | [ on_a; on_b ] -> check Overlapping (Common_inside (exact_list on_a, exact_list on_b))
+          | _ -> assert false) ]
+  | _ -> assert false)
+
+let operations = [ aabb_of_points; kdop_of_points; point_in_obb; obb_obb ]

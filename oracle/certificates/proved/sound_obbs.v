@@ -1,0 +1,242 @@
+(* SPDX-License-Identifier: Apache-2.0 *)
+(** The formulas of oriented boxes are enough, and their specifications leave no choice. *)
+Require Import Reals Qreals QArith Lra Lia List Arith Bool.
+From Certificates Require Import solids hulls language formulas_vectors formulas_solids formulas_nearest formulas_obbs
+  sound_solids sound_vectors sound_slabs sound_nearest unique_solids unique_slabs.
+Import ListNotations.
+Open Scope R_scope.
+
+(** ** Along a direction *)
+Definition rsize (t : R) : R := Rmax t (0 - t).
+Lemma rsize_bounds : forall t, t <= rsize t /\ - t <= rsize t /\ 0 <= rsize t.
+Proof. intro t. assert (a := Rmax_l t (0 - t)). assert (b := Rmax_r t (0 - t)). unfold rsize. lra. Qed.
+Lemma rsize_below : forall t c, rsize t <= c <-> - c <= t <= c.
+Proof.
+  intros t c. split.
+  - intro h. destruct (rsize_bounds t) as (a & b & _). lra.
+  - intro h. apply Rmax_lub; lra.
+Qed.
+Lemma rsize_less : forall t c, rsize t < c <-> - c < t < c.
+Proof.
+  intros t c. split.
+  - intro h. destruct (rsize_bounds t) as (a & b & _). lra.
+  - intro h. apply Rmax_lub_lt; lra.
+Qed.
+Fixpoint rreach (n : list R) (axes : list (list R)) : R :=
+  match axes with [] => 0 | h :: axes' => rsize (dot n h) + rreach n axes' end.
+Lemma reach_means : forall n axes, value Q2R (reach (leaves n) axes) = rreach (rl n) (map rl axes).
+Proof. induction axes as [|h axes IH]; simpl; auto. rewrite inner_means, !leaves_mean, IH. auto. Qed.
+Lemma combined_reach : forall v axes u, (forall p, In p axes -> length p = 3%nat) -> (forall a,
+  In a u -> -1 <= a <= 1) ->
+  dot v (combined 3 u axes) <= rreach v axes.
+Proof.
+  induction axes as [|h axes IH]; intros [|a u] hp hu.
+  - change (combined 3 [] []) with (repeat 0 3). rewrite dot_zeros. simpl. lra.
+  - change (combined 3 (a :: u) []) with (repeat 0 3). rewrite dot_zeros. simpl. lra.
+  - change (combined 3 [] (h :: axes)) with (repeat 0 3). rewrite dot_zeros. assert (0 <= rreach v (h :: axes)); [|lra].
+    clear. induction (h :: axes) as [|g l IH]; simpl; [lra|]. destruct (rsize_bounds (dot v g)) as (_ & _ & p). lra.
+  - rewrite dot_combined by auto. simpl rreach.
+    assert (i := IH u ltac:(intros; apply hp; simpl; auto) ltac:(intros; apply hu; simpl; auto)).
+    assert (b := hu a ltac:(simpl; auto)). destruct (rsize_bounds (dot v h)) as (p & q & r).
+    assert (a * dot v h <= rsize (dot v h)).
+    { destruct (Rle_lt_dec 0 a).
+      - assert (0 <= a * (rsize (dot v h) - dot v h)) by (apply Rmult_le_pos; lra).
+        assert (0 <= (1 - a) * rsize (dot v h)) by (apply Rmult_le_pos; lra). lra.
+      - assert (0 <= - a * (rsize (dot v h) + dot v h)) by (apply Rmult_le_pos; lra).
+        assert (0 <= (1 + a) * rsize (dot v h)) by (apply Rmult_le_pos; lra). lra. }
+    lra.
+Qed.
+Lemma obb_reach : forall v c axes x, right_obb c axes -> obb c axes x -> dot v x <= dot v c + rreach v axes.
+Proof.
+  intros v c axes x (lc & [_ hp] & _) (u & lu & hu & ->).
+  rewrite dot_plus by (rewrite combined_length; auto). assert (g := combined_reach v axes u hp hu). lra.
+Qed.
+Lemma obb_length : forall c axes x, right_obb c axes -> obb c axes x -> length x = 3%nat.
+Proof. intros c axes x (lc & [_ hp] & _) (u & _ & _ & ->). rewrite plus_length, combined_length;
+  auto. rewrite combined_length; auto. Qed.
+Lemma rreach_opposite : forall n axes, rreach (times (-1) n) axes = rreach n axes.
+Proof.
+  induction axes as [|h axes IH]; simpl; auto. rewrite IH, times_dot. f_equal. unfold rsize.
+  replace (-1 * dot n h) with (0 - dot n h) by ring. replace (0 - (0 - dot n h)) with (dot n h) by ring.
+    apply Rmax_comm.
+Qed.
+
+(** ** Coefficients, by Cramer's rule: the box as three slabs *)
+Definition independent (axes : list (list R)) : Prop :=
+  exists n0 n1 n2, length n0 = 3%nat /\ length n1 = 3%nat /\ length n2 = 3%nat /\
+  (forall u0 u1 u2, dot n0 (combined 3 [u0; u1; u2] axes) = u0 /\ dot n1 (combined 3 [u0; u1; u2] axes) = u1 /\
+     dot n2 (combined 3 [u0; u1; u2] axes) = u2) /\
+  forall x, length x = 3%nat -> combined 3 [dot n0 x; dot n1 x; dot n2 x] axes = x.
+
+Lemma right_box_means : forall c axes, means Q2R (right_box c axes) ->
+  right_obb (rl c) (map rl axes) /\ independent (map rl axes).
+Proof.
+  intros c axes (lc & pa & nz). rewrite of_length_means in lc. apply points_mean in pa.
+  assert (lc' := rl_length c). rewrite lc in lc'.
+  assert (ind : independent (map rl axes)).
+  { destruct axes as [|h [|i [|j [|]]]]; try (simpl in nz; tauto). simpl in nz.
+    rewrite inner_means, leaves_mean in nz. unfold outer, at3 in nz. simpl values in nz.
+    unfold values in nz. simpl map in nz. simpl value in nz. rewrite !coordinate_means in nz.
+    destruct pa as [l hp]. simpl map in *.
+    assert (lh := hp (rl h) ltac:(simpl; auto)). assert (li := hp (rl i) ltac:(simpl; auto)).
+    assert (lj := hp (rl j) ltac:(simpl; auto)). clear - nz lh li lj.
+    destruct (rl h) as [|h0 [|h1 [|h2 [|]]]]; try discriminate. destruct (rl i) as [|i0 [|i1 [|i2 [|]]]];
+      try discriminate.
+    destruct (rl j) as [|j0 [|j1 [|j2 [|]]]]; try discriminate. simpl in nz.
+    set (det := h0 * (i1 * j2 - i2 * j1) + (h1 * (i2 * j0 - i0 * j2) + (h2 * (i0 * j1 - i1 * j0) + 0))) in *.
+    assert (e : det = h0 * (i1 * j2 - i2 * j1) + h1 * (i2 * j0 - i0 * j2) + h2 * (i0 * j1 - i1 * j0)) by (unfold det;
+      ring).
+    clearbody det.
+    exists [(i1 * j2 - i2 * j1) / det; (i2 * j0 - i0 * j2) / det; (i0 * j1 - i1 * j0) / det].
+    exists [(j1 * h2 - j2 * h1) / det; (j2 * h0 - j0 * h2) / det; (j0 * h1 - j1 * h0) / det].
+    exists [(h1 * i2 - h2 * i1) / det; (h2 * i0 - h0 * i2) / det; (h0 * i1 - h1 * i0) / det].
+    do 3 (split; [auto|]). split.
+    - intros. simpl. repeat split; apply (Rmult_eq_reg_r det); auto; field_simplify; auto; rewrite e; ring.
+    - intros [|x0 [|x1 [|x2 [|]]]] lx; try discriminate. simpl.
+      f_equal; [|f_equal; [|f_equal]]; apply (Rmult_eq_reg_r det); auto; field_simplify; auto; rewrite e; ring. }
+  split; [|exact ind]. split; [auto|]. split; [auto|]. intros u lu [a [i na]].
+  destruct ind as (n0 & n1 & n2 & _ & _ & _ & d & _). destruct u as [|u0 [|u1 [|u2 [|]]]]; try discriminate.
+  assert (l3 := combined_length 3 (map rl axes) [u0; u1; u2] (proj2 pa)). destruct (d u0 u1 u2) as (d0 & d1 & d2).
+  set (y := combined 3 [u0; u1; u2] (map rl axes)) in *.
+  assert (zero : (forall b, In b y -> b = 0) -> forall v, dot v y = 0).
+  { clear. intros z v. revert v. induction y as [|b y IH]; intros [|c v]; simpl; auto.
+    rewrite (z b) by (simpl; auto). rewrite IH by (intros; apply z; simpl; auto). ring. }
+  assert (cases : nonzero y \/ forall b, In b y -> b = 0).
+  { clear. induction y as [|b y IH]; [right; simpl; tauto|]. destruct (Req_dec b 0) as [-> | nb].
+    - destruct IH as [(c & i & nc) | IH]; [left; exists c; simpl; auto | right].
+      intros b [<- | i]; auto.
+    - left. exists b. simpl; auto. }
+  destruct cases as [k | k]; auto. exfalso. rewrite zero in d0, d1, d2 by auto.
+  destruct i as [<- | [<- | [<- | []]]]; auto.
+Qed.
+
+Lemma obb_coefficients : forall c axes x, right_obb c axes -> forall n0 n1 n2, 
+  (forall u0 u1 u2, dot n0 (combined 3 [u0; u1; u2] axes) = u0 /\ dot n1 (combined 3 [u0; u1; u2] axes) = u1 /\
+     dot n2 (combined 3 [u0; u1; u2] axes) = u2) -> obb c axes x ->
+  forall n, In n [n0; n1; n2] -> -1 <= dot n x - dot n c <= 1.
+Proof.
+  intros c axes x (lc & [_ hp] & _) n0 n1 n2 d (u & lu & hu & ->) n i.
+  rewrite dot_plus by (rewrite combined_length; auto). destruct u as [|u0 [|u1 [|u2 [|]]]]; try discriminate.
+  destruct (d u0 u1 u2) as (d0 & d1 & d2).
+  destruct i as [<- | [<- | [<- | []]]]; [rewrite d0 | rewrite d1 | rewrite d2];
+    [assert (g := hu u0 ltac:(simpl; auto)) | assert (g := hu u1 ltac:(simpl;
+      auto)) | assert (g := hu u2 ltac:(simpl; auto))]; lra.
+Qed.
+Lemma obb_inside : forall c axes u, right_obb c axes -> independent axes -> length u = 3%nat ->
+  (forall a, In a u -> -1 < a < 1) -> interior 3 (obb c axes) (plus c (combined 3 u axes)).
+Proof.
+  intros c axes u (lc & [l hp] & _) (n0 & n1 & n2 & l0 & l1 & l2 & d & back) lu hu.
+  assert (lx : length (plus c (combined 3 u axes)) = 3%nat) by (rewrite plus_length, combined_length; auto;
+    rewrite combined_length; auto).
+  set (slab_of n := (n, (dot n c - 1, dot n c + 1)) : slab R).
+  apply (interior_subset 3 (fun y => forall s, In s (map slab_of [n0; n1; n2]) -> in_slab s y)).
+  - intros y ly h. assert (lm : length (minus y c) = 3%nat) by (rewrite minus_length; congruence).
+    exists [dot n0 (minus y c); dot n1 (minus y c); dot n2 (minus y c)]. split; [auto|]. split.
+    + assert (s0 := h (slab_of n0) ltac:(simpl; auto)). assert (s1 := h (slab_of n1) ltac:(simpl; auto)).
+      assert (s2 := h (slab_of n2) ltac:(simpl; auto)). simpl in s0, s1, s2.
+      intros a [<- | [<- | [<- | []]]]; rewrite dot_minus by congruence; lra.
+    + rewrite back by auto. clear - ly lc. revert c lc ly. 
+      destruct y as [|y0 [|y1 [|y2 [|]]]]; try discriminate. intros [|c0 [|c1 [|c2 [|]]]] lc ly; try discriminate.
+      simpl. repeat (f_equal; try ring).
+  - apply (interior_each (B := slab R) 3 in_slab); auto. intros s i. apply in_map_iff in i. destruct i as [n [<- i]].
+    assert (ln : length n = 3%nat) by (destruct i as [<- | [<- | [<- | []]]]; auto).
+    apply slab_interior; auto. simpl. rewrite dot_plus by (rewrite combined_length; auto).
+    destruct u as [|u0 [|u1 [|u2 [|]]]]; try discriminate. destruct (d u0 u1 u2) as (d0 & d1 & d2).
+    destruct i as [<- | [<- | [<- | []]]]; [rewrite d0 | rewrite d1 | rewrite d2];
+      [assert (g := hu u0 ltac:(simpl; auto)) | assert (g := hu u1 ltac:(simpl;
+        auto)) | assert (g := hu u2 ltac:(simpl; auto))]; lra.
+Qed.
+Lemma inside_obb : forall c axes u, right_obb c axes -> independent axes -> length u = 3%nat ->
+  interior 3 (obb c axes) (plus c (combined 3 u axes)) -> forall a, In a u -> -1 < a < 1.
+Proof.
+  intros c axes u right (n0 & n1 & n2 & l0 & l1 & l2 & d & back) lu h.
+  assert (one : forall n, In n [n0; n1; n2] -> length n = 3%nat -> nonzero n ->
+    -1 < dot n (plus c (combined 3 u axes)) - dot n c < 1).
+  { intros n i ln nz. assert (g : interior 3 (in_slab (n, (dot n c - 1, dot n c + 1))) (plus c (combined 3 u axes))).
+    { apply (interior_subset 3 (obb c axes)); auto. intros y ly hy. simpl.
+      assert (k := obb_coefficients c axes y right n0 n1 n2 d hy n i). lra. }
+    apply interior_slab in g; [simpl in g; lra|]. split; [auto|]. split; [auto | simpl; lra]. }
+  destruct right as (lc & [l hp] & _).
+  assert (nonz : forall n y, dot n y = 1 -> nonzero n).
+  { intros n y e. clear - e. revert y e. induction n as [|b n IH]; intros [|z y] e; simpl in e; try lra.
+    destruct (Req_dec b 0) as [-> | nb].
+    - destruct (IH y) as (a & i & na); [lra|]. exists a. simpl; auto.
+    - exists b. simpl; auto. }
+  assert (z0 : nonzero n0) by (eapply nonz; apply (proj1 (d 1 0 0))).
+  assert (z1 : nonzero n1) by (eapply nonz; apply (proj1 (proj2 (d 0 1 0)))).
+  assert (z2 : nonzero n2) by (eapply nonz; apply (proj2 (proj2 (d 0 0 1)))).
+  assert (o0 := one n0 ltac:(simpl; auto) l0 z0). assert (o1 := one n1 ltac:(simpl; auto) l1 z1).
+  assert (o2 := one n2 ltac:(simpl; auto) l2 z2). rewrite dot_plus in o0, o1, o2 by (rewrite combined_length; auto).
+  destruct u as [|u0 [|u1 [|u2 [|]]]]; try discriminate. destruct (d u0 u1 u2) as (d0 & d1 & d2).
+  rewrite d0 in o0. rewrite d1 in o1. rewrite d2 in o2. intros a [<- | [<- | [<- | []]]]; lra.
+Qed.
+
+Lemma placed_means : forall c axes u, values (placed c axes u) = plus (rl c) (combined 3 (rl u) (map rl axes)).
+Proof. intros; unfold placed. rewrite sum_means, leaves_mean, mixed_means. auto. Qed.
+Lemma within_one_means : forall u, means Q2R (within_one u) -> length (rl u) = 3%nat /\
+  forall a, In a (rl u) -> -1 <= a <= 1.
+Proof.
+  intros u [l h]. rewrite of_length_means in l. rewrite all_means in h. split; [rewrite rl_length; auto|].
+  intros a i. apply in_map_iff in i. destruct i as [q [<- i]]. apply (rsize_below (Q2R q) 1). exact (h q i).
+Qed.
+Lemma inside_one_means : forall u, means Q2R (inside_one u) <-> length (rl u) = 3%nat /\
+  forall a, In a (rl u) -> -1 < a < 1.
+Proof.
+  intro u. unfold inside_one. simpl means. rewrite of_length_means, all_means, rl_length. split; intros [l h]; split;
+    auto.
+  - intros a i. apply in_map_iff in i. destruct i as [q [<- i]]. apply (rsize_less (Q2R q) 1). exact (h q i).
+  - intros q i. simpl. apply (rsize_less (Q2R q) 1). apply h. apply in_map; auto.
+Qed.
+
+Theorem point_in_obb_sound : forall c axes p w facts, decide (check_point_in_obb c axes p w facts) = true ->
+  point_in_obb_spec (rl c) (map rl axes) (rl p) w.
+Proof.
+  intros c axes p w facts h. apply decide_means in h. destruct h as (right & lp & h). rewrite of_length_means in lp.
+  assert (lp' := rl_length p). rewrite lp in lp'. apply right_box_means in right. destruct right as [right ind].
+  assert (lc := proj1 right). split; [auto|]. split; [auto|].
+  destruct w, facts; try (simpl in h; tauto).
+  - destruct h as [i e]. rewrite same_vector_means, leaves_mean, placed_means in e. rewrite inside_one_means in i.
+    rewrite e. apply obb_inside; tauto.
+  - destruct h as (i & ni & e). rewrite same_vector_means, leaves_mean, placed_means in e.
+    apply within_one_means in i. change (~ means Q2R (inside_one u)) in ni. rewrite inside_one_means in ni. split.
+    + exists (rl u). tauto.
+    + intro k. apply ni. split; [tauto|]. rewrite e in k. apply (inside_obb (rl c) (map rl axes)); tauto.
+  - destruct h as [ln far]. simpl in far. rewrite reach_means, inner_means, difference_means, !leaves_mean in far.
+    intro k. apply (obb_reach (rl n)) in k; auto. rewrite dot_minus in far by congruence. lra.
+Qed.
+Theorem point_in_obb_unique : forall c axes p v w, point_in_obb_spec c axes p v -> point_in_obb_spec c axes p w ->
+  v = w.
+Proof. intros c axes p v w [_ g] [_ h]. apply (location_unique _ _ _ _ _ g h). Qed.
+
+Theorem obb_obb_sound : forall ca a cb b w facts, decide (check_obb_obb ca a cb b w facts) = true ->
+  obb_obb_spec (rl ca) (map rl a) (rl cb) (map rl b) w.
+Proof.
+  intros ca a cb b w facts h. apply decide_means in h. unfold check_obb_obb in h. cbv zeta in h.
+  destruct h as (ra & rb & h). apply right_box_means in ra, rb. destruct ra as [ra ia], rb as [rb ib].
+  assert (la := proj1 ra). assert (lb := proj1 rb). split; [auto|]. split; [auto|].
+  assert (gap : forall n x, obb (rl ca) (map rl a) x -> obb (rl cb) (map rl b) x ->
+    dot (rl n) (minus (rl cb) (rl ca)) <= rreach (rl n) (map rl a) + rreach (rl n) (map rl b)).
+  { intros n x ha hb. apply (obb_reach (rl n)) in ha; auto. apply (obb_reach (times (-1) (rl n))) in hb; auto.
+    rewrite rreach_opposite, !times_dot in hb. rewrite dot_minus by congruence. lra. }
+  destruct w, facts; try (simpl in h; tauto).
+  - destruct h as [_ far]. simpl in far. rewrite !reach_means, inner_means, difference_means, !leaves_mean in far.
+    intros x lx [ha hb]. assert (g := gap n x ha hb). lra.
+  - destruct h as (ln & nz & e & hu & hv & s). simpl in e.
+    rewrite !reach_means, inner_means, difference_means, !leaves_mean in e. apply not_zero_means in nz.
+    rewrite same_vector_means, !placed_means in s. apply within_one_means in hu, hv.
+    rewrite of_length_means in ln. assert (ln' := rl_length n). rewrite ln in ln'. split.
+    + exists (plus (rl ca) (combined 3 (rl u) (map rl a))).
+      assert (oa : obb (rl ca) (map rl a) (plus (rl ca) (combined 3 (rl u) (map rl a)))) by (exists (rl u); tauto).
+      split; [apply (obb_length (rl ca) (map rl a)); auto|]. split; auto. exists (rl v). tauto.
+    + intros x [ja jb]. rewrite dot_minus in e by congruence.
+      assert (k : interior 3 (half_space (rl n) (- (dot (rl n) (rl ca) + rreach (rl n) (map rl a)))) x).
+      { apply (interior_subset 3 (obb (rl ca) (map rl a))); auto. intros y ly hy. unfold half_space.
+        apply (obb_reach (rl n)) in hy; auto. lra. }
+      apply half_space_interior in k; auto. apply interior_in in jb. apply (obb_reach (times (-1) (rl n))) in jb; auto.
+      rewrite rreach_opposite, !times_dot in jb. lra.
+  - destruct h as (hu & hv & s). rewrite same_vector_means, !placed_means in s. rewrite inside_one_means in hu, hv.
+    exists (plus (rl ca) (combined 3 (rl u) (map rl a))). split; [apply obb_inside; tauto|].
+    rewrite s. apply obb_inside; tauto.
+Qed.
+Theorem obb_obb_unique : forall ca a cb b v w, obb_obb_spec ca a cb b v -> obb_obb_spec ca a cb b w -> v = w.
+Proof. intros ca a cb b v w (_ & _ & g) (_ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
