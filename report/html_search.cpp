@@ -58,7 +58,7 @@ std::string legend(const std::vector<Drawn>& all) {
   if (any([](const Drawn& f) { return f.node; })) {
     text += key("<path class=\"node stroke\" d=\"M1 1.5h24v9h-24z\"/>", "a part of the structure, thinner the deeper");
     text +=
-        key("<path class=\"node face\" d=\"M1 1.5h24v9h-24z\"/><path class=\"node face\" d=\"M1 1.5h24v9h-24z\"/>"
+        key("<path class=\"node face\" d=\"M1 1.5h24v9h-24z\"/>"
             "<path class=\"node stroke\" d=\"M1 1.5h24v9h-24z\"/>",
             "entered by the search");
   }
@@ -122,7 +122,7 @@ std::string search_section(const Operation& operation) {
         "<details><summary>Its input</summary>" + code(of_sort.input) + "</details></figcaption></figure>";
   }
   if (text.empty()) return "";
-  return "<h2>What a search looks at</h2><section class=\"card\"><div class=\"beside\">" + text + "</div></section>";
+  return "<h2>What a search looks at</h2><section class=\"card\"><div class=\"searches\">" + text + "</div></section>";
 }
 
 }  // namespace touchstone::report

@@ -62,6 +62,7 @@ pre.repeat{user-select:all}
 .facts dt{color:var(--quiet)}.facts dd{margin:0;min-width:0}
 .facts dd code{display:inline-block}
 figure{margin:12px 0}.seen{display:flex;flex-wrap:wrap;gap:4px 28px;align-items:flex-start}.seen figure{flex:0 1 auto;max-width:100%;min-width:0}.seen .said{flex:1 1 400px;width:auto;margin-top:14px}figcaption{font-size:14.5px;max-width:60ch;overflow-wrap:break-word}
+.searches{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(400px,100%),1fr));gap:0 28px}.searches figure{min-width:0;max-width:100%;overflow-x:auto}.key .fig.space .node.face{fill-opacity:.3}
 .beside{display:flex;flex-wrap:wrap;gap:0 28px}.truth-said{color:var(--truth)}.who-said{color:var(--said)}
 .finding h3{display:flex;flex-wrap:wrap;gap:4px 10px;align-items:baseline}.how-often{font-weight:400;color:var(--quiet);font-size:14px}
 thead button{all:unset;cursor:pointer;text-decoration:underline dotted}thead button:focus-visible{outline:3px solid var(--link);outline-offset:2px}[aria-sort=ascending] button::after{content:" \2191"}[aria-sort=descending] button::after{content:" \2193"}

@@ -148,6 +148,10 @@ void fill(Strokes& strokes, const std::vector<ExactPoint>& vertices, const Viewp
 void polygon(Strokes& strokes, const Figure& figure, const Viewport& view, const Style& style) {
   const std::vector<ExactPoint> vertices = vertices_of(figure);
   if (figure.node && figure.node->entered) fill(strokes, vertices, view, style);
+  // What is a point would not be seen.
+  const bool is_point = std::all_of(vertices.begin(), vertices.end(),
+                                    [&](const ExactPoint& p) { return p.x == vertices[0].x && p.y == vertices[0].y; });
+  const bool corners = style.corners || (is_point && !figure.node);
   std::vector<Pixel> places, further;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const ExactPoint& next = vertices[(i + 1) % vertices.size()];
@@ -161,7 +165,7 @@ void polygon(Strokes& strokes, const Figure& figure, const Viewport& view, const
       places.push_back(part(0.5));
       for (const double t : {0.3, 0.7, 0.15, 0.85}) further.push_back(part(t));
     }
-    if (!figure.node && view.shows(vertices[i])) dot(strokes, view.at(vertices[i]), style, false);
+    if (corners && view.shows(vertices[i])) dot(strokes, view.at(vertices[i]), style, false);
   }
   places.insert(places.end(), further.begin(), further.end());
   wish(strokes, figure, style, places);

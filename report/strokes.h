@@ -22,6 +22,7 @@ struct Strokes {
 struct Style {
   std::string name;
   double thickness = 2;
+  bool corners = true;  ///< those of polygons are dots
 };
 
 /// Adds a figure as it is seen in the view.

@@ -23,10 +23,12 @@ std::string framed(const Drawing& drawing, const Viewport& view, const std::stri
   Strokes strokes;
   std::size_t part = 0;
   std::string list;
+  const bool searched = std::any_of(drawing.figures.begin(), drawing.figures.end(),
+                                    [](const Figure& figure) { return figure.node.has_value(); });
   for (const Figure& figure : drawing.figures) {
     if (figure.answer || figure.said) continue;
     if (figure.node) {
-      stroke(strokes, figure, view, {"node", std::max(0.6, 1.4 - 0.2 * figure.node->depth)});
+      stroke(strokes, figure, view, {"node", std::max(0.5, 1.2 - 0.2 * figure.node->depth), false});
       continue;
     }
     if (figure.label.empty()) {
@@ -39,10 +41,10 @@ std::string framed(const Drawing& drawing, const Viewport& view, const std::stri
     if (!same_list) ++part;
     list = bracket == std::string::npos ? "" : figure.label.substr(0, bracket);
     const std::size_t style = (part - 1) % std::size(thicknesses);
-    stroke(strokes, figure, view, {"q" + std::to_string(style), thicknesses[style]});
+    stroke(strokes, figure, view, {"q" + std::to_string(style), thicknesses[style], !searched});
   }
   for (const Figure& figure : drawing.figures) {
-    if (figure.answer || figure.said) stroke(strokes, figure, view, {figure.said ? "said" : "truth", 1.4});
+    if (figure.answer || figure.said) stroke(strokes, figure, view, {figure.said ? "said" : "truth", 1.4, !searched});
   }
   const Frame& frame = view.frame();
   return fmt::format(

@@ -279,7 +279,8 @@ function placed(wishes, drawn) {
 
 // The frame with the first view, and below it what does not turn.
 function framed(model, drawing, name = 'whole') {
-  const many = drawing.strokes.length > manyStrokes ? ' many' : '', wide = width + 16, high = height + 59;
+  const own = drawing.strokes.filter(stroke => !stroke.style.startsWith('node'));
+  const many = own.length > manyStrokes ? ' many' : '', wide = width + 16, high = height + 59;
   const line = i => height + 14 + 15 * i;
   const bar = ([steps, words]) => {
     const long = tenths(steps * room / drawing.reach);
