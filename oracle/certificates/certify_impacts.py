@@ -149,7 +149,7 @@ class Step:
             reach = radius + self.bodies[pair[1]][3]
             return (inner(n, n) + -(reach**2)).sign()
         height = inner(n, self.place_at(pair[0], t)) + self.walls[pair[1] - len(self.bodies)][1]
-        if height.sign() <= 0:
+        if height.sign() < 0:
             return -1
         return total(height.square(), inner(n, n) * -(radius**2)).sign()
 

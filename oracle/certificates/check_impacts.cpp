@@ -145,7 +145,7 @@ class Step {
       return sign(product(n, n) + Rational(-reach * reach));
     }
     const Surd height = product(n, place_at(pair.first, t)) + wall(pair.second).offset;
-    if (sign(height) <= 0) return -1;
+    if (sign(height) < 0) return -1;
     return sign(sum(square(height), product(n, n) * Rational(-f.radius * f.radius)));
   }
 
