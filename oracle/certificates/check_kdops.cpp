@@ -13,7 +13,7 @@ using Numbers = std::vector<Rational>;
 const char* const wrong_value = "certificate: the value of N . P is wrong";
 
 /// A list of points of one dimension, two or three; at least one.
-std::vector<Numbers> points(const json& value, const std::string& what) {
+std::vector<Numbers> points_of_any_axes(const json& value, const std::string& what) {
   expect(value.is_array() && !value.empty(), what + ": at least 1 point");
   std::vector<Numbers> found;
   for (const json& written : value) {
@@ -46,7 +46,7 @@ Numbers exact_values(const json& value, const std::string& what, std::size_t siz
 /// A point of the list has the end on each axis, and no point is beyond.
 void check_aabb_of_points(const Claim& claim) {
   claim.inputs({"points"});
-  const std::vector<Numbers> all = points(claim.input["points"], "points");
+  const std::vector<Numbers> all = points_of_any_axes(claim.input["points"], "points");
   const std::size_t axes = all[0].size();
   claim.answers({"aabb"});
   only(claim.truth["aabb"], "truth.aabb", {"min", "max"});
