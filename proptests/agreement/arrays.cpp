@@ -151,6 +151,23 @@ TEST_CASE("arrays: what follows asks something") {
   CHECK(with_arrays >= 15);
 }
 
+TEST_CASE("arrays: turns whose sign in double is wrong by nearly three units of rounding") {
+  // In each product all three roundings go the same way, and in the other product the other way. The difference of the
+  // products in double is 2.9999999 * 2^-53 times the magnitude of their sum, and on the other side of 0.
+  const Operation& operation = *catalogue::find_operation("orientation");
+  const std::vector<double> right = {-0x1.0000000008p-53,   -0x1.0000000008p-53,   0x1.0000002p+0,
+                                     -0x1.0000002000003p+0, -0x1.0000003fffffdp+0, 0x1.0000003fffffep+0};
+  std::vector<double> left = right;
+  for (std::size_t k = 0; k < left.size(); k += 2) left[k] = -left[k];
+  Table table{{}, operation.row().batch.columns({right, {}})};
+  std::vector<Word> expected;
+  for (std::size_t i = 0; i < 70; ++i) {
+    table.questions.push_back({i % 2 == 0 ? right : left, {}});
+    expected.push_back(i % 2 == 0 ? 2 : 0);  // right, left
+  }
+  check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+}
+
 TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
   // normal, offset, point
   const Operation& operation = *catalogue::find_operation("point_plane");

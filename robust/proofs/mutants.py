@@ -8,6 +8,7 @@ import tempfile
 
 import enclosed
 import extract
+import lane_text
 import source
 
 RELATIVE = re.compile(r"relative<(\d+), (\d+)>")
@@ -16,11 +17,13 @@ ABSOLUTE = re.compile(r"power_of_two\((\d+) \+ Format::min_exponent")
 
 MULTIPLE = re.compile(r"above\((\d+) \* B::u\)")
 LEAST = re.compile(r"least\(\) \{ return Format::above\(power_of_two\(-(\d+)")
+UNITS_OF_LANES = re.compile(r"(\d+) \* v\b")
+TEXTS = source.READ + enclosed.HEADERS + lane_text.HEADERS
 
 
 def mutants(root):
     """(what, header, text): each constant one unit smaller, in its last parameter and in its first."""
-    for name in source.READ + enclosed.HEADERS:
+    for name in TEXTS:
         text = (root / name).read_text(encoding="utf-8")
         def other_text(found, other):
             where = text.count("\n", 0, found.start()) + 1
@@ -37,6 +40,9 @@ def mutants(root):
         for found in ABSOLUTE.finditer(text):
             other = f"power_of_two({int(found[1]) - 1} + Format::min_exponent"
             yield "half", *other_text(found, other)
+        code = re.sub("//.*", lambda comment: " " * len(comment[0]), text)
+        for found in UNITS_OF_LANES.finditer(code if name in lane_text.HEADERS else ""):
+            yield "half", *other_text(found, f"{int(found[1]) // 2} * v")
         for found in TAKEN.finditer(text if name in enclosed.HEADERS else ""):
             if float(found[0]) > 1:
                 yield "taken", *other_text(found, str(math.ceil(float(found[0])) - 1))
@@ -46,7 +52,7 @@ def mutated(root):
     """For each mutant: kind, what it is, and what extract has to say of it."""
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        for name in source.READ + enclosed.HEADERS:
+        for name in [*TEXTS, lane_text.LANES]:
             (copy / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(root / name, copy / name)
         for kind, what, name, text in mutants(root):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Proves the filters of robust/kernel and its enclosed numbers with Coq, from the C++ text as it stands.
+"""Proves the filters of robust/kernel and of arrays, and its enclosed numbers with Coq, from the C++ text as it stands.
 
   prove.py [--work DIR]          everything, in a fresh folder (build/proofs unless told)
   prove.py --reviewed           writes reviewed.txt: every proof was reviewed after the last change of its filter
@@ -11,7 +11,7 @@
 
 A filter NAME has three theorems: NAME_right about real numbers where nothing overflows, NAME_binary64 about all numbers
 of binary64, NAME_runs that there is such a run; a part NAME of enclosed.h or push.h, and a filter of OF_REALS, has
-NAME_right.
+NAME_right. A filter of arrays is a function on all numbers of binary64: NAME_right says all of it.
 Refused are: a filter whose text is not the one that reviewed.txt has, a filter without these theorems, a step left
 open, an axiom but those of Coq's real numbers, compiled files beside the sources.
 """
@@ -28,6 +28,7 @@ from concurrent.futures import ThreadPoolExecutor
 sys.dont_write_bytecode = True
 import enclosed
 import extract
+import lane_text
 import mutants
 
 SKIPPED = 77  # for CTest
@@ -119,7 +120,8 @@ def faults(files, filters, folder=HERE):
 
 
 def theorems_of(name):
-    return [f"{name}_{kind}" for kind in (KINDS[:1] if name in enclosed.THEOREMS | OF_REALS else KINDS)]
+    alone = enclosed.THEOREMS | OF_REALS | lane_text.NAMES
+    return [f"{name}_{kind}" for kind in (KINDS[:1] if name in alone else KINDS)]
 
 
 def closure(names, files):
@@ -140,7 +142,7 @@ def prove(work, jobs, chosen):
     if found:
         return found
     names = [name for name, _, _ in filters if chosen is None or name in chosen]
-    groups = [[f"{name}_right"] for name in names if name not in enclosed.THEOREMS]
+    groups = [[f"{name}_right"] for name in names if name not in enclosed.THEOREMS | lane_text.NAMES]
     # all that rests on Flocq at once: Coq goes through the whole of it each time
     groups.append([theorem for name in names for theorem in theorems_of(name) if [theorem] not in groups]
                   + ["in_binary64", "growing_in_binary64"] + ([] if chosen else OTHERS))
@@ -166,7 +168,7 @@ def prove(work, jobs, chosen):
         if set(axioms) - AXIOMS:
             return [f"{', '.join(group)}: rests on {', '.join(sorted(set(axioms) - AXIOMS))}"]
         print(f"{', '.join(group)}: proved. Axioms: {', '.join(axioms) or 'none'}")
-    print(f"{sum(map(len, groups))} theorems about robust/kernel, {time.monotonic() - started:.0f} s from nothing")
+    print(f"{sum(map(len, groups))} theorems about robust, {time.monotonic() - started:.0f} s from nothing")
     return []
 
 

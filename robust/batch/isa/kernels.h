@@ -19,8 +19,9 @@
 /// that are infinite or NaN: the row is not decided here, and past the filter it is refused.
 ///
 /// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
-/// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. Not
-/// proved by machine, unless a filter says so.
+/// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. The
+/// filters of turns, segments, planes and balls are proved by machine from this text (robust/proofs/lane_*.v); those of
+/// boxes, of balls and rays with boxes, of rings, of solids and of triangles are not.
 namespace touchstone::robust::batch::isa {
 namespace {
 
@@ -39,10 +40,12 @@ Verdict by_sign(Lanes value, Lanes bound) { return {above(magnitude(value), boun
 /// Let l and r be the exact products, L and R the computed ones: L lies between l (1 - v)^3 and l (1 + v)^3, R
 /// likewise. If the signs of l and r differ or one is 0, L - R has the right sign, or is 0. Else let both be positive,
 /// and L > R though l <= r: R >= q L with q = ((1 - v) / (1 + v))^3, so L - R <= (1 - q) / (1 + q) (L + R), and that is
-/// tanh(3 artanh v) <= 3 v. C = 4 v. The sum L + R is itself the size: where L and R are so large that it overflows,
-/// the bound is infinite. Where L - R overflows and L + R does not, the signs differ, and that of L - R is right. An
-/// infinite L or R makes both infinite, or one of them NaN. Every coordinate is in a difference, and an infinite or NaN
-/// difference makes L or R infinite or NaN.
+/// tanh(3 artanh v) <= 3 v. C = 4 v; there are points that need 2.9999999 v (proptests/agreement/arrays.cpp).
+///
+/// The sum L + R is itself the size: where L and R are so large that it overflows, the bound is infinite. Where L - R
+/// overflows and L + R does not, the signs differ, and that of L - R is right. An infinite L or R makes both infinite,
+/// or one of them NaN. Every coordinate is in a difference, and an infinite or NaN difference makes L or R infinite or
+/// NaN.
 struct Turn {
   Lanes value, bound;
   Turn(Lanes px, Lanes py, Lanes qx, Lanes qy, Lanes x, Lanes y) {
@@ -72,12 +75,11 @@ struct PointOnSegment {
 };
 
 /// The value is that of filters::segments, and what it says of the segments is proved there: negative, they cross;
-/// positive, the line of one has the other on one side. That its sign is right where |value| > C ex ey is shown there
-/// for C = 12 u (1 + 20 u) with u = 2 v, the rounding of any mode; here C = 2^5 v, which is more. Absolute terms: the
-/// six products of the value count three times each at most.
+/// positive, the line of one has the other on one side. Seven roundings before the last difference, of products that
+/// add up to 2 ex ey at most: 14 v and terms of higher order. C = 2^4 v.
 ///
 /// With Q = ex ey as computed, every product is at most Q, rs, rf and sf are at most 2 Q, and each sum of them at most
-/// 8 Q. The bound is infinite where 2^8 Q is, so nothing in the value overflows.
+/// 8 Q. The bound is infinite where 2^8 Q is, so nothing in the value overflows; 2^5 would be enough, and no cheaper.
 struct SegmentSegment {
   static constexpr std::size_t columns = 8;
   static constexpr std::uint8_t set = 1, clear = 0;  // point, disjoint
@@ -88,7 +90,7 @@ struct SegmentSegment {
     const Lanes value = magnitude((sf + rf) - rs) + magnitude(sf - rf) - magnitude(rs);
     const Lanes ex = magnitude(rx) + magnitude(sx) + magnitude(fx), ey = magnitude(ry) + magnitude(sy) + magnitude(fy);
     const Lanes size = ex * same(0x1p8) * ey;
-    return by_sign(value, multiply_add(size, same(0x1p-8 * 32 * v), same(tiny)));
+    return by_sign(value, multiply_add(size, same(0x1p-8 * 16 * v), same(tiny)));
   }
 };
 
