@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Scenes by float, double, robust and foreign engines side by side, as tables: docs/simulate_engines.md.
 
-  engines/simulated_drift.py [--build DIR] [--npm DIR] [--scenes a,b] [--write]
+  engines/simulated_drift.py [--build DIR] [--npm DIR] [--scenes a,b | --gas] [--write]
 
 DIR is build/release, and where `./dev engines npm` has put the packages. An engine that is not built is left out.
---write puts the tables into docs/simulate_engines.md, between its markers.
+--gas makes the tables of exact gases instead, which are referees of the engines. --write puts the tables into
+docs/simulate_engines.md, between its markers.
 """
 import argparse
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,6 +21,8 @@ from fractions import Fraction
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGE = ROOT / "docs/simulate_engines.md"
 BEGIN, END = "<!-- made by engines/simulated_drift.py -->", "<!-- end -->"
+BEGIN_GAS, END_GAS = "<!-- made by engines/simulated_drift.py --gas -->", "<!-- end of gas -->"
+GASES, RATES = ["gas_of_27", "gas_in_the_plane"], [60, 240]
 PROGRAMS = ["bullet", "box2d", "ode", "chipmunk"]
 PACKAGES = ["planck", "matter-js", "cannon-es", "@dimforge/rapier3d-compat"]
 SCENES = ["ball_in_a_box", "two_balls_in_a_box", "unequal_masses", "newtons_cradle", "billiard_break",
@@ -103,6 +107,16 @@ def short(value):
     return "0" if value == 0 else f"{value:.3g}"
 
 
+def publish(text, begin, end, write):
+    text = text.rstrip() + "\n"
+    if not write:
+        print(text)
+        return
+    page = PAGE.read_text(encoding="utf-8")
+    before, after = page.split(begin)[0], page.split(end)[1]
+    PAGE.write_text(f"{before}{begin}\n\n{text}\n{end}{after}", encoding="utf-8")
+
+
 def row(cells):
     return "| " + " | ".join(cells) + " |"
 
@@ -133,14 +147,52 @@ def table(scene, header, runs):
     yield ""
 
 
+def refereed(program, scene, commands):
+    """What the program says of each engine beside a gas: its name, and where it parts."""
+    with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+        json.dump(scene, file)
+        file.flush()
+        command = [program, "simulate", file.name, "--timeout", "120"]
+        for engine in commands:
+            command += ["--engine", engine]
+        done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode not in (0, 3):
+        sys.exit(f"{scene['title']}: {done.stderr}")
+    return [line.split(": ", 1) for line in done.stdout.splitlines()[-len(commands):]]
+
+
+def gas_tables(program, commands):
+    for name in GASES:
+        scene = json.loads((ROOT / f"simulate/scenes/{name}.json").read_text(encoding="utf-8"))
+        said = []
+        for rate in RATES:
+            scene["gas"]["steps_per_second"] = rate
+            said.append(refereed(program, scene, commands))
+        hits = next(re.search(r"(?:of|all) (\d+)", text)[1] for _, text in said[0] if "hit" in text)
+        yield f"### {name}\n\n{scene['title']}: {hits} hits.\n"
+        yield row(["engine"] + [f"parts at hit, {rate} steps a second" for rate in RATES])
+        yield row(["---"] * (len(RATES) + 1))
+        for engine in zip(*said):
+            numbers = [re.search(r"parts at hit (\d+)", text) for _, text in engine]
+            yield row([engine[0][0]] + [number[1] if number else "none" if "all" in text else text
+                                        for number, (_, text) in zip(numbers, engine)])
+        yield ""
+        yield from (f"- {engine}: {text}." for engine, text in said[0] if "parts" in text)
+        yield ""
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--npm", type=pathlib.Path, default=ROOT / "build/npm")
     parser.add_argument("--scenes", default=",".join(SCENES))
+    parser.add_argument("--gas", action="store_true")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     commands = engines_in(options.build.resolve(), options.npm.resolve())
+    if options.gas:
+        publish("\n".join(gas_tables(str(options.build / "touchstone"), commands)), BEGIN_GAS, END_GAS, options.write)
+        return
     lines, thresholds = [], {}
     for scene in options.scenes.split(","):
         header, runs = played(str(options.build / "touchstone"), str(ROOT / f"simulate/scenes/{scene}.json"), commands)
@@ -149,13 +201,7 @@ def main():
     head = ["| engine | numbers | thresholds that remain |", "|---|---|---|"]
     for name, one in thresholds.items():
         head.append(row([name, one["number"], "; ".join(one["thresholds"]) or "none declared"]))
-    text = "\n".join([*head, "", *lines]).rstrip() + "\n"
-    if not options.write:
-        print(text)
-        return
-    page = PAGE.read_text(encoding="utf-8")
-    before, after = page.split(BEGIN)[0], page.split(END)[1]
-    PAGE.write_text(f"{before}{BEGIN}\n\n{text}\n{END}{after}", encoding="utf-8")
+    publish("\n".join([*head, "", *lines]), BEGIN, END, options.write)
 
 
 if __name__ == "__main__":

@@ -213,7 +213,7 @@ std::string sentence_of(const GasScene& gas, const Verdict& verdict) {
       missed ? "which it does not answer" : fmt::format("in step {} cube_{} has {}", step, cube, three(velocity));
   const auto found = std::find(hit.cubes.begin(), hit.cubes.end(), cube);
   if (found == hit.cubes.end()) {
-    how += ", and there is no hit of it in the gas";
+    how += ", which takes no part in that hit";
   } else {
     const auto& right = hit.velocities[static_cast<std::size_t>(found - hit.cubes.begin())];
     how += missed ? "" : " in place of " + three(in_doubles(right));
