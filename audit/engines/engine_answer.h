@@ -11,19 +11,25 @@
 /// What a member function of an engine may return, and how it reads in JSON.
 namespace touchstone::audit {
 
-/// Whether an operation's answer has a word that says "they do not meet", so that true and false are answers to it.
+/// Whether a type is an enumeration with a word that says "they do not meet".
+template <class Word>
+inline constexpr bool can_be_false = false;
+template <Enumeration Word>
+inline constexpr bool can_be_false<Word> = requires {
+  Words<Word>::no;
+};
+
+/// Whether true and false are answers too: where an answer is such a word, or has one as a member.
 template <class Answer>
 constexpr bool has_plain_reading() {
-  if constexpr (Enumeration<Answer>) {
-    return requires { Words<Answer>::no; };
-  } else if constexpr (Composite<Answer>) {
+  if constexpr (Composite<Answer>) {
     return spread(
         [](const auto&... member) {
-          return (has_plain_reading<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>>() || ...);
+          return (can_be_false<std::remove_cvref_t<decltype(std::declval<Answer>().*member.pointer)>> || ...);
         },
         Described<Answer>::members);
   } else {
-    return false;
+    return can_be_false<Answer>;
   }
 }
 

@@ -35,9 +35,9 @@ struct Flight {
   Triple at, velocity;
 };
 /// Of a body with another, or with a wall: other is then beyond the bodies.
-using Places = std::pair<std::size_t, std::size_t>;
+using Meeting = std::pair<std::size_t, std::size_t>;
 struct Met {
-  Places places;
+  Meeting places;
   Column normal;
   Surd parting;
   bool collides;
@@ -115,9 +115,9 @@ class Step {
   void visit_pairs(const Visit& visit) const {
     for (std::size_t i = 0; i < flights_.size(); ++i)
       for (std::size_t j = i + 1; j < flights_.size() + walls_.size(); ++j)
-        if (moves(i) || moves(j)) visit(Places{i, j});
+        if (moves(i) || moves(j)) visit(Meeting{i, j});
   }
-  Rational start_of(const Places& pair) const {
+  Rational start_of(const Meeting& pair) const {
     const Rational& clock = flights_[pair.first].clock;
     return is_wall(pair.second) ? clock : std::max(clock, flights_[pair.second].clock);
   }
@@ -125,19 +125,19 @@ class Step {
     const Flight& f = flights_[body];
     return sum(lifted(f.at), times((t + Rational(-f.clock)) * timestep_, lifted(f.velocity)));
   }
-  Column normal_at(const Places& pair, const Surd& t) const {
+  Column normal_at(const Meeting& pair, const Surd& t) const {
     if (is_wall(pair.second)) return lifted(wall(pair.second).normal);
     return difference(place_at(pair.first, t), place_at(pair.second, t));
   }
-  Triple relative_velocity(const Places& pair) const {
+  Triple relative_velocity(const Meeting& pair) const {
     const Triple& v = flights_[pair.first].velocity;
     return is_wall(pair.second) ? v : v - flights_[pair.second].velocity;
   }
-  Surd parting_at(const Places& pair, const Surd& t) const {
+  Surd parting_at(const Meeting& pair, const Surd& t) const {
     return product(normal_at(pair, t), lifted(relative_velocity(pair)));
   }
   /// The sign of how far they are from touching.
-  int gap_at(const Places& pair, const Surd& t) const {
+  int gap_at(const Meeting& pair, const Surd& t) const {
     const Flight& f = flights_[pair.first];
     const Column n = normal_at(pair, t);
     if (!is_wall(pair.second)) {
@@ -151,7 +151,7 @@ class Step {
 
   /// Whether the pair collides before t, or at t as well if it `counts`: approaching at its start and meeting then, or
   /// later; of two balls the square of their distance, whose first zero that is, has two zeros.
-  bool collides_until(const Places& pair, const Surd& t, bool counts) const {
+  bool collides_until(const Meeting& pair, const Surd& t, bool counts) const {
     const Rational start = start_of(pair);
     const Surd from = lifted(start);
     const int wait = sign(t + Rational(-start));
@@ -169,7 +169,7 @@ class Step {
   /// Whether a pair collides in what is left of the step.
   bool another() const {
     bool found = false;
-    visit_pairs([&](const Places& pair) {
+    visit_pairs([&](const Meeting& pair) {
       found = found || (settled_.count(pair) == 0 && collides_until(pair, lifted(1), true));
     });
     return found;
@@ -177,7 +177,7 @@ class Step {
 
   std::vector<Met> contacts_of(const Surd& t, const std::string& name) const {
     std::vector<Met> met;
-    visit_pairs([&](const Places& pair) {
+    visit_pairs([&](const Meeting& pair) {
       const bool settled = settled_.count(pair) != 0;
       expect(settled || !collides_until(pair, t, false), name + ".t: a pair collides before");
       if (sign(t + Rational(-start_of(pair))) < 0 || gap_at(pair, t) > 0) return;
@@ -200,7 +200,7 @@ class Step {
     expect(!met.empty(), name + ".t: nothing collides then");
     return met;
   }
-  bool hang_together(const Places& a, const Places& b) const {
+  bool hang_together(const Meeting& a, const Meeting& b) const {
     const auto shared = [&](std::size_t place) { return moves(place) && (place == b.first || place == b.second); };
     return shared(a.first) || shared(a.second);
   }
@@ -259,7 +259,7 @@ class Step {
     }
     expect_nearest(clock, t, "certificate.clock");
     expect(states.size() == 6 * after.size(), "certificate.states: six numbers for each body");
-    std::erase_if(settled_, [&](const Places& p) { return after.count(p.first) != 0 || after.count(p.second) != 0; });
+    std::erase_if(settled_, [&](const Meeting& p) { return after.count(p.first) != 0 || after.count(p.second) != 0; });
     for (const Met& c : contacts) settled_.insert(c.places);
     std::size_t next = 0;
     for (const auto& [body, v] : after) {
@@ -293,7 +293,7 @@ class Step {
   std::vector<Flight> flights_;
   std::vector<Plane> walls_;
   Rational restitution_, timestep_;
-  std::set<Places> settled_;
+  std::set<Meeting> settled_;
 };
 
 void check_impact_step(const Claim& claim) {
