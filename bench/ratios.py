@@ -191,6 +191,16 @@ def arrays(timed):
                   "/ naive AVX-512", "AVX2 / naive AVX2", "Epick / AVX-512"], rows)
 
 
+def arrays_from_python(build):
+    """What bench/arrays_python.py prints, or why it is not run."""
+    if not list((build / "python/touchstone").glob("_touchstone*.so")):
+        return f"Arrays from Python: skipped, no module in {build}/python (ninja -C {build} touchstone_python)."
+    done = subprocess.run([sys.executable, ROOT / "bench/arrays_python.py", build], capture_output=True, text=True)
+    if done.returncode != 0:
+        return f"Arrays from Python: skipped, {(done.stderr.strip() or 'no word').splitlines()[-1]}"
+    return f"```\n{done.stdout.rstrip()}\n```"
+
+
 def goals_of_arrays(timed):
     """As `goals` lists them."""
     median, found = statistics.median, []
@@ -336,7 +346,8 @@ def main():
     decided = timed["operations"] | timed["polygons"]
     reached = goals(decided | timed["triangulation"] | timed["hulls"], timed["oracle"],
                     goals_of_pairs(timed["pairs"]) + goals_of_arrays(timed["arrays"]))
-    parts = [circumstances(options.build), reached, decisions(decided), arrays(timed["arrays"]), triangulations(timed["triangulation"]),
+    parts = [circumstances(options.build), reached, decisions(decided), arrays(timed["arrays"]),
+             "" if options.ops else arrays_from_python(options.build.resolve()), triangulations(timed["triangulation"]),
              hulls(timed["hulls"]), meshes(timed["meshes"]), pairs(timed["pairs"]), answers(timed["operations"]), truths(timed["oracle"]),
              exhausted(timed["oracle"])]
     report = "\n\n".join(part for part in parts if part)
