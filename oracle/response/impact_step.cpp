@@ -2,6 +2,7 @@
 #include "oracle/response/impact_step.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <set>
@@ -39,6 +40,7 @@ Rational of_53_digits(const Surd& x) {
     const auto [low, high] = x.enclosure(bits);
     if (sgn(low) * sgn(high) <= 0) continue;
     const auto order = static_cast<int>(binary_order(low));
+    if (std::abs(order - static_cast<int>(binary_order(high))) > 1) continue;  // one end may be next to 0
     return scaled(exact(nearest_double(x * Surd(scaled(Rational(1), -order)))), order);
   }
 }

@@ -62,11 +62,11 @@ mpq_class of_53_digits(const OneRoot& a) {
   for (long exponent = 0;;) {
     const double number = rounded(a, exponent);
     const int field = static_cast<int>(std::bit_cast<std::uint64_t>(number) >> 52 & 0x7ff);
-    if (field > 0 && field < 0x7ff) {
+    if (field > 1 && field < 0x7ff) {  // at 1 it may have been a subnormal number that was rounded up
       const Dyadic digits = dyadic(number);
       return times_power(mpq_class(digits.n), digits.exponent - exponent);
     }
-    exponent += field == 0 ? 900 : -900;
+    exponent += field <= 1 ? 900 : -900;
   }
 }
 
