@@ -26,7 +26,7 @@ struct impact_step {
         .fields = {"bodies", "walls", "restitution", "timestep"},
         .ulps = 94,
         .margin_degree = 0,
-        .cost = 11,
+        .cost = 60,
         .longest_vector = 6000};
     return metadata;
   }
