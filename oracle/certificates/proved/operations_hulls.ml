@@ -8,15 +8,22 @@ open Source
 let hull count place = List.map given_coordinates (exactly count place)
 let answered = [ "squared_distance"; "distance" ]
 
-let closest name shape count check =
-  operation ~unproved:[ "enclosure" ] name [ "point"; shape ] "" (function
-    | [ p; points ] ->
-        [ kind "" ("point" :: answered) "root" [ "weights" ] (fun answers facts -> match answers with
-            | [ x; square; distance ] ->
-                check (hull count points) (given_coordinates p) (exact_list x) (exact square) (exact distance)
-                  (exact_list (List.hd facts))
-            | _ -> assert false) ]
-    | _ -> assert false)
+let closest count check = function
+  | [ p; points ] ->
+      [ kind "" ("point" :: answered) "root" [ "weights" ] (fun answers facts -> match answers with
+          | [ x; square; distance ] ->
+              check (hull count points) (given_coordinates p) (exact_list x) (exact square) (exact distance)
+                (exact_list (List.hd facts))
+          | _ -> assert false) ]
+  | _ -> assert false
+
+let closest_point_on_segment =
+  operation ~unproved:[ "enclosure" ] "closest_point_on_segment" [ "point"; "segment" ] ""
+    (closest 2 check_closest_point_on_segment)
+
+let closest_point_on_triangle =
+  operation ~unproved:[ "enclosure" ] "closest_point_on_triangle" [ "point"; "triangle" ] ""
+    (closest 3 check_closest_point_on_triangle)
 
 let segment_segment_distance =
   operation ~unproved:[ "enclosure" ] "segment_segment_distance" [ "a"; "b" ] "" (function
@@ -81,6 +88,5 @@ let triangle_aabb = operation "triangle_aabb" [ "triangle"; "aabb" ] "contact" (
   | _ -> assert false)
 
 let operations =
-  [ closest "closest_point_on_segment" "segment" 2 check_closest_point_on_segment;
-    closest "closest_point_on_triangle" "triangle" 3 check_closest_point_on_triangle; segment_segment_distance;
-    sphere_capsule; capsule_capsule; sphere_triangle; triangle_aabb ]
+  [ closest_point_on_segment; closest_point_on_triangle; segment_segment_distance; sphere_capsule; capsule_capsule;
+    sphere_triangle; triangle_aabb ]
