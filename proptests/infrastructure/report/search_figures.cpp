@@ -19,7 +19,7 @@ namespace {
 
 Drawing drawing_of_input(const char* operation, const std::string& input) {
   const Operation& op = *find_operation(operation);
-  return op.examine(op.parse(Json::parse(input)))->drawing();
+  return op.examine(op.parse(parse_line(input)))->drawing();
 }
 
 std::string box(double x, double width = 1) {
@@ -268,7 +268,7 @@ TEST_CASE("search figures: planes as boxes that reach to the greatest double are
 
 TEST_CASE("search figures: a program that is refused has no search") {
   const Operation& operation = *find_operation("octree");
-  const Question question = operation.parse(Json::parse(four_cubes(R"({"remove":0},{"remove":0},{"ask":"pairs"})")));
+  const Question question = operation.parse(parse_line(four_cubes(R"({"remove":0},{"remove":0},{"ask":"pairs"})")));
   try {
     operation.examine(question)->drawing();
     FAIL("not refused");
