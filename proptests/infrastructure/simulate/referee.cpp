@@ -216,7 +216,8 @@ TEST_CASE("referee: the scenes that ship, by the command") {
   require_refused(called({"simulate", "simulate/scenes/gas_of_27.json", "--engine", crashes.c_str()}), engine_failed,
                   "step 3: signal 11");
   std::ifstream in("simulate/scenes/gas_in_the_plane.json");
-  const GasScene plane = simulate::gas::read_gas(Json::parse(in));
+  const GasScene plane =
+      simulate::gas::read_gas(catalogue::parse_line(std::string(std::istreambuf_iterator<char>(in), {})));
   CHECK(plane.cubes.size() == 25);
   CHECK(is_planar(scene_of(plane)));
 }
