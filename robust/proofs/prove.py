@@ -56,7 +56,7 @@ def bare(text):
 
 
 def needed(text):
-    lines = re.findall(r"From (?:Filters|Certificates) Require Import ([\w ]+)\.", text)
+    lines = re.findall(r"From (?:Filters|Certificates) Require Import ([\w\s]+)\.", text)
     return [name for line in lines for name in line.split()]
 
 
