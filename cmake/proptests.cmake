@@ -143,7 +143,7 @@ if(TARGET touchstone AND NOT TOUCHSTONE_TEST_ROBUST_ALONE)
   # which each has to fail a proof; ./dev proofs proves all of it.
   touchstone_script_test(certificates/proved proptests/infrastructure/oracle/proved_checker.py ${program}
                          --work ${PROJECT_BINARY_DIR}/certify_proved)
-  touchstone_script_test(certificates/weakened oracle/certificates/proved/kinds.py --weakened 3 --jobs 1
+  touchstone_script_test(certificates/weakened oracle/certificates/proved/kinds.py --weakened 12 --jobs 1
                          --work ${PROJECT_BINARY_DIR}/weakened)
   touchstone_script_test(certificates/proofs_self_check oracle/certificates/proved/kinds.py --self-check)
   set_tests_properties(proofs certificates/proved certificates/weakened PROPERTIES SKIP_RETURN_CODE 77)
