@@ -39,8 +39,8 @@ void add_nodes(StructureNodes& nodes, const Tree& tree, int depth) {
   for (const Tree& child : tree.children()) add_nodes(nodes, child, depth + 1);
 }
 
-/// Of a tree of planes a node is its part of space within the box of the first six half-spaces. One that is cut is drawn
-/// as the cut alone, a leaf as the faces of its part.
+/// Of a tree of planes a node is its part of space within the box of the first six half-spaces. One that is cut is
+/// drawn as the cut alone, a leaf as the faces of its part.
 inline void add_nodes(StructureNodes& nodes, const ::touchstone::reference::PlaneTree<double>& tree, int depth,
                       const std::vector<HalfSpace>& half_spaces) {
   SpaceFigure figure;

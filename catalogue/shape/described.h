@@ -18,8 +18,8 @@
 /// nothing elsewhere.
 namespace touchstone::catalogue {
 
-/// call(elements...) of a tuple, and call(alternative) of a variant. As std::apply and std::visit, without what these find out about noexcept
-/// and tables of functions: a row makes hundreds of such calls, and they were a fifth of what it took to compile.
+/// call(elements...) of a tuple, and call(alternative) of a variant. As std::apply and std::visit, but they find out
+/// nothing about noexcept and make no tables of functions: a row has hundreds of such calls to compile.
 template <class Call, class Tuple>
 constexpr decltype(auto) spread(Call&& call, Tuple& tuple) {
   return [&]<std::size_t... i>(std::index_sequence<i...>)->decltype(auto) { return call(std::get<i>(tuple)...); }

@@ -33,6 +33,7 @@ EACH_OPERATION("draws the questions of its vectors, in their order, whatever com
   if (operation.metadata().is_implementation()) return;
   const auto& families = operation.families();
   std::map<std::string, std::vector<std::string>> inputs = vectors_of(operation);
+  REQUIRE(!inputs.empty());
   // Two families may have one name, each of the questions of another type: the vectors of the one follow the other's.
   std::map<std::string, std::size_t> met;
   for (std::size_t family = 0; family < families.size(); ++family) {

@@ -3,6 +3,7 @@
 import re
 
 from source import split
+from tokens import Tokens
 from values import TYPES, Answer, Array, Index, Number, Real, Truth, chosen_bounds, exponents, fits, power
 
 ANSWERS = {
@@ -131,20 +132,12 @@ class Run:
     members, bounds = {}, "Bounds"
 
 
-class Body:
+class Body(Tokens):
     """Statements and expressions."""
 
     def __init__(self, run, text, scope, kind=None):
         self.r, self.scope, self.kind = run, scope, kind
-        self.tokens, at = [], 0
-        text = self.unfolded(text).rstrip()
-        while at < len(text):
-            found = TOKEN.match(text, at)
-            if not found:
-                raise SystemExit(f"not understood: {text[at:at + 40]!r}")
-            self.tokens.append(found[1] or found[2] or found[3])
-            at = found.end()
-        self.at = 0
+        super().__init__(TOKEN, self.unfolded(text))
 
     def unfolded(self, text):
         """(E + ...) over a pack `axis`."""
@@ -152,16 +145,6 @@ class Body:
             parts = [found[1].replace("axis.", f"axis{i}.") for i in range(self.r.pack)]
             return "(" + f" {found[2]} (".join(parts) + ")" * self.r.pack
         return re.sub(r"\(((?:\([^()]*(?:\([^()]*\))?[^()]*\)|axis\.\w+)) ([+&]) \.\.\.\)", fold, text)
-
-    def peek(self):
-        return self.tokens[self.at] if self.at < len(self.tokens) else None
-
-    def take(self, token=None):
-        found = self.peek()
-        if token is not None and found != token:
-            raise SystemExit(f"{token!r} expected at {' '.join(self.tokens[self.at - 5:self.at + 5])}")
-        self.at += 1
-        return found
 
     def run(self):
         """The value returned; for a constructor, None."""
@@ -373,13 +356,3 @@ class Body:
         body = " ".join(self.tokens[start:self.at])
         self.take("}")
         return lambda argument: Body(self.r, body, {**self.scope, name: argument}).run()
-
-    def arguments(self):
-        self.take("(")
-        values = []
-        while self.peek() != ")":
-            values.append(self.expression())
-            if self.peek() == ",":
-                self.take()
-        self.take(")")
-        return values

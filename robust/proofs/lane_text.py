@@ -7,6 +7,8 @@ constructor one of the numbers that it is given. What this does not understand i
 import re
 from fractions import Fraction
 
+from tokens import Tokens
+
 HEADERS = ["robust/batch/isa/kernels.h"]
 LANES = "robust/batch/isa/lanes.h"  # what the functions of lanes.v are; its text is reviewed with each filter
 HEAD = """(* Written by extract.py from robust/batch/isa. *)
@@ -93,29 +95,12 @@ class Run:
         return self
 
 
-class Body:
+class Body(Tokens):
     """Statements and expressions of one text."""
 
     def __init__(self, run, text):
-        self.run, self.tokens, at = run, [], 0
-        text = text.rstrip()
-        while at < len(text):
-            found = TOKEN.match(text, at)
-            if not found:
-                raise SystemExit(f"not understood: {text[at:at + 40]!r}")
-            self.tokens.append(found[1])
-            at = found.end()
-        self.at = 0
-
-    def peek(self, ahead=0):
-        return self.tokens[self.at + ahead] if self.at + ahead < len(self.tokens) else None
-
-    def take(self, token=None):
-        found = self.peek()
-        if found is None or (token is not None and found != token):
-            raise SystemExit(f"{token!r} expected at {' '.join(self.tokens[max(0, self.at - 5):self.at + 5])}")
-        self.at += 1
-        return found
+        super().__init__(TOKEN, text)
+        self.run = run
 
     def block(self, end=None):
         while self.peek() != end:
@@ -188,16 +173,6 @@ class Body:
         self.run.body(text)
         made, self.run.scope = self.run.scope, outer
         return {k: x for k, x in made.items() if k not in self.run.source.constants}
-
-    def arguments(self):
-        self.take("(")
-        values = []
-        while self.peek() != ")":
-            values.append(self.expression())
-            if self.peek() == ",":
-                self.take()
-        self.take(")")
-        return values
 
     def expression(self, level=0):
         levels = [("?",), ("|",), ("&",), ("==",), ("+", "-"), ("*",)]

@@ -137,8 +137,8 @@ TEST_CASE("search figures: of all pairs the search of one body is drawn, and all
   const std::string input =
       R"({"boxes":[)" + box(0) + "," + box(10) + "," + box(11) + "," + box(30) + R"(],"commands":[{"ask":"pairs"}]})";
   const Drawing drawing = drawing_of_input("bounding_volume_hierarchy", input);
-  // Halves: {0, 1} and {2, 3}. From body 1: the root, a half, body 0 (not met), body 1, the other half, body 2, and body
-  // 3 (not met); entered: the root, both halves, bodies 1 and 2.
+  // Halves: {0, 1} and {2, 3}. From body 1: the root, a half, body 0 (not met), body 1, the other half, body 2, and
+  // body 3 (not met); entered: the root, both halves, bodies 1 and 2.
   CHECK(drawing.search ==
         "In the textbook hierarchy of boxes, in double, the search for what meets body 1 looked at 7 of 7 nodes and "
         "entered 5, and it compared 2 of 4 bodies. All pairs took one such search for each body, 6 comparisons; the "
