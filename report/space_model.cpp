@@ -43,6 +43,10 @@ Json json_of(const SpaceFigure& figure, const SpaceScale& scale) {
   if (figure.kind == SpaceFigure::Kind::plane) json["points"] = normal_of(figure, scale);
   if (figure.kind == SpaceFigure::Kind::sphere) json["radius"] = scale.radius_in_steps(figure);
   if (figure.kind == SpaceFigure::Kind::mesh) json["faces"] = figure.faces;
+  if (figure.moves) {
+    const auto back = scale.steps(figure.moves->at_minus_1), on = scale.steps(figure.moves->at_1);
+    if (back && on) json["moves"] = {*back, *on};
+  }
   add_node(json, figure);
   return json;
 }
@@ -104,6 +108,7 @@ std::string space_style() {
          ".fig.space .stroke.thin{stroke-width:.8;stroke-opacity:.7}"
          ".fig.space .stroke.hid{stroke-width:1;stroke-dasharray:2 4;stroke-opacity:.6}"
          ".turns{cursor:grab;touch-action:pan-y;user-select:none;-webkit-user-select:none}"
+         ".time input{width:11em;vertical-align:middle}.time output{display:inline-block;min-width:5em}"
          ".turns:active{cursor:grabbing}.turns:focus:not(:focus-visible){outline:none}";
 }
 

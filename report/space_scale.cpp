@@ -114,6 +114,18 @@ int SpaceScale::radius_in_steps(const SpaceFigure& sphere) const {
   return nearest_whole(mpq_class(radius_of(sphere) * steps_per_unit[0]));
 }
 
+std::optional<SpacePoint> SpaceScale::steps(const std::array<double, 3>& displacement) const {
+  constexpr int far = 10 * steps_of_box;
+  SpacePoint result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!std::isfinite(displacement[i])) return std::nullopt;
+    const mpq_class way = exact_value(displacement[i]) * steps_per_unit[i];
+    if (abs(way) > far) return std::nullopt;
+    result[i] = nearest_whole(way);
+  }
+  return result;
+}
+
 ExactPlace SpaceScale::foot(const SpaceFigure& plane) const {
   const ExactPlace& from = middle_but_planes;
   ExactPlace normal, result;

@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "catalogue/draw/drawing.h"
@@ -41,6 +42,8 @@ struct SpaceScale {
   /// To the nearest step.
   SpacePoint at(const ExactPlace& place) const;
   int radius_in_steps(const SpaceFigure& sphere) const;
+  /// A displacement; nothing where it is not finite or leads far out of the scene.
+  std::optional<SpacePoint> steps(const std::array<double, 3>& displacement) const;
   /// The point of a plane at which it is drawn: the one that is nearest to everything else.
   ExactPlace foot(const SpaceFigure& plane) const;
 };

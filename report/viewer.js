@@ -8,7 +8,8 @@
 //              plane: a point of it, then the tip of its normal; polygon, mesh: their vertices
 //            whose: question, truth or answer; radius: of a sphere; faces: of a mesh, as places in points,
 //            counter-clockwise as seen from outside; of a node of a structure also node, how deep it is, and entered,
-//            whether a search went on to what is in it: thin lines, thinner the deeper, filled where it was entered
+//            whether a search went on to what is in it: thin lines, thinner the deeper, filled where it was entered;
+//            of one that moves also moves: how far from its points it is at t = -1, and at t = 1
 //   spans    what x, y and z span, in words
 //   bar      [length, words]: a round length, where one scale holds for all axes
 //   remarks  further lines below
@@ -277,6 +278,22 @@ function placed(wishes, drawn) {
   return svg;
 }
 
+// Strokes at a time, in the scale of all times: straight from t = -1 to where the points are, and on to t = 1.
+function strokesAt(model, t) {
+  const at = time => new Strokes({...model, figures: model.figures.map(figure => !figure.moves ? figure :
+      {...figure, points: figure.points.map(p => plus(p, figure.moves[time < 0 ? 0 : 1], Math.abs(time)))})});
+  const drawing = at(t);
+  if (clock(model)) drawing.reach = Math.max(...[-1, 0, 1].map(time => at(time).reach));
+  return drawing;
+}
+
+// A slider for time, where something moves.
+function clock({figures}) {
+  const moving = figures.filter(({moves}) => moves), first = moving.some(({moves}) => length(moves[0]) > 0) ? -1 : 0;
+  return moving.length === 0 ? '' : `<p class="screen small time"><button class="play">Play</button> <label>time ` +
+      `<input type="range" min="${first}" max="1" step="0.01" value="0"></label> <output>t = 0</output></p>`;
+}
+
 // The frame with the first view, and below it what does not turn.
 function framed(model, drawing, name = 'whole') {
   const own = drawing.strokes.filter(stroke => !stroke.style.startsWith('node'));
@@ -301,16 +318,35 @@ function framed(model, drawing, name = 'whole') {
 // Draws the model and its lens into an element of the page; each turns as the reader asks.
 function show(place, model) {
   const drawings = Object.entries({whole: model, ...(model.lens && {magnified: model.lens})})
-      .map(([name, of]) => ({name, of, drawing: new Strokes(of)}));
-  place.innerHTML = drawings.map(({name, of, drawing}) => framed(of, drawing, name)).join('') +
+      .map(([name, of]) => ({name, of, drawing: strokesAt(of, 0)}));
+  place.innerHTML = drawings.map(({name, of, drawing}) => framed(of, drawing, name) + clock(of)).join('') +
       `<p class="screen small quiet turn-hint">Drag to turn it, or use the arrow keys; Home turns it back.</p>`;
-  for (const {name, of, drawing} of drawings)
-    turning(place.querySelector('.' + name), place.querySelector(`.${name} .turning`), drawing, of.turn ?? firstTurn);
+  for (const {name, of, drawing} of drawings) {
+    const draw = turning(place.querySelector('.' + name), place.querySelector(`.${name} .turning`), drawing,
+                         of.turn ?? firstTurn);
+    if (clock(of)) ticking(place, t => draw(strokesAt(of, t)));
+  }
 }
 
+// Two seconds for a unit of time.
+function ticking(place, draw) {
+  const slider = place.querySelector('.time input'), words = place.querySelector('.time output');
+  let playing = false;
+  const go = t => { words.textContent = `t = ${+Number(t).toFixed(2)}`, draw(Number(t)); };
+  const run = (from, since) => requestAnimationFrame(now => {
+    if (!playing) return;
+    slider.value = Math.min(1, from + (now - (since ?? now)) / 2000);
+    go(slider.value), playing = slider.value < 1;
+    if (playing) run(from, since ?? now);
+  });
+  slider.addEventListener('input', () => { playing = false, go(slider.value); });
+  place.querySelector('.time .play').addEventListener('click', () => { playing = true, run(Number(slider.min)); });
+}
+
+// Returns what shows other strokes in the same view.
 function turning(svg, group, drawing, first) {
-  let yaw, pitch, held = null, waiting = false;
-  const draw = turn => { group.innerHTML = picture(drawing, turn); };
+  let yaw, pitch, held = null, waiting = false, last = first;
+  const draw = turn => { group.innerHTML = picture(drawing, last = turn); };
   const start = () => {
     yaw = Math.atan2(first.sinYaw, first.cosYaw);
     pitch = Math.atan2(first.sinPitch, first.cosPitch);
@@ -348,6 +384,7 @@ function turning(svg, group, drawing, first) {
     else return;
     event.preventDefault();
   });
+  return strokes => { drawing = strokes, draw(last); };
 }
 
 return {firstTurn, Strokes, picture, show};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,11 @@ struct Figure {
   std::optional<Passed> node{};  ///< drawn to help: a node of a structure
 };
 
+/// How far from its place a figure is that moves, straight before t = 0 and straight after it.
+struct Displacements {
+  std::array<double, 3> at_minus_1{}, at_1{};
+};
+
 /// A figure in space, y up.
 struct SpaceFigure {
   enum class Kind { point, segment, arrow, plane, polygon, box, sphere, mesh };
@@ -39,6 +45,7 @@ struct SpaceFigure {
   bool answer = false;
   bool said = false;
   std::optional<Passed> node{};
+  std::optional<Displacements> moves{};  ///< its place is that at t = 0
 };
 
 /// What is drawn of a question and its truth. A drawing with figures in the plane is shown in the plane: a row that

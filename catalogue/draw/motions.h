@@ -77,6 +77,13 @@ inline void draw_way(Drawing& drawing, const Point3d& from, const Point3d& to) {
 inline bool is_zero(const Vector2d& v) { return v.x == 0 && v.y == 0; }
 inline bool is_zero(const Vector3d& v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
+/// The last figure in space moves: with one velocity before t = 0 and with another after it.
+inline void let_move(Drawing& drawing, const Vector3d& before, const Vector3d& after) {
+  drawing.space.back().moves = {{-before.x, -before.y, -before.z}, {after.x, after.y, after.z}};
+}
+inline void let_move_from_start(Drawing& drawing, const Vector3d& v) { let_move(drawing, {0, 0, 0}, v); }
+inline void let_move_from_start(Drawing&, const Vector2d&) {}
+
 /// A body at the start of a step, its velocity, thinner its place at the end and the volume between; where the bodies
 /// meet at t, its place then, which belongs to the answer.
 template <class Solid, class Vector>
@@ -84,6 +91,7 @@ void draw_sweep(Drawing& drawing, const std::string& name, const Solid& solid, c
                 const std::optional<double>& t) {
   draw(drawing, name, solid, false);
   if (is_zero(velocity)) return;
+  let_move_from_start(drawing, velocity);
   draw_arrow(drawing, "velocity of " + name, middle_of(solid), velocity, false);
   const std::vector<std::string> notes = drawing.notes;
   draw(drawing, "", moved(solid, velocity), false);
@@ -107,8 +115,10 @@ struct TouchingBalls {
   /// The velocities before, from the bodies.
   void draw_before(Drawing& drawing, const Velocitiesd& v) const {
     drawing.space.push_back({SpaceFigure::Kind::sphere, "a", {a.x, a.y, a.z, radius}, {}, false});
+    let_move(drawing, v.first, v.first);
     draw_arrow(drawing, "a before", a, v.first, false);
     drawing.space.push_back({SpaceFigure::Kind::sphere, "b", {b.x, b.y, b.z, radius}, {}, false});
+    let_move(drawing, v.second, v.second);
     draw_arrow(drawing, "b before", b, v.second, false);
     drawing.notes.push_back("before: a " + in_words({v.first.x, v.first.y, v.first.z}) + ", b " +
                             in_words({v.second.x, v.second.y, v.second.z}));
@@ -120,6 +130,10 @@ struct TouchingBalls {
     drawing.notes.back() += ", normal " + in_words({normal.x, normal.y, normal.z});
   }
   void draw_after(Drawing& drawing, const Velocitiesd& v) const {
+    for (SpaceFigure& figure : drawing.space) {
+      const Vector3d& after = figure.label == "a" ? v.first : v.second;
+      if (figure.moves) figure.moves->at_1 = {after.x, after.y, after.z};
+    }
     draw_arrow(drawing, "a after", a, v.first, true);
     draw_arrow(drawing, "b after", b, v.second, true);
   }
@@ -130,6 +144,7 @@ struct TouchingBalls {
 inline void draw_bounce(Drawing& drawing, const Vector3d& before, const Vector3d& normal, const Vector3d& after) {
   const Point3d body{0, 0, 0};
   drawing.space.push_back({SpaceFigure::Kind::point, "body", coordinates_of({body}), {}, false});
+  let_move(drawing, before, after);
   if (!is_zero(normal))
     drawing.space.push_back({SpaceFigure::Kind::plane, "plane", {normal.x, normal.y, normal.z, 0}, {}, false});
   if (!is_zero(before)) draw_arrow(drawing, "before", body + -1.0 * before, before, false);

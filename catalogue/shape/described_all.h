@@ -8,6 +8,7 @@
 #include "catalogue/shape/described_closest.h"
 #include "catalogue/shape/described_commands.h"
 #include "catalogue/shape/described_complexity.h"
+#include "catalogue/shape/described_impacts.h"
 #include "catalogue/shape/described_rays.h"
 #include "catalogue/shape/described_simultaneous.h"
 #include "catalogue/shape/described_solids.h"

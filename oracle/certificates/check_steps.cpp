@@ -1,31 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "oracle/certificates/check_steps.h"
+
 #include <string>
 
-#include "oracle/certificates/check_bodies.h"
-
 namespace touchstone::certify {
-namespace {
-
-struct Mover {
-  Rational inverse_mass;
-  Triple velocity;
-  Ball ball;
-  bool moves() const { return sgn(inverse_mass) != 0; }
-};
-struct Settings {
-  Triple fall;  ///< what gravity adds to a velocity in a step
-  std::string motion;
-  Rational restitution, timestep;
-  bool before_move;
-};
-/// Of a body with another, or with a wall: other is then beyond the bodies.
-struct Met {
-  std::size_t body, other;
-  Triple normal;
-  Rational parting;
-};
-
-const Triple nothing{0, 0, 0};
 
 std::vector<Mover> movers(const json& value) {
   expect(value.is_array(), "bodies: a list");
@@ -48,6 +26,21 @@ std::vector<Plane> planes(const json& value) {
   for (const json& wall : value) found.push_back(plane(wall, numbered("walls", found.size())));
   return found;
 }
+
+namespace {
+
+struct Settings {
+  Triple fall;  ///< what gravity adds to a velocity in a step
+  std::string motion;
+  Rational restitution, timestep;
+  bool before_move;
+};
+/// Of a body with another, or with a wall: other is then beyond the bodies.
+struct Met {
+  std::size_t body, other;
+  Triple normal;
+  Rational parting;
+};
 
 /// One of the words.
 std::string choice(const json& value, const std::string& what, std::initializer_list<const char*> words) {

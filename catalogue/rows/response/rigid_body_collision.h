@@ -95,6 +95,7 @@ struct rigid_body_collision {
     const auto& [a, b, point, normal, e] = question;
     const auto body = [&drawing](const std::string& name, const RigidBodyd& before, const Motion<double>& after) {
       catalogue::draw(drawing, name, before.position, false);
+      let_move(drawing, before.velocity, after.velocity);
       draw_arrow(drawing, name + " before", before.position, before.velocity, false);
       draw_arrow(drawing, name + " turns before", before.position, before.angular_velocity, false);
       draw_arrow(drawing, name + " after", before.position, after.velocity, true);

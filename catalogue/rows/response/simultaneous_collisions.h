@@ -94,9 +94,11 @@ struct simultaneous_collisions {
       const Point3d at = place(static_cast<double>(i));
       catalogue::draw(drawing, name, at, false);
       drawing.notes.pop_back();
-      draw_arrow(drawing, name + " before", at, bodies[i].velocity, false);
-      if (truth.velocities && i < truth.velocities->size())
-        draw_arrow(drawing, name + " after", at, (*truth.velocities)[i], true);
+      const Vector3d &before = bodies[i].velocity,
+                     &after = truth.velocities && i < truth.velocities->size() ? (*truth.velocities)[i] : before;
+      let_move(drawing, before, after);
+      draw_arrow(drawing, name + " before", at, before, false);
+      if (&after != &before) draw_arrow(drawing, name + " after", at, after, true);
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b, n] = contacts[i];

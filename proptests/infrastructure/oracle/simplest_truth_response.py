@@ -6,6 +6,10 @@ from itertools import combinations
 
 from simplest_truth_reading import dot, minus, number, point
 
+WITHOUT = {
+    "impact_step": "its moments are irrational; certify_impacts.py decides each again by signs of fractions",
+}
+
 
 def truth_reflect_wall(q):
     """Nothing is decided: there is no margin."""

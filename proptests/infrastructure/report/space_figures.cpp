@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <limits>
 
 #include "catalogue/draw/figures.h"
+#include "catalogue/draw/motions.h"
 #include "catalogue/numbers/ulps.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/report/in_node.h"
@@ -46,6 +48,32 @@ TEST_CASE("figures in space: between 5e-324 and 1.7e308 every point is within th
   for (const Json& figure : model["figures"])
     for (const Json& point : figure["points"])
       for (const Json& coordinate : point) CHECK(std::abs(coordinate.get<int>()) <= 100000);
+}
+
+TEST_CASE("figures in space: a body that moves says where it is before and after, in the scene's steps") {
+  Drawing scene;
+  ask_for(scene, "still", Point3d{-1, 0, 0});
+  ask_for(scene, "a", Point3d{1, 0, 0});
+  let_move(scene, {1, 0, 0}, {0, 0.5, 0});
+  ask_for(scene, "overflows", Point3d{1, 0, 0});
+  let_move(scene, {0, 0, 0}, {std::numeric_limits<double>::infinity(), 0, 0});
+  ask_for(scene, "gets far away", Point3d{1, 0, 0});
+  let_move(scene, {0, 0, 0}, {0, 0, 1e300});
+  const Json figures = space_model(scene, "moving")["figures"];
+  CHECK(figures[1]["moves"] == Json({{-100000, 0, 0}, {0, 50000, 0}}));
+  for (const std::size_t i : {0, 2, 3}) CHECK(!figures[i].contains("moves"));
+}
+
+TEST_CASE("figures in space: a swept body and its velocity move on, a bounce turns") {
+  Drawing sweep, bounce;
+  draw_sweep(sweep, "ball", Sphere3d{{0, 0, 0}, 1}, Vector3d{2, 0, 0}, std::optional(0.5));
+  REQUIRE(sweep.space.front().moves);
+  CHECK(sweep.space.front().moves->at_minus_1 == std::array<double, 3>{0, 0, 0});
+  CHECK(sweep.space.front().moves->at_1 == std::array<double, 3>{2, 0, 0});
+  draw_bounce(bounce, {1, -2, 0}, {0, 1, 0}, {1, 2, 0});
+  REQUIRE(bounce.space.front().moves);
+  CHECK(bounce.space.front().moves->at_minus_1 == std::array<double, 3>{-1, 2, 0});
+  CHECK(bounce.space.front().moves->at_1 == std::array<double, 3>{1, 2, 0});
 }
 
 TEST_CASE("figures in space: neighbouring doubles are two places") {

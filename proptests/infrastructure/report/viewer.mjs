@@ -185,8 +185,8 @@ function shown(...figures) {
   viewer.show(place, modelOf(...figures));
   const first = /<g class="turning">(.*?)<\/g>/s.exec(place.innerHTML)[1];
   group.innerHTML = first;
-  return {first, svg, place, now() {
-    for (const frame of frames.splice(0)) frame();
+  return {first, svg, place, waiting: () => frames.length, now(time) {
+    for (const frame of frames.splice(0)) frame(time);
     return group.innerHTML;
   }};
 }
@@ -248,6 +248,52 @@ test('viewer: a drag turns it, by the pointer that holds it, until it lets go', 
     send('pointermove', 50, 10);
     assert.equal(page.now(), page.first);
   }
+});
+
+test('viewer: what moves is where the clock says, in one scale, and turns with the rest', () => {
+  const still = figure('point', [y]), ball = figure('point', [o], {label: 'ball', moves: [[-end, 0, 0], [0, 0, 2 * end]]});
+  const page = shown(still, ball), slider = page.place.querySelector('.time input');
+  const words = page.place.querySelector('.time output');
+  const place = () => / class="q1 dot" cx="(.*?)" cy="(.*?)"/.exec(page.now()).slice(1, 3).map(Number);
+  const at = t => (slider.value = String(t), slider.send('input', {}), place());
+  assert.match(page.place.innerHTML, /<input type="range" min="-1" max="1"/);
+  // Half as large as a figure that stands still: at t = 1 it is twice as far from the middle as anything else.
+  const turned = p => {
+    const svg = viewer.picture(Object.assign(new viewer.Strokes(modelOf(figure('point', [p]))), {reach: 2 * end}),
+                               viewer.firstTurn);
+    return /cx="(.*?)" cy="(.*?)"/.exec(svg).slice(1, 3).map(Number);
+  };
+  const wanted = [[0, o], [-1, [-end, 0, 0]], [-0.5, [-end / 2, 0, 0]], [1, [0, 0, 2 * end]], [0.25, [0, 0, end / 2]]];
+  for (const [t, p] of wanted) assert.deepEqual(at(t), turned(p), `t = ${t}`);
+  assert.equal(words.textContent, 't = 0.25');
+  const before = page.now();
+  page.svg.send('keydown', {key: 'ArrowLeft'});
+  assert.notEqual(page.now(), before);
+  page.svg.send('keydown', {key: 'Home'});
+  assert.deepEqual(at(0.25), turned([0, 0, end / 2]));
+});
+
+test('viewer: Play runs from the first time to t = 1 and stops there; a step of the reader stops it', () => {
+  const ball = figure('point', [o], {moves: [[0, 0, 0], [end, 0, 0]]}), page = shown(figure('point', [x]), ball);
+  const slider = page.place.querySelector('.time input'), play = page.place.querySelector('.time .play');
+  assert.match(page.place.innerHTML, /<input type="range" min="0" max="1"/);
+  slider.min = '0';
+  play.send('click', {});
+  page.now(5000);
+  assert.equal(Number(slider.value), 0);
+  page.now(6000);
+  assert.equal(Number(slider.value), 0.5);
+  slider.send('input', {});
+  page.now(6500);
+  assert.equal(Number(slider.value), 0.5);
+  play.send('click', {});
+  for (const now of [8000, 9000, 11000, 12000]) page.now(now);
+  assert.equal(Number(slider.value), 1);
+  assert.equal(page.waiting(), 0);
+});
+
+test('viewer: a figure in which nothing moves has no clock', () => {
+  assert.doesNotMatch(shown(tetrahedron).place.innerHTML, /range/);
 });
 
 test('viewer: below the frame stand the spans, then a bar as long as it says, then remarks', () => {
