@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # What the vectors are for others: their schemas are strict, and each example finds what the textbook formulas get wrong. Once, whatever the
-# compiler: agreement/draws and vectors/hold ask both compilers for the same questions and answers.
+# compiler: agreement/draws asks both for the same questions, vectors/hold the other one for the same answers.
 if(TOUCHSTONE_TEST_ROBUST_ALONE)
   return()
 endif()
