@@ -45,7 +45,8 @@ Json json_of(const SpaceFigure& figure, const SpaceScale& scale) {
   if (figure.kind == SpaceFigure::Kind::mesh) json["faces"] = figure.faces;
   if (figure.moves) {
     const auto back = scale.steps(figure.moves->at_minus_1), on = scale.steps(figure.moves->at_1);
-    if (back && on) json["moves"] = {*back, *on};
+    const SpacePoint still{};
+    if (back && on && (*back != still || *on != still)) json["moves"] = {*back, *on};
   }
   add_node(json, figure);
   return json;

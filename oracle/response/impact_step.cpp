@@ -7,10 +7,10 @@
 #include <numeric>
 #include <set>
 
+#include "oracle/exact/impulses_at_a_root.h"
 #include "oracle/exact/nearest_double.h"
 #include "oracle/exact/rational_validation_of_steps.h"
 #include "oracle/exact/space.h"
-#include "oracle/response/impulses_at_a_root.h"
 #include "oracle/response/simultaneous_collisions.h"
 
 namespace touchstone::oracle {

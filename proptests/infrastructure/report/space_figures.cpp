@@ -59,9 +59,11 @@ TEST_CASE("figures in space: a body that moves says where it is before and after
   let_move(scene, {0, 0, 0}, {std::numeric_limits<double>::infinity(), 0, 0});
   ask_for(scene, "gets far away", Point3d{1, 0, 0});
   let_move(scene, {0, 0, 0}, {0, 0, 1e300});
+  ask_for(scene, "does not move", Point3d{1, 0, 0});
+  let_move(scene, {0, 0, 0}, {0, 0, 0});
   const Json figures = space_model(scene, "moving")["figures"];
   CHECK(figures[1]["moves"] == Json({{-100000, 0, 0}, {0, 50000, 0}}));
-  for (const std::size_t i : {0, 2, 3}) CHECK(!figures[i].contains("moves"));
+  for (const std::size_t i : {0, 2, 3, 4}) CHECK(!figures[i].contains("moves"));
 }
 
 TEST_CASE("figures in space: a swept body and its velocity move on, a bounce turns") {

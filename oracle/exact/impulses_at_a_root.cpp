@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "oracle/response/impulses_at_a_root.h"
+#include "oracle/exact/impulses_at_a_root.h"
 
 #include <gmpxx.h>
 
