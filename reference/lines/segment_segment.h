@@ -11,7 +11,7 @@ namespace touchstone::reference {
 /// Deck p. 12-13: the lines through the segments, solved for ta and tb; the segments meet in the point where 0 <= ta <=
 /// 1 and 0 <= tb <= 1, else (also where the lines are parallel) they are disjoint. a, b: any unit of length, the same
 /// for both; ta, tb: pure numbers, 0 at the segment's a and 1 at its b. Closed sets: a touch in an end is a `point`.
-/// `overlap`: a common segment, its ends in lexicographic order; collinear segments that share exactly one point meet
+/// `overlap`: the common segment, its ends in lexicographic order; collinear segments that share exactly one point meet
 /// in that `point`. Degenerate: a segment of length 0 is a point, its parameter is 0. NaN or infinity: refused by
 /// robust and oracle (field, "finite number").
 ///

@@ -25,7 +25,7 @@ Contact contact_of_nearest_point(const Ball& sphere, const Box& aabb) {
 /// taken, squares are compared. The slide says no more. Equal squares are `touching` here.
 /// sphere, aabb: any unit of length, the same for both. Shapes are closed: where the ball only reaches a face, an edge
 /// or a corner they are `touching`. A ball within the box overlaps it, touching a face from inside or not; so does a
-/// box within the ball.
+/// box within the ball; where both have an interior.
 /// A radius of 0 (or -0) is valid: such a ball is a point. min == max on an axis is valid: a flat box. Neither has an
 /// interior, and the truth is `touching` at most.
 /// NaN or infinity: refused by robust and oracle (field "sphere.center[0]", "aabb.min[0]" ..., "finite number"); so are

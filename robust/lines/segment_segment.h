@@ -9,7 +9,7 @@
 namespace touchstone::robust {
 
 /// What two closed segments have in common: `disjoint`; `point`, with the point and both parameters, 0 at a segment's a
-/// and 1 at its b; or `overlap`, a common segment with its ends in lexicographic order.
+/// and 1 at its b; or `overlap`, the common segment with its ends in lexicographic order.
 ///
 /// A touch in an end is a `point`, and so are collinear segments that share one point. A segment of length 0 is a
 /// point, with parameter 0. Right for all finite doubles in every floating-point environment, and every number
