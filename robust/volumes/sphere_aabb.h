@@ -16,9 +16,10 @@ namespace touchstone::robust {
 ///
 /// `touching`: they have a common point and no common interior point: a point of the box is as far from the center as
 /// the radius is long and none is nearer; or they meet, and one of them has no interior, because the radius is 0 or min
-/// == max on an axis. Where both have one, a ball within the box overlaps it, and a box within the ball. Right
-/// for all finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and "finite number";
-/// so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract: reference/volumes/sphere_aabb.h.
+/// == max on an axis. Where both have one, a ball within the box overlaps it, and a box within the ball. Right for all
+/// finite doubles in every floating-point environment. NaN and infinities throw InvalidInput, which names the field and
+/// "finite number"; so do a negative radius ("radius >= 0") and min > max ("min <= max"). Contract:
+/// reference/volumes/sphere_aabb.h.
 inline Contact sphere_aabb(const Circle2d& sphere, const Aabb2d& aabb);
 inline Contact sphere_aabb(const Sphere3d& sphere, const Aabb3d& aabb);
 
