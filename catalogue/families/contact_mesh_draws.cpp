@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::array<Face, 4> tetrahedron{{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
 
-/// The faces and vertices of `other` after those of the mesh.
-void append(Meshd& mesh, const Meshd& other) {
-  const auto shift = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
-}
-
 void turn_over(Meshd& mesh) {
   for (Face& face : mesh.faces) std::swap(face.b, face.c);
 }
@@ -45,8 +38,7 @@ Meshd cube_in_hollow(DrawStream& draws) {
   const double at = 12 + 3 * static_cast<double>(draws.below(4)), size = draws.below(2) == 1 ? 1 : 0.25;
   for (Point3d& p : inner.vertices) p = {at + size * p.x, at + size * p.y, at + size * p.z};
   if (draws.below(2) == 1) std::swap(mesh, inner);
-  append(mesh, inner);
-  return mesh;
+  return together(mesh, inner);
 }
 
 }  // namespace
@@ -106,8 +98,7 @@ Meshd touching_solids(DrawStream& draws) {
     const Vector3d drawn = draws.below(2) == 1 ? 6.0 * lattice_normal(draws, 2) : v;
     other.vertices.push_back(at + drawn);
   }
-  append(mesh, other);
-  return mesh;
+  return together(mesh, other);
 }
 
 Meshd fans_at_a_vertex(DrawStream& draws) {
@@ -136,7 +127,7 @@ Meshd nested_shells(DrawStream& draws) {
     const Vector3d away = draws.below(4) == 3 ? 48.0 * lattice_normal(draws, 4) : Vector3d{0, 0, 0};
     for (Point3d& p : shell.vertices) p = Point3d{size * p.x, size * p.y, size * p.z} + away;
     if (draws.below(3) == 2) turn_over(shell);
-    append(mesh, shell);
+    mesh = together(mesh, shell);
   }
   return mesh;
 }

@@ -39,11 +39,23 @@ Point3d middle(const Point3d& p, const Point3d& q) { return {(p.x + q.x) / 2, (p
 Meshd lattice_polyhedron(DrawStream& draws) {
   Meshd mesh = lattice_hull(drawn_points(draws));
   if (mesh.faces.empty()) mesh = lattice_hull({{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}});
+  mesh = relisted(mesh, draws);
+  if (draws.below(4) == 3) std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over);
+  return mesh;
+}
+
+Meshd relisted(Meshd mesh, DrawStream& draws) {
   for (std::size_t i = mesh.faces.size(); i-- > 1;) std::swap(mesh.faces[i], mesh.faces[i - draws.below(i + 1)]);
   for (Face& face : mesh.faces) {
     if (draws.below(3) == 1) face = {face.b, face.c, face.a};
   }
-  if (draws.below(4) == 3) std::for_each(mesh.faces.begin(), mesh.faces.end(), turn_over);
+  return mesh;
+}
+
+Meshd together(Meshd mesh, const Meshd& other) {
+  const auto shift = static_cast<Index>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
   return mesh;
 }
 

@@ -17,6 +17,12 @@ Meshd lattice_polyhedron(DrawStream& draws);
 /// One of those that test vectors name (catalogue/families/named_meshes.h).
 const Meshd& named_mesh(DrawStream& draws);
 
+/// The same faces in another order, from other corners on.
+Meshd relisted(Meshd mesh, DrawStream& draws);
+
+/// The vertices and faces of both; those of `other` come after the mesh's.
+Meshd together(Meshd mesh, const Meshd& other);
+
 /// One more vertex in the middle of an edge, or of a face: flat there.
 Meshd with_flat_vertex(const Meshd& mesh, DrawStream& draws);
 

@@ -13,13 +13,6 @@ namespace {
 
 const std::vector<Face> faces_with_dent{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 4}, {2, 3, 4}, {3, 1, 4}};
 
-Meshd together(Meshd mesh, const Meshd& other) {
-  const auto shift = static_cast<Index>(mesh.vertices.size());
-  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-  for (const Face& f : other.faces) mesh.faces.push_back({f.a + shift, f.b + shift, f.c + shift});
-  return mesh;
-}
-
 Point3d drawn_point(DrawStream& draws, int most) {
   const double x = 12 * small_integer(draws, most), y = 12 * small_integer(draws, most);
   return {x, y, 12 * small_integer(draws, most)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/open_sets.h"
@@ -149,6 +150,36 @@ struct point_in_polyhedron {
            const auto ulps = [&c] { return static_cast<int>(small_integer(c, 2)); };
            const int x = ulps(), y = ulps(), z = ulps();
            return {mesh, {moved_by_ulps(p.x, x), moved_by_ulps(p.y, y), moved_by_ulps(p.z, z)}};
+         },
+         /*unscaled=*/true},
+        {"reported_trimesh_2534",
+         [](DrawStream& c) -> Question {
+           const double x = c.below(2) == 0 ? 0 : 0.2;
+           return {relisted(reported::trimesh_2534(), c), {x, 0, 0}};
+         },
+         /*unscaled=*/true},
+        {"reported_trimesh_242",
+         [](DrawStream& c) -> Question {
+           // Corners of cells, middles of edges, of sides, of cells.
+           const auto eighth = [&c] { return static_cast<double>(c.below(9)) / 8 - 0.5; };
+           const double x = eighth(), y = eighth(), z = eighth();
+           return {relisted(reported::trimesh_242(), c), {x, y, z}};
+         },
+         /*unscaled=*/true},
+        {"reported_edyn_155",
+         [](DrawStream& c) -> Question {
+           // On the ray: where it begins, in the middle, behind.
+           const double at = 2 - 2 * static_cast<double>(c.below(3));
+           const std::uint64_t axis = c.below(3);
+           return {relisted(reported::edyn_155(), c), {axis == 0 ? at : 0, axis == 1 ? at : 0, axis == 2 ? at : 0}};
+         },
+         /*unscaled=*/true},
+        {"reported_parry_171",
+         [](DrawStream& c) -> Question {
+           // As high as the ridge, or half as high: before, under or at it, behind.
+           const double x = 5 * static_cast<double>(c.below(3)) - 3, y = 5 * static_cast<double>(c.below(3)) - 2;
+           const double z = 2 - static_cast<double>(c.below(2));
+           return {relisted(reported::parry_171(), c), {x, y, z}};
          },
          /*unscaled=*/true},
     };

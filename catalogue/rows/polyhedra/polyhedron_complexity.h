@@ -3,6 +3,7 @@
 
 #include "catalogue/families/contact_mesh_draws.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/operation/digits.h"
 #include "catalogue/operation/row.h"
@@ -77,7 +78,31 @@ struct polyhedron_complexity {
                return {with_stretched_axes(mesh, c)};
              }},
             {"named_mesh", [](DrawStream& c) -> Question { return {named_mesh(c)}; }, /*unscaled=*/true},
-            {"named_solid", [](DrawStream& c) -> Question { return {named_solid(c)}; }, /*unscaled=*/true}};
+            {"named_solid", [](DrawStream& c) -> Question { return {named_solid(c)}; }, /*unscaled=*/true},
+            {"reported_cgal_9486", [](DrawStream& c) -> Question { return {relisted(reported::cgal_9486(), c)}; },
+             /*unscaled=*/true},
+            {"reported_cgal_9192",
+             [](DrawStream& c) -> Question {
+               const auto [a, b] = reported::cgal_9192(static_cast<int>(c.below(3)));
+               return {relisted(together(a, b), c)};
+             },
+             /*unscaled=*/true},
+            {"reported_manifold_1656",
+             [](DrawStream& c) -> Question {
+               const bool kept = c.below(2) == 0;
+               return {relisted(kept ? reported::manifold_1656_kept() : reported::manifold_1656_united(), c)};
+             },
+             /*unscaled=*/true},
+            {"reported_libigl_2381", [](DrawStream& c) -> Question { return {relisted(reported::libigl_2381(), c)}; },
+             /*unscaled=*/true},
+            {"reported_vcad_6",
+             [](DrawStream& c) -> Question {
+               // In one list of vertices, or as two boxes.
+               const auto [a, b] = reported::vcad_6();
+               const bool kept = c.below(2) == 0;
+               return {relisted(kept ? reported::vcad_6_kept() : together(a, b), c)};
+             },
+             /*unscaled=*/true}};
   }
 
   static void repair(Question& question) { make_solid(std::get<0>(question)); }

@@ -6,6 +6,7 @@
 
 #include "catalogue/families/cube_surface.h"
 #include "catalogue/families/mesh_draws.h"
+#include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/solid_draws.h"
 #include "catalogue/families/space_draws.h"
 #include "catalogue/operation/digits.h"
@@ -141,6 +142,28 @@ struct polyhedron_polyhedron {
            return {a, shifted(b, p - on_a_face_plane(b, c))};
          },
          /*unscaled=*/true},
+        {"reported_manifold_1656", [](DrawStream& c) -> Question { return either_first(reported::manifold_1656(), c); },
+         /*unscaled=*/true},
+        {"reported_vcad_6", [](DrawStream& c) -> Question { return either_first(reported::vcad_6(), c); },
+         /*unscaled=*/true},
+        {"reported_cgal_9192",
+         [](DrawStream& c) -> Question {
+           const auto on = static_cast<int>(c.below(3));
+           return either_first(reported::cgal_9192(on), c);
+         },
+         /*unscaled=*/true},
+        {"reported_manifold_676",
+         [](DrawStream& c) -> Question {
+           const bool far = c.below(2) == 0;
+           return either_first(reported::manifold_676(far), c);
+         },
+         /*unscaled=*/true},
+        {"reported_openscad_3641",
+         [](DrawStream& c) -> Question {
+           const auto common = static_cast<int>(c.below(3));
+           return either_first(reported::openscad_3641(common), c);
+         },
+         /*unscaled=*/true},
     };
   }
 
@@ -190,6 +213,11 @@ struct polyhedron_polyhedron {
   }
   static Meshd scaled(const Meshd& mesh, double factor) {
     return mapped(mesh, [factor](const Point3d& p) { return Point3d{factor * p.x, factor * p.y, factor * p.z}; });
+  }
+  /// Faces in any order.
+  static Question either_first(const reported::SolidPair& solids, DrawStream& c) {
+    const Meshd a = relisted(solids.first, c), b = relisted(solids.second, c);
+    return c.below(2) == 0 ? Question{a, b} : Question{b, a};
   }
   static Meshd moved(const Meshd& mesh, DrawStream& c, double unit, int most) {
     const double x = unit * small_integer(c, most), y = unit * small_integer(c, most);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "catalogue/families/reported_meshes.h"
 #include "proptests/solids.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/point_in_convex_polyhedron.h"
@@ -12,6 +13,7 @@ namespace {
 
 using Row = rows::point_in_polyhedron;
 using namespace solids;
+namespace reported = catalogue::reported;
 
 constexpr Location inside = Location::inside, boundary = Location::boundary, outside = Location::outside;
 
@@ -182,6 +184,30 @@ TEST_CASE("point_in_polyhedron: faces that separate nothing are boundary") {
                                  {{6, 7, 8}, {8, 7, 6}});
   worked({point, {1, 1, 1}}, boundary, 0, "algorithm");
   worked({point, {1, 2, 1}}, inside, 1);
+}
+
+TEST_CASE("point_in_polyhedron: meshes of public reports worked by hand") {
+  const Rational half_a_hollow = exact(0.05);
+  worked({reported::trimesh_2534(), {0, 0, 0}}, outside, half_a_hollow * half_a_hollow);
+  const Rational away = exact(0.2) - half_a_hollow;
+  worked({reported::trimesh_2534(), {0.2, 0, 0}}, inside, away * away, "algorithm");
+  // Cells of a quarter, from -1/4 on in y and z; the last from 0 on in x and z.
+  worked({reported::trimesh_242(), {-0.375, -0.125, -0.125}}, inside, Rational(1, 64), "algorithm");
+  worked({reported::trimesh_242(), {0.125, -0.125, 0.125}}, inside, Rational(1, 64), "algorithm");
+  worked({reported::trimesh_242(), {0.125, -0.125, -0.125}}, outside, Rational(1, 64));  // under that, beside those
+  worked({reported::trimesh_242(), {0, -0.125, 0}}, boundary, 0);                        // where they share an edge
+  worked({reported::edyn_155(), {0, 0, 0}}, inside, 1, "algorithm");
+  for (const double at : {-2.0, 2.0}) {
+    worked({reported::edyn_155(), {at, 0, 0}}, outside, 1);
+    worked({reported::edyn_155(), {0, at, 0}}, outside, 1);
+    worked({reported::edyn_155(), {0, 0, at}}, outside, 1);
+  }
+  // Level with the ridge: 3 from an eave and 2 above it; beyond an end of the ridge.
+  worked({reported::parry_171(), {-3, 3, 2}}, outside, 13);
+  worked({reported::parry_171(), {7, 3, 2}}, outside, 13);
+  worked({reported::parry_171(), {2, -2, 2}}, outside, 4);
+  worked({reported::parry_171(), {2, 3, 2}}, boundary, 0);
+  worked({reported::parry_171(), {2, 3, 1}}, inside, Rational(1, 2), "algorithm");  // the ray meets a slope's diagonal
 }
 
 TEST_CASE("point_in_polyhedron: rounding, huge, subnormal and negative zero") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "catalogue/families/cube_surface.h"
+#include "catalogue/families/reported_meshes.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/triangle_triangle.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 using Row = rows::polyhedron_complexity;
 using catalogue::cube_surface;
+namespace reported = catalogue::reported;
 
 const Meshd four{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {-4, 0, 0}, {0, -4, 0}, {0, 0, -4}},
                  {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
@@ -245,6 +247,48 @@ TEST_CASE("polyhedron_complexity: shells within shells, in any order, and which 
         answer.nesting->assign({{0, 1}, {2, 0}, {2, 1}});
       },
       "algorithm");  // the ray runs along a diagonal of a side
+}
+
+TEST_CASE("polyhedron_complexity: meshes of public reports worked by hand") {
+  worked(
+      reported::cgal_9486(), 6, 6,
+      [](Answer& answer) {
+        answer.components = 2, answer.volume = VolumeSign::zero, answer.meeting_faces = {0, 1};
+      },
+      "algorithm");
+  for (const int on : {0, 1, 2}) {
+    // The point is on the first face of either, z = 0 of the first; nothing else of the second is as high.
+    const auto [a, b] = reported::cgal_9192(on);
+    worked(together(a, b), 8, 12, [](Answer& answer) { answer.components = 2, answer.meeting_faces = {0, 4}; });
+  }
+  // Edges of the face that was kept are in four faces, two each way.
+  worked(
+      reported::manifold_1656_kept(), 5, 9,
+      [](Answer& answer) {
+        answer.crowded_edge = {0, 1}, answer.meeting_faces = {0, 4};
+      },
+      "algorithm");
+  // Convex: the two vertices off a face are on one side of it, with determinants between 37,291 and 82,595.
+  // In double the formula finds a face's own corners off its plane.
+  worked(reported::manifold_1656_united(), 5, 9, nothing_else, "rounding");
+  // Midpoints that are rounded, by 2^-53 at most, are not quite in the plane of the triangle. But seen along z the 16
+  // faces all turn one way, with determinants of 1.24e-4, around three vertices inside and a rim of twelve edges: faces
+  // that turn one way, with neighbours at each edge but those of a simple rim, cover no point twice.
+  worked(reported::libigl_2381(), 15, 30, [](Answer& answer) { answer.open_edge = {0, 6}; });
+  // 12 - 31 + 24 = 5; the halves of the square between the boxes are faces 2 and 3 of the lower, 13 and 12 of the upper.
+  worked(
+      reported::vcad_6_kept(), 12, 31,
+      [](Answer& answer) {
+        answer.crowded_edge = {4, 5}, answer.meeting_faces = {2, 13};
+      },
+      "algorithm");
+  const auto [lower, upper] = reported::vcad_6();
+  worked(
+      together(lower, upper), 16, 36,
+      [](Answer& answer) {
+        answer.components = 2, answer.meeting_faces = {2, 12};  // along the diagonal
+      },
+      "algorithm");
 }
 
 TEST_CASE("polyhedron_complexity: meshes are refused by the first rule that they break") {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "catalogue/families/reported_meshes.h"
 #include "proptests/solids.h"
 #include "proptests/space_laws.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
@@ -13,6 +14,7 @@ namespace {
 
 using Row = rows::polyhedron_polyhedron;
 using namespace solids;
+namespace reported = catalogue::reported;
 
 constexpr PolyhedronPolyhedron apart{Contact::disjoint, PolyhedraStep::bounding_volumes},
     clear{Contact::disjoint, PolyhedraStep::edge_against_face},
@@ -141,6 +143,27 @@ TEST_CASE("polyhedron_polyhedron: faces that separate nothing touch, and do not 
   const Meshd sail = with_faces(with_vertex(octahedron, {36, 0, 12}), {{0, 4, 6}, {6, 4, 0}});
   const Meshd around = shifted(cube, {30, -6, 6});
   worked({sail, around}, touching_inside, 0, "algorithm");
+}
+
+TEST_CASE("polyhedron_polyhedron: solids of public reports worked by hand") {
+  const auto pair = [](const reported::SolidPair& solids, const PolyhedronPolyhedron& expected, const Rational& margin,
+                       const std::string& by_reference = "agree") {
+    worked({solids.first, solids.second}, expected, margin, by_reference);
+  };
+  // The tips are on either side of the common face, with determinants of 82,594 and -37,292.
+  pair(reported::manifold_1656(), touching, 0, "rounding");
+  pair(reported::vcad_6(), touching, 0);
+  // One is in z >= 0, the other in z <= 0. Edges of the second end on an edge or a face, which the formula overlooks.
+  pair(reported::cgal_9192(0), touching, 0);
+  pair(reported::cgal_9192(1), touching, 0, "algorithm");
+  pair(reported::cgal_9192(2), touching, 0, "algorithm");
+  // As floats 0.0999 is 13,408,351 * 2^-27, and 4.995 and 5.0949 are 10,475,274 and 10,684,780 times 2^-21. So the first
+  // of the far cubes ends at 10,684,779.48 of these, rounded to 10,684,779. Twice 0.0999 is exact.
+  pair(reported::manifold_676(false), touching, 0);
+  pair(reported::manifold_676(true), apart, power_of_two(-42));
+  pair(reported::openscad_3641(0), touching, 0, "algorithm");
+  pair(reported::openscad_3641(1), touching, 0);
+  pair(reported::openscad_3641(2), touching, 0, "algorithm");
 }
 
 TEST_CASE("polyhedron_polyhedron: huge, subnormal, and an ulp apart") {
