@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/solids.h"
+#include "geometry/triangles.h"
 #include "geometry/volumes.h"
 
 namespace touchstone {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "catalogue/families/reported_meshes.h"
 #include "catalogue/families/triangle_draws.h"
 #include "catalogue/operation/row.h"
 #include "catalogue/shape/described_triangles.h"
@@ -135,6 +136,19 @@ struct segment_triangle {
            const Point3d p = point(), q = point(), a = point(), b = point();
            return {{p, q}, {a, b, point()}};
          }},
+        {"reported_edyn_155",
+         [](DrawStream& c) -> Question {
+           // Through the middle of the diagonal of a side, of which the triangle is a half, or parallel to the side.
+           const Meshd cube = reported::edyn_155();
+           const Face& half = cube.faces[c.below(cube.faces.size())];
+           const std::uint64_t axis = c.below(3);
+           const double from = c.below(2) == 0 ? 2 : -2;
+           const auto at = [axis](double n) {
+             return Point3d{axis == 0 ? n : 0, axis == 1 ? n : 0, axis == 2 ? n : 0};
+           };
+           return {{at(from), at(-from)}, {cube.vertices[half.a], cube.vertices[half.b], cube.vertices[half.c]}};
+         },
+         /*unscaled=*/true},
     };
   }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "catalogue/rows/polyhedra/segment_triangle.h"
 
+#include <array>
+
+#include "catalogue/families/reported_meshes.h"
 #include "proptests/triangle_laws.h"
 
 namespace touchstone::proptests::segment_triangle_tests {
@@ -68,6 +71,29 @@ TEST_CASE("segment_triangle: ends, edges and corners belong to them") {
   worked({upright(2, 2, -1, 1), flat}, point(Rational(1, 2), 2, 2, 0), 0);  // on an edge
   worked({upright(4, 0, -1, 3), flat}, point(Rational(1, 4), 4, 0, 0), 0);  // through a corner
   worked({upright(0, 0, 0, 1), flat}, point(0, 0, 0, 0), 0);                // corner on end
+}
+
+TEST_CASE("segment_triangle: the rays of a public report, through a cube along its axes") {
+  const Meshd cube = catalogue::reported::edyn_155();
+  for (const std::size_t axis : {0, 1, 2}) {
+    for (const Face& f : cube.faces) {
+      const auto at = [axis](double n) { return Point3d{axis == 0 ? n : 0, axis == 1 ? n : 0, axis == 2 ? n : 0}; };
+      const auto along = [&](Index i) {
+        const Point3d& p = cube.vertices[i];
+        return std::array{p.x, p.y, p.z}[axis];
+      };
+      // From 2 to -2: a side at 1 is a quarter of the way, one at -1 three quarters. The other sides are in planes
+      // parallel to the ray, 1 from it.
+      const bool across = along(f.a) == along(f.b) && along(f.b) == along(f.c);
+      const Row::Question question{{at(2), at(-2)}, {cube.vertices[f.a], cube.vertices[f.b], cube.vertices[f.c]}};
+      if (!across) {
+        worked(question, none, 1);
+      } else {
+        const Point3d p = at(along(f.a));
+        worked(question, point(Rational(along(f.a) > 0 ? 1 : 3, 4), p.x, p.y, p.z), 0);
+      }
+    }
+  }
 }
 
 TEST_CASE("segment_triangle: the formula has no segment in the plane") {

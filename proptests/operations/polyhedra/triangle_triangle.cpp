@@ -95,6 +95,22 @@ TEST_CASE("triangle_triangle: huge, subnormal and negative zero") {
   worked({{{1, 1, -0.0}, {2, 1, 0.0}, {1, 1, 3}}, {{-0.0, 0, 0}, {4, -0.0, 0}, {0, 4, -0.0}}}, segment, 0);
 }
 
+TEST_CASE("triangle_triangle: triangles of public reports worked by hand") {
+  const auto pair = [](std::size_t which, Relation expected, const std::string& by_reference = "agree") {
+    const auto& [a, b] = catalogue::all_reported_triangles().at(which);
+    example<Row>({a, b}, expected, by_reference);
+  };
+  pair(0, none);  // x is at most 0.3233 in the first, at least 0.3241 in the second
+  pair(1, none);  // z - y is greater by 0.0024 and more in the second
+  pair(2, area, "algorithm");
+  // All in the plane y = 54.6752, a corner of the second inside the first: to the right of all its edges.
+  pair(3, area, "algorithm");
+  pair(4, none);  // x is at least 12 in the first, at most 2 in the second
+  pair(5, none);  // the corners of the second are above the plane of the first, by 9.6 and more
+  // Two edges of the second run through the inside of the first, near (-0.168, -5.962, -4.513), (-0.551, -5.936, -4.384).
+  pair(6, segment);
+}
+
 TEST_CASE("triangle_triangle: of two broken rules the first is named") {
   refused<Row>({{{0, 0, 0}, {0, 0, infinity}, {0, 1, 0}}, {{not_a_number, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, "a[1][2]",
                "finite number");
