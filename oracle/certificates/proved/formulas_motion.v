@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** The formulas of moving balls. *)
+(** The formulas of moving balls: the first zero of a polynomial. *)
 Require Import ZArith List Arith.
-From Certificates Require Import motion solids language formulas_solids.
+From Certificates Require Import motion solids language formulas_vectors formulas_solids formulas_slabs.
 Import ListNotations.
 Local Open Scope check_scope.
 
@@ -13,40 +13,48 @@ Notation T := (term A). Notation C := (cond A).
 Definition not_positive (p q k : T) : C :=
   p <= zero /\ (q <= zero \/ q * q * k <= p * p) \/ q <= zero /\ p * p <= q * q * k.
 Definition not_negative (p q k : T) : C := not_positive (zero - p) (zero - q) k.
-Fixpoint products (c d v w : list A) : T :=
-  match c, d, v, w with
-  | a :: c', b :: d', x :: v', y :: w' => (Leaf a - Leaf b) * (Leaf x - Leaf y) + products c' d' v' w'
-  | _, _, _, _ => zero
+Definition is_zero (p q k : T) : C := not_positive p q k /\ not_negative p q k.
+
+(** What holds of c + b t + a t^2 at t = x + y sqrt(k): it is 0; and of its slope. *)
+Definition zero_at (c b a x y k : T) : C := is_zero (c + b * x + a * (x * x + y * y * k)) (b * y + Num 2 * a * x * y) k.
+Definition falls_at (b a x y k : T) : C := not_positive (b + Num 2 * a * x) (Num 2 * a * y) k.
+Definition rises_at (b a x y k : T) : C := not_negative (b + Num 2 * a * x) (Num 2 * a * y) k.
+
+Inductive zero_kind := start | first_root | receding | too_late | no_root.
+(** The polynomial is positive for 0 <= t, or (with [ends]) for 0 <= t <= 1. *)
+Definition stays_positive (ends : C) (c b a : T) (kind : zero_kind) : C :=
+  zero < c /\
+  match kind with
+  | receding => zero <= b
+  | too_late => ends /\ zero < c + b + a /\ Num 2 * a + b <= zero
+  | no_root => b * b < Num 4 * a * c
+  | _ => No
   end.
-Inductive sweep_facts :=
-| start (c b a : A) | first_root (c b a : A) | receding (c b a : A) | too_late (c b a : A) | no_root (c b a : A).
+Definition first_zero_proves (c b a : T) (answer : option (surd A)) (kind : zero_kind) (facts : list A) : C :=
+  same_vector (leaves facts) [c; b; a] /\
+  match answer, kind with
+  | Some (Surd x y k), start => c <= zero /\ zero <= Leaf k /\ is_zero (Leaf x) (Leaf y) (Leaf k)
+  | Some (Surd x y k), first_root =>
+      let x := Leaf x in let y := Leaf y in let k := Leaf k in
+      zero < c /\ zero <= k /\ ~ not_positive x y k /\ not_positive (x - one) y k /\
+      zero_at c b a x y k /\ falls_at b a x y k
+  | None, _ => stays_positive Yes c b a kind
+  | _, _ => No
+  end.
 
 (** [swept_sphere_sphere] *)
 Definition check_swept_sphere_sphere (p : list A) (r : A) (v : list A) (o : list A) (s : A) (w : list A)
-    (answer : swept A) (facts : sweep_facts) : C :=
-  let polynomial c b a :=
-    Leaf c = squared_distance p o - (Leaf r + Leaf s) * (Leaf r + Leaf s) /\
-    Leaf b = Num 2 * products p o v w /\ Leaf a = squared_distance v w in
-  if_so (length p =? 3) /\ if_so (length v =? 3) /\ if_so (length o =? 3) /\ if_so (length w =? 3) /\
-  zero <= Leaf r /\ zero <= Leaf s /\
-  match answer, facts with
-  | first_at (Surd x y k), start c b a =>
-      polynomial c b a /\ Leaf c <= zero /\ zero <= Leaf k /\
-      not_positive (Leaf x) (Leaf y) (Leaf k) /\ not_negative (Leaf x) (Leaf y) (Leaf k)
-  | first_at (Surd x y k), first_root c b a =>
-      let x := Leaf x in let y := Leaf y in let k := Leaf k in
-      let a' := Leaf a in let b' := Leaf b in
-      let f0 := Leaf c + b' * x + a' * (x * x + y * y * k) in let f1 := b' * y + Num 2 * a' * x * y in
-      polynomial c b a /\ zero < Leaf c /\ zero <= k /\
-      ~ not_positive x y k /\ not_positive (x - one) y k /\
-      not_positive f0 f1 k /\ not_negative f0 f1 k /\
-      not_positive (b' + Num 2 * a' * x) (Num 2 * a' * y) k
-  | never, receding c b a => polynomial c b a /\ zero < Leaf c /\ zero <= Leaf b
-  | never, too_late c b a =>
-      polynomial c b a /\ zero < Leaf c /\ zero < Leaf c + Leaf b + Leaf a /\ Num 2 * Leaf a + Leaf b <= zero
-  | never, no_root c b a =>
-      polynomial c b a /\ zero < Leaf c /\ Leaf b * Leaf b < Num 4 * Leaf a * Leaf c
-  | _, _ => No
-  end.
+    (answer : option (surd A)) (kind : zero_kind) (facts : list A) : C :=
+  let gap := difference (leaves p) (leaves o) in let rate := difference (leaves v) (leaves w) in
+  of_length 3 p /\ of_length 3 v /\ of_length 3 o /\ of_length 3 w /\ zero <= Leaf r /\ zero <= Leaf s /\
+  first_zero_proves (inner gap gap - (Leaf r + Leaf s) * (Leaf r + Leaf s)) (Num 2 * inner gap rate) (inner rate rate)
+    answer kind facts.
+
+(** [swept_sphere_plane] *)
+Definition check_swept_sphere_plane (c : list A) (r : A) (v n : list A) (d : A) (answer : option (surd A))
+    (kind : zero_kind) (facts : list A) : C :=
+  let e := height n d c in let rise := inner (leaves n) (leaves v) in
+  of_length 3 c /\ zero <= Leaf r /\ of_length 3 v /\ of_length 3 n /\ not_zero n /\
+  first_zero_proves (e * e - Leaf r * Leaf r * inner (leaves n) (leaves n)) (Num 2 * e * rise) (rise * rise)
+    answer kind facts.
 End checks.
-Arguments sweep_facts : clear implicits.

@@ -214,7 +214,7 @@ Proof.
   intros c r points s w facts weights h. apply decide_means in h. destruct h as (lc & pb & hr & hs & wb & h).
   rewrite of_length_means in lc. assert (lc' := rl_length c). rewrite lc in lc'.
   apply points_mean in pb. apply (weights_mean 3) in wb. rewrite <- mixed_means in wb. simpl in hr, hs.
-  unfold sphere_capsule_spec. do 4 (split; [assumption|]).
+  split; [split; auto|]. do 2 (split; [assumption|]).
   assert (pc : points_of 1 3 (map rl [c])) by (split; [auto | intros p [<- | []]; auto]).
   apply (contact_of_same_sets 3 (capsule (map rl [c]) (Q2R r)) (capsule (map rl points) (Q2R s))); [|tauto|].
   - intros x _. unfold ball. split.
@@ -228,7 +228,7 @@ Theorem capsule_capsule_unique : forall a r b s v w,
 Proof. intros a r b s v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 Theorem sphere_capsule_unique : forall c r b s v w, sphere_capsule_spec c r b s v -> sphere_capsule_spec c r b s w ->
   v = w.
-Proof. intros c r b s v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros c r b s v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 
 (** ** Triangles *)
 Lemma flat_contact_unique : forall F S v w, flat_contact_spec F S v -> flat_contact_spec F S w -> v = w.
@@ -248,7 +248,7 @@ Proof.
   intros c r points w facts weights h. apply decide_means in h. destruct h as (lc & hr & pb & wb & h).
   rewrite of_length_means in lc. assert (lc' := rl_length c). rewrite lc in lc'.
   apply points_mean in pb. apply (weights_mean 3) in wb. rewrite <- mixed_means in wb. simpl in hr.
-  split; [auto|]. split; [auto|]. split; [auto|]. set (y := values (mixed 3 weights points)) in *.
+  split; [split; auto|]. split; [auto|]. set (y := values (mixed 3 weights points)) in *.
   assert (pb' := proj2 pb). assert (ly := hull_length _ _ _ pb' wb).
   unfold gap_proves in h. cbv zeta in h.
   assert (q : value Q2R (inner (difference (leaves c) (mixed 3 weights points)) (difference (leaves c) (mixed 3
@@ -272,7 +272,7 @@ Proof.
 Qed.
 Theorem sphere_triangle_unique : forall c r points v w,
   sphere_triangle_spec c r points v -> sphere_triangle_spec c r points w -> v = w.
-Proof. intros c r points v w (_ & _ & _ & g) (_ & _ & _ & h). apply (flat_contact_unique _ _ _ _ g h). Qed.
+Proof. intros c r points v w (_ & _ & g) (_ & _ & h). apply (flat_contact_unique _ _ _ _ g h). Qed.
 
 Lemma lowest_of_box_means : forall n low high x, length low = length n -> length high = length n ->
   length x = length n ->
@@ -294,8 +294,9 @@ Theorem triangle_aabb_sound : forall points low high w facts,
 Proof.
   intros points low high w facts h. apply decide_means in h. unfold check_triangle_aabb in h. cbv zeta in h.
   destruct h as (pb & ll & lh & v & h). apply points_mean in pb. rewrite of_length_means in ll, lh.
-  unfold triangle_aabb_spec. rewrite !rl_length. split; [auto|]. split; [auto|]. split; [auto|]. split.
-  { intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v. rewrite !coordinate_means in v. auto. }
+  unfold triangle_aabb_spec, proper_box. rewrite !rl_length. split; [auto|]. split.
+  { do 3 (split; [auto|]). intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v.
+    rewrite !coordinate_means in v. auto. }
   assert (pb' := proj2 pb).
   assert (point : forall weights k, value Q2R (nth k (mixed 3 weights points) zero) = nth k (values (mixed 3 weights
     points)) 0).
@@ -342,4 +343,4 @@ Proof.
 Qed.
 Theorem triangle_aabb_unique : forall points low high v w,
   triangle_aabb_spec points low high v -> triangle_aabb_spec points low high w -> v = w.
-Proof. intros points low high v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (flat_contact_unique _ _ _ _ g h). Qed.
+Proof. intros points low high v w (_ & _ & g) (_ & _ & h). apply (flat_contact_unique _ _ _ _ g h). Qed.

@@ -12,7 +12,7 @@ Proof.
   intros c r p w distance radius h. apply decide_means in h. unfold check_implicit_circle in h. simpl in h.
   rewrite !of_length_means, squared_distance_means in h. destruct h as (lc & lp & hr & ed & er & h).
   assert (lc' := rl_length c). assert (lp' := rl_length p). rewrite lc in lc'. rewrite lp in lp'.
-  split; [auto|]. split; [auto|]. split; [auto|].
+  split; [split; auto|]. split; [auto|].
   destruct w; simpl in h; rewrite ed, er in h.
   - apply inside_ball; auto.
   - split; [unfold ball; lra|]. intro i. apply interior_ball in i; auto; lra.
@@ -60,7 +60,7 @@ Proof.
   intros c r n d w facts h. apply decide_means in h. unfold check_sphere_plane in h. cbv zeta in h.
   destruct h as (lc & ln & hr & nz & h). rewrite of_length_means in lc, ln. apply not_zero_means in nz. simpl in hr.
   assert (lc' := rl_length c). assert (ln' := rl_length n). rewrite lc in lc'. rewrite ln in ln'.
-  do 4 (split; [auto|]).
+  split; [split; auto|]. do 2 (split; [auto|]).
   destruct w, facts; simpl in h; try tauto; rewrite of_length_means in h;
     rewrite ?inner_means, ?difference_means, ?leaves_mean, ?squared_distance_means in h;
     assert (lx := rl_length x).
@@ -99,8 +99,9 @@ Proof.
   intros low high n d w facts h. apply decide_means in h. unfold check_aabb_plane in h. cbv zeta in h.
   destruct h as (ll & lh & ln & nz & v & h). rewrite of_length_means in ll, lh, ln. apply not_zero_means in nz.
   assert (ln' := rl_length n). rewrite ln in ln'.
-  unfold aabb_plane_spec. rewrite !rl_length. do 4 (split; [auto|]). split.
-  { intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v. rewrite !coordinate_means in v. auto. }
+  unfold aabb_plane_spec, proper_box. rewrite !rl_length. split; [|do 2 (split; [auto|])].
+  { do 3 (split; [auto|]). intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v.
+    rewrite !coordinate_means in v. auto. }
   assert (low_means : forall x y, length x = 3%nat -> length y = 3%nat -> box (rl low) (rl high) y ->
     means Q2R (on_each 3 (fun k => (coordinate k n <= zero \/ coordinate k x = coordinate k low) /\
                                    (zero <= coordinate k n \/ coordinate k x = coordinate k high))%check) ->
@@ -244,8 +245,10 @@ Proof.
   intros p low high x lower upper h. apply decide_means in h. unfold check_closest_point_on_aabb, as_long in h.
     cbv zeta in h.
   simpl in h. rewrite !if_so_means, !Nat.eqb_eq in h. destruct h as (n & l1 & l2 & lx & _ & _ & v & b & m).
-  apply two_or_three_means in n. exists (length p). rewrite !rl_length. do 5 (split; [auto|]). split.
-  { intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v. rewrite !coordinate_means in v. auto. }
+  apply two_or_three_means in n. exists (length p). unfold proper_box. rewrite !rl_length.
+  split; [|do 2 (split; [auto|])].
+  { do 3 (split; [auto|]). intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v.
+    rewrite !coordinate_means in v. auto. }
   apply box_means in b; auto. split; auto. intros y ly by_.
   apply nearest; rewrite ?rl_length; auto. intros k hk. rewrite on_each_means in m. specialize (m k hk). simpl in m.
   rewrite !coordinate_means in m. assert (bk := by_ k ltac:(lia)).

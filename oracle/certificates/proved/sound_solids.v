@@ -197,7 +197,7 @@ Theorem sphere_sphere_sound : forall c r d s w facts, decide (check_sphere_spher
 Proof.
   intros c r d s w facts h. apply decide_means in h. unfold check_sphere_sphere, as_long in h.
   cbv zeta in h. simpl in h. rewrite !if_so_means, !Nat.eqb_eq in h. destruct h as (n & ld & hr & hs & h).
-  apply two_or_three_means in n. exists (length c). rewrite !rl_length. repeat (split; auto).
+  apply two_or_three_means in n. exists (length c). unfold proper_ball. rewrite !rl_length. repeat (split; auto).
   assert (pos : (0 < length c)%nat) by (destruct n; lia).
   destruct w, facts; simpl in h; try tauto; rewrite ?if_so_means, ?Nat.eqb_eq, ?squared_distance_means in h; simpl.
   - destruct h as [-> far]. intros x lx [a b]. unfold ball in a, b. rewrite sqdist_sym in b.
@@ -238,9 +238,9 @@ Theorem aabb_aabb_sound : forall la ha lb hb w facts, decide (check_aabb_aabb la
 Proof.
   intros la ha lb hb w facts h. apply decide_means in h. unfold check_aabb_aabb, as_long in h.
   cbv zeta in h. simpl in h. rewrite !if_so_means, !Nat.eqb_eq in h. destruct h as (n & e1 & e2 & e3 & va & vb & h).
-  apply two_or_three_means in n. exists (length la). rewrite !rl_length. repeat (split; auto).
-  { rewrite on_each_means in va. specialize (va k H). simpl in va. rewrite !coordinate_means in va. auto. }
-  { rewrite on_each_means in vb. specialize (vb k H). simpl in vb. rewrite !coordinate_means in vb. auto. }
+  apply two_or_three_means in n. exists (length la). unfold proper_box. rewrite !rl_length. repeat (split; auto).
+  { intros k H. rewrite on_each_means in va. specialize (va k H). simpl in va. rewrite !coordinate_means in va. auto. }
+  { intros k H. rewrite on_each_means in vb. specialize (vb k H). simpl in vb. rewrite !coordinate_means in vb. auto. }
   clear va vb n.
   destruct w, facts; simpl in h; try tauto; rewrite ?if_so_means, ?Nat.eqb_eq, ?Nat.ltb_lt, ?coordinate_means in h;
     simpl.
@@ -291,7 +291,8 @@ Theorem sphere_aabb_sound : forall p r l h w facts, decide (check_sphere_aabb p 
 Proof.
   intros p r l h w facts H. apply decide_means in H. unfold check_sphere_aabb, as_long in H.
   cbv zeta in H. simpl in H. rewrite !if_so_means, !Nat.eqb_eq in H. destruct H as (n & e1 & e2 & hr & v & H).
-  apply two_or_three_means in n. exists (length p). rewrite !rl_length. repeat (split; auto).
+  apply two_or_three_means in n. exists (length p). unfold proper_ball, proper_box. rewrite !rl_length.
+  repeat (split; auto).
   { intros k hk. rewrite on_each_means in v. specialize (v k hk). simpl in v. rewrite !coordinate_means in v. auto. }
   assert (pos : (0 < length p)%nat) by (destruct n; lia).
   clear v n.

@@ -18,13 +18,13 @@ Qed.
 
 Theorem implicit_circle_unique : forall c r p v w, implicit_circle_spec c r p v -> implicit_circle_spec c r p w ->
   v = w.
-Proof. intros c r p v w (_ & _ & g) (_ & _ & h). apply (location_unique _ _ _ _ _ g h). Qed.
+Proof. intros c r p v w (_ & g) (_ & h). apply (location_unique _ _ _ _ _ g h). Qed.
 Theorem point_in_kdop_unique : forall l p v w, point_in_kdop_spec l p v -> point_in_kdop_spec l p w -> v = w.
 Proof. intros l p v w (_ & _ & g) (_ & _ & h). apply (location_unique _ _ _ _ _ g h). Qed.
 Theorem sphere_plane_unique : forall c r n d v w, sphere_plane_spec c r n d v -> sphere_plane_spec c r n d w -> v = w.
-Proof. intros c r n d v w (_ & _ & _ & _ & g) (_ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros c r n d v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 Theorem aabb_plane_unique : forall l k n d v w, aabb_plane_spec l k n d v -> aabb_plane_spec l k n d w -> v = w.
-Proof. intros l k n d v w (_ & _ & _ & _ & _ & g) (_ & _ & _ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
+Proof. intros l k n d v w (_ & _ & _ & g) (_ & _ & _ & h). apply (contact_unique _ _ _ _ _ g h). Qed.
 
 Theorem kdop_kdop_unique : forall a b v w, kdop_kdop_spec a b v -> kdop_kdop_spec a b w -> v = w.
 Proof.
@@ -57,7 +57,7 @@ Qed.
 Theorem closest_point_on_aabb_unique : forall p low high x y,
   closest_point_on_aabb_spec p low high x -> closest_point_on_aabb_spec p low high y -> x = y.
 Proof.
-  intros p low high x y (n & _ & lp & _ & _ & lx & _ & bx & nx) (m & _ & lp' & _ & _ & ly & _ & by_ & ny).
+  intros p low high x y (n & _ & lp & lx & bx & nx) (m & _ & lp' & ly & by_ & ny).
   assert (e : m = n) by congruence. rewrite e in *.
   assert (lm : length (middle x y) = n) by (rewrite middle_length; congruence).
   assert (b : box low high (middle x y)).

@@ -22,18 +22,18 @@ Qed.
 Theorem sphere_sphere_unique : forall c r d s v w,
   sphere_sphere_spec c r d s v -> sphere_sphere_spec c r d s w -> v = w.
 Proof.
-  intros c r d s v w (n & _ & l & _ & _ & _ & g) (m & _ & k & _ & _ & _ & h). rewrite l in k; subst m.
+  intros c r d s v w (n & (_ & l & _) & _ & g) (m & (_ & k & _) & _ & h). rewrite l in k; subst m.
   apply (contact_unique n (ball c r) (ball d s)); auto.
 Qed.
 Theorem aabb_aabb_unique : forall la ha lb hb v w,
   aabb_aabb_spec la ha lb hb v -> aabb_aabb_spec la ha lb hb w -> v = w.
 Proof.
-  intros la ha lb hb v w (n & _ & l & _ & _ & _ & _ & g) (m & _ & k & _ & _ & _ & _ & h). rewrite l in k; subst m.
+  intros la ha lb hb v w (n & (_ & l & _) & _ & g) (m & (_ & k & _) & _ & h). rewrite l in k; subst m.
   apply (contact_unique n (box la ha) (box lb hb)); auto.
 Qed.
 Theorem sphere_aabb_unique : forall c r l h v w,
   sphere_aabb_spec c r l h v -> sphere_aabb_spec c r l h w -> v = w.
 Proof.
-  intros c r l h v w (n & _ & e & _ & _ & _ & _ & g) (m & _ & k & _ & _ & _ & _ & i). rewrite e in k; subst m.
+  intros c r l h v w (n & (_ & e & _) & _ & g) (m & (_ & k & _) & _ & i). rewrite e in k; subst m.
   apply (contact_unique n (ball c r) (box l h)); auto.
 Qed.

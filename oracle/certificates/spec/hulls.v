@@ -1,15 +1,14 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of segments and triangles, and of nearest points. *)
-Require Import Reals List.
-From Certificates Require Import solids.
-Open Scope R_scope.
+Require Import Reals List. From Certificates Require Import solids motion. Open Scope R_scope.
 
 (** The sum of multiples of points of n dimensions, and all that is between the points: a segment, a triangle *)
 Fixpoint combined (n : nat) (w : list R) (points : list (list R)) : list R :=
   match w, points with a :: w', p :: points' => plus (times a p) (combined n w' points') | _, _ => repeat 0 n end.
-Definition hull (n : nat) (points : list (list R)) (x : list R) : Prop :=
-  exists w, length w = length points /\ (forall a, In a w -> 0 <= a) /\ fold_right Rplus 0 w = 1 /\
+Definition mixture (weight : R -> Prop) (n : nat) (points : list (list R)) (x : list R) : Prop :=
+  exists w, length w = length points /\ (forall a, In a w -> weight a) /\ fold_right Rplus 0 w = 1 /\
   x = combined n w points.
+Definition hull : nat -> list (list R) -> list R -> Prop := mixture (Rle 0).
 Definition points_of (count n : nat) (points : list (list R)) : Prop :=
   length points = count /\ forall p, In p points -> length p = n.
 
@@ -28,12 +27,10 @@ Definition segment_segment_distance_spec (a b : list (list R)) (x y : list R) (s
   (forall x' y', hull n a x' -> hull n b y' -> sqdist x y <= sqdist x' y' /\
      (sqdist x' y' = sqdist x y -> sqdist (hd nil a) x <= sqdist (hd nil a) x')) /\
   distance_spec x y square distance.
-
 (** A capsule is all that is no farther than r from a segment. *)
-Definition capsule (points : list (list R)) (r : R) (x : list R) : Prop := exists y, hull 3 points y /\
-  sqdist y x <= r * r.
+Definition capsule points (r : R) x : Prop := exists y, hull 3 points y /\ sqdist y x <= r * r.
 Definition sphere_capsule_spec c (r : R) points (s : R) (w : contact) : Prop :=
-  length c = 3%nat /\ points_of 2 3 points /\ 0 <= r /\ 0 <= s /\ contact_spec 3 (ball c r) (capsule points s) w.
+  proper_ball 3 c r /\ points_of 2 3 points /\ 0 <= s /\ contact_spec 3 (ball c r) (capsule points s) w.
 Definition capsule_capsule_spec a (r : R) b (s : R) (w : contact) : Prop :=
   points_of 2 3 a /\ points_of 2 3 b /\ 0 <= r /\ 0 <= s /\ contact_spec 3 (capsule a r) (capsule b s) w.
 (** A triangle F has no interior: it overlaps a solid S where it has a point inside of it. *)
@@ -44,12 +41,9 @@ Definition flat_contact_spec (F S : list R -> Prop) (w : contact) : Prop :=
   | overlapping => exists x, F x /\ interior 3 S x
   end.
 Definition sphere_triangle_spec c (r : R) points (w : contact) : Prop :=
-  length c = 3%nat /\ 0 <= r /\ points_of 3 3 points /\ flat_contact_spec (hull 3 points) (ball c r) w.
+  proper_ball 3 c r /\ points_of 3 3 points /\ flat_contact_spec (hull 3 points) (ball c r) w.
 Definition triangle_aabb_spec points low high (w : contact) : Prop :=
-  points_of 3 3 points /\ length low = 3%nat /\ length high = 3%nat /\
-    (forall k, (k < 3)%nat -> nth k low 0 <= nth k high 0) /\
-  flat_contact_spec (hull 3 points) (box low high) w.
-
+  points_of 3 3 points /\ proper_box 3 low high /\ flat_contact_spec (hull 3 points) (box low high) w.
 (** An oriented box is all center + u h + v i + w j with -1 <= u, v, w <= 1, the half axes h, i, j being independent. *)
 Definition obb (center : list R) (axes : list (list R)) (x : list R) : Prop :=
   exists u, length u = 3%nat /\ (forall a, In a u -> -1 <= a <= 1) /\ x = plus center (combined 3 u axes).

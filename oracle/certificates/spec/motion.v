@@ -1,24 +1,42 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(** What the answers claim of shapes that move along straight lines: when they first have a common point. *)
-Require Import Reals List.
-From Certificates Require Import solids.
-Open Scope R_scope.
+(** What the answers claim of rays and segments through solids, and of shapes that move along straight lines. *)
+Require Import Reals List. From Certificates Require Import solids. Open Scope R_scope.
 
-(** [swept_sphere_sphere]: two balls that move, c + t v with radius r and d + t w with radius s, for 0 <= t <= 1; the
-    first time, p + q sqrt(k), at which they have a common point *)
-Inductive surd (A : Type) := Surd (p q k : A).
-Arguments Surd {A}.
+(** A time that is written with a root is p + q sqrt(k). *)
+Inductive surd (A : Type) := Surd (p q k : A). Arguments Surd {A}.
 Definition surd_value (t : surd R) : R := let '(Surd p q k) := t in p + q * sqrt k.
-Fixpoint moved (c v : list R) (t : R) : list R :=
-  match c, v with a :: c', b :: v' => a + t * b :: moved c' v' t | _, _ => nil end.
-Definition meet (c : list R) (r : R) (v d : list R) (s : R) (w : list R) (t : R) : Prop :=
-  exists x, length x = 3%nat /\ ball (moved c v t) r x /\ ball (moved d w t) s x.
-Inductive swept (A : Type) := first_at (t : surd A) | never.
-Arguments first_at {A}. Arguments never {A}.
-Definition swept_sphere_sphere_spec c r v d s w (answer : swept R) : Prop :=
-  length c = 3%nat /\ length v = 3%nat /\ length d = 3%nat /\ length w = 3%nat /\ 0 <= r /\ 0 <= s /\
-  match answer with
-  | first_at t => let t := surd_value t in
-      0 <= t <= 1 /\ meet c r v d s w t /\ forall u, 0 <= u < t -> ~ meet c r v d s w u
-  | never => forall u, 0 <= u <= 1 -> ~ meet c r v d s w u
+
+(** * When a ray or a segment is in a set; one of length 0 is there at the time 0 alone. *)
+Definition ray_in (S : list R -> Prop) start way (t : R) : Prop := 0 <= t /\ S (at_time start way t).
+Definition segment_in (S : list R -> Prop) a b (t : R) : Prop :=
+  0 <= t <= 1 /\ (a = b -> t = 0) /\ S (at_time a (minus b a) t).
+(** That is so from the first such time to the last, if there are any. *)
+Definition passage_spec (inside : R -> Prop) (w : option (R * R)) : Prop :=
+  match w with
+  | Some (first, last) => first <= last /\ forall t, inside t <-> first <= t <= last
+  | None => forall t, ~ inside t
   end.
+Definition ray_aabb_spec o d low high w : Prop := proper_box (length o) low high /\
+  length d = length o /\ nonzero d /\ passage_spec (ray_in (box low high) o d) w.
+Definition segment_aabb_spec a b low high w : Prop := proper_box (length a) low high /\
+  length b = length a /\ passage_spec (segment_in (box low high) a b) w.
+Definition ray_sphere_spec o d c r w : Prop := proper_ball (length o) c r /\
+  length d = length o /\ nonzero d /\ passage_spec (ray_in (ball c r) o d) w.
+Definition segment_sphere_spec a b c r w : Prop := proper_ball (length a) c r /\
+  length b = length a /\ passage_spec (segment_in (ball c r) a b) w.
+
+(** * The first time in [0, 1] at which shapes that move have a common point, if there is one *)
+Definition first_time_spec (meet : R -> Prop) (w : option R) : Prop :=
+  match w with
+  | Some t => 0 <= t <= 1 /\ meet t /\ forall u, 0 <= u < t -> ~ meet u
+  | None => forall u, 0 <= u <= 1 -> ~ meet u
+  end.
+Definition swept_sphere_sphere_spec c r v d s w t : Prop :=
+  proper_ball 3 c r /\ proper_ball 3 d s /\ length v = 3%nat /\ length w = 3%nat /\
+  first_time_spec (fun t => exists x, length x = 3%nat /\ ball (at_time c v t) r x /\ ball (at_time d w t) s x) t.
+Definition swept_sphere_plane_spec c r v normal offset t : Prop :=
+  proper_ball 3 c r /\ length v = 3%nat /\ length normal = 3%nat /\ nonzero normal /\
+  first_time_spec (fun t => exists x, length x = 3%nat /\ ball (at_time c v t) r x /\ dot normal x + offset = 0) t.
+(** The first box moves. *)
+Definition swept_aabb_aabb_spec la ha lb hb v t : Prop := proper_box (length v) la ha /\ proper_box (length v) lb hb /\
+  first_time_spec (fun t => exists x, length x = length v /\ box la ha x /\ box lb hb (at_time x v t)) t.

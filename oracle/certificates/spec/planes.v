@@ -1,8 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of points over lines and planes, and of rays and segments that meet planes. *)
-Require Import Reals List.
-From Certificates Require Import solids.
-Open Scope R_scope.
+Require Import Reals List. From Certificates Require Import solids. Open Scope R_scope.
 
 (** A height compared with that of the ground: y = slope x + intercept for [explicit_line], y = 0 for
     [point_ground_plane] *)
@@ -13,7 +11,6 @@ Definition explicit_line_spec (slope intercept : R) (p : R * R) (w : elevation) 
   elevation_spec (snd p) (slope * fst p + intercept) w.
 Definition point_ground_plane_spec (p : list R) (w : elevation) : Prop :=
   length p = 3%nat /\ elevation_spec (nth 1 p 0) 0 w.
-
 (** [point_plane]: the point is its foot on the plane and from there the signed distance along the normal, which is
     taken for a vector of length 1. *)
 Inductive plane_side := front | on_plane | back.
@@ -23,8 +20,7 @@ Definition point_plane_spec (normal : list R) (offset : R) (p : list R) (w : pla
      p = plus foot (times (distance / sqrt (dot normal normal)) normal)) /\
   match w with front => 0 < distance | on_plane => distance = 0 | back => distance < 0 end.
 
-(** * Courses: the points start + t way with 0 <= t (a ray), and t <= 1 (a segment) *)
-Definition at_time (start way : list R) (t : R) : list R := plus start (times t way).
+(** * The times of a ray, and of a segment *)
 Definition of_ray (t : R) : Prop := 0 <= t.
 Definition of_segment (t : R) : Prop := 0 <= t <= 1.
 

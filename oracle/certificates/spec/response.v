@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of bodies: momentum, energy, and velocities after a collision. *)
-Require Import Reals List.
-Open Scope R_scope.
+Require Import Reals List. Open Scope R_scope.
 
 Definition vec3 (A : Type) : Type := A * A * A.
 Definition add3 (p q : vec3 R) : vec3 R := let '(a, b, c) := p in let '(x, y, z) := q in (a + x, b + y, c + z).
@@ -10,27 +9,22 @@ Definition minus3 (p q : vec3 R) : vec3 R := add3 p (times3 (-1) q).
 Definition dot3 (p q : vec3 R) : R := let '(a, b, c) := p in let '(x, y, z) := q in a * x + b * y + c * z.
 Definition cross3 (p q : vec3 R) : vec3 R :=
   let '(a, b, c) := p in let '(x, y, z) := q in (b * z - c * y, c * x - a * z, a * y - b * x).
-
 (** The velocity v is u + w with u along the normal and w across it; what is along it is reversed and damped. *)
 Definition damped_reflection_spec (v n : vec3 R) (k : R) (after : vec3 R) : Prop :=
   n <> (0, 0, 0) /\
   exists s w, v = add3 (times3 s n) w /\ dot3 w n = 0 /\ after = minus3 w (times3 (k * s) n).
 Definition reflect_plane_spec (v n after : vec3 R) : Prop := damped_reflection_spec v n 1 after.
-
 (** Bodies are pairs (mass, velocity). *)
 Definition total_momentum (bodies : list (R * vec3 R)) : vec3 R :=
   fold_right (fun body sum => add3 (times3 (fst body) (snd body)) sum) (0, 0, 0) bodies.
 Definition total_energy (bodies : list (R * vec3 R)) : R :=
   fold_right (fun body sum => fst body * dot3 (snd body) (snd body) / 2 + sum) 0 bodies.
 Definition have_mass (bodies : list (R * vec3 R)) : Prop := forall body, In body bodies -> 0 < fst body.
-Definition momentum_spec (bodies : list (R * vec3 R)) (p : vec3 R) : Prop := have_mass bodies /\
-  p = total_momentum bodies.
-Definition kinetic_energy_spec (bodies : list (R * vec3 R)) (e : R) : Prop := have_mass bodies /\
-  e = total_energy bodies.
+Definition momentum_spec bodies (p : vec3 R) : Prop := have_mass bodies /\ p = total_momentum bodies.
+Definition kinetic_energy_spec bodies (e : R) : Prop := have_mass bodies /\ e = total_energy bodies.
 (** Two bodies that stick together keep their momentum. *)
 Definition inelastic_collision_spec (a b : R * vec3 R) (v : vec3 R) : Prop :=
   have_mass (a :: b :: nil) /\ total_momentum (a :: b :: nil) = times3 (fst a + fst b) v.
-
 (** A moving body is (position, velocity, angular velocity). The normal leads from b to a. *)
 Definition velocity_at (body : vec3 R * vec3 R * vec3 R) (p : vec3 R) : vec3 R :=
   let '(position, v, turn) := body in add3 v (cross3 turn (minus3 p position)).
@@ -39,13 +33,11 @@ Definition contact_state_spec (a b : vec3 R * vec3 R * vec3 R) (p n : vec3 R) (w
   n <> (0, 0, 0) /\
   let rate := dot3 n (minus3 (velocity_at a p) (velocity_at b p)) in
   match w with separating => 0 < rate | resting => rate = 0 | colliding => rate < 0 end.
-
 (** [reflect_wall]: what is along the axis is reversed. *)
 Inductive axis := along_x | along_y | along_z.
 Definition reflect_wall_spec (v : vec3 R) (w : axis) (after : vec3 R) : Prop :=
   let '(x, y, z) := v in
   after = match w with along_x => (- x, y, z) | along_y => (x, - y, z) | along_z => (x, y, - z) end.
-
 (** Two bodies push each other along the normal, and along it part e times as fast as they met. *)
 Definition restitution_collision_spec (a b : R * vec3 R) (n : vec3 R) (e : R) (v w : vec3 R) : Prop :=
   let before := a :: b :: nil in let after := (fst a, v) :: (fst b, w) :: nil in
@@ -55,7 +47,6 @@ Definition restitution_collision_spec (a b : R * vec3 R) (n : vec3 R) (e : R) (v
 Definition elastic_collision_spec (a b : R * vec3 R) (n v w : vec3 R) : Prop :=
   restitution_collision_spec a b n 1 v w /\
   total_energy ((fst a, v) :: (fst b, w) :: nil) = total_energy (a :: b :: nil).
-
 (** [penalty_force]: behind the plane n . x + d = 0 a spring pulls to the nearest point of it, and a damper holds back
     what of the velocity is along the normal. *)
 Definition penalty_force_spec (p v n : vec3 R) (d stiffness damping : R) (force : vec3 R) : Prop :=
@@ -63,7 +54,6 @@ Definition penalty_force_spec (p v n : vec3 R) (d stiffness damping : R) (force 
   (0 <= dot3 n p + d -> force = (0, 0, 0)) /\
   (dot3 n p + d < 0 -> exists t s w, dot3 n (add3 p (times3 t n)) + d = 0 /\ v = add3 (times3 s n) w /\ dot3 w n = 0 /\
      force = minus3 (times3 stiffness (times3 t n)) (times3 damping (times3 s n))).
-
 (** [rigid_body_collision]: a body is ((mass, inertia), (position, velocity, angular velocity)); it is pushed at the
     point p, the other by the opposite push. The points of both at p part e times as fast as they met. *)
 Definition rigid_body : Type := (R * vec3 (vec3 R)) * (vec3 R * vec3 R * vec3 R).

@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of solids: whether two have a common point, and whether one is inside both. *)
-Require Import Reals List.
-Open Scope R_scope.
+Require Import Reals List. Open Scope R_scope.
 
 (** * Space of n dimensions: lists of n real numbers *)
 Fixpoint sqdist (x y : list R) : R :=
@@ -30,25 +29,19 @@ Definition location_spec (n : nat) (S : list R -> Prop) (x : list R) (w : locati
 Definition ball (c : list R) (r : R) (x : list R) : Prop := sqdist c x <= r * r.
 Definition box (low high x : list R) : Prop :=
   forall k, (k < length x)%nat -> nth k low 0 <= nth k x 0 <= nth k high 0.
-
-(** Discs for n = 2, balls for n = 3 *)
+(** Discs and rectangles for n = 2, balls and boxes for n = 3 *)
+Definition proper_ball (n : nat) (c : list R) (r : R) : Prop := (n = 2 \/ n = 3)%nat /\ length c = n /\ 0 <= r.
+Definition proper_box (n : nat) (low high : list R) : Prop := (n = 2 \/ n = 3)%nat /\ length low = n /\
+  length high = n /\ forall k, (k < n)%nat -> nth k low 0 <= nth k high 0.
 Definition sphere_sphere_spec (c : list R) (r : R) (d : list R) (s : R) (w : contact) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length c = n /\ length d = n /\ 0 <= r /\ 0 <= s /\
-  contact_spec n (ball c r) (ball d s) w.
-(** Rectangles for n = 2, boxes for n = 3 *)
+  exists n, proper_ball n c r /\ proper_ball n d s /\ contact_spec n (ball c r) (ball d s) w.
 Definition aabb_aabb_spec (la ha lb hb : list R) (w : contact) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length la = n /\ length ha = n /\ length lb = n /\ length hb = n /\
-  (forall k, (k < n)%nat -> nth k la 0 <= nth k ha 0 /\ nth k lb 0 <= nth k hb 0) /\
-  contact_spec n (box la ha) (box lb hb) w.
-(** A disc and a rectangle for n = 2, a ball and a box for n = 3 *)
+  exists n, proper_box n la ha /\ proper_box n lb hb /\ contact_spec n (box la ha) (box lb hb) w.
 Definition sphere_aabb_spec (c : list R) (r : R) (l h : list R) (w : contact) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length c = n /\ length l = n /\ length h = n /\ 0 <= r /\
-  (forall k, (k < n)%nat -> nth k l 0 <= nth k h 0) /\
-  contact_spec n (ball c r) (box l h) w.
-
+  exists n, proper_ball n c r /\ proper_box n l h /\ contact_spec n (ball c r) (box l h) w.
 (** [implicit_circle]: a point and a disc *)
 Definition implicit_circle_spec (c : list R) (r : R) (p : list R) (w : location) : Prop :=
-  length c = 2%nat /\ 0 <= r /\ location_spec 2 (ball c r) p w.
+  proper_ball 2 c r /\ location_spec 2 (ball c r) p w.
 
 (** * Half-spaces and slabs of space *)
 Fixpoint dot (x y : list R) : R := match x, y with a :: x', b :: y' => a * b + dot x' y' | _, _ => 0 end.
@@ -57,13 +50,11 @@ Definition nonzero (x : list R) : Prop := exists a, In a x /\ a <> 0.
 Definition half_space (normal : list R) (offset : R) (x : list R) : Prop := dot normal x + offset <= 0.
 
 Definition sphere_plane_spec (c : list R) (r : R) (normal : list R) (offset : R) (w : contact) : Prop :=
-  length c = 3%nat /\ length normal = 3%nat /\ 0 <= r /\ nonzero normal /\
+  proper_ball 3 c r /\ length normal = 3%nat /\ nonzero normal /\
   contact_spec 3 (ball c r) (half_space normal offset) w.
 Definition aabb_plane_spec (low high normal : list R) (offset : R) (w : contact) : Prop :=
-  length low = 3%nat /\ length high = 3%nat /\ length normal = 3%nat /\ nonzero normal /\
-  (forall k, (k < 3)%nat -> nth k low 0 <= nth k high 0) /\
+  proper_box 3 low high /\ length normal = 3%nat /\ nonzero normal /\
   contact_spec 3 (box low high) (half_space normal offset) w.
-
 (** A slab (normal, (low, high)), and the solid that several have in common, a k-DOP *)
 Definition slab (A : Type) : Type := list A * (A * A).
 Definition in_slab (s : slab R) (x : list R) : Prop := let '(n, (low, high)) := s in low <= dot n x <= high.
@@ -72,7 +63,6 @@ Definition proper_slab (s : slab R) : Prop :=
   let '(n, (low, high)) := s in length n = 3%nat /\ nonzero n /\ low <= high.
 Definition point_in_kdop_spec (slabs : list (slab R)) (p : list R) (w : location) : Prop :=
   slabs <> nil /\ (forall s, In s slabs -> proper_slab s) /\ location_spec 3 (kdop slabs) p w.
-
 (** [kdop_kdop] compares the slabs of each normal as intervals, and no more: [touching] where some pair of them has one
     number in common alone. *)
 Definition shared (s t : slab R) (v : R) : Prop :=
@@ -92,13 +82,12 @@ Definition kdop_kdop_spec (a b : list (slab R)) (w : contact) : Prop :=
 Fixpoint plus (x y : list R) : list R := match x, y with a :: x', b :: y' => a + b :: plus x' y' | _, _ => nil end.
 Fixpoint minus (x y : list R) : list R := match x, y with a :: x', b :: y' => a - b :: minus x' y' | _, _ => nil end.
 Definition times (t : R) (x : list R) : list R := map (Rmult t) x.
-
+(** The place at the time t of what starts there and moves by [way] in a unit of time *)
+Definition at_time (start way : list R) (t : R) : list R := plus start (times t way).
 (** [closest_point_on_aabb], of the plane and of space *)
 Definition closest_point_on_aabb_spec (p low high x : list R) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ length p = n /\ length low = n /\ length high = n /\ length x = n /\
-  (forall k, (k < n)%nat -> nth k low 0 <= nth k high 0) /\ box low high x /\
+  exists n, proper_box n low high /\ length p = n /\ length x = n /\ box low high x /\
   forall y, length y = n -> box low high y -> sqdist p x <= sqdist p y.
-
 (** The least interval, box or slabs around points *)
 Definition least_interval (values : list R) (low high : R) : Prop :=
   In low values /\ In high values /\ forall v, In v values -> low <= v <= high.
