@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of segments and triangles, and of nearest points. *)
 Require Import Reals List. From Certificates Require Import solids motion. Open Scope R_scope.
-
 (** The sum of multiples of points of n dimensions, and all that is between the points: a segment, a triangle *)
 Fixpoint combined (n : nat) (w : list R) (points : list (list R)) : list R :=
   match w, points with a :: w', p :: points' => plus (times a p) (combined n w' points') | _, _ => repeat 0 n end.
@@ -11,7 +10,6 @@ Definition mixture (weight : R -> Prop) (n : nat) (points : list (list R)) (x : 
 Definition hull : nat -> list (list R) -> list R -> Prop := mixture (Rle 0).
 Definition points_of (count n : nat) (points : list (list R)) : Prop :=
   length points = count /\ forall p, In p points -> length p = n.
-
 Definition distance_spec (x y : list R) (square distance : R) : Prop :=
   square = sqdist x y /\ 0 <= distance /\ distance * distance = square.
 Definition closest_point_spec n points (p x : list R) (square distance : R) : Prop :=
@@ -51,6 +49,40 @@ Definition right_obb (center : list R) (axes : list (list R)) : Prop :=
   length center = 3%nat /\ points_of 3 3 axes /\ forall u, length u = 3%nat -> nonzero u -> nonzero (combined 3 u axes).
 Definition point_in_obb_spec center axes p (w : location) : Prop :=
   right_obb center axes /\ location_spec 3 (obb center axes) p w.
-Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop :=
-  right_obb center_a axes_a /\ right_obb center_b axes_b /\
-  contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
+Definition obb_obb_spec center_a axes_a center_b axes_b (w : contact) : Prop := right_obb center_a axes_a /\
+  right_obb center_b axes_b /\ contact_spec 3 (obb center_a axes_a) (obb center_b axes_b) w.
+
+(** * What a segment, a ray or a triangle has in common with a triangle *)
+Inductive common (A : Type) := no_point | common_point (t : A) (p : list A) | common_segment (p q : list A).
+Arguments no_point {A}. Arguments common_point {A}. Arguments common_segment {A}.
+Definition segment_triangle_spec a b points (w : common R) : Prop :=
+  length a = 3%nat /\ length b = 3%nat /\ points_of 3 3 points /\
+  let passage := passage_spec (segment_in (hull 3 points) a b) in let at_t := at_time a (minus b a) in
+  match w with
+  | no_point => passage None
+  | common_point t p => passage (Some (t, t)) /\ p = at_t t
+  | common_segment p q => exists s t, s < t /\ passage (Some (s, t)) /\ p = at_t s /\ q = at_t t
+  end.
+Definition on_one_line (S : list R -> Prop) : Prop := exists x v, forall y, S y -> exists t, y = at_time x v t.
+(** Of one common point it is told whether it is within a triangle that has an area; of more, only the first is told. *)
+Inductive ray_common (A : Type) :=
+  ray_misses | ray_hits (t : A) (p : list A) (within : bool) | ray_enters (t : A) (p : list A).
+Arguments ray_misses {A}. Arguments ray_hits {A}. Arguments ray_enters {A}.
+Definition ray_triangle_spec o d points (w : ray_common R) : Prop :=
+  length o = 3%nat /\ length d = 3%nat /\ nonzero d /\ points_of 3 3 points /\
+  let meets := ray_in (hull 3 points) o d in
+  match w with
+  | ray_misses => forall t, ~ meets t
+  | ray_hits t p within => (forall u, meets u <-> u = t) /\ p = at_time o d t /\
+      (within = true <-> ~ on_one_line (hull 3 points) /\ mixture (Rlt 0) 3 points p)
+  | ray_enters t p => meets t /\ p = at_time o d t /\ (forall u, meets u -> t <= u) /\ exists u, t < u /\ meets u
+  end.
+Inductive dimension := common_none | common_one | common_line | common_area.
+Definition triangle_triangle_spec a b (w : dimension) : Prop := points_of 3 3 a /\ points_of 3 3 b /\
+  let both x := hull 3 a x /\ hull 3 b x in
+  match w with
+  | common_none => forall x, ~ both x
+  | common_one => exists x, forall y, both y <-> y = x
+  | common_line => on_one_line both /\ exists x y, both x /\ both y /\ x <> y
+  | common_area => ~ on_one_line both
+  end.

@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of rays and segments through solids, and of shapes that move along straight lines. *)
 Require Import Reals List. From Certificates Require Import solids. Open Scope R_scope.
-
 (** A time that is written with a root is p + q sqrt(k). *)
 Inductive surd (A : Type) := Surd (p q k : A). Arguments Surd {A}.
 Definition surd_value (t : surd R) : R := let '(Surd p q k) := t in p + q * sqrt k.

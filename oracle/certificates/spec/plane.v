@@ -3,10 +3,8 @@
     sets and distances of the real plane and real space, and of nothing else: no rational number, certificate or
     algorithm occurs in them. They are all that has to be read to know what is proved. Shapes are closed sets. *)
 Require Import Reals List. Open Scope R_scope.
-
 Definition vec2 (A : Type) : Type := A * A.
 Definition seg2 (A : Type) : Type := vec2 A * vec2 A.
-
 Definition along (s : seg2 R) (t : R) : vec2 R :=
   let '((ax, ay), (bx, by_)) := s in (ax + t * (bx - ax), ay + t * (by_ - ay)).
 Definition on_segment (s : seg2 R) (p : vec2 R) : Prop := exists t, 0 <= t <= 1 /\ p = along s t.

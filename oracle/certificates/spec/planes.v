@@ -1,16 +1,14 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of points over lines and planes, and of rays and segments that meet planes. *)
 Require Import Reals List. From Certificates Require Import solids. Open Scope R_scope.
-
 (** A height compared with that of the ground: y = slope x + intercept for [explicit_line], y = 0 for
     [point_ground_plane] *)
 Inductive elevation := above | level_with | below.
 Definition elevation_spec (y ground : R) (w : elevation) : Prop :=
   match w with above => ground < y | level_with => y = ground | below => y < ground end.
-Definition explicit_line_spec (slope intercept : R) (p : R * R) (w : elevation) : Prop :=
+Definition explicit_line_spec slope intercept (p : R * R) w : Prop :=
   elevation_spec (snd p) (slope * fst p + intercept) w.
-Definition point_ground_plane_spec (p : list R) (w : elevation) : Prop :=
-  length p = 3%nat /\ elevation_spec (nth 1 p 0) 0 w.
+Definition point_ground_plane_spec p w : Prop := length p = 3%nat /\ elevation_spec (nth 1 p 0) 0 w.
 (** [point_plane]: the point is its foot on the plane and from there the signed distance along the normal, which is
     taken for a vector of length 1. *)
 Inductive plane_side := front | on_plane | back.
@@ -23,7 +21,6 @@ Definition point_plane_spec (normal : list R) (offset : R) (p : list R) (w : pla
 (** * The times of a ray, and of a segment *)
 Definition of_ray (t : R) : Prop := 0 <= t.
 Definition of_segment (t : R) : Prop := 0 <= t <= 1.
-
 Inductive line_plane (A : Type) := misses_plane | crosses_plane (t : A) (p : list A) | inside_plane.
 Arguments misses_plane {A}. Arguments crosses_plane {A}. Arguments inside_plane {A}.
 Definition line_plane_spec (times : R -> Prop) start way normal (offset : R) (w : line_plane R) : Prop :=

@@ -1,7 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of bodies: momentum, energy, and velocities after a collision. *)
 Require Import Reals List. Open Scope R_scope.
-
 Definition vec3 (A : Type) : Type := A * A * A.
 Definition add3 (p q : vec3 R) : vec3 R := let '(a, b, c) := p in let '(x, y, z) := q in (a + x, b + y, c + z).
 Definition times3 (t : R) (p : vec3 R) : vec3 R := let '(a, b, c) := p in (t * a, t * b, t * c).

@@ -1,14 +1,12 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of solids: whether two have a common point, and whether one is inside both. *)
 Require Import Reals List. Open Scope R_scope.
-
 (** * Space of n dimensions: lists of n real numbers *)
 Fixpoint sqdist (x y : list R) : R :=
   match x, y with a :: x', b :: y' => (a - b) * (a - b) + sqdist x' y' | _, _ => 0 end.
 (** A set holds all points around x that are nearer than some e > 0. *)
 Definition interior (n : nat) (S : list R -> Prop) (x : list R) : Prop :=
   length x = n /\ exists e, 0 < e /\ forall y, length y = n -> sqdist x y < e * e -> S y.
-
 Inductive contact := disjoint | touching | overlapping.
 Definition contact_spec (n : nat) (S T : list R -> Prop) (w : contact) : Prop :=
   match w with
@@ -25,7 +23,6 @@ Definition location_spec (n : nat) (S : list R -> Prop) (x : list R) (w : locati
   | boundary => S x /\ ~ interior n S x
   | outside => ~ S x
   end.
-
 Definition ball (c : list R) (r : R) (x : list R) : Prop := sqdist c x <= r * r.
 Definition box (low high x : list R) : Prop :=
   forall k, (k < length x)%nat -> nth k low 0 <= nth k x 0 <= nth k high 0.
@@ -39,16 +36,13 @@ Definition aabb_aabb_spec (la ha lb hb : list R) (w : contact) : Prop :=
   exists n, proper_box n la ha /\ proper_box n lb hb /\ contact_spec n (box la ha) (box lb hb) w.
 Definition sphere_aabb_spec (c : list R) (r : R) (l h : list R) (w : contact) : Prop :=
   exists n, proper_ball n c r /\ proper_box n l h /\ contact_spec n (ball c r) (box l h) w.
-(** [implicit_circle]: a point and a disc *)
-Definition implicit_circle_spec (c : list R) (r : R) (p : list R) (w : location) : Prop :=
-  proper_ball 2 c r /\ location_spec 2 (ball c r) p w.
+Definition implicit_circle_spec c r p (w : location) : Prop := proper_ball 2 c r /\ location_spec 2 (ball c r) p w.
 
 (** * Half-spaces and slabs of space *)
 Fixpoint dot (x y : list R) : R := match x, y with a :: x', b :: y' => a * b + dot x' y' | _, _ => 0 end.
 Definition nonzero (x : list R) : Prop := exists a, In a x /\ a <> 0.
 (** The plane normal . x + offset = 0 and what is behind it, where the normal does not point *)
 Definition half_space (normal : list R) (offset : R) (x : list R) : Prop := dot normal x + offset <= 0.
-
 Definition sphere_plane_spec (c : list R) (r : R) (normal : list R) (offset : R) (w : contact) : Prop :=
   proper_ball 3 c r /\ length normal = 3%nat /\ nonzero normal /\
   contact_spec 3 (ball c r) (half_space normal offset) w.
