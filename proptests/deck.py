@@ -19,6 +19,8 @@ INTRODUCTION = """# The deck, page by page
 What of the lecture deck *Collision handling: detection and response* is here: for each page the operations whose formulas it has
 ([operations.md](operations.md)), and scenes that show it at work (`touchstone simulate`, [simulate.md](simulate.md)). Pages that follow one
 another with the same entries share a line; a line without entries is a page that asks no question of its own, or one that nothing answers yet.
+Pictures: the report of `./dev audit` lists operations in the deck's order too, each with a right case and its failures drawn. A scene plays after
+`touchstone simulate FILE --page runs.html` in any browser.
 This page is written by `proptests/deck.py --program build/release/touchstone --write`; do not edit it.
 
 | p. | operations | scenes |

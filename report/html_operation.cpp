@@ -107,7 +107,8 @@ std::string findings(const Tally& tally, const OperationTally& here, const Opera
   const Cell total = here.total();
   return total.count(Verdict::unsupported) == total.cases() && total.cases() > 0
              ? "<p>The engine does not answer this operation.</p>"
-             : "<p>Nothing was found.</p>";
+         : total.surplus > 0 ? "<p>Nothing is missing; what is listed beyond the truth is counted above.</p>"
+                             : "<p>Nothing was found.</p>";
 }
 
 std::string by_family(const OperationTally& tally) {

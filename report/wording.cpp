@@ -78,8 +78,8 @@ std::string why_algorithm(const Finding& finding, const Operation* operation, Sp
          ": the method is the presumed cause. The engine's own formula was not seen.";
 }
 
-std::string why_rounding(const Judgement& judgement, Speaker speaker) {
-  if (judgement.number) {
+std::string why_rounding(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
+  if (finding.judgement.number) {
     return speaker == Speaker::reference
                ? "The textbook formula is right in exact arithmetic: rounding its intermediate results spoils the "
                  "number."
@@ -92,9 +92,11 @@ std::string why_rounding(const Judgement& judgement, Speaker speaker) {
            "results "
            "changed the decision.";
   }
-  return "The textbook formula, evaluated in the engine's own number type, rounds and is wrong on this input too, or "
-         "the input is beside a touch by less than its last places: rounding is the presumed cause. The engine's own "
-         "formula was not seen.";
+  const auto right = formula_is_right(finding, operation, binary32);
+  return std::string("The textbook formula, evaluated in the engine's own number type, ") +
+         (right && *right ? "is right here, but the input is beside a touch by less than its last places"
+                          : "rounds and is wrong on this input too") +
+         ": rounding is the presumed cause. The engine's own formula was not seen.";
 }
 
 /// What is wrong with the answer, as a sentence before others: a number, or what a checker says.
@@ -180,7 +182,7 @@ std::string surplus_in_words(const Cell& cell, double most) {
 
 std::string why(const Finding& finding, const Operation* operation, Speaker speaker, bool binary32) {
   switch (finding.judgement.verdict) {
-    case Verdict::rounding: return defect_of(finding, operation) + why_rounding(finding.judgement, speaker);
+    case Verdict::rounding: return defect_of(finding, operation) + why_rounding(finding, operation, speaker, binary32);
     case Verdict::algorithm:
       return defect_of(finding, operation) + why_algorithm(finding, operation, speaker, binary32);
     case Verdict::inexact: {

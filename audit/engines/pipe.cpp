@@ -212,7 +212,7 @@ std::string PipeEngine::first_line() {
     if (Clock::now() >= deadline) {
       ++timeouts_;
       throw EngineError("no first line in " + decimal(limits_.start_timeout) +
-                        " s (is its output flushed after every line?)");
+                        " s (is its output flushed after every line? does it start slowly? --timeout gives it more)");
     }
     if (interrupted()) throw EngineError("interrupted");
   }

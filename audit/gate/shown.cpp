@@ -17,6 +17,7 @@ constexpr std::size_t most_shown = 2000;
 
 std::string in_words(const GateEntry& entry) {
   const Found& found = entry.found;
+  if (found.cause == Cause::surplus) return "surplus: lists more beyond the truth than --max-surplus allows";
   return std::string(name_of(found.cause)) + " in " + grouped(found.findings) + " of " + counted(found.cases, "case") +
          (entry.known > 0 ? ", known: " + grouped(entry.known) : "");
 }

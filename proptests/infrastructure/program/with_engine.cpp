@@ -51,6 +51,20 @@ Called called_program(std::vector<const char*> arguments) {
 
 }  // namespace
 
+TEST_CASE("with engine: a regression test of an engine that answers true or false expects that") {
+  const TextFile apart("apart.jsonl", R"({"a":{"min":[0,0,0],"max":[1,1,1]},"b":{"min":[0,0,2],"max":[1,1,3]}})"),
+      met("met.jsonl", R"({"a":{"min":[0,0,0],"max":[1,1,1]},"b":{"min":[0,0,1],"max":[1,1,3]}})");
+  const char* const always_met = R"(read greeting; echo '{"engine":"met","ops":["aabb_aabb"],"boundary":"closed"}'
+while read question; do echo "{\"id\":$(echo "$question" | sed 's/.*"id":\([0-9]*\).*/\1/'),\"answer\":true}"; done)";
+  for (const auto& [file, expected] : {std::pair{apart.path(), "False"}, std::pair{met.path(), "True"}}) {
+    const Called test = called({"ask", "aabb_aabb", file, "--timeout", "60", "--engine", always_met, "--as", "pytest"});
+    INFO(test.out << test.err);
+    CHECK_THAT(test.out, ContainsSubstring(std::string("expected = ") + expected + "\n"));
+  }
+  const Called without = called({"ask", "aabb_aabb", met.path(), "--as", "jest"});
+  CHECK_THAT(without.out, ContainsSubstring(R"(const expected = {"contact": "touching"};)"));
+}
+
 TEST_CASE("with engine: exhaust asks the engine every configuration of the grid") {
   const Called right = called({"exhaust", "orientation", "--grid", "3", "--timeout", "60", "--engine", engine});
   INFO(right.out << right.err);
