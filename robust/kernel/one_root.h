@@ -4,6 +4,7 @@
 #include <gmpxx.h>
 
 #include "geometry/space.h"
+#include "robust/kernel/strict_math.h"
 
 /// Numbers p + q sqrt(d) over one rational d, with which a formula is written as it stands: sums, products, quotients
 /// and signs are exact.
