@@ -278,14 +278,12 @@ function placed(wishes, drawn) {
   return svg;
 }
 
-// Strokes at a time, in the scale of all times: straight from t = -1 to where the points are, and on to t = 1.
-function strokesAt(model, t) {
-  const at = time => new Strokes({...model, figures: model.figures.map(figure => !figure.moves ? figure :
-      {...figure, points: figure.points.map(p => plus(p, figure.moves[time < 0 ? 0 : 1], Math.abs(time)))})});
-  const drawing = at(t);
-  if (clock(model)) drawing.reach = Math.max(...[-1, 0, 1].map(time => at(time).reach));
-  return drawing;
-}
+// Strokes at a time: straight from where a figure is at t = -1 to its points, and on to where it is at t = 1.
+const strokesAt = (model, t) => new Strokes({...model, figures: model.figures.map(figure => !figure.moves ? figure :
+    {...figure, points: figure.points.map(p => plus(p, figure.moves[t < 0 ? 0 : 1], Math.abs(t)))})});
+// In the scale of all times.
+const toScale = model => clock(model) ?
+    {...model, reach: Math.max(...[-1, 0, 1].map(t => strokesAt(model, t).reach))} : model;
 
 // A slider for time, where something moves.
 function clock({figures}) {
@@ -317,7 +315,7 @@ function framed(model, drawing, name = 'whole') {
 
 // Draws the model and its lens into an element of the page; each turns as the reader asks.
 function show(place, model) {
-  const drawings = Object.entries({whole: model, ...(model.lens && {magnified: model.lens})})
+  const drawings = Object.entries({whole: toScale(model), ...(model.lens && {magnified: model.lens})})
       .map(([name, of]) => ({name, of, drawing: strokesAt(of, 0)}));
   place.innerHTML = drawings.map(({name, of, drawing}) => framed(of, drawing, name) + clock(of)).join('') +
       `<p class="screen small quiet turn-hint">Drag to turn it, or use the arrow keys; Home turns it back.</p>`;
@@ -331,16 +329,16 @@ function show(place, model) {
 // Two seconds for a unit of time.
 function ticking(place, draw) {
   const slider = place.querySelector('.time input'), words = place.querySelector('.time output');
-  let playing = false;
+  let played = 0;  // how often it was begun, or stopped
   const go = t => { words.textContent = `t = ${+Number(t).toFixed(2)}`, draw(Number(t)); };
-  const run = (from, since) => requestAnimationFrame(now => {
-    if (!playing) return;
-    slider.value = Math.min(1, from + (now - (since ?? now)) / 2000);
-    go(slider.value), playing = slider.value < 1;
-    if (playing) run(from, since ?? now);
+  const run = (mine, since) => requestAnimationFrame(now => {
+    if (mine !== played) return;
+    slider.value = Math.min(1, Number(slider.min) + (now - (since ?? now)) / 2000);
+    go(slider.value);
+    if (slider.value < 1) run(mine, since ?? now);
   });
-  slider.addEventListener('input', () => { playing = false, go(slider.value); });
-  place.querySelector('.time .play').addEventListener('click', () => { playing = true, run(Number(slider.min)); });
+  slider.addEventListener('input', () => { ++played, go(slider.value); });
+  place.querySelector('.time .play').addEventListener('click', () => run(++played));
 }
 
 // Returns what shows other strokes in the same view.

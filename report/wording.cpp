@@ -92,10 +92,15 @@ std::string why_rounding(const Finding& finding, const Operation* operation, Spe
            "results "
            "changed the decision.";
   }
-  const auto right = formula_is_right(finding, operation, binary32);
-  return std::string("The textbook formula, evaluated in the engine's own number type, ") +
-         (right && *right ? "is right here, but the input is beside a touch by less than its last places"
-                          : "rounds and is wrong on this input too") +
+  const char* reason =
+      "rounds and is wrong on this input too, or the input is beside a touch by less than its last places";
+  if (const auto right = formula_is_right(finding, operation, binary32)) {
+    reason = !*right ? "rounds and is wrong on this input too"
+             : finding.judgement.out_of_range
+                 ? "is right here, but numbers leave the range of that type on the way"
+                 : "is right here, but the input is beside a touch by less than its last places";
+  }
+  return std::string("The textbook formula, evaluated in the engine's own number type, ") + reason +
          ": rounding is the presumed cause. The engine's own formula was not seen.";
 }
 

@@ -11,23 +11,6 @@
 namespace touchstone::audit {
 namespace {
 
-const char* cause_in_words(Cause cause) {
-  switch (cause) {
-    case Cause::cancellation: return "wrong by rounding: sums cancel";
-    case Cause::out_of_range: return "wrong by rounding: overflow or underflow";
-    case Cause::algorithm: return "wrong, and rounding is not to blame";
-    case Cause::inexact: return "a number further off than the stated bound, as rounding explains";
-    case Cause::invalid: return "no valid answer: NaN, infinity, exception, crash, or none in time";
-    case Cause::convention: return "a touch answered as open sets do";
-    case Cause::tolerance: return "wrong decision within the declared tolerance";
-    case Cause::unsupported: return "not answered";
-    case Cause::not_asked: return "not asked: the engine was given up";
-    case Cause::surplus: return "more listed beyond the truth than --max-surplus allows";
-    case Cause::inconsistent_convention: return "touches answered now as closed sets do, now as open sets do";
-  }
-  return "";
-}
-
 std::string rule_id(const Found& found) { return found.operation + "/" + name_of(found.cause); }
 
 Json rule_json(const Found& found) {

@@ -15,9 +15,27 @@ constexpr std::size_t most_shown = 2000;
 
 }  // namespace
 
+const char* cause_in_words(Cause cause) {
+  switch (cause) {
+    case Cause::cancellation: return "wrong by rounding: sums cancel";
+    case Cause::out_of_range: return "wrong by rounding: overflow or underflow";
+    case Cause::algorithm: return "wrong, and rounding is not to blame";
+    case Cause::inexact: return "a number further off than the stated bound, as rounding explains";
+    case Cause::invalid: return "no valid answer: NaN, infinity, exception, crash, or none in time";
+    case Cause::convention: return "a touch answered as open sets do";
+    case Cause::tolerance: return "wrong decision within the declared tolerance";
+    case Cause::unsupported: return "not answered";
+    case Cause::not_asked: return "not asked: the engine was given up";
+    case Cause::surplus: return "more listed beyond the truth than --max-surplus allows";
+    case Cause::inconsistent_convention: return "touches answered now as closed sets do, now as open sets do";
+  }
+  return "";
+}
+
 std::string in_words(const GateEntry& entry) {
   const Found& found = entry.found;
-  if (found.cause == Cause::surplus) return "surplus: lists more beyond the truth than --max-surplus allows";
+  if (found.family.empty())
+    return std::string(name_of(found.cause)) + ": " + cause_in_words(found.cause) + (entry.known > 0 ? ", known" : "");
   return std::string(name_of(found.cause)) + " in " + grouped(found.findings) + " of " + counted(found.cases, "case") +
          (entry.known > 0 ? ", known: " + grouped(entry.known) : "");
 }

@@ -8,7 +8,9 @@
 /// What the files for CI say of a finding, in words common to them.
 namespace touchstone::audit {
 
-/// "algorithm in 12 of 400 cases, known: 3"
+const char* cause_in_words(Cause cause);
+
+/// "algorithm in 12 of 400 cases, known: 3"; of a finding of an operation and no family its cause and what that means.
 std::string in_words(const GateEntry& entry);
 
 /// The best example of an entry within its family; nullptr where there is none.

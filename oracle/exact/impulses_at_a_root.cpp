@@ -74,7 +74,7 @@ std::optional<std::vector<Number>> pushed_by(unsigned set, const std::vector<std
   if (!found) return std::nullopt;
   std::vector<Number> all(n, zero);
   for (std::size_t k = 0; k < pushing.size(); ++k) {
-    if (is_negative((*found)[k], magnitude((*found)[k]))) return std::nullopt;
+    if (sgn((*found)[k]) < 0) return std::nullopt;
     all[pushing[k]] = (*found)[k];
   }
   for (const std::vector<Number>& row : rows) {

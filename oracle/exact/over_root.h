@@ -5,8 +5,8 @@
 
 namespace touchstone::oracle {
 
-/// p + q sqrt(r): of one root, that of a moment, which outlives it; a rational number needs none. Unlike a Surd it is not
-/// made canonical after each operation.
+/// p + q sqrt(r): of one root, that of a moment, which outlives it; a rational number needs none. Unlike a Surd it is
+/// not made canonical after each operation.
 struct OverRoot {
   OverRoot() = default;
   OverRoot(Rational p) : p(std::move(p)) {}  // implicit, as for a Surd

@@ -94,11 +94,11 @@ struct simultaneous_collisions {
       const Point3d at = place(static_cast<double>(i));
       catalogue::draw(drawing, name, at, false);
       drawing.notes.pop_back();
-      const Vector3d &before = bodies[i].velocity,
-                     &after = truth.velocities && i < truth.velocities->size() ? (*truth.velocities)[i] : before;
+      const bool known = truth.velocities && i < truth.velocities->size();
+      const Vector3d before = bodies[i].velocity, after = known ? (*truth.velocities)[i] : before;
       let_move(drawing, before, after);
       draw_arrow(drawing, name + " before", at, before, false);
-      if (&after != &before) draw_arrow(drawing, name + " after", at, after, true);
+      if (known) draw_arrow(drawing, name + " after", at, after, true);
     }
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b, n] = contacts[i];

@@ -37,7 +37,7 @@ Inductive axis := along_x | along_y | along_z.
 Definition reflect_wall_spec (v : vec3 R) (w : axis) (after : vec3 R) : Prop :=
   let '(x, y, z) := v in
   after = match w with along_x => (- x, y, z) | along_y => (x, - y, z) | along_z => (x, y, - z) end.
-(** Two bodies push each other along the normal, and along it part e times as fast as they met. *)
+(** Two bodies push or pull each other along the normal; how fast they part along it is - e times what it was. *)
 Definition restitution_collision_spec (a b : R * vec3 R) (n : vec3 R) (e : R) (v w : vec3 R) : Prop :=
   let before := a :: b :: nil in let after := (fst a, v) :: (fst b, w) :: nil in
   have_mass before /\ n <> (0, 0, 0) /\ 0 <= e <= 1 /\

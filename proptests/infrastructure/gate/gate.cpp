@@ -9,6 +9,7 @@
 #include "audit/gate/baseline.h"
 #include "audit/gate/junit.h"
 #include "audit/gate/sarif.h"
+#include "audit/gate/shown.h"
 #include "program/audit_gate.h"
 #include "proptests/catch.h"
 #include "proptests/infrastructure/program/called.h"
@@ -120,6 +121,17 @@ TEST_CASE("gate: what was not asked, an inconsistent convention and a wrong answ
   Gate known;
   known.baseline = baseline_of(both_ways, usual_causes());
   CHECK(passes(both_ways, known));
+  const GateResult accepted_once = held_against(both_ways, known);
+  REQUIRE(accepted_once.entries.size() == 1);
+  CHECK(in_words(accepted_once.entries[0]) ==
+        "inconsistent_convention: touches answered now as closed sets do, now as open sets do, known");
+  Tally too_many = tally_of(0);
+  too_many.operations[0].families[0].second.surplus = 3;
+  too_many.operations[0].families[0].second.apart = 4;
+  too_many.max_surplus = 0.5;
+  CHECK(
+      gate_in_words(too_many, held_against(too_many, {})) ==
+      "gate: failed: 1 new finding\n  orientation: surplus: more listed beyond the truth than --max-surplus allows\n");
   Tally robust = tally_of(0);
   robust.robust = tally_of(1).operations;
   CHECK_FALSE(passes(robust, with_causes("none")));

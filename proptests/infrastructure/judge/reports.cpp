@@ -202,6 +202,21 @@ TEST_CASE("reports: that a decision is right is said only where something is dec
              StartsWith("The decision is right, but a number is wrong: expected 0, got -1.92. "));
 }
 
+TEST_CASE("reports: why rounding is presumed is said of the branch that applies") {
+  const Operation& orientation = *find_operation("orientation");
+  const auto said = [&](const char* question, bool out_of_range, const Operation* asked) {
+    Finding finding{orientation.parse(parse_line(question)), {Verdict::rounding}, nullptr};
+    finding.judgement.out_of_range = out_of_range;
+    return why(finding, asked, Speaker::foreign, false);
+  };
+  const char *const right = R"({"p0":[0,0],"p1":[1,0],"p":[0,1]})",
+                    *const underflow = R"({"p0":[0,0],"p1":[1e-200,0],"p":[0,1e-200]})";
+  CHECK_THAT(said(underflow, true, &orientation), ContainsSubstring("rounds and is wrong on this input too: "));
+  CHECK_THAT(said(right, false, &orientation), ContainsSubstring("is right here, but the input is beside a touch"));
+  CHECK_THAT(said(right, true, &orientation), ContainsSubstring("is right here, but numbers leave the range"));
+  CHECK_THAT(said(right, false, nullptr), ContainsSubstring("too, or the input is beside a touch"));
+}
+
 TEST_CASE("reports: the worst distance is the same number in every shard and every file") {
   Cell near, far;
   near.worst_ulps = 3;

@@ -251,7 +251,8 @@ test('viewer: a drag turns it, by the pointer that holds it, until it lets go', 
 });
 
 test('viewer: what moves is where the clock says, in one scale, and turns with the rest', () => {
-  const still = figure('point', [y]), ball = figure('point', [o], {label: 'ball', moves: [[-end, 0, 0], [0, 0, 2 * end]]});
+  const still = figure('point', [y]), moves = [[-end, 0, 0], [0, 0, 2 * end]];
+  const ball = figure('point', [o], {label: 'ball', moves});
   const page = shown(still, ball), slider = page.place.querySelector('.time input');
   const words = page.place.querySelector('.time output');
   const place = () => / class="q1 dot" cx="(.*?)" cy="(.*?)"/.exec(page.now()).slice(1, 3).map(Number);
@@ -287,6 +288,11 @@ test('viewer: Play runs from the first time to t = 1 and stops there; a step of 
   page.now(6500);
   assert.equal(Number(slider.value), 0.5);
   play.send('click', {});
+  page.now(7000);
+  play.send('click', {});  // once more: it begins again, and one clock runs
+  page.now(7500);
+  assert.equal(Number(slider.value), 0);
+  assert.equal(page.waiting(), 1);
   for (const now of [8000, 9000, 11000, 12000]) page.now(now);
   assert.equal(Number(slider.value), 1);
   assert.equal(page.waiting(), 0);

@@ -275,7 +275,8 @@ TEST_CASE("polyhedron_complexity: meshes of public reports worked by hand") {
   // faces all turn one way, with determinants of 1.24e-4, around three vertices inside and a rim of twelve edges: faces
   // that turn one way, with neighbours at each edge but those of a simple rim, cover no point twice.
   worked(reported::libigl_2381(), 15, 30, [](Answer& answer) { answer.open_edge = {0, 6}; });
-  // 12 - 31 + 24 = 5; the halves of the square between the boxes are faces 2 and 3 of the lower, 13 and 12 of the upper.
+  // 12 - 31 + 24 = 5; the halves of the square between the boxes are faces 2 and 3 of the lower, 13 and 12 of the
+  // upper.
   worked(
       reported::vcad_6_kept(), 12, 31,
       [](Answer& answer) {

@@ -157,8 +157,8 @@ TEST_CASE("polyhedron_polyhedron: solids of public reports worked by hand") {
   pair(reported::cgal_9192(0), touching, 0);
   pair(reported::cgal_9192(1), touching, 0, "algorithm");
   pair(reported::cgal_9192(2), touching, 0, "algorithm");
-  // As floats 0.0999 is 13,408,351 * 2^-27, and 4.995 and 5.0949 are 10,475,274 and 10,684,780 times 2^-21. So the first
-  // of the far cubes ends at 10,684,779.48 of these, rounded to 10,684,779. Twice 0.0999 is exact.
+  // As floats 0.0999 is 13,408,351 * 2^-27, and 4.995 and 5.0949 are 10,475,274 and 10,684,780 times 2^-21. So the
+  // first of the far cubes ends at 10,684,779.48 of these, rounded to 10,684,779. Twice 0.0999 is exact.
   pair(reported::manifold_676(false), touching, 0);
   pair(reported::manifold_676(true), apart, power_of_two(-42));
   pair(reported::openscad_3641(0), touching, 0, "algorithm");

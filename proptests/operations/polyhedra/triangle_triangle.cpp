@@ -107,7 +107,8 @@ TEST_CASE("triangle_triangle: triangles of public reports worked by hand") {
   pair(3, area, "algorithm");
   pair(4, none);  // x is at least 12 in the first, at most 2 in the second
   pair(5, none);  // the corners of the second are above the plane of the first, by 9.6 and more
-  // Two edges of the second run through the inside of the first, near (-0.168, -5.962, -4.513), (-0.551, -5.936, -4.384).
+  // Two edges of the second run through the inside of the first, near (-0.168, -5.962, -4.513) and
+  // (-0.551, -5.936, -4.384).
   pair(6, segment);
 }
 
