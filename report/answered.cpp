@@ -99,21 +99,35 @@ bool has_index(const Shape& shape) {
                      [](const Shape::Part& part) { return has_index(*part.shape); });
 }
 
-/// The figures of an answer that its operation draws itself; none where it does not, or where it is no complete answer.
+/// What the operation draws itself of the answer; nothing where it does not, or where it is no complete answer.
 Drawing as_truth(const Operation& operation, const Json& answer, const Question& question) {
-  Drawing drawing, own;
-  if (operation.row().draw == nullptr || has_index(operation.answer_shape())) return own;
+  Drawing drawing;
+  if (operation.row().draw == nullptr || has_index(operation.answer_shape())) return drawing;
   try {
     EncodedValue<double> encoded;
     read_json<double>(operation.answer_shape(), answer, "", encoded, finite_number);
     operation.row().draw(drawing, question, encoded);
   } catch (const InvalidInput&) {
-    return own;
+    return {};
   }
-  const auto of_answer = [](const auto& figure) { return figure.answer; };
-  std::copy_if(drawing.figures.begin(), drawing.figures.end(), std::back_inserter(own.figures), of_answer);
-  std::copy_if(drawing.space.begin(), drawing.space.end(), std::back_inserter(own.space), of_answer);
+  return drawing;
+}
+
+template <class AnyFigure>
+std::vector<AnyFigure> of_answer(const std::vector<AnyFigure>& figures) {
+  std::vector<AnyFigure> own;
+  std::copy_if(figures.begin(), figures.end(), std::back_inserter(own), [](const auto& f) { return f.answer; });
   return own;
+}
+
+/// Bodies move as the answer has them; where it is not drawn, they do not.
+void let_move_as_answered(std::vector<SpaceFigure>& bodies, const std::vector<SpaceFigure>& answered) {
+  for (SpaceFigure& body : bodies) {
+    const auto same = std::find_if(answered.begin(), answered.end(), [&](const SpaceFigure& other) {
+      return other.moves && other.kind == body.kind && other.label == body.label;
+    });
+    if (body.moves) body.moves = same == answered.end() ? std::nullopt : same->moves;
+  }
 }
 
 /// `placed`: vectors stand where they belong already.
@@ -166,7 +180,9 @@ void draw_answered(Drawing& scene, const Operation& operation, const Json& answe
   in_plane ? take_over(scene.figures, std::move(said.figures), 2, false)
            : take_over(scene.space, std::move(said.space), 3, false);
   const Drawing own = as_truth(operation, bare_answer, question);
-  in_plane ? take_over(scene.figures, own.figures, 2, true) : take_over(scene.space, own.space, 3, true);
+  let_move_as_answered(scene.space, own.space);
+  in_plane ? take_over(scene.figures, of_answer(own.figures), 2, true)
+           : take_over(scene.space, of_answer(own.space), 3, true);
 }
 
 }  // namespace touchstone::report

@@ -224,6 +224,25 @@ TEST_CASE("pages: pieces that were answered are drawn at the polygon's vertices,
   }
 }
 
+TEST_CASE("pages: bodies move as the truth has them, and beside it as was answered") {
+  // Equal masses, head on: the first stops. What was answered lets both pass.
+  const Operation& operation = *find_operation("elastic_collision");
+  const Question question =
+      operation.parse(parse_line(R"({"masses":[1,1],"velocities":[[1,0,0],[0,0,0]],"normal":[1,0,0]})"));
+  const auto after = [](const Drawing& drawing) {
+    for (const SpaceFigure& figure : drawing.space)
+      if (figure.label == "a" && figure.moves) return figure.moves->at_1;
+    return std::array<double, 3>{-1, -1, -1};
+  };
+  Drawing drawing = operation.examine(question)->drawing();
+  CHECK(after(drawing) == std::array<double, 3>{0, 0, 0});
+  Drawing none = drawing;
+  draw_answered(drawing, operation, Json::parse(R"({"velocities":[[1,0,0],[0,0,0]]})"), question);
+  CHECK(after(drawing) == std::array<double, 3>{1, 0, 0});
+  draw_answered(none, operation, Json::parse(R"("no answer")"), question);
+  CHECK(after(none) == std::array<double, 3>{-1, -1, -1});
+}
+
 TEST_CASE("pages: a sweep is drawn at its start, at first contact and at its end, and at the time that was answered") {
   const Operation& operation = *find_operation("swept_sphere_sphere");
   // From x = -10 towards a ball around the origin, both of radius 1: they touch at x = -2, after 8 of 16.
