@@ -181,9 +181,16 @@ foreach(component oracle certify)
 endforeach()
 # What users link as touchstone::audit: the four modules, the topmost first.
 if(TARGET touchstone_audit)
+  set(units 6)  # files of a module in one unit: it is the headers that cost. Rows have units of their own.
+  set_source_files_properties(${row_sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   if(TOUCHSTONE_LINK_FROM)  # of the catalogue, what is compiled here is its rows
-    list(TRANSFORM catalogue_sources REPLACE "^${PROJECT_SOURCE_DIR}/(.*)$"
-         "${TOUCHSTONE_LINK_FROM}/CMakeFiles/touchstone_module_catalogue.dir/\\1.o")
+    list(LENGTH catalogue_sources last)
+    math(EXPR last "(${last} - 1) / ${units}")
+    set(catalogue_sources "")
+    foreach(unit RANGE ${last})
+      list(APPEND catalogue_sources
+           ${TOUCHSTONE_LINK_FROM}/CMakeFiles/touchstone_module_catalogue.dir/Unity/unity_${unit}_cxx.cxx.o)
+    endforeach()
     set_source_files_properties(${catalogue_sources} PROPERTIES EXTERNAL_OBJECT TRUE)
   endif()
   list(APPEND catalogue_sources ${row_sources})
@@ -206,9 +213,7 @@ if(TARGET touchstone_audit)
         target_precompile_headers(touchstone_module_${module} REUSE_FROM touchstone_module_catalogue)
       endif()
     endif()
-    if(NOT module STREQUAL catalogue)  # it is the headers that cost
-      set_target_properties(touchstone_module_${module} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
-    endif()
+    set_target_properties(touchstone_module_${module} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${units})
     if(PROJECT_IS_TOP_LEVEL AND NOT TOUCHSTONE_LINK_FROM)
       # All of the module, and nothing above it: what is not there does not link.
       file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/arrows.cpp CONTENT "")

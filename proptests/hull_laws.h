@@ -9,7 +9,6 @@
 #include "catalogue/operation/explained.h"
 #include "oracle/certificates/check.h"
 #include "proptests/forward_error.h"
-#include "proptests/growth.h"
 
 /// What the tests of convex hulls share.
 namespace touchstone::proptests {

@@ -7,7 +7,6 @@
 #include "oracle/rings/boxes.h"
 #include "oracle/rings/simple.h"
 #include "proptests/catch.h"
-#include "proptests/growth.h"
 #include "proptests/long_rings.h"
 
 namespace touchstone::proptests::rings_tests {
@@ -61,17 +60,14 @@ TEST_CASE("boxes: the least distance is the least of all edges that count") {
   }
 }
 
-TEST_CASE("oracle: what is asked of a long ring takes far less than the square of its length") {
-  const auto convexity = [](auto ring_of) {
-    return growth([&](std::size_t n) { polygon_convexity(ring_of(n)).certificate(); }, 500);
-  };
-  CHECK(convexity(wavy_ring) < far_below_quadratic);
-  CHECK(convexity([](std::size_t n) { return spoilt_at_the_end(wavy_ring(n)); }) < far_below_quadratic);
-  CHECK(convexity([](std::size_t n) { return comb(n, true); }) < far_below_quadratic);
-  CHECK(growth([](std::size_t n) { polygon_polygon(wavy_ring(n), moved(wavy_ring(n), 5)); }, 500) <
-        far_below_quadratic);
-  CHECK(growth([](std::size_t n) { polygon_polygon(wavy_ring(n), moved(wavy_ring(n), 1)); }, 500) <
-        far_below_quadratic);
+// In time that grows like the square of the length this would not end within ctest's limit.
+TEST_CASE("oracle: very long rings are answered") {
+  constexpr std::size_t n = 100'000;
+  CHECK(polygon_convexity(wavy_ring(n)).certificate().kind != "");
+  CHECK(polygon_convexity(spoilt_at_the_end(wavy_ring(n))).certificate().kind != "");
+  CHECK(polygon_convexity(comb(n, true)).certificate().kind != "");
+  CHECK_NOTHROW(polygon_polygon(wavy_ring(n), moved(wavy_ring(n), 5)));
+  CHECK_NOTHROW(polygon_polygon(wavy_ring(n), moved(wavy_ring(n), 1)));
 }
 
 }  // namespace touchstone::proptests::rings_tests

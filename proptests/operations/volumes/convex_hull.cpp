@@ -261,12 +261,13 @@ TEST_CASE("convex_hull: clouds that other programs stumbled over") {
   }
 }
 
-TEST_CASE("convex_hull: time far below quadratic, in a ball, on a sphere, on a grid and in a plane") {
+// In time that grows like the square of their number this would not end within ctest's limit.
+TEST_CASE("convex_hull: very many points in a ball, on a sphere, on a grid and in a plane") {
   std::mt19937_64 next(1);
   const auto number = [&next] { return static_cast<double>(next() >> 11) * 0x1p-52 - 1; };
   for (int shape = 0; shape < 4; ++shape) {
     Points points;
-    while (points.size() < 32'000) {
+    while (points.size() < 400'000) {
       const double x = number(), y = number(), z = number(), square = x * x + y * y + z * z, root = std::sqrt(square);
       if (square > 1 || root == 0) continue;
       if (shape == 0) points.push_back({x, y, z});
@@ -274,13 +275,8 @@ TEST_CASE("convex_hull: time far below quadratic, in a ball, on a sphere, on a g
       else if (shape == 2) points.push_back({std::floor(9 * x), std::floor(9 * y), std::floor(9 * z)});
       else points.push_back({std::floor(99 * x), std::floor(99 * y), std::floor(99 * x) + std::floor(99 * y)});
     }
-    const double times = growth(
-        [&](std::size_t n) {
-          robust::convex_hull({points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n)});
-        },
-        4'000);
-    CAPTURE(shape, times);
-    CHECK(times < far_below_quadratic);
+    CAPTURE(shape);
+    CHECK(robust::convex_hull(points).dimension == (shape == 3 ? 2 : 3));
   }
 }
 

@@ -166,24 +166,20 @@ TEST_CASE("convex_hull_2d: rings drawn by others") {
   }
 }
 
-TEST_CASE("convex_hull_2d: time far below quadratic, on a circle, in a square and on a line") {
+// In time that grows like the square of their number this would not end within ctest's limit.
+TEST_CASE("convex_hull_2d: very many points on a circle, in a square and on a line") {
   std::mt19937_64 next(1);
   const auto number = [&next] { return static_cast<double>(next() >> 11) * 0x1p-53; };
   for (int shape = 0; shape < 3; ++shape) {
     Points points;
-    for (int i = 0; i < 80'000; ++i) {
+    for (int i = 0; i < 1'000'000; ++i) {
       const double x = number(), y = number(), angle = 7 * x;
       points.push_back(shape == 0   ? Point2d{std::cos(angle), std::sin(angle)}
                        : shape == 1 ? Point2d{x, y}
                                     : Point2d{x, x});
     }
-    const double times = growth(
-        [&](std::size_t n) {
-          robust::convex_hull_2d({points.begin(), points.begin() + n});
-        },
-        10'000);
-    CAPTURE(shape, times);
-    CHECK(times < far_below_quadratic);
+    CAPTURE(shape);
+    CHECK(robust::convex_hull_2d(points).dimension == (shape == 2 ? 1 : 2));
   }
 }
 
