@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robust/lines/explicit_line.h"
 
+#include "robust/kernel/lessened.h"
 #include "robust/kernel/plane.h"
 #include "robust/kernel/term_sum.h"
 #include "robust/kernel/valid.h"
@@ -33,7 +34,24 @@ Height stages::explicit_line::exact(double slope, double intercept, const Point2
   return height(kernel::sign_by_cgal(kernel::exact_sum(elevation(slope, intercept, point)).n));
 }
 
+namespace {
+
+/// The filter once more, where the guard may have failed: all heights over 2^600, and with them the slope or else x.
+Perhaps<Height> filter_of_large(double slope, double intercept, Point2d point) {
+  constexpr double large = 0x1p300;
+  const bool steep = !(filters::FloatFormat<double>::magnitude(slope) <= large);
+  if (!steep && filters::FloatFormat<double>::magnitude(point.x) <= large) return std::nullopt;
+  kernel::Lessened lessened;
+  double& factor = steep ? slope : point.x;
+  factor = lessened(factor), intercept = lessened(intercept), point.y = lessened(point.y);
+  if (!lessened.exact()) return std::nullopt;
+  return stages::explicit_line::filter(slope, intercept, point);
+}
+
+}  // namespace
+
 Decided<Height> stages::explicit_line::past_filter(double slope, double intercept, const Point2d& point) {
+  if (const auto height = filter_of_large(slope, intercept, point)) return {*height, Stage::filter};
   return in_turn<explicit_line, validate, Stage::lattice, Stage::exact>(slope, intercept, point);
 }
 

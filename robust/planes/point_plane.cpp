@@ -3,6 +3,7 @@
 
 #include "robust/kernel/cgal_predicates.h"
 #include "robust/kernel/enclosed_shapes.h"
+#include "robust/kernel/lessened.h"
 #include "robust/kernel/plane_terms.h"
 #include "robust/kernel/rounding.h"
 #include "robust/kernel/valid_space.h"
@@ -30,7 +31,28 @@ PlaneSide stages::point_plane::decision::exact(const Plane3d& plane, const Point
   return side(kernel::sign_by_cgal(kernel::exact_sum(kernel::height_over(plane, point)).n));
 }
 
+namespace {
+
+/// The filter once more, where the guard may have failed: with the normal, the point or both over 2^600. Of the sum both
+/// are factors, so the offset goes with each.
+Perhaps<PlaneSide> filter_of_large(Plane3d plane, Point3d point) {
+  Vector3d& n = plane.normal;
+  const auto large = [](double x, double y, double z) {
+    return !(filters::extent<double, filters::FloatFormat<double>>(x, y, z) <= 0x1p300);
+  };
+  const bool steep = large(n.x, n.y, n.z), far = large(point.x, point.y, point.z);
+  if (!steep && !far) return std::nullopt;
+  kernel::Lessened lessened;
+  if (steep) n = {lessened(n.x), lessened(n.y), lessened(n.z)}, plane.offset = lessened(plane.offset);
+  if (far) point = {lessened(point.x), lessened(point.y), lessened(point.z)}, plane.offset = lessened(plane.offset);
+  if (!lessened.exact()) return std::nullopt;
+  return stages::point_plane::decision::filter(plane, point);
+}
+
+}  // namespace
+
 Decided<PlaneSide> stages::point_plane::decision::past_filter(const Plane3d& plane, const Point3d& point) {
+  if (const auto side = filter_of_large(plane, point)) return {*side, Stage::filter};
   return in_turn<decision, validate, Stage::lattice, Stage::exact>(plane, point);
 }
 
