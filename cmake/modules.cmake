@@ -158,6 +158,12 @@ touchstone_links(robust PRIVATE MPFR::mpfr GMP::gmp)
 if(robust_sources AND TARGET touchstone_robust)
   # The installed library takes nothing of CGAL that is under the GPL: its headers refuse to compile with this.
   target_compile_definitions(touchstone_robust PRIVATE CGAL_LICENSE_ERROR)
+  # Some files of the kernel and the structures a unit: it is the headers that cost.
+  set_target_properties(touchstone_robust PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  set(units_alone ${robust_sources})
+  list(FILTER units_alone EXCLUDE REGEX "/robust/(kernel|structures)/[^/]*$")
+  list(APPEND units_alone ${PROJECT_SOURCE_DIR}/robust/structures/pair_tree.cpp)  # g++ warns of its class where it is included
+  set_source_files_properties(${units_alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endif()
 touchstone_links(oracle PUBLIC touchstone_geometry GMP::gmpxx)
 touchstone_links(oracle PRIVATE MPFR::mpfr)

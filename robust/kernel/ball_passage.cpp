@@ -10,8 +10,6 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-const Passage<double> none{PassageRelation::none, std::nullopt, std::nullopt};
-
 /// What is taken from `to` to make the way.
 Point3d base_of(const Line& line) { return line.ends ? line.from : Point3d{0, 0, 0}; }
 
@@ -24,8 +22,8 @@ Perhaps<Passage<double>> BallPassage::filter(const Line& line, const Ball& ball)
   if (sign_bit(ball.radius)) return std::nullopt;  // -0.0, or for validation to refuse
   const filters::Sweep<double> sweep({line.from, 0}, ball, vector_of(line.to), vector_of(base_of(line)));
   if (sweep.start() != Sign::positive) return std::nullopt;
-  if (sweep.slope_at_start() == Sign::positive || sweep.passage() == Sign::positive) return none;
-  if (line.ends && sweep.end() == Sign::positive && sweep.slope_at_end() == Sign::negative) return none;
+  if (sweep.slope_at_start() == Sign::positive || sweep.passage() == Sign::positive) return no_passage;
+  if (line.ends && sweep.end() == Sign::positive && sweep.slope_at_end() == Sign::negative) return no_passage;
   return std::nullopt;
 }
 
@@ -52,7 +50,7 @@ Perhaps<Passage<double>> BallPassage::enclosed(const Line& line, const Ball& bal
                          start = first(distance_and_speed) - Sum(product(radius, radius)).value();
   if (!half.settled() || !speed.settled() || !start.settled() || half.high == 0 || start.high == 0) return std::nullopt;
   const bool outside = start.high > 0, ahead = half.high < 0;
-  if (outside && !ahead) return none;
+  if (outside && !ahead) return no_passage;
   const Enclosed<double> discriminant = half * half - speed * start;
   if (!discriminant.settled() || !(discriminant.high > 0)) return std::nullopt;
   const Enclosed<double> sum = square_root(discriminant) + (ahead ? -half : half);
@@ -64,7 +62,7 @@ Perhaps<Passage<double>> BallPassage::enclosed(const Line& line, const Ball& bal
     ends_inside = end.high < 0;
     if (outside && !ends_inside) {
       if (!slope_at_end.settled()) return std::nullopt;
-      if (slope_at_end.high <= 0) return none;
+      if (slope_at_end.high <= 0) return no_passage;
     }
   }
   const auto one = outside ? rounded(start / Divisor(sum)) : std::optional(0.0);
@@ -81,12 +79,12 @@ Passage<double> BallPassage::exact(const Line& line, const Ball& ball) {
   const Vector3<mpz_class> p{n[0] - n[3], n[1] - n[4], n[2] - n[5]}, v{n[6] - n[9], n[7] - n[10], n[8] - n[11]};
   const mpz_class start = dot(p, p) - n[12] * n[12], half = dot(p, v), speed = dot(v, v);
   const bool inside = sgn(start) <= 0;
-  if (sgn(speed) == 0) return inside ? Passage<double>{PassageRelation::hit, 0.0, 0.0} : none;
+  if (sgn(speed) == 0) return inside ? Passage<double>{PassageRelation::hit, 0.0, 0.0} : no_passage;
   const mpz_class discriminant = half * half - speed * start, end = start + 2 * half + speed;
   const bool ends_inside = line.ends && sgn(end) <= 0;
   if (!inside) {
     const bool falls_short = line.ends && !ends_inside && sgn(mpz_class(half + speed)) <= 0;
-    if (sgn(half) >= 0 || sgn(discriminant) < 0 || falls_short) return none;
+    if (sgn(half) >= 0 || sgn(discriminant) < 0 || falls_short) return no_passage;
   }
   const auto root = [&](int sign) { return round_quadratic_root(-half, sign, discriminant, speed); };
   return {PassageRelation::hit, inside ? 0.0 : root(-1), ends_inside ? 1.0 : root(1)};

@@ -13,8 +13,6 @@
 namespace touchstone::robust::kernel {
 namespace {
 
-const Passage<double> none{PassageRelation::none, std::nullopt, std::nullopt};
-
 /// What one axis sees: `to` is the end of a segment, or the direction of a ray.
 struct Axis {
   double from, to, min, max;
@@ -35,7 +33,7 @@ Perhaps<Passage<double>> BoxPassage::filter(const Line& line, const Box& box) {
   for (const auto& [from, to, min, max] : axes_of(line, box)) {
     const bool rises = !sign_bit(to) && !validation::zero(to), falls = sign_bit(to) && !validation::zero(to);
     const bool stays_below = line.ends ? to < min : !rises, stays_above = line.ends ? to > max : !falls;
-    if ((from < min && stays_below) || (from > max && stays_above)) return none;
+    if ((from < min && stays_below) || (from > max && stays_above)) return no_passage;
   }
   return std::nullopt;
 }
@@ -48,7 +46,7 @@ Perhaps<Passage<double>> BoxPassage::enclosed(const Line& line, const Box& box) 
     if (!in_window(Two(from, to), Two(min, max))) return std::nullopt;
     const Pair<double> way = line.ends ? difference(to, from) : Pair<double>{to, 0};
     if (way.high == 0) {
-      if (from < min || max < from) return none;
+      if (from < min || max < from) return no_passage;
       continue;
     }
     moves = true;
@@ -61,7 +59,7 @@ Perhaps<Passage<double>> BoxPassage::enclosed(const Line& line, const Box& box) 
     if (!entry || !exit) return std::nullopt;
     first = std::max(first, *entry), last = std::min(last, *exit);
   }
-  if (last < first) return none;
+  if (last < first) return no_passage;
   if (!moves || !(first < last)) return std::nullopt;
   return Passage<double>{PassageRelation::hit, first, last};
 }
@@ -76,7 +74,7 @@ Passage<double> BoxPassage::exact(const Line& line, const Box& box) {
     part.keep(from - min, to - min), part.keep(max - from, max - to);
     moves = moves || !axis.zero_way(line.ends);
   }
-  if (part.empty) return none;
+  if (part.empty) return no_passage;
   if (!moves) return {PassageRelation::hit, 0.0, 0.0};
   const auto rounded = [](const Clipped::Parameter& t) { return round_quotient(t.numerator, t.denominator); };
   return {PassageRelation::hit, rounded(part.first), rounded(part.last)};

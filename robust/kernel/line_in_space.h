@@ -23,6 +23,9 @@ struct Line {
   Segment3d segment() const { return {from, to}; }
 };
 
+/// Of no point of a line.
+inline const Passage<double> no_passage{PassageRelation::none, std::nullopt, std::nullopt};
+
 struct Box : Aabb3d {
   Box(const Aabb3d& box) : Aabb3d(box) {}
   Box(const Aabb2d& box) : Aabb3d{{box.min.x, box.min.y, 0}, {box.max.x, box.max.y, 0}} {}

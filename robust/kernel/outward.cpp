@@ -13,13 +13,13 @@ namespace {
 constexpr long precision = 53, least_exponent = -1074;
 
 /// The digits of a magnitude without the last `dropped` ones, and whether one of those is set.
-struct Cut {
+struct Shortened {
   Int128 digits;
   bool lost;
 };
 
 long width(const Int128& n) { return bit_width(static_cast<UInt128>(n < 0 ? -n : n)); }
-Cut cut(const Int128& n, long dropped) {
+Shortened shortened(const Int128& n, long dropped) {
   const auto size = static_cast<UInt128>(n < 0 ? -n : n);
   if (dropped >= 128) return {0, size != 0};
   const UInt128 digits = size >> dropped;
@@ -27,7 +27,7 @@ Cut cut(const Int128& n, long dropped) {
 }
 
 long width(const mpz_class& n) { return sgn(n) == 0 ? 0 : static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)); }
-Cut cut(const mpz_class& n, long dropped) {
+Shortened shortened(const mpz_class& n, long dropped) {
   mpz_class digits;
   mpz_tdiv_q_2exp(digits.get_mpz_t(), n.get_mpz_t(), static_cast<mp_bitcnt_t>(dropped));
   const bool lost = sgn(n) != 0 && static_cast<long>(mpz_scan1(n.get_mpz_t(), 0)) < dropped;
@@ -39,7 +39,7 @@ template <class Integer>
 double rounded(const Integer& n, long exponent, bool up) {
   const int sign = sign_of(n);
   const long dropped = std::max({width(n) - precision, least_exponent - exponent, 0L});
-  auto [digits, lost] = cut(n, dropped);
+  auto [digits, lost] = shortened(n, dropped);
   const bool away = up == (sign > 0);
   if (lost && away) digits += 1;
   const double result = round_scaled(sign < 0 ? -digits : digits, exponent + dropped);

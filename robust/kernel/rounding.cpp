@@ -14,13 +14,13 @@ double assemble(bool negative, std::uint64_t bits) {
 
 constexpr std::uint64_t infinity_bits = std::uint64_t{0x7ff} << 52;
 
-struct Quotient {
+struct Division {
   std::uint64_t digits;
   bool remainder;
 };
 
 /// (n2 2^128 + n1 2^64 + n0) / d, where n2 < 2^63 and d >= 2^127: the quotient is below 2^64.
-Quotient divide(std::uint64_t n2, std::uint64_t n1, std::uint64_t n0, UInt128 d) {
+Division divide(std::uint64_t n2, std::uint64_t n1, std::uint64_t n0, UInt128 d) {
   const auto d1 = static_cast<std::uint64_t>(d >> 64), d0 = static_cast<std::uint64_t>(d);
   const UInt128 high = static_cast<UInt128>(n2) << 64 | n1;
   auto digit = static_cast<std::uint64_t>(high / d1);
@@ -55,7 +55,7 @@ double round_magnitudes(bool negative, std::array<std::uint64_t, 3> n, UInt128 d
     n = {n[0] << left, n[1] << left | n[0] >> right, n[2] << left | n[1] >> right};
   }
   // n in [2^190, 2^191) and d in [2^127, 2^128): the quotient lies in (2^62, 2^64).
-  const Quotient q = divide(n[2], n[1], n[0], d);
+  const Division q = divide(n[2], n[1], n[0], d);
   const int zeros = std::countl_zero(q.digits);
   const bool tail = q.remainder || lost;
   const long scale = exponent - n_shift + d_shift;

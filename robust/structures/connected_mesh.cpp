@@ -28,11 +28,11 @@ class Joined {
 };
 
 /// A side of a face: corner k to the next, k = 3 * face + 0, 1 or 2.
-struct Side {
+struct EdgeOfFace {
   Index low, high;
   std::size_t corner;
   bool along;  ///< from low to high
-  bool same_edge(const Side& other) const { return low == other.low && high == other.high; }
+  bool same_edge(const EdgeOfFace& other) const { return low == other.low && high == other.high; }
 };
 
 std::size_t next(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
@@ -42,18 +42,18 @@ std::size_t next(std::size_t corner) { return corner % 3 == 2 ? corner - 2 : cor
 ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
   std::vector<Index> corners;
   for (const Face& f : mesh.faces) corners.insert(corners.end(), {f.a, f.b, f.c});
-  std::vector<Side> sides;
+  std::vector<EdgeOfFace> sides;
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Index from = corners[k], to = corners[next(k)];
     sides.push_back({std::min(from, to), std::max(from, to), k, from < to});
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+  std::sort(sides.begin(), sides.end(), [](const EdgeOfFace& s, const EdgeOfFace& t) {
     return s.low != t.low ? s.low < t.low : s.high != t.high ? s.high < t.high : s.corner < t.corner;
   });
   Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex, joined by the edges there
   for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(), [first](const Side& s) { return !s.same_edge(*first); });
-    const auto count = last - first, along = std::count_if(first, last, [](const Side&s) { return s.along; });
+    const auto last = std::find_if(first, sides.end(), [first](const EdgeOfFace& s) { return !s.same_edge(*first); });
+    const auto count = last - first, along = std::count_if(first, last, [](const EdgeOfFace&s) { return s.along; });
     const auto note = [first](std::optional<IndexPair>& witness, bool holds) {
       if (!holds && !witness) witness = IndexPair{first->low, first->high};
     };
@@ -62,7 +62,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
     note(found.turned_edge, std::abs(2 * along - count) <= 1);
     note(found.crowded_edge, count <= 2);
     parts.join(first->low, first->high);
-    const auto at = [](const Side& s, bool low) { return s.along == low ? s.corner : next(s.corner); };
+    const auto at = [](const EdgeOfFace& s, bool low) { return s.along == low ? s.corner : next(s.corner); };
     for (auto side = first + 1; side != last; ++side) {
       fans.join(at(*first, true), at(*side, true)), fans.join(at(*first, false), at(*side, false));
     }

@@ -13,10 +13,10 @@ namespace touchstone::robust::structures {
 namespace {
 
 /// An edge of a face, and the corner across from it.
-struct Side {
+struct EdgeOfMesh {
   Index low, high, across;
   const Face* face;
-  bool operator<(const Side& other) const { return std::tie(low, high) < std::tie(other.low, other.high); }
+  bool operator<(const EdgeOfMesh& other) const { return std::tie(low, high) < std::tie(other.low, other.high); }
 };
 
 }  // namespace
@@ -30,7 +30,7 @@ VolumeSign sign_of_volume(const Meshd& mesh) {
 }
 
 bool locally_convex(const Meshd& mesh) {
-  std::vector<Side> sides;
+  std::vector<EdgeOfMesh> sides;
   sides.reserve(3 * mesh.faces.size());
   for (const Face& f : mesh.faces) {
     for (const auto& [from, to, across] : {std::array{f.a, f.b, f.c}, {f.b, f.c, f.a}, {f.c, f.a, f.b}})
