@@ -3,11 +3,11 @@
 
    usage: certify_proved [--verdicts] [FILE...]    (standard input without a FILE, or where FILE is -)
 
-   Each line is one claim, as for certify.py. Prints every line that is not accepted with its reason, and then how many
-   there were; with --verdicts one word for each line instead: accepted, refused, "not proved: OPERATION KIND", or "no
-   certificate" for a test vector of an input that is refused. Exit code: 0 all are accepted, 1 some are not, 2 a file
-   cannot be read. Nothing in this program is proved but the formulas and how they are decided: it must say truthfully
-   which number stands where in a line. *)
+   Each line is one claim, as for certify.py; "rounded", which test vectors have, has to be the truth in doubles. Prints
+   every line that is not accepted with its reason, and then how many there were; with --verdicts one word for each
+   line instead: accepted, refused, "not proved: OPERATION KIND", or "no certificate" for a test vector of an input
+   that is refused. Exit code: 0 all are accepted, 1 some are not, 2 a file cannot be read. Nothing in this program is
+   proved but the formulas and how they are decided: it must say truthfully which number stands where in a line. *)
 let refuse = Numbers.refuse
 
 let by_name =
@@ -42,7 +42,12 @@ let judge (claim : (string * Json.t) list) =
           let facts = Source.members (found.facts @ [ "kind" ]) certificate in
           let first count list = List.filteri (fun i _ -> i < count) list in
           let answers = first (List.length found.answers) answers and facts = first (List.length found.facts) facts in
-          if Proved.decide (found.formula answers facts) then Accepted else Refused "the proved formula does not hold"
+          if Proved.decide (found.formula answers facts) then begin
+            let rounded = List.assoc_opt "rounded" claim in
+            Option.iter (fun rounded -> Rounding.check operation.outwards truth ("rounded", rounded)) rounded;
+            Accepted
+          end
+          else Refused "the proved formula does not hold"
 
 let verdict_on text =
   try

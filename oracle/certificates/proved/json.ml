@@ -31,7 +31,7 @@ let is_utf8 text =
       match follow (at + 1) count code with
       | Some code when code >= least && Uchar.is_valid code -> from (at + 1 + count)
       | _ -> false in
-  from 0
+  String.for_all (fun c -> c < '\x80') text || from 0
 
 let parse text =
   let length = String.length text and at = ref 0 in
@@ -65,9 +65,15 @@ let parse text =
         end
         else utf8 buffer first
     | _ -> raise Malformed in
-  let text_value () =
+  let rec text_value () =
     take '"';
+    let first = !at in
+    while peek () >= ' ' && peek () <> '"' && peek () <> '\\' do incr at done;
+    let plain = String.sub text first (!at - first) in
+    if peek () = '"' then (incr at; plain) else rest_of_text plain
+  and rest_of_text plain =
     let buffer = Buffer.create 16 in
+    Buffer.add_string buffer plain;
     let rec go () =
       if !at >= length then raise Malformed;
       let c = text.[!at] in
@@ -124,7 +130,7 @@ let parse text =
       go []
   and once members =
     let keys = List.map fst members in
-    if List.length (List.sort_uniq compare keys) <> List.length keys then raise Malformed;
+    if List.length (List.sort_uniq String.compare keys) <> List.length keys then raise Malformed;
     members in
   let found = value 0 in
   if !at < length || not (is_utf8 text) then raise Malformed;

@@ -11,7 +11,7 @@
 
 A formula check_OPERATION of formulas_*.v has two theorems. OPERATION_sound: if the formula holds of an input, a truth
 and a certificate, the truth holds of the input, as ../spec says it. OPERATION_unique: of one input, no two different
-truths hold.
+truths hold. So have the formulas rounds_WHERE of formulas_rounding.v, which say that a double is a number rounded.
 """
 import argparse
 import json
@@ -29,7 +29,7 @@ sys.path.insert(0, str(ROOT / "robust/proofs"))
 sys.dont_write_bytecode = True
 import prove
 
-LONGEST_SPECIFICATION = 400
+LONGEST_SPECIFICATION = 440  # 400 for the truths of operations, the rest for what rounding means
 
 
 MISSING = "skipped: no coqc or no ocamlfind (Debian: coq ocaml ocaml-findlib libzarith-ocaml-dev)"
@@ -49,8 +49,12 @@ def operations(files):
             for name in re.findall(r"^Definition check_(\w+)", text, re.M)]
 
 
+def roundings(files):
+    return re.findall(r"^Definition (rounds_\w+)", files["formulas_rounding"], re.M)
+
+
 def theorems(files):
-    return [f"{name}_{what}" for name in operations(files) for what in ("sound", "unique")]
+    return [f"{name}_{what}" for name in operations(files) + roundings(files) for what in ("sound", "unique")]
 
 
 def refused(files):
@@ -114,13 +118,14 @@ def prove_all(work, jobs):
         print(f"{', '.join(group)}: proved. Axioms: {', '.join(axioms) or 'none'}")
     count = sum(map(len, groups.values()))
     seconds = time.monotonic() - started
-    print(f"{count} theorems about certificates of {count // 2} operations, {seconds:.0f} s from nothing")
+    print(f"{count} theorems about certificates of {len(operations(files))} operations, and about rounding, "
+          f"{seconds:.0f} s from nothing")
     return []
 
 
 def extracted(files, wanted):
     """extraction.v, told what to extract; of the files only those are wanted that formulas need."""
-    checks = " ".join(f"check_{operation}" for operation in operations(files))
+    checks = " ".join([f"check_{operation}" for operation in operations(files)] + roundings(files))
     return (f"From Certificates Require Import {' '.join(sorted(wanted))}.\n"
             + files["extraction"] + f'\nExtraction "proved.ml" decide {checks}.\n')
 

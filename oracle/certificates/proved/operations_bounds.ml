@@ -19,11 +19,11 @@ let aabb_of_points = operation "aabb_of_points" [ "points" ] "" (function
         check_aabb_of_points (points given_coordinates everything) low high)
   | _ -> assert false)
 
-let kdop_of_points = operation "kdop_of_points" [ "points"; "normals" ] "" (function
+let kdop_of_points = rounded_outwards [ "slabs" ] (operation "kdop_of_points" [ "points"; "normals" ] "" (function
   | [ everything; normals ] ->
       extreme_points "slabs" (fun slabs ->
         check_kdop_of_points (points in_space everything) (points in_space normals) (points exact_point slabs))
-  | _ -> assert false)
+  | _ -> assert false))
 
 let obb = two_members "center" "half_axes" in_space (fun axes -> List.map in_space (exactly 3 axes))
 

@@ -18,10 +18,13 @@ type operation = {
   field : string; (* of the truth, that holds the word; "": it has none *)
   kinds : place list -> kind list; (* of the values of the inputs *)
   unproved : string list; (* kinds that have no proof yet *)
+  outwards : string list; (* fields of the truth, lists of pairs, that are rounded outwards *)
 }
 
 let kind word answers kind facts formula = { word; answers; kind; facts; formula }
-let operation ?(unproved = []) name inputs field kinds = { name; inputs; field; kinds; unproved }
+let operation ?(unproved = []) name inputs field kinds = { name; inputs; field; kinds; unproved; outwards = [] }
+let rounded_outwards fields operation = { operation with outwards = fields }
+
 let pair read place = match exactly 2 place with [ a; b ] -> (read a, read b) | _ -> assert false
 let single read place = match exactly 1 place with [ a ] -> read a | _ -> assert false
 let point = pair given

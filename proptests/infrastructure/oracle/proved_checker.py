@@ -4,7 +4,8 @@
 
   proved_checker.py --program PATH [--work DIR]   builds certify_proved, and gives it and the others claims:
       all test vectors of operations with proved kinds, and their claims; and claims that are tampered with in one
-      place, some of each kind: another word, another kind, other numbers of truth, certificate and input.
+      place, some of each kind: another word, another kind, other numbers of truth, certificate and input; and vectors
+      with another double, word or field in `rounded`. The others do not look at that: fractions say what is right.
 
 Ends with 77 where Coq or OCaml is missing.
 """
@@ -27,6 +28,7 @@ sys.dont_write_bytecode = True
 sys.path[:0] = [str(CERTIFICATES), str(PROVED)]
 import certify
 import kinds
+import rounded_in_fractions
 
 WORD_FIELDS = ("side", "relation", "contact", "location", "state", "axis")
 FROM_EACH_KIND = 4  # claims of a kind of one operation that are tampered with
@@ -101,19 +103,45 @@ def tampered(claim, words):
                     yield with_value(claim, path, other)
 
 
-def chosen(operation):
-    """The shortest claims of each kind, and the longest among short ones."""
+def other_doubles(value):
+    value = rounded_in_fractions.double(value)
+    near = {math.nextafter(value, end) for end in (math.inf, -math.inf)}
+    found = sorted((near | {-value, 0.0, value / 2, math.inf, -math.inf}) - {value})
+    return [-0.0] + [other if math.isfinite(other) else "inf" if other > 0 else "-inf" for other in found]
+
+
+def rounded_otherwise(claim, words):
+    """Claims whose `rounded` differs in one place. Right are a zero of either sign, and a truth without numbers."""
+    for path, value in places(claim["rounded"], ("rounded",)):
+        word = isinstance(value, str) and value not in ("inf", "-inf")
+        for other in sorted(words - {value})[::10] if word else other_doubles(value):
+            yield with_value(claim, path, other)
+        for other in (None, [], {}, "1", str(value), "nan", True):
+            yield with_value(claim, path, other)
+    for name in claim["rounded"]:
+        less = copy.deepcopy(claim)
+        del less["rounded"][name]
+        yield less
+    yield with_value(claim, ("rounded", "more"), 1)
+    yield claim | {"rounded": claim["truth"]}
+    yield claim | {"rounded": []}
+
+
+def chosen(operation, *fields):
+    """The shortest claims of each kind, and the longest among short ones; with other fields of vectors too."""
     found = collections.defaultdict(list)
     for claim in vectors_of(operation):
         if "certificate" in claim:
-            found[key_of(claim)].append({name: claim[name] for name in ("op", "input", "truth", "certificate")})
+            kept = ("op", "input", "truth", "certificate", *fields)
+            found[key_of(claim)].append({name: claim[name] for name in kept})
     for claims in found.values():
         claims.sort(key=lambda claim: len(json.dumps(claim)))
         yield from claims[:FROM_EACH_KIND - 1] + claims[len(claims) // 2:][:1]
 
 
 def by_hand(program, path):
-    """The verdicts of certify.py, line by line, after a look at whether touchstone certify refuses the same lines."""
+    """The verdicts of certify.py, line by line, after a look at whether touchstone certify refuses the same lines; what
+    they accept is refused if `rounded` is wrong."""
     lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
     judged = [certify.judged(line) for line in lines]
     run = subprocess.run([program, "certify", path], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -122,7 +150,11 @@ def by_hand(program, path):
         if (reason is not None) != (number in refused):
             yield number, "the checkers written by hand disagree"
     for number, (reason, of_refused_input) in enumerate(judged, 1):
-        yield number, "refused" if reason else "no certificate" if of_refused_input else "accepted"
+        if reason is None and of_refused_input:
+            yield number, "no certificate"
+        else:
+            right = reason is None and rounded_in_fractions.is_rounded(json.loads(lines[number - 1]))
+            yield number, "accepted" if right else "refused"
 
 
 def proved_verdicts(work, path):
@@ -155,7 +187,7 @@ def check(program, work):
     operations = kinds.operations(kinds.sources())
     words = {word for operation in operations for claim in vectors_of(operation) if "certificate" in claim
              for word in key_of(claim)[1:]} - {""}
-    vectors, changed = collections.Counter(), collections.Counter()
+    vectors, changed, rounded = collections.Counter(), collections.Counter(), collections.Counter()
     for operation in operations:
         every = vectors_of(operation)
         count, found = compare(program, work, [json.dumps(claim) for claim in every])
@@ -169,7 +201,14 @@ def check(program, work):
         wrong += found
         if count["refused"] < len(lines) // 4:
             wrong.append(f"{operation}: of {len(lines)} tampered claims only {count['refused']} are refused")
-    for what, count in (("vectors", vectors), ("tampered and written claims", changed)):
+        lines = [json.dumps(other) for claim in chosen(operation, "rounded")
+                 for other in rounded_otherwise(claim, words)]
+        count, found = compare(program, work, lines)
+        rounded.update(count)
+        wrong += found
+        if count["refused"] < len(lines) * 3 // 4:
+            wrong.append(f"{operation}: of {len(lines)} vectors rounded otherwise only {count['refused']} are refused")
+    for what, count in (("vectors", vectors), ("tampered and written claims", changed), ("rounded otherwise", rounded)):
         print(f"{what}: " + ", ".join(f"{n:,} {verdict}" for verdict, n in sorted(count.items())))
     return wrong
 
