@@ -11,7 +11,8 @@
 
 A formula check_OPERATION of formulas_*.v has two theorems. OPERATION_sound: if the formula holds of an input, a truth
 and a certificate, the truth holds of the input, as ../spec says it. OPERATION_unique: of one input, no two different
-truths hold. So have the formulas rounds_WHERE of formulas_rounding.v, which say that a double is a number rounded.
+truths hold. So have the formulas rounds_WHERE of formulas_rounding.v, which say that a double is a number rounded;
+rounds_as_flocq says that the nearest double is what Flocq rounds to.
 """
 import argparse
 import json
@@ -32,7 +33,7 @@ import prove
 LONGEST_SPECIFICATION = 440  # 400 for the truths of operations, the rest for what rounding means
 
 
-MISSING = "skipped: no coqc or no ocamlfind (Debian: coq ocaml ocaml-findlib libzarith-ocaml-dev)"
+MISSING = "skipped: no coqc or no ocamlfind (Debian: coq libcoq-flocq ocaml ocaml-findlib libzarith-ocaml-dev)"
 
 
 def installed():
@@ -54,7 +55,8 @@ def roundings(files):
 
 
 def theorems(files):
-    return [f"{name}_{what}" for name in operations(files) + roundings(files) for what in ("sound", "unique")]
+    named = [f"{name}_{what}" for name in operations(files) + roundings(files) for what in ("sound", "unique")]
+    return named + ["rounds_as_flocq"]
 
 
 def refused(files):
@@ -98,7 +100,7 @@ def prove_all(work, jobs):
         return found
     files.pop("extraction")
     groups = {what: [theorem for theorem in theorems(files) if theorem.endswith(what)]
-              for what in ("sound", "unique")}
+              for what in ("sound", "unique", "flocq")}
     files["assumptions"] = f"From Certificates Require Import {' '.join(sorted(files))}.\n" + "".join(
         f"Definition all_{what} := ({', '.join(group)}).\nPrint Assumptions all_{what}.\n"
         for what, group in groups.items())
