@@ -31,10 +31,13 @@ let is_utf8 text =
       match follow (at + 1) count code with
       | Some code when code >= least && Uchar.is_valid code -> from (at + 1 + count)
       | _ -> false in
-  String.for_all (fun c -> c < '\x80') text || from 0
+  from 0
+
+(* A character that stands for itself in a text *)
+let plain c = c >= ' ' && c <= '~' && c <> '"' && c <> '\\'
 
 let parse text =
-  let length = String.length text and at = ref 0 in
+  let length = String.length text and at = ref 0 and beyond_ascii = ref false in
   let peek () = if !at < length then text.[!at] else '\000' in
   let take c = if peek () = c && !at < length then incr at else raise Malformed in
   let rec skip_spaces () = match peek () with ' ' | '\t' | '\r' | '\n' -> incr at; skip_spaces () | _ -> () in
@@ -68,12 +71,12 @@ let parse text =
   let rec text_value () =
     take '"';
     let first = !at in
-    while peek () >= ' ' && peek () <> '"' && peek () <> '\\' do incr at done;
-    let plain = String.sub text first (!at - first) in
-    if peek () = '"' then (incr at; plain) else rest_of_text plain
-  and rest_of_text plain =
+    while !at < length && plain text.[!at] do incr at done;
+    let begun = String.sub text first (!at - first) in
+    if peek () = '"' then (incr at; begun) else rest_of_text begun
+  and rest_of_text begun =
     let buffer = Buffer.create 16 in
-    Buffer.add_string buffer plain;
+    Buffer.add_string buffer begun;
     let rec go () =
       if !at >= length then raise Malformed;
       let c = text.[!at] in
@@ -82,7 +85,10 @@ let parse text =
       | '"' -> ()
       | '\\' -> escaped buffer; go ()
       | c when c < ' ' -> raise Malformed
-      | c -> Buffer.add_char buffer c; go () in
+      | c ->
+          if c > '~' then beyond_ascii := true;
+          Buffer.add_char buffer c;
+          go () in
     go ();
     Buffer.contents buffer in
   let digits () =
@@ -133,5 +139,5 @@ let parse text =
     if List.length (List.sort_uniq String.compare keys) <> List.length keys then raise Malformed;
     members in
   let found = value 0 in
-  if !at < length || not (is_utf8 text) then raise Malformed;
+  if !at < length || (!beyond_ascii && not (is_utf8 text)) then raise Malformed;
   found
