@@ -5,7 +5,8 @@
   proved_checker.py --program PATH [--work DIR]   builds certify_proved, and gives it and the others claims:
       all test vectors of operations with proved kinds, and their claims; and claims that are tampered with in one
       place, some of each kind: another word, another kind, other numbers of truth, certificate and input; and vectors
-      with another double, word or field in `rounded`. The others do not look at that: fractions say what is right.
+      with another double, word or field in `rounded`. The others do not look at that: fractions say what is right, and
+      of sums of two numbers the processor.
 
 Ends with 77 where Coq or OCaml is missing.
 """
@@ -127,6 +128,40 @@ def rounded_otherwise(claim, words):
     yield claim | {"rounded": []}
 
 
+# About halves of a unit, the least and the greatest numbers.
+EDGES = (sys.float_info.max, 2.0**970, math.nextafter(2.0**970, 0), 2.0**969, 2.0**53 + 2, 2.0**53, 2.0**53 - 1, 1.5,
+         1.0, 2.0**-53, 3 * 2.0**-54, 2.0**-54, 2.0**-1022, math.nextafter(2.0**-1022, 0), 5e-324)
+
+
+def sums_of_two():
+    """(claim, whether it is right): the momentum of two bodies, rounded as the processor adds, or to a double beside."""
+    def written(x):
+        return x if math.isfinite(x) else "inf" if x > 0 else "-inf"
+
+    numbers = [sign * x for x in EDGES for sign in (1, -1)]
+    for a in numbers:
+        for b in numbers:
+            total = a + b
+            for other in sorted({total, *(math.nextafter(total, end) for end in (math.inf, -math.inf))}):
+                bodies = [{"mass": 1, "velocity": [x, 0, 0]} for x in (a, b)]
+                truth = {"momentum": [str(Fraction(a) + Fraction(b)), "0", "0"]}
+                yield {"op": "momentum", "input": {"bodies": bodies}, "truth": truth, "certificate": {"kind": "sum"},
+                       "rounded": {"momentum": [written(other), 0, 0]}}, other == total
+
+
+def wrong_sums(work):
+    claims = list(sums_of_two())
+    with tempfile.NamedTemporaryFile("w", suffix=".jsonl", encoding="utf-8") as file:
+        file.write("".join(json.dumps(claim) + "\n" for claim, _ in claims))
+        file.flush()
+        verdicts = proved_verdicts(work, file.name)
+    if len(verdicts) != len(claims):
+        yield f"{len(claims)} sums, but {len(verdicts)} verdicts"
+    for (claim, right), verdict in zip(claims, verdicts):
+        if verdict != ("accepted" if right else "refused"):
+            yield f"a sum that is rounded {'right' if right else 'wrong'}: {verdict}: {json.dumps(claim)}"
+
+
 def chosen(operation, *fields):
     """The shortest claims of each kind, and the longest among short ones; with other fields of vectors too."""
     found = collections.defaultdict(list)
@@ -208,6 +243,7 @@ def check(program, work):
         wrong += found
         if count["accepted"] > len(lines) // 4 or count["refused"] == 0:
             wrong.append(f"{operation}: of {len(lines)} vectors rounded otherwise {count['accepted']} are accepted")
+    wrong += wrong_sums(work)
     for what, count in (("vectors", vectors), ("tampered and written claims", changed), ("rounded otherwise", rounded)):
         print(f"{what}: " + ", ".join(f"{n:,} {verdict}" for verdict, n in sorted(count.items())))
     return wrong
