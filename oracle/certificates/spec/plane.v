@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of points, segments, lines and rays of the plane. The files of this folder speak of points,
-    sets and distances of the real plane and real space, and of nothing else: no rational number, certificate or
-    algorithm occurs in them. They are all that has to be read to know what is proved. Shapes are closed sets. *)
+    sets and distances of the real plane and real space, [numbers] of doubles, and of nothing else: no rational number,
+    certificate or algorithm occurs in them. They are all that one has to read to trust it. Shapes are closed sets. *)
 Require Import Reals List. Open Scope R_scope.
 Definition vec2 (A : Type) : Type := A * A.
 Definition seg2 (A : Type) : Type := vec2 A * vec2 A.

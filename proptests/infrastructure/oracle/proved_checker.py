@@ -134,7 +134,7 @@ EDGES = (sys.float_info.max, 2.0**970, math.nextafter(2.0**970, 0), 2.0**969, 2.
 
 
 def sums_of_two():
-    """(claim, whether it is right): the momentum of two bodies, rounded as the processor adds, or to a double beside."""
+    """(claim, whether it is right): the momentum of two bodies, rounded as the processor adds, or beside that."""
     def written(x):
         return x if math.isfinite(x) else "inf" if x > 0 else "-inf"
 
