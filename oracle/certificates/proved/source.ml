@@ -32,14 +32,20 @@ let given (what, value) = Numbers.given what value
 let exact (what, value) = Numbers.exact what value
 let surd (what, value) = Numbers.surd what value
 
+let rec nat k = if k = 0 then Proved.O else Proved.S (nat (k - 1))
+
 (* An index that an exact value names. *)
 let place_in_list (what, value) =
   let q = Numbers.exact what value in
   let negative = Whole.sign q.qnum < 0 and limit = Whole.of_int 1_000_000 in
   let top, rest = Whole.div_rem q.qnum q.qden in
   if negative || Whole.sign rest <> 0 || Whole.gt top limit then refuse what "an index";
-  let rec nat k = if k = 0 then Proved.O else Proved.S (nat (k - 1)) in
   nat (Whole.to_int top)
+
+(* An index as inputs and answers have it. *)
+let natural (what, value) = match value with
+  | Json.Number text when Numbers.all_digits text && String.length text <= 6 -> nat (int_of_string text)
+  | _ -> refuse what "an index"
 
 let same_length (what, _) one other =
   if List.compare_lengths one other <> 0 then refuse what "lists of one length"

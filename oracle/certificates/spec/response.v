@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
 (** What the answers claim of bodies: momentum, energy, and velocities after a collision. *)
-Require Import Reals List. Open Scope R_scope.
+Require Import Reals List. From Certificates Require Import solids. Open Scope R_scope.
 Definition vec3 (A : Type) : Type := A * A * A.
 Definition add3 (p q : vec3 R) : vec3 R := let '(a, b, c) := p in let '(x, y, z) := q in (a + x, b + y, c + z).
 Definition times3 (t : R) (p : vec3 R) : vec3 R := let '(a, b, c) := p in (t * a, t * b, t * c).
@@ -73,3 +73,21 @@ Definition rigid_body_collision_spec (a b : rigid_body) (p n : vec3 R) (e : R) (
   dot3 n (minus3 (after a after_a) (after b after_b)) = - e * dot3 n (minus3 (before a) (before b)) /\
   exists j, pushed a p (times3 j n) (fst after_a) (snd after_a) /\
     pushed b p (times3 (- j) n) (fst after_b) (snd after_b).
+(** [simultaneous_collisions]: bodies are (inverse mass, velocity), contacts ((a, b), normal from the b-th to the a-th).
+    Allowed are velocities with which none that did approach parts less than e times as fast, and no other approaches;
+    what has the inverse mass 0 keeps its own. The answer changes least: by the sum of mass times |change|^2. *)
+Definition parting (v : list (list R)) (c : nat * nat * list R) : R :=
+  let '(a, b, n) := c in dot n (minus (nth a v nil) (nth b v nil)).
+Definition allowed (bodies : list (R * list R)) contacts (e : R) (v : list (list R)) : Prop :=
+  Forall2 (fun body after => length after = 3%nat /\ (fst body = 0 -> after = snd body)) bodies v /\
+  forall c, In c contacts -> e * Rmax 0 (- parting (map snd bodies) c) <= parting v c.
+Fixpoint change (bodies : list (R * list R)) (v : list (list R)) : R :=
+  match bodies, v with (w, u) :: bodies', x :: v' => sqdist u x / w + change bodies' v' | _, _ => 0 end.
+Definition simultaneous_collisions_spec bodies contacts (e : R) (w : option (list (list R))) : Prop :=
+  (forall body, In body bodies -> 0 <= fst body /\ length (snd body) = 3%nat) /\ 0 <= e <= 1 /\
+  (forall a b n, In (a, b, n) contacts -> (a < length bodies)%nat /\ (b < length bodies)%nat /\ a <> b /\
+     length n = 3%nat /\ nonzero n) /\
+  match w with
+  | Some v => allowed bodies contacts e v /\ forall u, allowed bodies contacts e u -> change bodies v <= change bodies u
+  | None => forall v, ~ allowed bodies contacts e v
+  end.
