@@ -28,7 +28,7 @@ let judge (claim : (string * Json.t) list) =
   match Hashtbl.find_opt by_name name with
   | None -> not_proved
   | Some operation ->
-      let inputs = Source.members operation.inputs input in
+      let inputs = Source.members operation.inputs (Shapes.completed operation input) in
       let word =
         if operation.field = "" then ""
         else Source.word (Source.member ("truth", Source.object_of truth) operation.field) in

@@ -9,6 +9,10 @@ Section checks.
 Context {A : Type}.
 Notation T := (term A). Notation C := (cond A).
 
+(** Points by their places in a list *)
+Definition chosen_from (points : list (list A)) (places : list nat) : list (list A) :=
+  map (fun i => nth i points nil) places.
+Definition are_places {B} (l : list B) (places : list nat) : C := all (fun i => if_so (i <? length l)) places.
 (** The i-th value is the least, the j-th the greatest. *)
 Definition ends_at (values : list T) (low high : T) (i j : nat) : C :=
   at_index i values (fun v => v = low) /\ at_index j values (fun v => v = high) /\

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: Apache-2.0 *)
-(* The kinds of certificates of boxes and slabs around points, and of oriented boxes: which field is which number of a
-   formula. *)
+(* The kinds of certificates of boxes, slabs and balls around points, and of oriented boxes: which field is which number
+   of a formula. *)
 open Proved
 open Shapes
 open Source
@@ -24,6 +24,27 @@ let kdop_of_points = rounded_outwards [ "slabs" ] (operation "kdop_of_points" [ 
       extreme_points "slabs" (fun slabs ->
         check_kdop_of_points (points in_space everything) (points in_space normals) (points exact_point slabs))
   | _ -> assert false))
+
+let bounding_sphere =
+  with_defaults [ ("method", Json.Text "smallest") ] (operation ~unproved:[ "lower_bound" ] "bounding_sphere"
+    [ "points"; "method" ] "" (function
+    | [ everything; method_ ] ->
+        let check how answers =
+          let center, radius = two_members "center" "radius" exact_in_space surd (List.hd answers) in
+          check_bounding_sphere (points in_space everything) how center radius in
+        let farthest how =
+          [ kind "" [ "sphere" ] "farthest_point" [ "point" ] (fun answers facts ->
+              check how answers (Farthest_point (index (List.hd facts)))) ] in
+        (match word method_ with
+        | "box" -> farthest Around_box
+        | "centroid" -> farthest Around_mean
+        | "smallest" ->
+            [ kind "" [ "sphere" ] "support" [ "points"; "weights" ] (fun answers facts -> match facts with
+                | [ places; weights ] -> check Smallest answers (Support (indices places, exact_list weights))
+                | _ -> assert false) ]
+        | "ritter" -> []
+        | _ -> Numbers.refuse "method" "one of box, centroid, ritter, smallest")
+    | _ -> assert false))
 
 let obb = two_members "center" "half_axes" in_space (fun axes -> List.map in_space (exactly 3 axes))
 
@@ -54,4 +75,4 @@ let obb_obb = operation "obb_obb" [ "a"; "b" ] "contact" (function
           | _ -> assert false) ]
   | _ -> assert false)
 
-let operations = [ aabb_of_points; kdop_of_points; point_in_obb; obb_obb ]
+let operations = [ aabb_of_points; kdop_of_points; bounding_sphere; point_in_obb; obb_obb ]

@@ -19,11 +19,20 @@ type operation = {
   kinds : place list -> kind list; (* of the values of the inputs *)
   unproved : string list; (* kinds that have no proof yet *)
   outwards : string list; (* fields of the truth, lists of pairs, that are rounded outwards *)
+  defaults : (string * Json.t) list; (* of inputs that may be left out *)
 }
 
 let kind word answers kind facts formula = { word; answers; kind; facts; formula }
-let operation ?(unproved = []) name inputs field kinds = { name; inputs; field; kinds; unproved; outwards = [] }
+let operation ?(unproved = []) name inputs field kinds =
+  { name; inputs; field; kinds; unproved; outwards = []; defaults = [] }
 let rounded_outwards fields operation = { operation with outwards = fields }
+let with_defaults defaults operation = { operation with defaults }
+
+(* The input with what it leaves out. *)
+let completed operation (what, value) = match value with
+  | Json.Object given ->
+      (what, Json.Object (given @ List.filter (fun (name, _) -> not (List.mem_assoc name given)) operation.defaults))
+  | _ -> (what, value)
 
 let pair read place = match exactly 2 place with [ a; b ] -> (read a, read b) | _ -> assert false
 let single read place = match exactly 1 place with [ a ] -> read a | _ -> assert false

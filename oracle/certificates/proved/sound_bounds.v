@@ -6,6 +6,12 @@ From Certificates Require Import solids language formulas_vectors formulas_solid
 Import ListNotations.
 Open Scope R_scope.
 
+Lemma chosen_means : forall (points : list (list Q)) places, means Q2R (are_places points places) ->
+  forall p, In p (chosen_from points places) -> In p points.
+Proof.
+  intros points places h p i. unfold are_places in h. rewrite all_means in h. apply in_map_iff in i.
+  destruct i as (k & <- & i). specialize (h k i). rewrite if_so_means, Nat.ltb_lt in h. apply nth_In; auto.
+Qed.
 Lemma ends_mean : forall vs low high i j, means Q2R (ends_at vs low high i j) ->
   least_interval (values vs) (value Q2R low) (value Q2R high).
 Proof.

@@ -91,3 +91,14 @@ Definition aabb_of_points_spec (points : list (list R)) (low high : list R) : Pr
 Definition kdop_of_points_spec (points normals : list (list R)) (slabs : list (R * R)) : Prop :=
   (forall p, In p points -> length p = 3%nat) /\ (forall n, In n normals -> length n = 3%nat /\ nonzero n) /\
   normals <> nil /\ Forall2 (fun n s => least_interval (map (dot n) points) (fst s) (snd s)) normals slabs.
+(** [bounding_sphere]: the least ball around its center that holds all points. The center is the middle of their box, or
+    their mean, or such that no other ball that holds them is smaller. *)
+Inductive sphere_method := around_box | around_mean | smallest.
+Definition bounding_sphere_spec (points : list (list R)) (method : sphere_method) (c : list R) (r : R) : Prop :=
+  let holds d s := proper_ball 3 d s /\ forall p, In p points -> ball d s p in
+  points <> nil /\ (forall p, In p points -> length p = 3%nat) /\ holds c r /\ (forall s, holds c s -> r <= s) /\
+  match method with
+  | around_box => exists low high, aabb_of_points_spec points low high /\ c = times (1 / 2) (plus low high)
+  | around_mean => c = times (1 / INR (length points)) (fold_right plus (repeat 0 3) points)
+  | smallest => forall d s, holds d s -> r <= s
+  end.
