@@ -49,9 +49,16 @@ let judge (claim : (string * Json.t) list) =
           end
           else Refused "the proved formula does not hold"
 
-let verdict_on text =
+(* The claim with the values of the files that its input names, in the folder of the claims. *)
+let with_named_files folder claim =
+  let read = function
+    | "input", Json.Object given -> ("input", Json.Object (List.map (Named_file.value folder) given))
+    | other -> other in
+  List.map read claim
+
+let verdict_on folder text =
   try
-    let claim = Source.object_of ("claim", Json.parse text) in
+    let claim = with_named_files folder (Source.object_of ("claim", Json.parse text)) in
     let has name = List.mem_assoc name claim in
     if has "refused" && not (has "truth" || has "certificate") then No_certificate
     else
@@ -87,7 +94,7 @@ let () =
     let number = ref 0 in
     each_line channel (fun text ->
         incr number;
-        if String.trim text <> "" then count file !number (verdict_on text)) in
+        if String.trim text <> "" then count file !number (verdict_on (Filename.dirname file) text)) in
   (try List.iter check files
    with Sys_error why ->
      prerr_endline why;

@@ -250,7 +250,7 @@ Proof.
   assert (na' := none_nearer_means n a _ _ pa ltac:(rewrite <- ex; auto) na).
   assert (nb' := none_nearer_means n b _ _ pb ltac:(rewrite <- ey; auto) nb).
   apply distance_means in dist; [|rewrite <- ex, <- ey; congruence]. rewrite <- ex, <- ey in *. clear na nb.
-  exists n. split; [exact hn|]. do 4 (split; [assumption|]). split; [|exact dist].
+  exists n. split; [exact hn|]. do 2 (split; [assumption|]). split; [|exact dist]. do 2 (split; [assumption|]).
   intros x' y' hx' hy'. assert (lx' := hull_length _ _ _ (proj2 pa) hx').
     assert (ly' := hull_length _ _ _ (proj2 pb) hy').
   destruct (pair_nearest n (rl x) (rl y) x' y') as [g k]; auto. split; auto. intro e.
@@ -292,14 +292,12 @@ Proof.
   replace (((a + c) / 2 - (b + d) / 2) * ((a + c) / 2 - (b + d) / 2)) with
     ((a - b + (c - d)) * (a - b + (c - d)) / 4) by field. lra.
 Qed.
-Theorem segment_segment_distance_unique : forall a b x y s d x' y' s' d',
-  segment_segment_distance_spec a b x y s d -> segment_segment_distance_spec a b x' y' s' d' ->
-  x = x' /\ y = y' /\ s = s' /\ d = d'.
+Lemma nearest_pair_unique : forall n a b x y x' y', (forall p, In p a -> length p = n) ->
+  (forall p, In p b -> length p = n) -> a <> [] -> nearest_pair n a b x y -> nearest_pair n a b x' y' ->
+  x = x' /\ y = y'.
 Proof.
-  intros a b x y s d x' y' s' d' (n & _ & [ca pa] & [_ pb] & hx & hy & near & dist)
-    (m & _ & [_ pa'] & _ & hx' & hy' & near' & dist').
-  destruct a as [|a0 a]; [discriminate|]. assert (l0 := pa a0 ltac:(simpl; auto)).
-  assert (e : m = n) by (rewrite <- (pa' a0 ltac:(simpl; auto)); auto). subst m. simpl hd in *.
+  intros n a b x y x' y' pa pb some (hx & hy & near) (hx' & hy' & near').
+  destruct a as [|a0 a]; [tauto|]. assert (l0 := pa a0 ltac:(simpl; auto)). simpl hd in *.
   assert (lx := hull_length _ _ _ pa hx). assert (lx' := hull_length _ _ _ pa hx').
   assert (ly := hull_length _ _ _ pb hy). assert (ly' := hull_length _ _ _ pb hy').
   destruct (near _ _ hx' hy') as [g1 g2]. destruct (near' _ _ hx hy) as [h1 h2].
@@ -309,7 +307,16 @@ Proof.
   assert (k := middle_nearer a0 x x' ltac:(congruence) ltac:(congruence)).
   assert (e : x = x') by (apply sqdist_zero; [congruence | lra]). subst x'. split; auto.
   assert (k' := middle_nearer x y y' ltac:(congruence) ltac:(congruence)).
-  destruct (near _ _ hx (hull_middle _ _ _ _ hy hy')) as [g6 _].
-  assert (f : y = y') by (apply sqdist_zero; [congruence | lra]). subst y'. split; auto. apply (distance_unique x y);
-    auto.
+  destruct (near _ _ hx (hull_middle _ _ _ _ hy hy')) as [g6 _]. apply sqdist_zero; [congruence | lra].
+Qed.
+Theorem segment_segment_distance_unique : forall a b x y s d x' y' s' d',
+  segment_segment_distance_spec a b x y s d -> segment_segment_distance_spec a b x' y' s' d' ->
+  x = x' /\ y = y' /\ s = s' /\ d = d'.
+Proof.
+  intros a b x y s d x' y' s' d' (n & _ & [ca pa] & [_ pb] & near & dist) (m & _ & [_ pa'] & _ & near' & dist').
+  assert (some : a <> []) by (destruct a; discriminate).
+  assert (e : m = n).
+  { destruct a as [|a0 a]; [tauto|]. rewrite <- (pa' a0), <- (pa a0) by (simpl; auto). auto. }
+  subst m. destruct (nearest_pair_unique n a b x y x' y' pa pb some near near') as [<- <-].
+  destruct (distance_unique x y s d s' d' dist dist') as [<- <-]. auto.
 Qed.

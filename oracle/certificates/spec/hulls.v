@@ -19,11 +19,12 @@ Definition closest_point_on_segment_spec points p x (square distance : R) : Prop
   exists n, (n = 2 \/ n = 3)%nat /\ points_of 2 n points /\ closest_point_spec n points p x square distance.
 Definition closest_point_on_triangle_spec points p x (square distance : R) : Prop :=
   points_of 3 3 points /\ closest_point_spec 3 points p x square distance.
-(** Of the pairs that are as near as any, the one whose x is nearest to the beginning of a *)
-Definition segment_segment_distance_spec (a b : list (list R)) (x y : list R) (square distance : R) : Prop :=
-  exists n, (n = 2 \/ n = 3)%nat /\ points_of 2 n a /\ points_of 2 n b /\ hull n a x /\ hull n b y /\
-  (forall x' y', hull n a x' -> hull n b y' -> sqdist x y <= sqdist x' y' /\
-     (sqdist x' y' = sqdist x y -> sqdist (hd nil a) x <= sqdist (hd nil a) x')) /\
+(** Of the pairs that are as near as any, the one whose x is nearest to the first of a *)
+Definition nearest_pair n (a b : list (list R)) (x y : list R) : Prop := hull n a x /\ hull n b y /\
+  forall x' y', hull n a x' -> hull n b y' -> sqdist x y <= sqdist x' y' /\
+    (sqdist x' y' = sqdist x y -> sqdist (hd nil a) x <= sqdist (hd nil a) x').
+Definition segment_segment_distance_spec a b (x y : list R) (square distance : R) : Prop :=
+  exists n, (n = 2 \/ n = 3)%nat /\ points_of 2 n a /\ points_of 2 n b /\ nearest_pair n a b x y /\
   distance_spec x y square distance.
 (** A capsule is all that is no farther than r from a segment. *)
 Definition capsule points (r : R) x : Prop := exists y, hull 3 points y /\ sqdist y x <= r * r.
@@ -85,4 +86,24 @@ Definition triangle_triangle_spec a b (w : dimension) : Prop := points_of 3 3 a 
   | common_one => exists x, forall y, both y <-> y = x
   | common_line => on_one_line both /\ exists x y, both x /\ both y /\ x <> y
   | common_area => ~ on_one_line both
+  end.
+
+(** * Convex meshes: vertices, and faces of places among them. No vertex is in front of the plane of a face, and what is
+    behind all these planes is the hull of the vertices: so both are the solid. *)
+Definition plane_of (vertices : list (list R)) (face : list nat) (normal : list R) (offset : R) : Prop :=
+  length normal = 3%nat /\ nonzero normal /\ (forall k, In k face -> dot normal (nth k vertices nil) + offset = 0) /\
+  forall v, In v vertices -> half_space normal offset v.
+Definition convex_mesh (vertices : list (list R)) (faces : list (list nat)) : Prop :=
+  (forall v, In v vertices -> length v = 3%nat) /\
+  (forall face, In face faces -> exists normal offset, plane_of vertices face normal offset) /\
+  forall x, length x = 3%nat -> (hull 3 vertices x <-> forall face normal offset,
+    In face faces -> plane_of vertices face normal offset -> half_space normal offset x).
+Definition point_in_convex_polyhedron_spec vertices faces p (w : location) : Prop :=
+  convex_mesh vertices faces /\ location_spec 3 (hull 3 vertices) p w.
+(** [convex_distance]: two that have no common point have two nearest ones. *)
+Definition convex_distance_spec va fa vb fb (w : option (list R * list R)) (square distance : R) : Prop :=
+  convex_mesh va fa /\ convex_mesh vb fb /\
+  match w with
+  | None => (exists x, hull 3 va x /\ hull 3 vb x) /\ square = 0 /\ distance = 0
+  | Some (x, y) => x <> y /\ nearest_pair 3 va vb x y /\ distance_spec x y square distance
   end.

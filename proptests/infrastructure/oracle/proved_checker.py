@@ -17,6 +17,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -177,8 +178,9 @@ def chosen(operation, *fields):
 def by_hand(program, path):
     """The verdicts of certify.py, line by line, after a look at whether touchstone certify refuses the same lines; what
     they accept is refused if `rounded` is wrong."""
-    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
-    judged = [certify.judged(line) for line in lines]
+    path = pathlib.Path(path)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    judged = [certify.judged(line, path.parent) for line in lines]
     run = subprocess.run([program, "certify", path], text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     refused = {int(number) for number in re.findall(r": line (\d+): ", run.stderr)}
     for number, (reason, _) in enumerate(judged, 1):
@@ -200,13 +202,14 @@ def proved_verdicts(work, path):
 def compare(program, work, lines):
     """(how often each verdict of the proved checker is given, which lines have different verdicts)"""
     count, wrong = collections.Counter(), []
-    with tempfile.NamedTemporaryFile("w", suffix=".jsonl", encoding="utf-8") as file:
-        file.write("".join(line + "\n" for line in lines))
-        file.flush()
-        proved = proved_verdicts(work, file.name)
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(ROOT / "vectors/meshes", pathlib.Path(folder, "meshes"))
+        path = pathlib.Path(folder, "claims.jsonl")
+        path.write_text("".join(line + "\n" for line in lines), encoding="utf-8")
+        proved = proved_verdicts(work, path)
         if len(proved) != len(lines):
             return count, [f"{len(lines)} lines, but {len(proved)} verdicts"]
-        for number, verdict in by_hand(program, file.name):
+        for number, verdict in by_hand(program, path):
             mine = proved[number - 1]
             count[mine] += 1
             if mine != verdict and not mine.startswith("not proved: "):
