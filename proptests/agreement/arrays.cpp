@@ -168,6 +168,43 @@ TEST_CASE("arrays: turns whose sign in double is wrong by nearly three units of 
   check(operation, table, expected, expected.size(), all_of(table, 1), 0);
 }
 
+TEST_CASE("arrays: three points on the diagonal, whose differences are rounded, and one beside it") {
+  // 1 - 2^-60 and 3 - 2^-60 are rounded to 1 and 3: the products are equal as computed, whatever the turn is.
+  const Operation& operation = *catalogue::find_operation("orientation");
+  const double least = 0x1p-60, beyond = 0x1.8000000000001p1;
+  const std::vector<Question> rows = {{{least, least, 1, 1, 3, 3}, {}},      {{least, least, 1, 1, 3, beyond}, {}},
+                                      {{least, least, 1, 1, beyond, 3}, {}}, {{least, least * 2, 1, 1, 3, 3}, {}},
+                                      {{least * 2, least, 1, 1, 3, 3}, {}},  {{1, 1, least, least, 1, 1}, {}}};
+  const std::vector<Word> sides = {1, 0, 2, 0, 2, 1};  // on, left, right
+  Table table{{}, operation.row().batch.columns(rows[0])};
+  std::vector<Word> expected;
+  for (std::size_t i = 0; i < 300; ++i) {
+    table.questions.push_back(rows[i % rows.size()]);
+    expected.push_back(sides[i % rows.size()]);
+  }
+  check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+}
+
+TEST_CASE("arrays: of two rows that are refused the first is named, also where fewer rows of its chunk are open") {
+  const Operation& operation = *catalogue::find_operation("orientation");
+  const double bad = std::numeric_limits<double>::infinity();
+  const Question sure{{0, 0, 1, 0, 0, 1}, {}}, on_line{{0, 0, 1, 1, 2, 2}, {}}, refused{{0, 0, 1, bad, 2, 2}, {}};
+  Table table{{}, operation.row().batch.columns(sure)};
+  for (std::size_t i = 0; i < 128; ++i) table.questions.push_back(i < 64 ? sure : on_line);
+  table.questions[5] = refused, table.questions[100] = refused;
+  const Columns given(table, table.questions.size(), all_of(table, 1), 0);
+  for (const Instructions set : every_set) {
+    std::vector<std::uint8_t> answers(table.questions.size());
+    std::string named;
+    try {
+      operation.row().batch.decide(table.questions[0], given.columns.data(), answers.size(), answers.data(), set);
+    } catch (const InvalidInput& error) {
+      named = error.field();
+    }
+    CHECK(named == "questions[5].p1[1]");
+  }
+}
+
 TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
   // normal, offset, point
   const Operation& operation = *catalogue::find_operation("point_plane");

@@ -2,69 +2,85 @@
 // A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
 #pragma once
 
-#include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/sums.h"
 
-/// The second stage of arrays, for rows that a filter leaves: products with their rounding errors, which an FMA tells.
-/// Unit by unit, for instruction sets that have one.
+/// The second stage of arrays, for rows that a filter leaves, near-degenerate and degenerate ones: products with their
+/// rounding errors, and where these do not tell, exact signs. Unit by unit, for instruction sets that have an FMA.
 namespace touchstone::robust::batch::isa {
 namespace {
 
 #if TOUCHSTONE_LANES > 2
 
-/// x - y and what rounding left out, exactly: sum and error of Knuth's two-sum.
-struct Difference {
-  Lanes head, tail;
-  Difference(Lanes x, Lanes y) : head(x - y), tail(x) {
-    const Lanes y_part = x - head, x_part = head + y_part;
-    tail = (x - x_part) + (y_part - y);
-  }
+/// The lanes in which three points certainly turn left, turn right, are on one line.
+struct Sides {
+  Mask left, right, on = 0;
+  Mask known() const { return left | right | on; }
+  Sides opposite() const { return {right, left, on}; }
 };
 
-/// x y and what rounding left out, exactly.
-struct Product {
-  Lanes head, tail;
-  Product(Lanes x, Lanes y) : head(x * y), tail(multiply_add(x, y, same(0) - head)) {}
-};
-
-/// The lanes of numbers that are 0 or between 2^-480 and 2^480.
-Mask in_window(Lanes x) {
-  const Lanes size = magnitude(x);
-  return (not_below(size, same(0x1p-480)) & not_below(same(0x1p480), size)) | equal(size, same(0));
+/// How three points turn, from the differences u + u' and w + w', of the second and the first, in x and y, and t + t'
+/// and s + s', of the third and the first, with what rounding left out. Never says that they are on one line.
+///
+/// Let L + l and R + r be the products u s and w t in heads and tails, and S = |L| + |R|. The turn is (L - R) + ((l -
+/// r) + ((u s' + s u') - (w t' + t w'))) + (u' s' - w' t'). The last is at most v^2 S and left out. Of the terms in the
+/// middle l and r add up to v S at most, the others to 2 v S, all but for terms of higher order. The roundings of the
+/// four products add 2 v^2 S, those of the sums of two 2 v^2 S and v^2 S, of the difference of these 2 v^2 S, and of
+/// the sum in the middle 3 v^2 S: 11 v^2 S with what is left out. L - R is off by v |L - R|, and the outermost sum by v
+/// times itself; L - R is at most the value and 3 v S. So the value is off by less than 2 v |value| + 14 v^2 S, with
+/// all terms of higher order 3 v |value| + 16 v^2 S. The bound has 2^3 v and 2^8 v^2.
+///
+/// Underflow. Sums that underflow are exact. Each of the eight products, and each tail of one, may be off by 2^-1075
+/// more: 2^-1000 pays for that. An FMA leaves out roundings.
+///
+/// Overflow, infinite or NaN numbers. Every number is in a head, which is then infinite or NaN, and with it a product
+/// and S; so is a tail, where anything in it overflows, and with it the value. |value| > bound is false where the bound
+/// is NaN or both are infinite, and the bound is infinite where S or the value is.
+Sides close_turn(const Difference& u, const Difference& w, const Difference& s, const Difference& t) {
+  const Product l(u.head, s.head), r(w.head, t.head);
+  const Lanes first = multiply_add(u.head, s.tail, s.head * u.tail);
+  const Lanes second = multiply_add(w.head, t.tail, t.head * w.tail);
+  const Lanes value = (l.head - r.head) + ((l.tail - r.tail) + (first - second)), size = magnitude(value);
+  const Lanes of_value = multiply_add(size, same(8 * v), same(tiny));
+  const Lanes bound = multiply_add(magnitude(l.head) + magnitude(r.head), same(256 * v * v), of_value);
+  const Mask sure = above(size, bound), below = negative(value);
+  return {sure & ~below, sure & below};
 }
 
-/// How three points turn, with an answer for `on` too.
+/// Adds to what is known of a turn, exactly: of those lanes that are asked, with all coordinates in the window.
 ///
-/// The coordinates are in the window: they are multiples of 2^-532, and so are their differences, with both parts; what
-/// rounding leaves out of a product of two of these is a multiple of 2^-1064. So nothing here underflows or overflows,
-/// and all heads and tails are exact.
-///
-/// Where no difference was rounded, the turn is the difference of two exact products, L + l and R + r in heads and
-/// tails. Rounding is monotone: L > R says that the first is greater, and where L = R the tails decide.
-///
-/// Elsewhere let the differences be u + u', v + v', w + w', x + x' and S = |L| + |R|. The turn is (L - R) + ((l - r) +
-/// ((u v' + v u') - (w x' + x w'))) + (u' v' - w' x'). The last is at most 2 v^2 S and left out. Every sum inside of
-/// the outermost one is made of terms that are at most 2 v (1 + 4 v) S in all; with the products rounded first, what
-/// their roundings add is less than 14 v^2 S. L - R is off by v |L - R|, and the outermost sum by v times itself. L - R
-/// is at most (1 + v) times the sum and 4 v S; so the value is off by less than 3 v |value| + 32 v^2 S, 2^-51 |value| +
-/// 2^-101 S. The bound has 2^-50 and 2^-98.
-struct CloseTurn {
-  Mask left, right, on;
-  CloseTurn(Lanes px, Lanes py, Lanes qx, Lanes qy, Lanes x, Lanes y, Mask window) {
-    const Lanes zero = same(0);
-    const Difference u(qx, px), w(qy, py), s(y, py), t(x, px);
-    const Product l(u.head, s.head), r(w.head, t.head);
-    const Lanes tails = magnitude(u.tail) + magnitude(w.tail) + magnitude(s.tail) + magnitude(t.tail);
-    const Mask plain = equal(tails, zero) & window, tie = equal(l.head, r.head);
-    const Lanes of_tails = (u.head * s.tail + s.head * u.tail) - (w.head * t.tail + t.head * w.tail);
-    const Lanes value = (l.head - r.head) + ((l.tail - r.tail) + of_tails), size = magnitude(value);
-    const Lanes bound = multiply_add(magnitude(l.head) + magnitude(r.head), same(0x1p-98), size * same(0x1p-50));
-    const Mask sure = above(size, bound) & window & ~plain;
-    left = (plain & (above(l.head, r.head) | (tie & above(l.tail, r.tail)))) | (sure & ~negative(value));
-    right = (plain & (above(r.head, l.head) | (tie & above(r.tail, l.tail)))) | (sure & negative(value));
-    on = plain & tie & equal(l.tail, r.tail);
-  }
-  Mask known() const { return left | right | on; }
-};
+/// Where no difference was rounded, the turn is the difference of two products, in heads and tails. Rounding is
+/// monotone: where one head is greater, so is its product, and where the heads are equal the tails decide. Elsewhere
+/// the turn is the sum of eight products, in sixteen terms.
+[[gnu::noinline]] void settle(Sides& sides, const Lanes* p, const Lanes* q, const Lanes* r, Mask asked) {
+  asked &= ~sides.known();
+  const Lanes* const points[] = {p, q, r};
+  for (const Lanes* const point : points) asked &= in_window(point[0]) & in_window(point[1]);
+  if (asked == 0) return;
+  const Difference u(q[0], p[0]), w(q[1], p[1]), s(r[1], p[1]), t(r[0], p[0]);
+  const Product one(u.head, s.head), other(w.head, t.head);
+  const Lanes tails = magnitude(u.tail) + magnitude(w.tail) + magnitude(s.tail) + magnitude(t.tail);
+  const Mask plain = asked & equal(tails, same(0)), tie = equal(one.head, other.head);
+  sides.left |= plain & (above(one.head, other.head) | (tie & above(one.tail, other.tail)));
+  sides.right |= plain & (above(other.head, one.head) | (tie & above(other.tail, one.tail)));
+  sides.on |= plain & tie & equal(one.tail, other.tail);
+  asked &= ~plain;
+  if (asked == 0) return;
+  const Lanes w_head = opposite(w.head), w_tail = opposite(w.tail);
+  const Product us(u.head, s.tail), su(s.head, u.tail), wt(w_head, t.tail), tw(t.head, w_tail);
+  const Product least_us(u.tail, s.tail), least_wt(w_tail, t.tail);
+  Lanes terms[] = {least_us.tail, least_wt.tail,
+                   least_us.head, least_wt.head,
+                   us.tail,       su.tail,
+                   wt.tail,       tw.tail,
+                   us.head,       su.head,
+                   wt.head,       tw.head,
+                   one.tail,      opposite(other.tail),
+                   one.head,      opposite(other.head)};
+  const Signs signs = signs_of_sums(terms, asked);
+  sides.left |= asked & signs.positive;
+  sides.right |= asked & signs.negative;
+  sides.on |= asked & signs.zero;
+}
 
 /// The rows that a stage decides, and of these the rows with the answers 1 and 2; the others have 0.
 struct Decision {
@@ -73,10 +89,9 @@ struct Decision {
 
 struct CloseOrientation {
   static constexpr std::size_t columns = 6;
-  static Decision of(const Lanes* c) {
-    Mask window = all_lanes;
-    for (std::size_t k = 0; k < columns; ++k) window &= in_window(c[k]);
-    const CloseTurn turn(c[0], c[1], c[2], c[3], c[4], c[5], window);
+  static Decision of(const Lanes* c, Mask asked) {
+    Sides turn = close_turn({c[2], c[0]}, {c[3], c[1]}, {c[5], c[1]}, {c[4], c[0]});
+    if ((asked & ~turn.known()) != 0) settle(turn, c, c + 2, c + 4, asked);
     return {turn.known(), turn.on, turn.right};
   }
 };
@@ -84,59 +99,98 @@ struct CloseOrientation {
 /// On the line of the segment, and within its box.
 struct ClosePointOnSegment {
   static constexpr std::size_t columns = 6;
-  static Decision of(const Lanes* c) {
-    Mask window = all_lanes;
-    for (std::size_t k = 0; k < columns; ++k) window &= in_window(c[k]);
+  static Decision of(const Lanes* c, Mask asked) {
     const Lanes x = c[0], y = c[1];
-    const CloseTurn turn(c[2], c[3], c[4], c[5], x, y, window);
+    Sides turn = close_turn({c[4], c[2]}, {c[5], c[3]}, {y, c[3]}, {x, c[2]});
+    if ((asked & ~turn.known()) != 0) settle(turn, c + 2, c + 4, c, asked);
     const Mask within = not_below(x, lesser(c[2], c[4])) & not_below(greater(c[2], c[4]), x) &
                         not_below(y, lesser(c[3], c[5])) & not_below(greater(c[3], c[5]), y);
     return {turn.known(), ~(turn.on & within), 0};
   }
 };
 
-/// Disjoint where an axis or the line of one segment has the other strictly on one side; elsewhere a point, unless all
-/// four ends are on one line.
+/// Disjoint where an axis or the line of one segment has the other strictly on one side; elsewhere they meet. Where
+/// all four ends are on one line they meet in what their boxes have in common, which is more than a point where it has
+/// an extent along an axis; elsewhere they meet in a point. Both ends of each segment are on the other's line only
+/// where all are on one: a segment without length has the other's line, where that has a length and the segment is not
+/// on it, strictly on one side.
 struct CloseSegmentSegment {
   static constexpr std::size_t columns = 8;
-  static Decision of(const Lanes* c) {
-    Mask window = all_lanes;
-    for (std::size_t k = 0; k < columns; ++k) window &= in_window(c[k]);
+
+  struct Turns {
+    Sides to_p, to_q, to_a, to_b;
+    Mask apart() const {
+      return (to_p.left & to_q.left) | (to_p.right & to_q.right) | (to_a.left & to_b.left) | (to_a.right & to_b.right);
+    }
+    Mask known() const { return to_p.known() & to_q.known() & to_a.known() & to_b.known(); }
+    Mask on_one_line() const { return to_p.on & to_q.on & to_a.on & to_b.on; }
+  };
+
+  static Decision of(const Lanes* c, Mask asked) {
     const Lanes ax = c[0], ay = c[1], bx = c[2], by = c[3], px = c[4], py = c[5], qx = c[6], qy = c[7];
-    const CloseTurn to_p(ax, ay, bx, by, px, py, window), to_q(ax, ay, bx, by, qx, qy, window);
-    const CloseTurn to_a(px, py, qx, qy, ax, ay, window), to_b(px, py, qx, qy, bx, by, window);
-    const Mask beside = above(lesser(px, qx), greater(ax, bx)) | above(lesser(ax, bx), greater(px, qx)) |
-                        above(lesser(py, qy), greater(ay, by)) | above(lesser(ay, by), greater(py, qy));
-    const Mask apart = (beside & window) | (to_p.left & to_q.left) | (to_p.right & to_q.right) |
-                       (to_a.left & to_b.left) | (to_a.right & to_b.right);
-    const Mask all = to_p.known() & to_q.known() & to_a.known() & to_b.known() & ~(to_p.on & to_q.on);
-    return {apart | all, all & ~apart, 0};
+    const Difference abx(bx, ax), aby(by, ay), pqx(qx, px), pqy(qy, py);
+    const Difference apx(px, ax), apy(py, ay), aqx(qx, ax), aqy(qy, ay), pbx(bx, px), pby(by, py);
+    // From p to a it is as far as from a to p, the other way.
+    Turns turns{close_turn(abx, aby, apy, apx), close_turn(abx, aby, aqy, aqx),
+                close_turn(pqx, pqy, apy, apx).opposite(), close_turn(pqx, pqy, pby, pbx)};
+    const Lanes a_left = lesser(ax, bx), a_right = greater(ax, bx), a_low = lesser(ay, by), a_high = greater(ay, by);
+    const Lanes p_left = lesser(px, qx), p_right = greater(px, qx), p_low = lesser(py, qy), p_high = greater(py, qy);
+    const Mask beside = above(p_left, a_right) | above(a_left, p_right) | above(p_low, a_high) | above(a_low, p_high);
+    const Lanes total = ((magnitude(ax) + magnitude(ay)) + (magnitude(bx) + magnitude(by))) +
+                        ((magnitude(px) + magnitude(py)) + (magnitude(qx) + magnitude(qy)));
+    const Mask of_boxes = beside & not_below(same(0x1.fffffffffffffp1023), total);  // all numbers are finite
+    Mask apart = of_boxes | turns.apart();
+    const Mask open = asked & ~(apart | turns.known());
+    if (open == 0) return {apart | turns.known(), ~apart, 0};
+    settle(turns.to_p, c, c + 2, c + 4, open);
+    settle(turns.to_q, c, c + 2, c + 6, open);
+    settle(turns.to_a, c + 4, c + 6, c, open);
+    settle(turns.to_b, c + 4, c + 6, c + 2, open);
+    apart |= turns.apart();
+    const Mask longer =
+        above(lesser(a_right, p_right), greater(a_left, p_left)) | above(lesser(a_high, p_high), greater(a_low, p_low));
+    const Mask overlap = turns.on_one_line() & longer & ~apart;
+    return {apart | turns.known(), ~(apart | overlap), overlap};
   }
 };
 
-template <class F>
-void close(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared&,
-           std::uint8_t* answers, std::uint64_t* unknown) {
-  for (std::size_t n = 0; n < chunks; ++n) {
-    std::uint64_t known = 0, one = 0, two = 0;
-    for (std::size_t i = 0; i < chunk; i += lanes) {
-      Lanes numbers[F::columns];
-      for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(columns[k] + n * steps[k] + i);
-      const Decision found = F::of(numbers);
-      known |= static_cast<std::uint64_t>(found.known & all_lanes) << i;
-      one |= static_cast<std::uint64_t>(found.one & all_lanes) << i;
-      two |= static_cast<std::uint64_t>(found.two & all_lanes) << i;
-    }
-    unknown[n] = ~known;
-    std::uint8_t ones[chunk], twos[chunk];
-    put_bytes(ones, one, 1, 0);
-    put_bytes(twos, two, 2, 0);
-    for (std::size_t i = 0; i < chunk; ++i) answers[n * chunk + i] = ones[i] | twos[i];
+/// For each row of `where` the byte 1, 2 or 0. Nothing else is written.
+void put_answers(std::uint8_t* to, std::uint64_t where, std::uint64_t one, std::uint64_t two) {
+#if TOUCHSTONE_LANES == 8
+  _mm512_mask_storeu_epi8(to, where, _mm512_mask_set1_epi8(_mm512_maskz_set1_epi8(one, 1), two, 2));
+#else
+  std::uint8_t ones[chunk], twos[chunk];
+  put_bytes(ones, one, 1, 0);
+  put_bytes(twos, two, 2, 0);
+  for (std::size_t i = 0; i < chunk; ++i) ones[i] |= twos[i];
+  if (where == ~std::uint64_t{0}) {
+    std::memcpy(to, ones, chunk);
+    return;
   }
+  for (std::size_t i = 0; i < chunk; ++i)
+    if ((where >> i & 1) != 0) to[i] = ones[i];
+#endif
 }
 
 template <class F>
-constexpr Filter* close_stage = close<F>;
+std::uint64_t close(const double* const* columns, std::uint64_t asked, std::uint8_t* answers) {
+  std::uint64_t known = 0, one = 0, two = 0;
+  for (std::size_t i = 0; i < chunk; i += lanes) {
+    const Mask here = static_cast<Mask>(asked >> i) & all_lanes;
+    if (here == 0) continue;
+    Lanes numbers[F::columns];
+    for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(columns[k] + i);
+    const Decision found = F::of(numbers, here);
+    known |= static_cast<std::uint64_t>(found.known & here) << i;
+    one |= static_cast<std::uint64_t>(found.one & here) << i;
+    two |= static_cast<std::uint64_t>(found.two & here) << i;
+  }
+  put_answers(answers, known, one, two);
+  return asked & ~known;
+}
+
+template <class F>
+constexpr SecondStage* close_stage = close<F>;
 
 #else
 
@@ -144,7 +198,7 @@ struct CloseOrientation;
 struct ClosePointOnSegment;
 struct CloseSegmentSegment;
 template <class F>
-constexpr Filter* close_stage = nullptr;
+constexpr SecondStage* close_stage = nullptr;
 
 #endif
 

@@ -20,9 +20,13 @@ struct Shared {
 
 /// Filters `chunks` chunks: column k starts at columns[k], and its next chunk is steps[k] doubles further on (0: the
 /// same again). answers receives a byte for each row; unknown a number for each chunk, with the bits of those rows that
-/// the filter could not decide, whose bytes mean nothing. A later stage has the same form.
+/// the filter could not decide, whose bytes mean nothing.
 using Filter = void(const double* const* columns, const std::size_t* steps, std::size_t chunks, const Shared& shared,
                     std::uint8_t* answers, std::uint64_t* unknown);
+
+/// Of the rows of one chunk, columns[k] being where its column k starts, decides those that are asked, writes a byte
+/// for each that it decides and no others, and returns those that it does not.
+using SecondStage = std::uint64_t(const double* const* columns, std::uint64_t asked, std::uint8_t* answers);
 
 /// The filters of one instruction set. They hold where results are rounded to nearest and nothing is flushed.
 struct Filters {
@@ -32,7 +36,7 @@ struct Filters {
   Filter *segment_triangle, *ray_triangle, *triangle_triangle;
   Filter *point_in_ring, *point_in_convex_solid;
   /// Second stages, for the rows that a filter left; nullptr where there is none.
-  Filter *close_orientation, *close_point_on_segment, *close_segment_segment, *none = nullptr;
+  SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *none = nullptr;
 };
 
 extern const Filters portable_filters, avx2_filters, avx512_filters;

@@ -59,49 +59,65 @@ class Feed {
   alignas(64) double copies_[size][copied_chunks * chunk];
 };
 
-/// Rows that a filter left, packed to a chunk for the second stage; then what that leaves, one by one and in order.
+/// Rows that a filter left. Where they are many in a chunk the second stage looks at them where they stand; elsewhere
+/// they are packed to full chunks for it. What that leaves is decided one by one, and in order.
 template <class PastFilter, class... Operands>
 class Left {
  public:
   static constexpr std::size_t columns = Flat<Operands...>::size;
 
-  Left(Filter* close, const PastFilter& past_filter, std::uint8_t* answers, const Operands&... operands)
-      : close_(close), past_filter_(past_filter), answers_(answers), flat_(operands...), operands_(operands...) {}
+  Left(SecondStage* close, const PastFilter& past_filter, std::uint8_t* answers, const Operands&... operands)
+      : close_(close), past_filter_(past_filter), answers_(answers), operands_(operands...) {}
 
-  void add(std::size_t i) {
-    if (close_ == nullptr) return decide(i);
-    for (std::size_t k = 0; k < columns; ++k) packed_[k][size_] = row(flat_.columns[k], i);
-    rows_[size_++] = i;
-    if (size_ == chunk) flush();
+  /// Those of chunk n of the feed, whose first row is `first`.
+  void add(const Feed<columns>& feed, std::size_t n, std::size_t first, std::uint64_t rows) {
+    if (close_ == nullptr) return decide(first, rows);
+    std::array<const double*, columns> starts;
+    for (std::size_t k = 0; k < columns; ++k) starts[k] = feed.starts()[k] + n * feed.steps()[k];
+    if (std::popcount(rows) >= many) {
+      const std::uint64_t open = close_(starts.data(), rows, answers_ + first);
+      if (open == 0) return;
+      flush();
+      return decide(first, open);
+    }
+    for (; rows != 0; rows &= rows - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rows));
+      for (std::size_t k = 0; k < columns; ++k) packed_[k][size_] = starts[k][i];
+      rows_[size_++] = first + i;
+      if (size_ == chunk) flush();
+    }
   }
 
   void flush() {
     if (size_ == 0) return;
     std::array<const double*, columns> starts;
-    std::array<std::size_t, columns> steps{};
     for (std::size_t k = 0; k < columns; ++k) {
       starts[k] = packed_[k];
       std::fill(packed_[k] + size_, packed_[k] + chunk, packed_[k][0]);
     }
     std::uint8_t found[chunk];
-    std::uint64_t unknown = 0;
-    close_(starts.data(), steps.data(), 1, Shared{}, found, &unknown);
+    const std::uint64_t open = close_(starts.data(), ~std::uint64_t{0} >> (chunk - size_), found);
     for (std::size_t n = 0; n < size_; ++n) {
-      if ((unknown >> n & 1) == 0) answers_[rows_[n]] = found[n];
-      else decide(rows_[n]);
+      if ((open >> n & 1) == 0) answers_[rows_[n]] = found[n];
+      else decide(rows_[n], 1);
     }
     size_ = 0;
   }
 
  private:
-  void decide(std::size_t i) {
-    std::apply([&](const auto&... operands) { answers_[i] = decided(past_filter_, i, operands...); }, operands_);
+  /// A sixth of a chunk: to pack a row costs about as much as to look at six where they stand.
+  static constexpr int many = 11;
+
+  void decide(std::size_t first, std::uint64_t rows) {
+    for (; rows != 0; rows &= rows - 1) {
+      const std::size_t i = first + static_cast<std::size_t>(std::countr_zero(rows));
+      std::apply([&](const auto&... operands) { answers_[i] = decided(past_filter_, i, operands...); }, operands_);
+    }
   }
 
-  Filter* close_;
+  SecondStage* close_;
   const PastFilter& past_filter_;
   std::uint8_t* answers_;
-  Flat<Operands...> flat_;
   std::tuple<const Operands&...> operands_;
   std::size_t size_ = 0, rows_[chunk];
   alignas(64) double packed_[columns][chunk];
@@ -109,7 +125,8 @@ class Left {
 
 /// Members of Filters: the filter, and the stage for what it leaves.
 struct Which {
-  Filter *Filters::*filter, *Filters::*close = &Filters::none;
+  Filter* Filters::*filter;
+  SecondStage* Filters::*close = &Filters::none;
 };
 
 /// A filter for all rows where it holds, then the second stage and past_filter(operands...) for those that it does not
@@ -136,8 +153,7 @@ void run(Which which, const Shared& shared, Instructions at_most, const Decide& 
       unknown[chunks - 1] &= (std::uint64_t{1} << (rows - full)) - 1;
     }
     for (std::size_t n = 0; n < chunks; ++n)
-      for (std::uint64_t bits = unknown[n]; bits != 0; bits &= bits - 1)
-        left.add(first + n * chunk + static_cast<std::size_t>(std::countr_zero(bits)));
+      if (unknown[n] != 0) left.add(feed, n, first + n * chunk, unknown[n]);
     first += rows;
   }
   left.flush();

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+#pragma once
+
+#include "robust/batch/isa/kernels.h"
+
+/// Sums and products with their rounding errors, which an FMA tells, and signs of sums of many terms, exactly. For
+/// instruction sets that have an FMA.
+namespace touchstone::robust::batch::isa {
+namespace {
+
+#if TOUCHSTONE_LANES > 2
+
+/// x + y and what rounding left out, exactly: sum and error of Knuth's two-sum. Where anything in it overflows, the
+/// head or the tail is infinite or NaN.
+struct Sum {
+  Lanes head, tail;
+  Sum(Lanes x, Lanes y) : head(x + y), tail(x) {
+    const Lanes y_part = head - x, x_part = head - y_part;
+    tail = (x - x_part) + (y - y_part);
+  }
+};
+
+/// The same of x - y.
+struct Difference {
+  Lanes head, tail;
+  Difference(Lanes x, Lanes y) : head(x - y), tail(x) {
+    const Lanes y_part = x - head, x_part = head + y_part;
+    tail = (x - x_part) + (y_part - y);
+  }
+};
+
+/// x y and what rounding left out: exactly, where that does not underflow; elsewhere it is off by 2^-1075 at most.
+struct Product {
+  Lanes head, tail;
+  Product(Lanes x, Lanes y) : head(x * y), tail(multiply_add(x, y, same(0) - head)) {}
+};
+
+Lanes opposite(Lanes x) { return same(0) - x; }
+
+/// The lanes of numbers that are 0 or between 2^-480 and 2^480: multiples of 2^-532. So are their differences, with
+/// both parts; products of two such parts are multiples of 2^-1064, and less than 2^963. Nothing that is computed of
+/// them underflows or overflows, and all heads and tails are exact.
+Mask in_window(Lanes x) {
+  const Lanes size = magnitude(x);
+  return (not_below(size, same(0x1p-480)) & not_below(same(0x1p480), size)) | equal(size, same(0));
+}
+
+/// The lanes in which a number is certainly positive, negative, or 0.
+struct Signs {
+  Mask positive = 0, negative = 0, zero = 0;
+  Mask known() const { return positive | negative | zero; }
+};
+
+/// The signs of sums of terms that are multiples of 2^-1074 and so small that nothing overflows, of those lanes that
+/// are asked. The terms are best in the order of their sizes, the greatest last.
+///
+/// A pass adds each term to the next and keeps in its place what rounding left out: the sum of all terms stays what it
+/// is, exactly (Ogita, Rump and Oishi, Accurate sum and dot product, 2005). The sign of the last term is that of the
+/// sum where its magnitude is more than the magnitudes of all others add up to. As computed that is at least (1 - v)^n
+/// of what it is, or exact where it is less than 2^-1022: a factor of 1 + 2^-40 is enough for n up to 2^12. Where the
+/// others are all 0 the last term is the sum. Each pass leaves about 2^-52 of what was left; after most_passes a lane
+/// is left to the other stages.
+template <std::size_t n>
+Signs signs_of_sums(Lanes (&terms)[n], Mask asked) {
+  constexpr int most_passes = 6;
+  Signs found;
+  for (int pass = 0; pass < most_passes && (asked & ~found.known()) != 0; ++pass) {
+    Lanes others = same(0);
+    for (std::size_t i = 1; i < n; ++i) {
+      const Sum sum(terms[i], terms[i - 1]);
+      terms[i] = sum.head, terms[i - 1] = sum.tail;
+      others = others + magnitude(sum.tail);
+    }
+    const Mask certain = above(magnitude(terms[n - 1]), others * same(1 + 0x1p-40)), below = negative(terms[n - 1]);
+    found.positive |= certain & ~below;
+    found.negative |= certain & below;
+    found.zero |= equal(magnitude(terms[n - 1]) + others, same(0));
+  }
+  return found;
+}
+
+#endif
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa
