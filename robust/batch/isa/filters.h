@@ -36,7 +36,9 @@ struct Filters {
   Filter *segment_triangle, *ray_triangle, *triangle_triangle;
   Filter *point_in_ring, *point_in_convex_solid;
   /// Second stages, for the rows that a filter left; nullptr where there is none.
-  SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *none = nullptr;
+  SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *close_point_plane;
+  SecondStage *close_boxes_in_plane, *close_boxes_in_space, *close_spheres_in_plane, *close_spheres_in_space;
+  SecondStage *close_sphere_and_box_in_plane, *close_sphere_and_box_in_space, *none = nullptr;
 };
 
 extern const Filters portable_filters, avx2_filters, avx512_filters;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "robust/batch/isa/close.h"
+#include "robust/batch/isa/close_shapes.h"
 #include "robust/batch/isa/kernels.h"
 #include "robust/batch/isa/triangles.h"
 
@@ -28,7 +29,14 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .point_in_convex_solid = point_in_convex_solid,
                                        .close_orientation = close_stage<CloseOrientation>,
                                        .close_point_on_segment = close_stage<ClosePointOnSegment>,
-                                       .close_segment_segment = close_stage<CloseSegmentSegment>};
+                                       .close_segment_segment = close_stage<CloseSegmentSegment>,
+                                       .close_point_plane = close_stage<ClosePointPlane>,
+                                       .close_boxes_in_plane = close_stage<CloseBoxes<2>>,
+                                       .close_boxes_in_space = close_stage<CloseBoxes<3>>,
+                                       .close_spheres_in_plane = close_stage<CloseSpheres<2>>,
+                                       .close_spheres_in_space = close_stage<CloseSpheres<3>>,
+                                       .close_sphere_and_box_in_plane = close_stage<CloseSphereBox<2>>,
+                                       .close_sphere_and_box_in_space = close_stage<CloseSphereBox<3>>};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+#pragma once
+
+#include "robust/batch/isa/close.h"
+
+/// Second stages of planes, boxes and balls, as those of close.h: exact signs, and comparisons.
+namespace touchstone::robust::batch::isa {
+namespace {
+
+#if TOUCHSTONE_LANES > 2
+
+/// The sum of three products and the offset, in seven terms, all of multiples of 2^-1064 where all numbers are in the
+/// window. A normal of length 0 is to be refused.
+struct ClosePointPlane {
+  static constexpr std::size_t columns = 7;
+  static Decision of(const Lanes* c, Mask asked) {
+    Mask valid = above(magnitude(c[0]) + magnitude(c[1]) + magnitude(c[2]), same(0));
+    for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
+    const Product x(c[0], c[4]), y(c[1], c[5]), z(c[2], c[6]);
+    Lanes terms[] = {x.tail, y.tail, z.tail, x.head, y.head, z.head, c[3]};
+    const Signs signs = signs_of_sums(terms, asked & valid);
+    return {valid & signs.known(), signs.zero, signs.negative};
+  }
+};
+
+/// Where each box has an interior, comparisons decide: disjoint where on some axis one ends before the other begins,
+/// else touching where on some axis one ends where the other begins. Where the magnitudes add up to a finite number,
+/// each is finite.
+template <std::size_t dimensions>
+struct CloseBoxes {
+  static constexpr std::size_t columns = 4 * dimensions;
+  static Decision of(const Lanes* c, Mask) {
+    constexpr std::size_t n = dimensions;
+    Lanes total = same(0);
+    Mask valid = all_lanes, apart = 0, touch = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes a_min = c[k], a_max = c[n + k], b_min = c[2 * n + k], b_max = c[3 * n + k];
+      total = total + ((magnitude(a_min) + magnitude(a_max)) + (magnitude(b_min) + magnitude(b_max)));
+      valid &= above(a_max, a_min) & above(b_max, b_min);
+      apart |= above(a_min, b_max) | above(b_min, a_max);
+      touch |= equal(a_min, b_max) | equal(b_min, a_max);
+    }
+    valid &= not_below(same(0x1.fffffffffffffp1023), total);
+    return {valid, touch & ~apart, ~(touch | apart)};
+  }
+};
+
+/// The six terms of a square of head and tail, each group of terms after smaller ones: place `at` of `count` squares.
+template <std::size_t count>
+void add_square(Lanes (&terms)[6 * count], std::size_t at, Lanes head, Lanes tail, bool minus) {
+  const Lanes by_head = minus ? opposite(head) : head, by_tail = minus ? opposite(tail) : tail;
+  const Product great(by_head, head), middle(by_head + by_head, tail), least(by_tail, tail);
+  terms[at] = least.tail, terms[count + at] = least.head;
+  terms[2 * count + at] = middle.tail, terms[3 * count + at] = middle.head;
+  terms[4 * count + at] = great.tail, terms[5 * count + at] = great.head;
+}
+
+/// The square of the sum of the radii less that of the distance. Radii that are 0, or not valid, are left to the other
+/// stages.
+template <std::size_t dimensions>
+struct CloseSpheres {
+  static constexpr std::size_t columns = 2 * dimensions + 2;
+  static Decision of(const Lanes* c, Mask asked) {
+    constexpr std::size_t n = dimensions;
+    Mask valid = above(lesser(c[n], c[2 * n + 1]), same(0));
+    for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
+    Lanes terms[6 * (n + 1)];
+    for (std::size_t k = 0; k < n; ++k) {
+      const Difference way(c[n + 1 + k], c[k]);
+      add_square<n + 1>(terms, k, way.head, way.tail, true);
+    }
+    const Sum reach(c[n], c[2 * n + 1]);
+    add_square<n + 1>(terms, n, reach.head, reach.tail, false);
+    const Signs signs = signs_of_sums(terms, asked & valid);
+    return {valid & signs.known(), signs.zero, signs.positive};
+  }
+};
+
+/// The square of the radius less that of the distance of the center from the nearest point of the box, of which each
+/// coordinate is one of the numbers given. Boxes without an interior are left to the other stages.
+template <std::size_t dimensions>
+struct CloseSphereBox {
+  static constexpr std::size_t columns = 3 * dimensions + 1;
+  static Decision of(const Lanes* c, Mask asked) {
+    constexpr std::size_t n = dimensions;
+    const Lanes radius = c[n];
+    Mask valid = above(radius, same(0));
+    for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
+    Lanes terms[6 * (n + 1)];
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes center = c[k], min = c[n + 1 + k], max = c[2 * n + 1 + k];
+      valid &= above(max, min);
+      const Difference way(center, lesser(greater(center, min), max));
+      add_square<n + 1>(terms, k, way.head, way.tail, true);
+    }
+    add_square<n + 1>(terms, n, radius, same(0), false);
+    const Signs signs = signs_of_sums(terms, asked & valid);
+    return {valid & signs.known(), signs.zero, signs.positive};
+  }
+};
+
+#else
+
+struct ClosePointPlane;
+template <std::size_t dimensions>
+struct CloseBoxes;
+template <std::size_t dimensions>
+struct CloseSpheres;
+template <std::size_t dimensions>
+struct CloseSphereBox;
+
+#endif
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa
