@@ -13,6 +13,7 @@
 #include "bench/data_sets.h"
 #include "bench/peers_of_rays.h"
 #include "bench/plain_peers.h"
+#include "bench/shewchuk.h"
 #include "bench/timing.h"
 
 namespace touchstone::bench {
@@ -37,6 +38,14 @@ concept HasRational = !requires {
   Decisions<Row>::doubles_alone;
 };
 
+#ifdef TOUCHSTONE_BENCH_TET
+template <class Row>
+inline constexpr bool has_shewchuk = std::is_same_v<Row, catalogue::rows::orientation>;
+#else
+template <class Row>
+inline constexpr bool has_shewchuk = false;
+#endif
+
 /// Functions of a question's fields as functions of the question.
 template <class Row>
 struct Asked {
@@ -58,6 +67,9 @@ struct Asked {
         },
         catalogue::converted<mpq_class>(q, [](double number) { return mpq_class(number); }));
   }
+#ifdef TOUCHSTONE_BENCH_TET
+  static int shewchuk(const QuestionOf<Row>& q) { return catalogue::applied(side_by_shewchuk, q); }
+#endif
   template <class K>
   static auto shapes(const QuestionOf<Row>& q) {
     return catalogue::applied([](const auto&... field) { return CgalPeer<Row>::template shapes<K>(field...); }, q);
@@ -73,7 +85,7 @@ struct Asked {
 
 /// What robust and the peers answered otherwise than the oracle.
 struct Wrong {
-  std::size_t robust = 0, naive = 0, epick = 0, epeck = 0, rational = 0;
+  std::size_t robust = 0, naive = 0, epick = 0, epeck = 0, rational = 0, shewchuk = 0;
 };
 
 template <class Row>
@@ -85,6 +97,7 @@ Wrong wrong_decisions(DataSet set) {
     wrong.robust += A::ours(q) != truth;
     wrong.naive += A::naive(q) != truth;
     if constexpr (HasRational<Row>) wrong.rational += A::rational(q) != truth;
+    if constexpr (has_shewchuk<Row>) wrong.shewchuk += A::shewchuk(q) != truth;
     if constexpr (HasCgal<Row>) {
       if (!A::promised(q)) continue;
       if constexpr (!CgalPeer<Row>::only_epeck) wrong.epick += A::cgal(A::template shapes<Epick>(q)) != truth;
@@ -108,15 +121,17 @@ std::size_t wrong_answers(DataSet set) {
 /// Prints a line for each operation and set; false if somebody who promises to be exact was not.
 bool verified() {
   bool held = true;
-  std::printf("%-18s %-20s %8s %8s %8s %8s %8s\n", "wrong of 131072", "", "robust", "naive", "Epick", "Epeck", "mpq");
+  std::printf("%-18s %-20s %8s %8s %8s %8s %8s %8s\n", "wrong of 131072", "", "robust", "naive", "Epick", "Epeck",
+              "mpq", "Shewchuk");
   catalogue::for_each_row([&]<class Row>() {
     for (const DataSet set : data_sets) {
       std::size_t wrong_full = wrong_answers<Row>(set);
       if constexpr (Decides<Row>) {
         const Wrong w = wrong_decisions<Row>(set);
-        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu\n", Row::metadata().name, name_of(set), w.robust, w.naive,
-                    w.epick, w.epeck, w.rational);
+        std::printf("%-18s %-20s %8zu %8zu %8zu %8zu %8zu %8zu\n", Row::metadata().name, name_of(set), w.robust,
+                    w.naive, w.epick, w.epeck, w.rational, w.shewchuk);
         wrong_full += w.robust + w.epick + w.epeck + w.rational;
+        if (set != DataSet::huge && set != DataSet::tiny) wrong_full += w.shewchuk;  // which promises nothing there
       }
       if (wrong_full != 0) {
         held = false;
@@ -163,6 +178,11 @@ void add_row(DataSet set) {
       }
       add("epeck", [=](benchmark::State& s) {
         time_decisions(s, shapes_of<Row, Epeck>(set), [](const auto& shapes) { return A::cgal(shapes); });
+      });
+    }
+    if constexpr (has_shewchuk<Row>) {
+      add("shewchuk", [=](benchmark::State& s) {
+        time_decisions(s, cases_of<Row>(set), [](const Q& q) { return A::shewchuk(q); });
       });
     }
     if constexpr (HasRational<Row>) {

@@ -45,6 +45,14 @@ find_library(QHULL_R_LIBRARY qhull_r)
 if(QHULL_R_LIBRARY AND TARGET bench_hulls)
   target_link_libraries(bench_hulls PRIVATE ${QHULL_R_LIBRARY})
 endif()
+# Shewchuk's predicates, in the library of TetGen.
+find_library(TET_LIBRARY tet)
+foreach(name operations arrays)
+  if(TET_LIBRARY AND TARGET bench_${name})
+    target_link_libraries(bench_${name} PRIVATE ${TET_LIBRARY})
+    target_compile_definitions(bench_${name} PRIVATE TOUCHSTONE_BENCH_TET)
+  endif()
+endforeach()
 # The naive formulas that decisions over arrays are compared with, in the lanes of each instruction set, contracted to FMA as users compile
 # them.
 if(TARGET bench_arrays)
