@@ -1,37 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decisions over arrays: every operation of the catalogue that has them, beside the naive formula over the same columns
-// (one row at a time, and in the lanes of the same instruction sets), robust and CGAL's Epick one question at a time.
+// (one row at a time, and in the lanes of the same instruction sets), robust and CGAL's Epick and Shewchuk's
+// predicates one question at a time.
 // And from memory, where the cache is too small, beside the rate at which the same memory can be read.
 //
 // bench/arrays --verify compares all array answers with robust, one question at a time, and times nothing.
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <string>
 
-#include "bench/cgal_peers.h"
-#include "bench/data_sets.h"
+#include "bench/array_tables.h"
 #include "bench/isa/naive_loops.h"
-#include "bench/peers_of_rays.h"
+#include "bench/peers_of_arrays.h"
+#include "bench/shewchuk.h"
 #include "bench/timing.h"
 
 namespace touchstone::bench {
 namespace {
 
-using catalogue::Operation;
-using catalogue::Question;
-using catalogue::Word;
-using robust::batch::Column;
 using robust::batch::Instructions;
 using robust::batch::isa::NaiveLoop;
 using robust::batch::isa::NaiveLoops;
-
-enum class Cases { random, one_in_a_hundred, near_degenerate };
-constexpr Cases every_kind[] = {Cases::random, Cases::one_in_a_hundred, Cases::near_degenerate};
-const char* name_of(Cases kind) {
-  constexpr const char* names[] = {"random", "one_in_a_hundred_near", "near_degenerate"};
-  return names[static_cast<std::size_t>(kind)];
-}
+using robust::batch::isa::NaiveSharedLoop;
 
 struct Naive {
   const char* name;
@@ -49,89 +41,84 @@ constexpr Naive naive_formulas[] = {{"orientation", 6, &NaiveLoops::orientation}
                                     {"sphere_aabb", 7, &NaiveLoops::sphere_and_box_in_plane},
                                     {"sphere_aabb", 10, &NaiveLoops::sphere_and_box_in_space},
                                     {"ray_aabb", 8, &NaiveLoops::ray_and_box_in_plane},
-                                    {"ray_aabb", 12, &NaiveLoops::ray_and_box_in_space}};
+                                    {"ray_aabb", 12, &NaiveLoops::ray_and_box_in_space},
+                                    {"ray_triangle", 15, &NaiveLoops::ray_triangle},
+                                    {"segment_triangle", 15, &NaiveLoops::segment_triangle},
+                                    {"triangle_triangle", 18, &NaiveLoops::triangle_triangle}};
 
-Word decision(const Operation& operation, const Question& question) {
-  const auto& row = operation.row();
-  return row.decide != nullptr ? row.decide(question, 0) : row.robust(question, 0).words.at(0);
-}
-
-bool accepted(const Operation& operation, const Question& question) {
-  try {
-    decision(operation, question);
-  } catch (const InvalidInput&) {
-    return false;
-  }
-  return true;
-}
-
-/// Families of full precision, or all hard cases where none says so by its name.
-std::vector<std::size_t> near_misses(const Operation& operation) {
-  std::vector<std::size_t> named, all;
-  for (std::size_t i = 0; i < operation.families().size(); ++i) {
-    const std::string& name = operation.families()[i];
-    if (name.find('+') != std::string::npos) continue;
-    if (i < operation.row().hard_cases.size()) all.push_back(i);
-    if (name.starts_with("nearly") || name.starts_with("rounded")) named.push_back(i);
-  }
-  return named.empty() ? all : named;
-}
-
-/// case_count rows, all like `shape`: of one alternative and, where there are lists, of one list.
-struct Table {
-  Question shared;
-  std::vector<std::vector<double>> numbers;
-  std::vector<const double*> starts;
-  std::vector<Column> columns;
-  std::vector<std::size_t> places;
-
-  Question row(std::size_t i) const {
-    Question question = shared;
-    for (std::size_t k = 0; k < places.size(); ++k) question.numbers[places[k]] = numbers[k][i];
-    return question;
-  }
+/// Of operations that ask about points beside one shape.
+struct NaiveBeside {
+  const char* name;
+  NaiveSharedLoop* NaiveLoops::*loop;
 };
-
-Table drawn_table(const Operation& operation, const std::vector<Word>& words, Cases kind) {
-  Table table;
-  const auto& families = operation.families();
-  const auto random =
-      static_cast<std::size_t>(std::find(families.begin(), families.end(), "random") - families.begin());
-  const std::vector<std::size_t> near = near_misses(operation);
-  std::size_t rows = 0;
-  for (std::uint64_t index = 0; rows < case_count; ++index) {
-    catalogue::DrawStream draws = catalogue::DrawStream::seeded(catalogue::seed_of(1, name_of(kind), index));
-    const bool hard = kind == Cases::near_degenerate || (kind == Cases::one_in_a_hundred && rows % 100 == 0);
-    const Question question = operation.draw(draws, hard ? near[draws.below(near.size())] : random);
-    if (question.words != words || !accepted(operation, question)) continue;
-    if (rows == 0) {
-      table.shared = question;
-      table.places = operation.row().batch.columns(question);
-      table.numbers.resize(table.places.size());
-      for (auto& column : table.numbers) column.reserve(case_count);
-    }
-    for (std::size_t k = 0; k < table.places.size(); ++k) table.numbers[k].push_back(question.numbers[table.places[k]]);
-    ++rows;
-  }
-  for (const auto& column : table.numbers) {
-    table.starts.push_back(column.data());
-    table.columns.emplace_back(column.data(), 1);
-  }
-  return table;
-}
-
-/// The table asked for last.
-const Table& table_of(const Operation& operation, const std::vector<Word>& words, Cases kind) {
-  static std::string made;
-  static Table table;
-  std::string wanted = operation.name() + name_of(kind);
-  for (const Word word : words) wanted += std::to_string(word) + " ";
-  if (made != wanted) table = drawn_table(operation, words, kind), made = wanted;
-  return table;
-}
+constexpr NaiveBeside naive_formulas_beside[] = {{"point_in_polygon", &NaiveLoops::point_in_ring},
+                                                 {"point_in_convex_polygon", &NaiveLoops::point_in_convex_ring},
+                                                 {"point_in_convex_polyhedron", &NaiveLoops::point_in_convex_solid}};
 
 void done(benchmark::State& state, std::size_t rows = case_count) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(rows));
+}
+
+/// One of the tables of an operation.
+struct Asked {
+  const Operation& operation;
+  std::vector<Word> words;
+  Cases kind;
+  const Table& table() const { return table_of(operation, words, kind); }
+};
+
+template <class Timed>
+void add(const std::string& name, const Timed& timed) {
+  benchmark::RegisterBenchmark(name.c_str(), timed);
+}
+
+/// ask(answers) again and again.
+template <class Ask>
+void time_arrays(benchmark::State& state, std::size_t rows, const Ask& ask) {
+  std::vector<std::uint8_t> answers(rows);
+  for (auto _ : state) {
+    ask(answers.data());
+    benchmark::ClobberMemory();
+  }
+  done(state, rows);
+}
+
+void add_ours(const std::string& group, const Asked& asked) {
+  const std::pair<const char*, Instructions> sets[] = {
+      {"portable", Instructions::portable}, {"avx2", Instructions::avx2}, {"avx512", Instructions::avx512}};
+  for (const auto& [name, set] : sets) {
+    add(group + name, [=, at_most = set](benchmark::State& state) {
+      const Table& table = asked.table();
+      time_arrays(state, case_count, [&](std::uint8_t* answers) {
+        asked.operation.row().batch.decide(table.shared, table.columns.data(), case_count, answers, at_most);
+      });
+    });
+  }
+}
+
+void add_naive(const std::string& group, const Asked& asked, std::size_t columns) {
+  using namespace robust::batch::isa;
+  const std::pair<const char*, const NaiveLoops*> loops[] = {
+      {"naive", &plain_loops}, {"naive_avx2", &avx2_loops}, {"naive_avx512", &avx512_loops}};
+  for (const auto& [name, own_loops] : loops) {
+    for (const Naive& formula : naive_formulas) {
+      if (formula.name != asked.operation.name() || formula.columns != columns) continue;
+      add(group + name, [=, loop = own_loops->*formula.loop](benchmark::State& state) {
+        const Table& table = asked.table();
+        time_arrays(state, case_count, [&](std::uint8_t* answers) { loop(table.starts.data(), case_count, answers); });
+      });
+    }
+    for (const NaiveBeside& formula : naive_formulas_beside) {
+      if (formula.name != asked.operation.name()) continue;
+      add(group + name, [=, loop = own_loops->*formula.loop](benchmark::State& state) {
+        const Table& table = asked.table();
+        const SharedShape& shape = *shape_of(asked.operation);
+        time_arrays(state, case_count, [&](std::uint8_t* answers) {
+          loop(table.starts.data(), Shared{shape.numbers.data(), shape.count}, case_count, answers);
+        });
+      });
+    }
+  }
 }
 
 template <class Row>
@@ -140,67 +127,111 @@ concept HasEpick = requires {
 }
 &&!CgalPeer<Row>::only_epeck;
 
+/// `Question` is Row's, or one of its alternatives: a tuple.
+template <class Row, class Question>
+void add_epick(const std::string& group, const Asked& asked) {
+  add(group + "epick", [=](benchmark::State& state) {
+    const auto question_of = [](const catalogue::Question& encoded) {
+      const auto question = catalogue::unpacked<typename Row::Question>(encoded);
+      if constexpr (std::is_same_v<typename Row::Question, Question>) return question;
+      else return std::get<Question>(question);
+    };
+    const auto shapes_of = [](const Question& q) {
+      return catalogue::applied([](const auto&... field) { return CgalPeer<Row>::template shapes<Epick>(field...); },
+                                q);
+    };
+    const Table& table = asked.table();
+    std::vector<decltype(shapes_of(std::declval<const Question&>()))> shapes;
+    for (std::size_t i = 0; i < case_count; ++i) shapes.push_back(shapes_of(question_of(table.row(i))));
+    time_decisions(state, shapes, [](const auto& shape) {
+      return catalogue::applied([](const auto&... each) { return CgalPeer<Row>::decide(each...); }, shape);
+    });
+  });
+}
+
+template <class Shape, class Point>
+void add_epick_beside(const std::string& group, const Asked& asked) {
+  add(group + "epick", [=](benchmark::State& state) {
+    const Table& table = asked.table();
+    using Question = std::tuple<Shape, Point>;
+    const CgalBeside<Shape> shape(std::get<0>(catalogue::unpacked<Question>(table.shared)));
+    std::vector<decltype(cgal<Epick>(std::declval<const Point&>()))> points;
+    Point p;
+    for (std::size_t i = 0; i < case_count; ++i) {
+      p.x = table.numbers[0][i], p.y = table.numbers[1][i];
+      if constexpr (std::is_same_v<Point, Point3d>) p.z = table.numbers[2][i];
+      points.push_back(cgal<Epick>(p));
+    }
+    time_decisions(state, points, [&](const auto& point) { return shape.decide(point); });
+  });
+}
+
+#ifdef TOUCHSTONE_BENCH_TET
+void add_shewchuk(const std::string& group, const Asked& asked) {
+  if (asked.operation.name() != "orientation") return;
+  add(group + "shewchuk", [=](benchmark::State& state) {
+    const Table& table = asked.table();
+    using Points = std::array<Point2d, 3>;
+    std::vector<Points> rows;
+    for (std::size_t i = 0; i < case_count; ++i) {
+      const auto at = [&](std::size_t k) { return Point2d{table.numbers[2 * k][i], table.numbers[2 * k + 1][i]}; };
+      rows.push_back({at(0), at(1), at(2)});
+    }
+    time_decisions(state, rows, [](const Points& row) { return side_by_shewchuk(row[0], row[1], row[2]); });
+  });
+}
+#else
+void add_shewchuk(const std::string&, const Asked&) {}
+#endif
+
+/// Whatever CGAL has of a question's type.
+template <class Row, class Question>
+struct EpickOf {
+  static void add(const std::string& group, const Asked& asked) {
+    if constexpr (HasEpick<Row>) add_epick<Row, Question>(group, asked);
+  }
+};
+template <class Row, class... Alternatives>
+struct EpickOf<Row, std::variant<Alternatives...>> {
+  static void add(const std::string& group, const Asked& asked) {
+    Word at = 0;
+    ((asked.words[0] == at++ ? EpickOf<Row, Alternatives>::add(group, asked) : void()), ...);
+  }
+};
+template <class Row>
+struct EpickOf<Row, std::tuple<Polygon2d, Point2d>> {
+  static void add(const std::string& group, const Asked& asked) { add_epick_beside<Polygon2d, Point2d>(group, asked); }
+};
+template <class Row>
+struct EpickOf<Row, std::tuple<Meshd, Point3d>> {
+  static void add(const std::string& group, const Asked& asked) { add_epick_beside<Meshd, Point3d>(group, asked); }
+};
+
+/// The words of the tables: one for each alternative, or that of the shape that all rows share.
+std::vector<std::vector<Word>> words_of_tables(const Operation& operation) {
+  if (operation.row().batch.decide == nullptr) return {};
+  if (const SharedShape* const shape = shape_of(operation)) return {shape->question.words};
+  std::vector<std::vector<Word>> found;
+  for (const Question& zeros : operation.zeros_of_alternatives()) found.push_back(zeros.words);
+  return found;
+}
+
 template <class Row>
 void add_row() {
   const Operation& operation = *catalogue::find_operation(Row::metadata().name);
-  if (operation.row().batch.decide == nullptr) return;
-  for (const Question& zeros : operation.zeros_of_alternatives()) {
-    const std::vector<Word> words = zeros.words;
-    const std::size_t columns = operation.row().batch.columns(zeros).size();
-    if (columns != zeros.numbers.size()) continue;  // one list and many points: bench/polygons times rings
-    const std::string alternative = words.empty() ? "" : "_" + std::to_string(words[0] + 2) + "d";
+  for (const std::vector<Word>& words : words_of_tables(operation)) {
+    const bool several = shape_of(operation) == nullptr && !words.empty();
+    const std::string alternative = several ? "_" + std::to_string(words[0] + 2) + "d" : "";
     for (const Cases kind : every_kind) {
       const std::string group = "arrays_" + operation.name() + alternative + "/" + name_of(kind) + "/";
-      const auto add = [&](const char* peer, auto timed) {
-        benchmark::RegisterBenchmark((group + peer).c_str(), timed);
-      };
-      const auto& operation_ = operation;
-      const std::pair<const char*, Instructions> sets[] = {
-          {"portable", Instructions::portable}, {"avx2", Instructions::avx2}, {"avx512", Instructions::avx512}};
-      for (const auto& [name, set] : sets) {
-        add(name, [=, &operation_, at_most = set](benchmark::State& state) {
-          const Table& table = table_of(operation_, words, kind);
-          std::vector<std::uint8_t> answers(case_count);
-          for (auto _ : state) {
-            operation_.row().batch.decide(table.shared, table.columns.data(), case_count, answers.data(), at_most);
-            benchmark::ClobberMemory();
-          }
-          done(state);
-        });
-      }
-      for (const Naive& formula : naive_formulas) {
-        if (formula.name != operation.name() || formula.columns != columns) continue;
-        const std::pair<const char*, const NaiveLoops*> loops[] = {{"naive", &robust::batch::isa::plain_loops},
-                                                                   {"naive_avx2", &robust::batch::isa::avx2_loops},
-                                                                   {"naive_avx512", &robust::batch::isa::avx512_loops}};
-        for (const auto& [name, table_of_loops] : loops) {
-          add(name, [=, &operation_, loop = table_of_loops->*formula.loop](benchmark::State& state) {
-            const Table& table = table_of(operation_, words, kind);
-            std::vector<std::uint8_t> answers(case_count);
-            for (auto _ : state) {
-              loop(table.starts.data(), case_count, answers.data());
-              benchmark::ClobberMemory();
-            }
-            done(state);
-          });
-        }
-      }
-      if constexpr (HasEpick<Row>) {
-        using Asked = typename Row::Question;
-        add("epick", [=, &operation_](benchmark::State& state) {
-          const auto shapes_of = [](const Asked& q) {
-            return catalogue::applied(
-                [](const auto&... field) { return CgalPeer<Row>::template shapes<Epick>(field...); }, q);
-          };
-          const Table& table = table_of(operation_, words, kind);
-          std::vector<decltype(shapes_of(std::declval<const Asked&>()))> shapes;
-          for (std::size_t i = 0; i < case_count; ++i)
-            shapes.push_back(shapes_of(catalogue::unpacked<Asked>(table.row(i))));
-          time_decisions(state, shapes, [](const auto& shape) {
-            return catalogue::applied([](const auto&... each) { return CgalPeer<Row>::decide(each...); }, shape);
-          });
-        });
-      }
+      const Asked asked{operation, words, kind};
+      add_ours(group, asked);
+      std::size_t columns = 0;
+      for (const Question& zeros : operation.zeros_of_alternatives())
+        if (zeros.words == words) columns = operation.row().batch.columns(zeros).size();
+      add_naive(group, asked, columns);
+      EpickOf<Row, typename Row::Question>::add(group, asked);
+      add_shewchuk(group, asked);
     }
   }
 }
@@ -224,24 +255,18 @@ void add_rows(const char* name, std::size_t columns, std::size_t rows) {
   benchmark::RegisterBenchmark((group + "avx512").c_str(), [=, &operation](benchmark::State& state) {
     std::vector<Column> all;
     for (std::size_t k = 0; k < columns; ++k) all.emplace_back(numbers().data() + k * rows, 1);
-    std::vector<std::uint8_t> answers(rows);
-    for (auto _ : state) {
-      operation.row().batch.decide(operation.zeros(), all.data(), rows, answers.data(), Instructions::avx512);
-      benchmark::ClobberMemory();
-    }
-    done(state, rows);
+    time_arrays(state, rows, [&](std::uint8_t* answers) {
+      operation.row().batch.decide(operation.zeros(), all.data(), rows, answers, Instructions::avx512);
+    });
   });
   for (const Naive& formula : naive_formulas) {
     if (formula.name != operation.name() || formula.columns != columns) continue;
     benchmark::RegisterBenchmark((group + "naive_avx512").c_str(), [=](benchmark::State& state) {
       std::vector<const double*> starts;
       for (std::size_t k = 0; k < columns; ++k) starts.push_back(numbers().data() + k * rows);
-      std::vector<std::uint8_t> answers(rows);
-      for (auto _ : state) {
-        (robust::batch::isa::avx512_loops.*formula.loop)(starts.data(), rows, answers.data());
-        benchmark::ClobberMemory();
-      }
-      done(state, rows);
+      time_arrays(state, rows, [&](std::uint8_t* answers) {
+        (robust::batch::isa::avx512_loops.*formula.loop)(starts.data(), rows, answers);
+      });
     });
   }
   benchmark::RegisterBenchmark((group + "read").c_str(), [=](benchmark::State& state) {
@@ -254,11 +279,9 @@ void add_rows(const char* name, std::size_t columns, std::size_t rows) {
 bool verified() {
   bool held = true;
   for (const Operation* operation : catalogue::all_operations()) {
-    if (operation->row().batch.decide == nullptr) continue;
-    for (const Question& zeros : operation->zeros_of_alternatives()) {
-      if (operation->row().batch.columns(zeros).size() != zeros.numbers.size()) continue;
+    for (const std::vector<Word>& words : words_of_tables(*operation)) {
       for (const Cases kind : every_kind) {
-        const Table& table = table_of(*operation, zeros.words, kind);
+        const Table& table = table_of(*operation, words, kind);
         std::size_t wrong = 0;
         for (const Instructions set : {Instructions::portable, Instructions::avx2, Instructions::avx512}) {
           std::vector<std::uint8_t> answers(case_count);
@@ -266,7 +289,7 @@ bool verified() {
           for (std::size_t i = 0; i < case_count; ++i) wrong += answers[i] != decision(*operation, table.row(i));
         }
         held = held && wrong == 0;
-        std::printf("%-18s %-22s %zu columns, wrong of %zu with three instruction sets: %zu\n",
+        std::printf("%-26s %-22s %zu columns, wrong of %zu with three instruction sets: %zu\n",
                     operation->name().c_str(), name_of(kind), table.columns.size(), case_count, wrong);
       }
     }

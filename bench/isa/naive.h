@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/isa/naive_loops.h"
+#include "bench/isa/naive_space.h"
 #include "robust/batch/isa/lanes.h"
 
 /// The formulas that one writes where rounding is no matter, in the lanes of robust/batch: what exact answers are
@@ -109,24 +110,44 @@ struct NaiveRayBox {
 };
 
 template <class F>
-void naive(const double* const* columns, std::size_t count, std::uint8_t* answers) {
+void naive_beside(const double* const* columns, const Shared& shape, std::size_t count, std::uint8_t* answers) {
   for (std::size_t first = 0; first < count; first += chunk) {
     std::uint64_t set = 0;
     for (std::size_t i = 0; i < chunk; i += lanes) {
       Lanes numbers[F::columns];
       for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(columns[k] + first + i);
-      const Mask found = F::of(numbers);
+      Mask found = 0;
+      if constexpr (requires { F::of(numbers); }) found = F::of(numbers);
+      else found = F::of(numbers, shape);
       if (lanes == 1) answers[first + i] = found != 0 ? F::set : F::clear;
       else set |= static_cast<std::uint64_t>(found) << i;
     }
     if (lanes != 1) put_bytes(answers + first, set, F::set, F::clear);
   }
 }
+template <class F>
+void naive(const double* const* columns, std::size_t count, std::uint8_t* answers) {
+  naive_beside<F>(columns, Shared{}, count, answers);
+}
 
-constexpr NaiveLoops loops_of_this_unit{
-    naive<NaiveOrientation>,  naive<NaivePointOnSegment>, naive<NaiveSegmentSegment>, naive<NaivePointPlane>,
-    naive<NaiveBoxes<2>>,     naive<NaiveBoxes<3>>,       naive<NaiveSpheres<2>>,     naive<NaiveSpheres<3>>,
-    naive<NaiveSphereBox<2>>, naive<NaiveSphereBox<3>>,   naive<NaiveRayBox<2>>,      naive<NaiveRayBox<3>>};
+constexpr NaiveLoops loops_of_this_unit{.orientation = naive<NaiveOrientation>,
+                                        .point_on_segment = naive<NaivePointOnSegment>,
+                                        .segment_segment = naive<NaiveSegmentSegment>,
+                                        .point_plane = naive<NaivePointPlane>,
+                                        .boxes_in_plane = naive<NaiveBoxes<2>>,
+                                        .boxes_in_space = naive<NaiveBoxes<3>>,
+                                        .spheres_in_plane = naive<NaiveSpheres<2>>,
+                                        .spheres_in_space = naive<NaiveSpheres<3>>,
+                                        .sphere_and_box_in_plane = naive<NaiveSphereBox<2>>,
+                                        .sphere_and_box_in_space = naive<NaiveSphereBox<3>>,
+                                        .ray_and_box_in_plane = naive<NaiveRayBox<2>>,
+                                        .ray_and_box_in_space = naive<NaiveRayBox<3>>,
+                                        .ray_triangle = naive<NaiveRayTriangle>,
+                                        .segment_triangle = naive<NaiveSegmentTriangle>,
+                                        .triangle_triangle = naive<NaiveTriangles>,
+                                        .point_in_ring = naive_beside<NaiveRing>,
+                                        .point_in_convex_ring = naive_beside<NaiveConvexRing>,
+                                        .point_in_convex_solid = naive_beside<NaiveConvexSolid>};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa
