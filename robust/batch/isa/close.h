@@ -82,13 +82,15 @@ Sides close_turn(const Difference& u, const Difference& w, const Difference& s, 
   sides.on |= asked & signs.zero;
 }
 
-/// The rows that a stage decides, and of these the rows with the answers 1 and 2; the others have 0.
+/// The rows that a stage decides, and of these the rows with the answers 1 and 2; the others have 0. A stage is
+/// of_lengths where all numbers may be multiplied by one factor.
 struct Decision {
   Mask known, one, two;
 };
 
 struct CloseOrientation {
   static constexpr std::size_t columns = 6;
+  static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask asked) {
     Sides turn = close_turn({c[2], c[0]}, {c[3], c[1]}, {c[5], c[1]}, {c[4], c[0]});
     if ((asked & ~turn.known()) != 0) settle(turn, c, c + 2, c + 4, asked);
@@ -99,6 +101,7 @@ struct CloseOrientation {
 /// On the line of the segment, and within its box.
 struct ClosePointOnSegment {
   static constexpr std::size_t columns = 6;
+  static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask asked) {
     const Lanes x = c[0], y = c[1];
     Sides turn = close_turn({c[4], c[2]}, {c[5], c[3]}, {y, c[3]}, {x, c[2]});
@@ -116,6 +119,7 @@ struct ClosePointOnSegment {
 /// on it, strictly on one side.
 struct CloseSegmentSegment {
   static constexpr std::size_t columns = 8;
+  static constexpr bool of_lengths = true;
 
   struct Turns {
     Sides to_p, to_q, to_a, to_b;
@@ -180,6 +184,7 @@ std::uint64_t close(const double* const* columns, std::uint64_t asked, std::uint
     if (here == 0) continue;
     Lanes numbers[F::columns];
     for (std::size_t k = 0; k < F::columns; ++k) numbers[k] = Lanes::at(columns[k] + i);
+    if constexpr (F::of_lengths) bring_near_one(numbers);
     const Decision found = F::of(numbers, here);
     known |= static_cast<std::uint64_t>(found.known & here) << i;
     one |= static_cast<std::uint64_t>(found.one & here) << i;

@@ -14,6 +14,7 @@ namespace {
 /// window. A normal of length 0 is to be refused.
 struct ClosePointPlane {
   static constexpr std::size_t columns = 7;
+  static constexpr bool of_lengths = false;
   static Decision of(const Lanes* c, Mask asked) {
     Mask valid = above(magnitude(c[0]) + magnitude(c[1]) + magnitude(c[2]), same(0));
     for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
@@ -30,6 +31,7 @@ struct ClosePointPlane {
 template <std::size_t dimensions>
 struct CloseBoxes {
   static constexpr std::size_t columns = 4 * dimensions;
+  static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask) {
     constexpr std::size_t n = dimensions;
     Lanes total = same(0);
@@ -61,6 +63,7 @@ void add_square(Lanes (&terms)[6 * count], std::size_t at, Lanes head, Lanes tai
 template <std::size_t dimensions>
 struct CloseSpheres {
   static constexpr std::size_t columns = 2 * dimensions + 2;
+  static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask asked) {
     constexpr std::size_t n = dimensions;
     Mask valid = above(lesser(c[n], c[2 * n + 1]), same(0));
@@ -82,6 +85,7 @@ struct CloseSpheres {
 template <std::size_t dimensions>
 struct CloseSphereBox {
   static constexpr std::size_t columns = 3 * dimensions + 1;
+  static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask asked) {
     constexpr std::size_t n = dimensions;
     const Lanes radius = c[n];

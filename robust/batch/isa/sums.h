@@ -46,6 +46,42 @@ Mask in_window(Lanes x) {
   return (not_below(size, same(0x1p-480)) & not_below(same(0x1p480), size)) | equal(size, same(0));
 }
 
+/// 2^620 where the size is less than 2^-240, 2^-620 where it is more than 2^240, 1 elsewhere.
+Lanes factor_of(Lanes size) {
+  const Lanes up = same(0x1p620), down = same(0x1p-620), low = same(0x1p-240), high = same(0x1p240);
+#if TOUCHSTONE_LANES == 8
+  const auto small_ones = _mm512_mask_blend_pd(static_cast<__mmask8>(above(low, size)), same(1).v, up.v);
+  return Lanes(_mm512_mask_blend_pd(static_cast<__mmask8>(above(size, high)), small_ones, down.v));
+#else
+  const auto small_ones = _mm256_blendv_pd(same(1).v, up.v, _mm256_cmp_pd(low.v, size.v, _CMP_GT_OQ));
+  return Lanes(_mm256_blendv_pd(small_ones, down.v, _mm256_cmp_pd(size.v, high.v, _CMP_GT_OQ)));
+#endif
+}
+
+/// Multiplies the numbers of each lane by one power of two where the greatest of them is far from 1 and all products
+/// are exact: each is in the window, and 0 only where the number is 0. Where the factor is 2^620 none can be too large.
+template <std::size_t n>
+void bring_near_one(Lanes (&numbers)[n]) {
+  Lanes size = magnitude(numbers[0]);
+  for (std::size_t k = 1; k < n; ++k) size = greater(size, magnitude(numbers[k]));
+  const Mask far = above(size, same(0x1p240)) | above(same(0x1p-240), size);
+  if (far == 0) return;
+  Lanes factor = factor_of(size);
+  Mask exact = all_lanes;
+  for (const Lanes& number : numbers) {
+    const Lanes scaled = number * factor;
+    exact &= in_window(scaled) & (equal(number, same(0)) | ~equal(scaled, same(0)));
+  }
+  if ((far & ~exact) != 0) {
+    double factors[lanes];
+    std::memcpy(factors, &factor.v, sizeof factors);
+    for (std::size_t i = 0; i < lanes; ++i)
+      if ((exact >> i & 1) == 0) factors[i] = 1;
+    factor = Lanes::at(factors);
+  }
+  for (Lanes& number : numbers) number = number * factor;
+}
+
 /// The lanes in which a number is certainly positive, negative, or 0.
 struct Signs {
   Mask positive = 0, negative = 0, zero = 0;
