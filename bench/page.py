@@ -4,13 +4,14 @@
 
   page.py --self-check   pages of made-up times; a wrong bar, point or word must be found
 
-bench/ratios.py --page FILE writes it, from the times of its tables.
+bench/ratios.py --page FILE writes it, from the times of its tables, and --picture FILE.svg the picture of the README.
 """
 
 import html
 import math
 import re
 import sys
+import textwrap
 import xml.etree.ElementTree
 
 ARRAYS, PAIRS = "arrays_", "all_pairs_"
@@ -21,6 +22,7 @@ PEERS = {
     "naive_avx512": ("naive formula, AVX-512", "#7a3f98", "#cf9cec"),
     "epick": ("CGAL Epick", "#a4510c", "#f0a45c"),
     "epeck": ("CGAL Epeck", "#2c7347", "#7fcf9c"),
+    "shewchuk": ("Shewchuk's predicates", "#8a6d00", "#e0c341"),
     "mpq": ("rationals", "#59636e", "#a3aeb9"),
     "robust": ("robust", "#c2186b", "#ff7ab6"),
     "avx512": ("robust, AVX-512", "#c2186b", "#ff7ab6"),
@@ -32,6 +34,7 @@ PEERS = {
 MORE_THAN_ANY_CACHE = 1 << 22  # rows of "from_memory", as bench/arrays.cpp has them
 LEFT, WIDE, ROW, GAP = 190, 560, 13, 9  # pixels of bars: their names, the axis, a bar, between two operations
 CURVE_WIDE, CURVE_HIGH, CURVE_LEFT, CURVE_RIGHT, CURVE_BELOW = 330, 200, 52, 30, 40
+OF_ARRAYS = ["naive", "naive_avx512", "epick", "shewchuk"]
 SHARES = {"random": "none", "one_in_a_hundred_near": "1 %", "near_degenerate": "all"}
 
 
@@ -204,7 +207,7 @@ def of_shares(group):
 def page(circumstances, command, repetitions, load, processors, timed, tables):
     """`timed`: program -> group -> times, as ratios.py takes them; `tables`: what it prints; `load`: of the machine, before it began."""
     decided = timed.get("operations", {}) | timed.get("polygons", {})
-    formulas = ["naive", "usual", "epick", "epeck", "mpq"]
+    formulas = ["naive", "usual", "epick", "shewchuk", "epeck", "mpq"]
     busy = load >= 1
     body = (
         f"<h1>What being right costs</h1><p>{html.escape(circumstances)}</p><p>Made by <code>{html.escape(command)}</code>. "
@@ -217,9 +220,11 @@ def page(circumstances, command, repetitions, load, processors, timed, tables):
         bar_section("One question at a time, near-degenerate cases", "The same where rounding may decide. The naive formula is then often wrong.",
                     ratios_of(decided, "near_degenerate", "robust", formulas)) +
         bar_section("Arrays, random cases", "The same beside robust over arrays with AVX-512, 131,072 rows a pass.",
-                    ratios_of(timed.get("arrays", {}), "random", "avx512", ["naive", "naive_avx512", "epick"])) +
+                    ratios_of(timed.get("arrays", {}), "random", "avx512", OF_ARRAYS)) +
+        bar_section("Arrays, near-degenerate cases", "The same where rounding may decide.",
+                    ratios_of(timed.get("arrays", {}), "near_degenerate", "avx512", OF_ARRAYS)) +
         curve_section("Arrays: cost against the share of near-degenerate rows", "Nanoseconds a row.",
-                      series_by(timed.get("arrays", {}), of_shares, ["naive", "naive_avx512", "avx512", "epick"]),
+                      series_by(timed.get("arrays", {}), of_shares, ["naive", "naive_avx512", "avx512", "epick", "shewchuk"]),
                       "near-degenerate rows", "ns a row", tuple(SHARES.values())) +
         curve_section("Arrays: cost against their length, from the cache to memory", "Nanoseconds a row of random cases, beside the time in which "
                       "the same numbers can be read.", series_by(timed.get("arrays", {}), of_rows, ["naive_avx512", "avx512", "read"]),
@@ -232,6 +237,27 @@ def page(circumstances, command, repetitions, load, processors, timed, tables):
     return ("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width,"
             f"initial-scale=1\">\n<title>touchstone: what being right costs</title>\n<style>{style()}{PAGE_STYLE}</style>\n</head>\n<body>\n{body}"
             f"\n<details><summary>All numbers</summary><pre>{html.escape(tables)}</pre></details>\n</body>\n</html>\n")
+
+
+def picture(circumstances, timed):
+    """One SVG file of how many times as long as robust over arrays the peers take; None where no arrays were timed."""
+    rows = ratios_of(timed.get("arrays", {}), "random", "avx512", OF_ARRAYS)
+    if not rows:
+        return None
+    title = "Times as long as robust over arrays takes, with AVX-512, on random rows"
+    chart = bars(title, rows)
+    high = int(re.search(r' height="(\d+)"', chart)[1])
+    names = [peer for peer in PEERS if any(peer == own for _, found in rows for own, _ in found)]
+    parts = [f"<style>{style()}.paper{{fill:var(--paper)}}</style>", f'<rect class="paper" width="100%" height="100%"/>',
+             f'<text x="12" y="20">{html.escape(title)}</text>']
+    for place, name in enumerate(names):
+        x = 12 + 195 * place
+        parts.append(f'<rect class="bar {name}" x="{x}" y="33" width="20" height="8"/><text x="{x + 26}" y="42">{html.escape(PEERS[name][0])}</text>')
+    parts.append(f'<g transform="translate(0 56)">{chart}</g>')
+    lines = textwrap.wrap(circumstances, 120)
+    for place, words in enumerate(lines):
+        parts.append(f'<text class="quiet" x="12" y="{56 + high + 16 + 15 * place}">{html.escape(words)}</text>')
+    return svg(LEFT + WIDE + 50, 56 + high + 11 + 15 * len(lines), title, parts) + "\n"
 
 
 def self_check():
@@ -268,6 +294,11 @@ def self_check():
     lengths = made({"arrays": {f"arrays_orientation/{n}": Made(avx512=[1.0], read=[0.5]) for n in ("from_memory", "rows_1024")}})
     places = [float(x) for x in re.findall(r'<circle class="dot avx512" cx="([\d.]+)"', lengths)]
     assert len(places) == 2 and places[0] < places[1], places  # by length, however they were measured
+    # The picture of the README: a bar for each peer, in both schemes, and nothing where nothing was timed.
+    drawn = picture("g++ <12>; AMD & co.", {"arrays": {"arrays_orientation/random": Made(avx512=[1.0], naive=[2.0], epick=[10.0])}})
+    xml.etree.ElementTree.fromstring(drawn)
+    assert [f'class="bar {peer}"' in drawn for peer in OF_ARRAYS] == [True, False, True, False]
+    assert "robust 10<" in drawn and "prefers-color-scheme:dark" in drawn and "g++ &lt;12&gt;" in drawn and picture("", {}) is None
     # A name is no markup.
     assert "&lt;b&gt;" in made({"operations": {"<b>/random": Made(naive=[1.0], robust=[1.0])}})
     print("bench/page.py: the bars, curves and words of made-up times are right")

@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the benchmarks and prints ratios: everything that is compared is timed in one process, in turns.
 
-  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--page FILE.html]
+  bench/ratios.py [BUILD] [--ops a,b] [--repetitions N] [--write] [--page FILE.html] [--keep FILE.json]
+  bench/ratios.py --picture FILE.svg --times FILE.json
 
 BUILD is the build directory (build/bench). A time is the least of N repetitions (default 25) of 10 ms each: what else the
 machine does only ever adds. The ratios of the medians stand beside those that a goal is about. --write puts the tables into
-bench/README.md, --page writes them with bars and curves (page.py).
+bench/README.md, --page writes them with bars and curves (page.py), --keep keeps the times of a run. --picture draws the
+README's picture from the times of this run, or of one that was kept.
 """
 
 import argparse
@@ -68,7 +70,7 @@ def names(program):
 
 def groups(program, ops):
     found = dict.fromkeys(name.rsplit("/", 1)[0] for name in names(program))
-    return [group for group in found if not ops or group.split("/")[0] in ops or
+    return [group for group in found if not ops or group.split("/")[0] in ops or "arrays" in ops and group.startswith(ARRAYS) or
             re.sub(r"_[23]d$", "", group.split("/")[0].removeprefix(ARRAYS)) in ops]
 
 
@@ -94,9 +96,9 @@ def decisions(timed):
             op, data = group.split("/")
             rows.append([op, data, written(t.least("naive")), written(t.least("robust")),
                          *(written(t.ratio(*pair)) for pair in [("robust", "naive"), ("robust", "usual"), ("epick", "robust"),
-                                                                ("epeck", "robust"), ("mpq", "robust")])])
-    return table(["decision", "cases", "naive ns", "robust ns", "robust / naive", "robust / usual", "Epick / robust", "Epeck / robust",
-                  "mpq / robust"], rows)
+                                                                ("shewchuk", "robust"), ("epeck", "robust"), ("mpq", "robust")])])
+    return table(["decision", "cases", "naive ns", "robust ns", "robust / naive", "robust / usual", "Epick / robust",
+                  "Shewchuk / robust", "Epeck / robust", "mpq / robust"], rows)
 
 
 def answers(timed):
@@ -186,9 +188,9 @@ def arrays(timed):
             continue
         rows.append([op, data, *(written(t.least(name)) for name in ["naive", "naive_avx512", "portable", "avx2", "avx512"]),
                      *(written(t.ratio(*pair)) for pair in [("avx512", "naive"), ("avx512", "naive_avx512"), ("avx2", "naive_avx2"),
-                                                            ("epick", "avx512")])])
+                                                            ("epick", "avx512"), ("shewchuk", "avx512")])])
     return table(["arrays", "cases", "naive ns", "naive AVX-512 ns", "portable ns", "AVX2 ns", "AVX-512 ns", "/ naive",
-                  "/ naive AVX-512", "AVX2 / naive AVX2", "Epick / AVX-512"], rows)
+                  "/ naive AVX-512", "AVX2 / naive AVX2", "Epick / AVX-512", "Shewchuk / AVX-512"], rows)
 
 
 def arrays_from_python(build):
@@ -320,6 +322,20 @@ def circumstances(build):
     return f"{version}; {flags}; {model.group(1) if model else platform.machine()}."
 
 
+class Kept:
+    """The times of one group, as `--keep` wrote them."""
+
+    def __init__(self, of):
+        self.of = of
+
+
+def draw_picture(file, words, timed):
+    drawn = page.picture(words, timed)
+    if not file or not drawn:
+        sys.exit("no times of arrays, of which the picture is" if file else "--times is for --picture FILE.svg")
+    file.write_text(drawn)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build", nargs="?", type=pathlib.Path, default=ROOT / "build/bench")
@@ -327,7 +343,14 @@ def main():
     parser.add_argument("--repetitions", type=int, default=25)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--page", type=pathlib.Path)
+    parser.add_argument("--picture", type=pathlib.Path)
+    parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--times", type=pathlib.Path)
     options = parser.parse_args()
+    if options.times:
+        kept = json.loads(options.times.read_text())
+        return draw_picture(options.picture, kept["circumstances"],
+                            {name: {group: Kept(of) for group, of in groups.items()} for name, groups in kept["timed"].items()})
     load = os.getloadavg()[0]
     timed = {}
     for name in ["operations", "polygons", "triangulation", "hulls", "meshes", "pairs", "arrays", "oracle"]:
@@ -355,6 +378,11 @@ def main():
     if options.page:
         command = shlex.join(["bench/ratios.py", *sys.argv[1:]])
         options.page.write_text(page.page(circumstances(options.build), command, options.repetitions, load, os.cpu_count(), timed, report))
+    if options.keep:
+        kept = {name: {group: t.of for group, t in groups.items()} for name, groups in timed.items()}
+        options.keep.write_text(json.dumps({"circumstances": circumstances(options.build), "timed": kept}))
+    if options.picture:
+        draw_picture(options.picture, circumstances(options.build), timed)
     if options.write:
         readme = ROOT / "bench/README.md"
         text = readme.read_text()
