@@ -211,8 +211,11 @@ TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
   const std::vector<Question> rows = {{{0.7, 0.6, 0.8, -0.63, 0.1, 0.8, 0.1}, {}},
                                       {{0.3, 0.6, 0.3, -0.6, 0.4, 0.7, 0.2}, {}},
                                       {{0.7, 0.2, 0.7, -1.18, 0.8, 0.3, 0.8}, {}},
-                                      {{0.8, 0.8, 0.5, -1.07, 0.1, 0.8, 0.7}, {}}};
-  const std::vector<Word> sides = {0, 2, 0, 2};  // front, back
+                                      {{0.8, 0.8, 0.5, -1.07, 0.1, 0.8, 0.7}, {}},
+                                      // 1 is lost beside 2^60 before that is taken away again.
+                                      {{1, 0x1p60, -0x1p60, -0.5, 1, 1, 1}, {}},
+                                      {{-1, -0x1p60, 0x1p60, 0.5, 1, 1, 1}, {}}};
+  const std::vector<Word> sides = {0, 2, 0, 2, 0, 2};  // front, back
   Table table{{}, operation.row().batch.columns(rows[0])};
   std::vector<Word> expected;
   for (std::size_t i = 0; i < 70; ++i) {
