@@ -43,7 +43,7 @@ let judge (claim : (string * Json.t) list) =
           let first count list = List.filteri (fun i _ -> i < count) list in
           let answers = first (List.length found.answers) answers and facts = first (List.length found.facts) facts in
           if Proved.decide (found.formula answers facts) then begin
-            let rounded = List.assoc_opt "rounded" claim in
+            let rounded = if operation.by_contract then None else List.assoc_opt "rounded" claim in
             Option.iter (fun rounded -> Rounding.check operation.outwards truth ("rounded", rounded)) rounded;
             Accepted
           end

@@ -25,8 +25,9 @@ let kdop_of_points = rounded_outwards [ "slabs" ] (operation "kdop_of_points" [ 
         check_kdop_of_points (points in_space everything) (points in_space normals) (points exact_point slabs))
   | _ -> assert false))
 
+(* The radius is the least around the center that is rounded. *)
 let bounding_sphere =
-  with_defaults [ ("method", Json.Text "smallest") ] (operation ~unproved:[ "lower_bound" ] "bounding_sphere"
+  rounded_by_contract @@ with_defaults [ ("method", Json.Text "smallest") ] (operation ~unproved:[ "lower_bound" ] "bounding_sphere"
     [ "points"; "method" ] "" (function
     | [ everything; method_ ] ->
         let check how answers =

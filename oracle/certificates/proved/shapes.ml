@@ -19,13 +19,15 @@ type operation = {
   kinds : place list -> kind list; (* of the values of the inputs *)
   unproved : string list; (* kinds that have no proof yet *)
   outwards : string list; (* fields of the truth, lists of pairs, that are rounded outwards *)
+  by_contract : bool; (* what is rounded depends on more than the truth, and is not looked at *)
   defaults : (string * Json.t) list; (* of inputs that may be left out *)
 }
 
 let kind word answers kind facts formula = { word; answers; kind; facts; formula }
 let operation ?(unproved = []) name inputs field kinds =
-  { name; inputs; field; kinds; unproved; outwards = []; defaults = [] }
+  { name; inputs; field; kinds; unproved; outwards = []; by_contract = false; defaults = [] }
 let rounded_outwards fields operation = { operation with outwards = fields }
+let rounded_by_contract operation = { operation with by_contract = true }
 let with_defaults defaults operation = { operation with defaults }
 
 (* The input with what it leaves out. *)

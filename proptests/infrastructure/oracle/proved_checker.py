@@ -244,6 +244,8 @@ def check(program, work):
         wrong += found
         if count["refused"] < len(lines) // 4:
             wrong.append(f"{operation}: of {len(lines)} tampered claims only {count['refused']} are refused")
+        if operation in rounded_in_fractions.BY_CONTRACT:
+            continue
         lines = [json.dumps(other) for claim in chosen(operation, "rounded")
                  for other in rounded_otherwise(claim, words)]
         count, found = compare(program, work, lines)
