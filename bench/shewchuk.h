@@ -4,8 +4,8 @@
 #include "geometry/points.h"
 
 // Shewchuk's predicates (Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997) as
-// peer, where Debian's libtet1.5-dev is installed (cmake/bench.cmake). They are in the public domain; the library around
-// them, TetGen, is under the AGPL. Its header does not declare orient2d.
+// peer, where Debian's libtet1.5-dev is installed (cmake/bench.cmake). They are in the public domain; the library
+// around them, TetGen, is under the AGPL. Its header does not declare orient2d.
 #ifdef TOUCHSTONE_BENCH_TET
 
 void exactinit(int verbose, int no_exact, int no_filter, double max_x, double max_y, double max_z);

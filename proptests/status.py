@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "proptests/infrastructure/oracle"))
 sys.path.insert(0, str(ROOT / "coverage"))
 sys.path.insert(0, str(ROOT / "robust/proofs"))
+sys.path.insert(0, str(ROOT / "oracle/certificates/proved"))
 sys.dont_write_bytecode = True
 STAGES = ("filter", "enclosed", "lattice", "exact")
 KINDS = {"decision": "words are equal", "measure": "numbers in ulps", "set": "equal as sets",
@@ -82,11 +83,12 @@ def certificate_kinds(name):
 
 def checker_proved(name):
     """Whether the checks of its certificates are proved: yes, no, or but for which kinds."""
-    tables = "".join(text_of(path.relative_to(ROOT)) for path in (ROOT / "oracle/certificates/proved").glob("operations_*.ml"))
-    found = re.search(rf'operation (?:~unproved:\[ ?([^]]*?) ?\] )?"{name}" ', tables)
-    if not found:
+    kinds = importlib.import_module("kinds")
+    if name not in kinds.operations(kinds.sources()):
         return "-"
-    return "but for " + found.group(1).replace('"', "`").replace(";", ",") if found.group(1) else "all"
+    tables = "".join(text_of(path.relative_to(ROOT)) for path in (ROOT / "oracle/certificates/proved").glob("operations_*.ml"))
+    found = re.search(rf'operation ~unproved:\[ ?([^]]*?) ?\] "{name}"', tables)
+    return "but for " + found.group(1).replace('"', "`").replace(";", ",") if found else "all"
 
 
 def second_opinions():

@@ -75,9 +75,7 @@ Reached reached_by(const Operation& operation, std::size_t family, const std::st
   const auto decided_by = told_stages(operation.row()).decided_by;
   const bool cheap = operation.metadata().cost == 1;
   const bool is_very_dear = operation.metadata().cost >= static_cast<int>(very_dear);
-  const std::uint64_t cases = cheap          ? drawn
-                              : is_very_dear ? drawn_very_dear
-                                             : drawn_dear,
+  const std::uint64_t cases = cheap ? drawn : is_very_dear ? drawn_very_dear : drawn_dear,
                       judge = cheap ? judged : judged_dear;
   std::uint64_t numbers = 0;
   std::size_t found = 0;

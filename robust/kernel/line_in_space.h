@@ -23,9 +23,6 @@ struct Line {
   Segment3d segment() const { return {from, to}; }
 };
 
-/// Of no point of a line.
-inline const Passage<double> no_passage{PassageRelation::none, std::nullopt, std::nullopt};
-
 struct Box : Aabb3d {
   Box(const Aabb3d& box) : Aabb3d(box) {}
   Box(const Aabb2d& box) : Aabb3d{{box.min.x, box.min.y, 0}, {box.max.x, box.max.y, 0}} {}
@@ -35,5 +32,8 @@ struct Ball : Sphere3d {
   Ball(const Sphere3d& ball) : Sphere3d(ball) {}
   Ball(const Circle2d& disc) : Sphere3d{{disc.center.x, disc.center.y, 0}, disc.radius} {}
 };
+
+/// Of a line that has no point in common with a box or a ball.
+inline const Passage<double> no_passage{PassageRelation::none, std::nullopt, std::nullopt};
 
 }  // namespace touchstone::robust::kernel

@@ -53,7 +53,7 @@ ConnectedMesh::ConnectedMesh(const Meshd& mesh) {
   Joined parts(mesh.vertices.size()), fans(corners.size());  // corners at one vertex, joined by the edges there
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last = std::find_if(first, sides.end(), [first](const EdgeOfFace& s) { return !s.same_edge(*first); });
-    const auto count = last - first, along = std::count_if(first, last, [](const EdgeOfFace&s) { return s.along; });
+    const auto count = last - first, along = std::count_if(first, last, [](const EdgeOfFace& s) { return s.along; });
     const auto note = [first](std::optional<IndexPair>& witness, bool holds) {
       if (!holds && !witness) witness = IndexPair{first->low, first->high};
     };

@@ -60,7 +60,8 @@ TEST_CASE("boxes: the least distance is the least of all edges that count") {
   }
 }
 
-// In time that grows like the square of the length this would not end within ctest's limit.
+// Seconds; at 100 nanoseconds for each pair of edges each of these would be a quarter of an hour, and their limit in
+// ctest is a third of that (cmake/proptests.cmake).
 TEST_CASE("oracle: very long rings are answered") {
   constexpr std::size_t n = 100'000;
   CHECK(polygon_convexity(wavy_ring(n)).certificate().kind != "");

@@ -46,7 +46,8 @@ TEST_CASE("ring_defect: the first defect that is named is the first of all pairs
   CHECK(defects > 100);
 }
 
-// In time that grows like the square of the length this would not end within ctest's limit.
+// Seconds; at a nanosecond for each pair of edges it would be a quarter of an hour, and its limit in ctest is a third
+// of that (cmake/proptests.cmake).
 TEST_CASE("ring_defect: the defect of a very long ring is named") {
   constexpr std::size_t n = 1'000'000;
   CHECK(robust::ring_defect(random_ring(n)));

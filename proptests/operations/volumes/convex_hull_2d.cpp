@@ -166,7 +166,8 @@ TEST_CASE("convex_hull_2d: rings drawn by others") {
   }
 }
 
-// In time that grows like the square of their number this would not end within ctest's limit.
+// Seconds; on the circle, a nanosecond for each pair of points would be a quarter of an hour, and the limit in ctest is
+// a third of that (cmake/proptests.cmake).
 TEST_CASE("convex_hull_2d: very many points on a circle, in a square and on a line") {
   std::mt19937_64 next(1);
   const auto number = [&next] { return static_cast<double>(next() >> 11) * 0x1p-53; };
