@@ -14,7 +14,8 @@ constexpr auto past_filter = [](const auto&... q) { return stages::triangle_tria
 
 void triangle_triangle(const Triangles3& a, const Triangles3& b, std::size_t count, std::uint8_t* answers,
                        Instructions at_most) {
-  isa::run(isa::Which{&isa::Filters::triangle_triangle}, at_most, decide, past_filter, count, answers, a, b);
+  isa::run(isa::Which{&isa::Filters::triangle_triangle, &isa::Filters::close_triangle_triangle}, at_most, decide,
+           past_filter, count, answers, a, b);
 }
 
 }  // namespace touchstone::robust::batch

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "robust/kernel/integers.h"
-#include "robust/kernel/rounding.h"
+#include "robust/kernel/plane.h"
 #include "robust/kernel/triangle_clip.h"
 #include "robust/kernel/valid_space.h"
 #include "robust/kernel/window.h"
@@ -18,6 +17,14 @@ struct Axis {
   double from, to, min, max;
 
   bool zero_way(bool ends) const { return ends ? validation::same(from, to) : validation::zero(to); }
+};
+
+/// On the lattice: distance / speed, or 1 / 0, which is later than all others. Of differences, so both are below 2^62.
+struct Time {
+  std::int64_t distance, speed;
+  friend bool operator<(const Time& s, const Time& t) {
+    return multiply(s.distance, t.speed) < multiply(t.distance, s.speed);
+  }
 };
 
 std::array<Axis, 3> axes_of(const Line& line, const Box& box) {
@@ -78,6 +85,25 @@ Passage<double> BoxPassage::exact(const Line& line, const Box& box) {
   if (!moves) return {PassageRelation::hit, 0.0, 0.0};
   const auto rounded = [](const Clipped::Parameter& t) { return round_quotient(t.numerator, t.denominator); };
   return {PassageRelation::hit, rounded(part.first), rounded(part.last)};
+}
+
+Perhaps<PassageRelation> box_relation_on_lattice(const Line& line, const Box& box) {
+  Time start{0, 1}, end{1, line.ends ? 1 : 0};
+  for (const auto& [from, to, min, max] : axes_of(line, box)) {
+    const auto lattice = lattice_of(from, to, min, max);
+    if (!lattice) return std::nullopt;
+    const auto& n = lattice->at;
+    const std::int64_t way = line.ends ? n[1] - n[0] : n[1], to_min = n[2] - n[0], to_max = n[3] - n[0];
+    if (way == 0) {
+      if (to_min > 0 || to_max < 0) return PassageRelation::none;
+      continue;
+    }
+    const Time entry = way > 0 ? Time{to_min, way} : Time{-to_max, -way};
+    const Time exit = way > 0 ? Time{to_max, way} : Time{-to_min, -way};
+    if (start < entry) start = entry;
+    if (exit < end) end = exit;
+  }
+  return end < start ? PassageRelation::none : PassageRelation::hit;
 }
 
 }  // namespace touchstone::robust::kernel

@@ -18,4 +18,7 @@ struct BoxPassage {
   static Passage<double> exact(const Line& line, const Box& box);
 };
 
+/// Whether there is one: latest entry and earliest exit as fractions, each axis on a lattice of its own.
+Perhaps<PassageRelation> box_relation_on_lattice(const Line& line, const Box& box);
+
 }  // namespace touchstone::robust::kernel

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "robust/kernel/integers.h"
-
 namespace touchstone::robust::kernel {
 namespace {
 
@@ -65,18 +63,6 @@ void add_ends(std::vector<HomogeneousPoint>& ends, const Triangle3<mpz_class>& t
   }
 }
 
-struct Triangles {
-  Triangle3<mpz_class> a, b;
-};
-
-Triangles as_integers(const Triangle3d& a, const Triangle3d& b) {
-  const auto n = integers_of(a.a.x, a.a.y, a.a.z, a.b.x, a.b.y, a.b.z, a.c.x, a.c.y, a.c.z, b.a.x, b.a.y, b.a.z, b.b.x,
-                             b.b.y, b.b.z, b.c.x, b.c.y, b.c.z)
-                     .at;
-  const auto point = [&n](std::size_t i) { return Point{n[i], n[i + 1], n[i + 2]}; };
-  return {{point(0), point(3), point(6)}, {point(9), point(12), point(15)}};
-}
-
 }  // namespace
 
 void Clipped::keep(const mpz_class& at_p, const mpz_class& at_q) {
@@ -110,19 +96,6 @@ std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a,
   std::vector<HomogeneousPoint> ends;
   add_ends(ends, a, b), add_ends(ends, b, a);
   return ends;
-}
-
-int dimension_of_common_part(const Triangle3d& a, const Triangle3d& b) {
-  const Triangles whole = as_integers(a, b);
-  const std::vector<HomogeneousPoint> ends = ends_of_common_part(whole.a, whole.b);
-  if (ends.empty()) return -1;
-  Vector along{0, 0, 0};
-  for (const HomogeneousPoint& end : ends)
-    if (zero(along)) along = way(ends.front(), end);
-  if (zero(along)) return 0;
-  for (const HomogeneousPoint& end : ends)
-    if (!zero(cross(along, way(ends.front(), end)))) return 2;
-  return 1;
 }
 
 }  // namespace touchstone::robust::kernel

@@ -51,7 +51,4 @@ inline bool zero(const Vector3<mpz_class>& v) { return sgn(v.x) == 0 && sgn(v.y)
 /// the smallest convex set around these ends.
 std::vector<HomogeneousPoint> ends_of_common_part(const Triangle3<mpz_class>& a, const Triangle3<mpz_class>& b);
 
-/// The dimension of that set, -1 where nothing is common.
-int dimension_of_common_part(const Triangle3d& a, const Triangle3d& b);
-
 }  // namespace touchstone::robust::kernel

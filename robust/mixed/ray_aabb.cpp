@@ -20,12 +20,16 @@ Decided<Passage<double>> stages::ray_aabb::ask(const kernel::Line& ray, const ke
   return in_turn<ray_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(ray, aabb);
 }
 
+Perhaps<PassageRelation> stages::ray_aabb::decision::lattice(const kernel::Line& ray, const kernel::Box& aabb) {
+  return kernel::box_relation_on_lattice(ray, aabb);
+}
+
 PassageRelation stages::ray_aabb::decision::exact(const kernel::Line& ray, const kernel::Box& aabb) {
   return kernel::BoxPassage::exact(ray, aabb).relation;
 }
 
 Decided<PassageRelation> stages::ray_aabb::decision::past_filter(const kernel::Line& ray, const kernel::Box& aabb) {
-  return in_turn<decision, validate, Stage::exact>(ray, aabb);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(ray, aabb);
 }
 
 }  // namespace touchstone::robust

@@ -32,6 +32,7 @@ struct ray_aabb : kernel::BoxPassage {
     static Perhaps<PassageRelation> filter(const kernel::Line& ray, const kernel::Box& aabb) {
       return filters::box_relation(ray, aabb);
     }
+    static Perhaps<PassageRelation> lattice(const kernel::Line& ray, const kernel::Box& aabb);
     static PassageRelation exact(const kernel::Line& ray, const kernel::Box& aabb);
     static Decided<PassageRelation> past_filter(const kernel::Line& ray, const kernel::Box& aabb);
   };

@@ -5,8 +5,8 @@
 #include "robust/kernel/enclosed_crossing.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
+#include "robust/kernel/small_hulls.h"
 #include "robust/kernel/triangle_clip.h"
-#include "robust/kernel/triangle_sides.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
@@ -71,20 +71,14 @@ void validate(const Ray3d& ray, const Triangle3d& t) {
 
 }  // namespace
 
-/// What lies in the plane of the triangle, or has no plane, is left to the next stage.
 Perhaps<Relation> stages::ray_triangle::decision::lattice(const Ray3d& ray, const Triangle3d& triangle) {
-  const auto lattice = kernel::on_lattice(ray.origin, ray.direction, triangle);
-  if (!lattice) return std::nullopt;
-  const auto& [origin, way, t] = *lattice;
-  const Vector3<std::int64_t> direction{way.x, way.y, way.z}, ab = t.b - t.a, ac = t.c - t.a;
-  const int at_origin = kernel::sign_of_triple(ab, ac, origin - t.a), rise = kernel::sign_of_triple(ab, ac, direction);
-  if (at_origin == 0 && rise == 0) return std::nullopt;
-  if (rise == 0 || at_origin == rise) return Relation::none;
-  return kernel::crosses(origin, direction, t);
+  const auto dimension = kernel::common_dimension_on_lattice(ray, triangle);
+  if (!dimension) return std::nullopt;
+  return static_cast<Relation>(1 + *dimension);
 }
 
 Relation stages::ray_triangle::decision::exact(const Ray3d& ray, const Triangle3d& triangle) {
-  return Question(ray, triangle).relation();
+  return static_cast<Relation>(1 + kernel::common_dimension_in_integers(ray, triangle));
 }
 
 Decided<Relation> stages::ray_triangle::decision::past_filter(const Ray3d& ray, const Triangle3d& triangle) {

@@ -20,13 +20,17 @@ Decided<Passage<double>> stages::segment_aabb::ask(const kernel::Line& segment, 
   return in_turn<segment_aabb, validate, Stage::filter, Stage::enclosed, Stage::exact>(segment, aabb);
 }
 
+Perhaps<PassageRelation> stages::segment_aabb::decision::lattice(const kernel::Line& segment, const kernel::Box& aabb) {
+  return kernel::box_relation_on_lattice(segment, aabb);
+}
+
 PassageRelation stages::segment_aabb::decision::exact(const kernel::Line& segment, const kernel::Box& aabb) {
   return kernel::BoxPassage::exact(segment, aabb).relation;
 }
 
 Decided<PassageRelation> stages::segment_aabb::decision::past_filter(const kernel::Line& segment,
                                                                      const kernel::Box& aabb) {
-  return in_turn<decision, validate, Stage::exact>(segment, aabb);
+  return in_turn<decision, validate, Stage::lattice, Stage::exact>(segment, aabb);
 }
 
 }  // namespace touchstone::robust

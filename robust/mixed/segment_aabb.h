@@ -33,6 +33,7 @@ struct segment_aabb : kernel::BoxPassage {
     static Perhaps<PassageRelation> filter(const kernel::Line& segment, const kernel::Box& aabb) {
       return filters::box_relation(segment, aabb);
     }
+    static Perhaps<PassageRelation> lattice(const kernel::Line& segment, const kernel::Box& aabb);
     static PassageRelation exact(const kernel::Line& segment, const kernel::Box& aabb);
     static Decided<PassageRelation> past_filter(const kernel::Line& segment, const kernel::Box& aabb);
   };

@@ -5,8 +5,8 @@
 #include "robust/kernel/enclosed_crossing.h"
 #include "robust/kernel/integers.h"
 #include "robust/kernel/rounding.h"
+#include "robust/kernel/small_hulls.h"
 #include "robust/kernel/triangle_clip.h"
-#include "robust/kernel/triangle_sides.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
@@ -53,21 +53,14 @@ void validate(const Segment3d& s, const Triangle3d& t) {
 
 }  // namespace
 
-/// What lies in the plane of the triangle, or has no plane, is left to the next stage.
 Perhaps<Relation> stages::segment_triangle::decision::lattice(const Segment3d& segment, const Triangle3d& triangle) {
-  const auto lattice = kernel::on_lattice(segment.a, segment.b, triangle);
-  if (!lattice) return std::nullopt;
-  const auto& [start, end, t] = *lattice;
-  const Vector3<std::int64_t> ab = t.b - t.a, ac = t.c - t.a;
-  const int at_start = kernel::sign_of_triple(ab, ac, start - t.a), at_end = kernel::sign_of_triple(ab, ac, end - t.a);
-  if (at_start == 0 && at_end == 0) return std::nullopt;
-  if (at_start == at_end) return Relation::none;
-  return kernel::crosses(start, end - start, t);
+  const auto dimension = kernel::common_dimension_on_lattice(segment, triangle);
+  if (!dimension) return std::nullopt;
+  return static_cast<Relation>(1 + *dimension);
 }
 
 Relation stages::segment_triangle::decision::exact(const Segment3d& segment, const Triangle3d& triangle) {
-  const Question q = as_integers(segment, triangle);
-  return relation_of(q.segment, kernel::clipped(q.segment, q.triangle));
+  return static_cast<Relation>(1 + kernel::common_dimension_in_integers(segment, triangle));
 }
 
 Decided<Relation> stages::segment_triangle::decision::past_filter(const Segment3d& segment,

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/validation_of_triangles.h"
-#include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/small_hulls.h"
 #include "robust/kernel/valid_space.h"
 
 namespace touchstone::robust {
@@ -67,12 +67,18 @@ Perhaps<Relation> stages::triangle_triangle::filter(const Triangle3d& a, const T
   return Relation::segment;
 }
 
+Perhaps<Relation> stages::triangle_triangle::lattice(const Triangle3d& a, const Triangle3d& b) {
+  const auto dimension = kernel::common_dimension_on_lattice(a, b);
+  if (!dimension) return std::nullopt;
+  return static_cast<Relation>(1 + *dimension);
+}
+
 Relation stages::triangle_triangle::exact(const Triangle3d& a, const Triangle3d& b) {
-  return static_cast<Relation>(1 + kernel::dimension_of_common_part(a, b));
+  return static_cast<Relation>(1 + kernel::common_dimension_in_integers(a, b));
 }
 
 Decided<Relation> stages::triangle_triangle::past_filter(const Triangle3d& a, const Triangle3d& b) {
-  return in_turn<triangle_triangle, validate, Stage::exact>(a, b);
+  return in_turn<triangle_triangle, validate, Stage::lattice, Stage::exact>(a, b);
 }
 
 }  // namespace touchstone::robust

@@ -23,6 +23,7 @@ struct triangle_triangle : Filtered<triangle_triangle, decltype(robust::triangle
   /// plane certainly has corners of the other triangle on both sides and none on itself, both triangles meet the line
   /// of the two planes in a segment, and two signs say whether these overlap. Every sign is that of FacePlane.
   static Perhaps<TriangleTriangleRelation> filter(const Triangle3d& a, const Triangle3d& b);
+  static Partial lattice;
   static Total exact;
   static Staged past_filter;
 };

@@ -7,7 +7,7 @@
 
 #include "robust/kernel/face_side.h"
 #include "robust/kernel/ordered_bits.h"
-#include "robust/kernel/triangle_clip.h"
+#include "robust/kernel/small_hulls.h"
 #include "robust/lines/orientation.h"
 #include "robust/structures/sort_and_sweep.h"
 
@@ -92,7 +92,7 @@ bool meet(const Meshd& mesh, const Face& f, const Face& g) {
   for (double Point3d::*axis : coordinates)
     if (below(s, t, axis) || below(t, s, axis)) return false;
   if (beside(kernel::FaceSide(mesh, f), t) || beside(kernel::FaceSide(mesh, g), s)) return false;
-  return kernel::dimension_of_common_part(triangle_of(mesh, f), triangle_of(mesh, g)) >= common;
+  return kernel::common_dimension(triangle_of(mesh, f), triangle_of(mesh, g)) >= common;
 }
 
 }  // namespace

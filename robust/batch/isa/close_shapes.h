@@ -25,25 +25,22 @@ struct ClosePointPlane {
   }
 };
 
-/// Where each box has an interior, comparisons decide: disjoint where on some axis one ends before the other begins,
-/// else touching where on some axis one ends where the other begins. Where the magnitudes add up to a finite number,
-/// each is finite.
+/// Comparisons decide: disjoint where on some axis one ends before the other begins, else touching where on some axis
+/// one ends where the other begins, or has no extent.
 template <std::size_t dimensions>
 struct CloseBoxes {
   static constexpr std::size_t columns = 4 * dimensions;
-  static constexpr bool of_lengths = true;
+  static constexpr bool of_lengths = false;
   static Decision of(const Lanes* c, Mask) {
     constexpr std::size_t n = dimensions;
-    Lanes total = same(0);
     Mask valid = all_lanes, apart = 0, touch = 0;
+    for (std::size_t k = 0; k < columns; ++k) valid &= not_below(same(0x1.fffffffffffffp1023), magnitude(c[k]));
     for (std::size_t k = 0; k < n; ++k) {
       const Lanes a_min = c[k], a_max = c[n + k], b_min = c[2 * n + k], b_max = c[3 * n + k];
-      total = total + ((magnitude(a_min) + magnitude(a_max)) + (magnitude(b_min) + magnitude(b_max)));
-      valid &= above(a_max, a_min) & above(b_max, b_min);
+      valid &= not_below(a_max, a_min) & not_below(b_max, b_min);
       apart |= above(a_min, b_max) | above(b_min, a_max);
-      touch |= equal(a_min, b_max) | equal(b_min, a_max);
+      touch |= equal(a_min, b_max) | equal(b_min, a_max) | equal(a_min, a_max) | equal(b_min, b_max);
     }
-    valid &= not_below(same(0x1.fffffffffffffp1023), total);
     return {valid, touch & ~apart, ~(touch | apart)};
   }
 };
@@ -104,9 +101,66 @@ struct CloseSphereBox {
   }
 };
 
+/// A ray misses a box where it leaves it along some axis before it begins, or before it enters along another: times are
+/// distances by speeds, and which of two is the later the sign of a sum of four products tells. Along an axis in which
+/// the direction does not lead, comparisons do.
+template <std::size_t dimensions>
+struct CloseRayBox {
+  static constexpr std::size_t columns = 4 * dimensions;
+  static constexpr bool of_lengths = true;
+
+  struct OfAxis {
+    Lanes speed = same(0);
+    Difference entry{same(0), same(0)}, exit{same(0), same(0)};
+    Mask moves = 0;
+  };
+
+  static Decision of(const Lanes* c, Mask asked) {
+    constexpr std::size_t n = dimensions;
+    Mask valid = asked, apart = 0, leads = 0;
+    OfAxis axes[n];
+    for (std::size_t k = 0; k < 4 * n; ++k) valid &= in_window(c[k]);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes from = c[k], way = c[n + k], min = c[2 * n + k], max = c[3 * n + k];
+      const Mask back = negative(way);
+      OfAxis& axis = axes[k];
+      axis.speed = magnitude(way);
+      axis.entry = Difference(chosen(back, from, min), chosen(back, max, from));
+      axis.exit = Difference(chosen(back, from, max), chosen(back, min, from));
+      axis.moves = above(axis.speed, same(0));
+      leads |= axis.moves;
+      valid &= not_below(max, min);
+      apart |= above(same(0), axis.exit.head) | (above(axis.entry.head, same(0)) & ~axis.moves);
+    }
+    valid &= leads;
+    Mask known = valid;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const Mask open = valid & ~apart & axes[i].moves & axes[j].moves;
+        if (i == j || open == 0) continue;
+        const Signs later = order(axes[i], axes[j], open);
+        apart |= open & later.positive;
+        known &= ~open | later.known();
+      }
+    }
+    return {valid & (apart | known), ~apart, 0};
+  }
+
+  /// Of the entry along one axis less the exit along another.
+  static Signs order(const OfAxis& in, const OfAxis& out, Mask asked) {
+    const Product late(in.entry.head, out.speed), soon(opposite(out.exit.head), in.speed);
+    const Product late_rest(in.entry.tail, out.speed), soon_rest(opposite(out.exit.tail), in.speed);
+    Lanes terms[] = {late_rest.tail, soon_rest.tail, late_rest.head, soon_rest.head,
+                     late.tail,      soon.tail,      late.head,      soon.head};
+    return signs_of_sums(terms, asked);
+  }
+};
+
 #else
 
 struct ClosePointPlane;
+template <std::size_t dimensions>
+struct CloseRayBox;
 template <std::size_t dimensions>
 struct CloseBoxes;
 template <std::size_t dimensions>

@@ -38,7 +38,9 @@ struct Filters {
   /// Second stages, for the rows that a filter left; nullptr where there is none.
   SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *close_point_plane;
   SecondStage *close_boxes_in_plane, *close_boxes_in_space, *close_spheres_in_plane, *close_spheres_in_space;
-  SecondStage *close_sphere_and_box_in_plane, *close_sphere_and_box_in_space, *none = nullptr;
+  SecondStage *close_sphere_and_box_in_plane, *close_sphere_and_box_in_space;
+  SecondStage *close_ray_and_box_in_plane, *close_ray_and_box_in_space;
+  SecondStage *close_segment_triangle, *close_ray_triangle, *close_triangle_triangle, *none = nullptr;
 };
 
 extern const Filters portable_filters, avx2_filters, avx512_filters;

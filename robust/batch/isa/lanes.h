@@ -91,6 +91,16 @@ Mask negative(Lanes x) { return static_cast<Mask>(__builtin_signbit(x.v) != 0); 
 
 constexpr Mask all_lanes = (Mask{1} << lanes) - 1;
 
+#if TOUCHSTONE_LANES == 8
+/// x in the lanes of the mask, y in the others.
+Lanes chosen(Mask mask, Lanes x, Lanes y) { return Lanes(_mm512_mask_blend_pd(static_cast<__mmask8>(mask), y.v, x.v)); }
+#elif TOUCHSTONE_LANES == 4
+Lanes chosen(Mask mask, Lanes x, Lanes y) {
+  const __m256i bits = _mm256_set_epi64x(8, 4, 2, 1), kept = _mm256_and_si256(_mm256_set1_epi64x(mask), bits);
+  return Lanes(_mm256_blendv_pd(y.v, x.v, _mm256_castsi256_pd(_mm256_cmpeq_epi64(kept, bits))));
+}
+#endif
+
 /// A byte for each bit: `set` or `clear`.
 void put_bytes(std::uint8_t* to, std::uint64_t bits, std::uint8_t set, std::uint8_t clear) {
 #if TOUCHSTONE_LANES == 8

@@ -40,10 +40,10 @@ Lanes opposite(Lanes x) { return same(0) - x; }
 
 /// The lanes of numbers that are 0 or between 2^-480 and 2^480: multiples of 2^-532. So are their differences, with
 /// both parts; products of two such parts are multiples of 2^-1064, and less than 2^963. Nothing that is computed of
-/// them underflows or overflows, and all heads and tails are exact.
-Mask in_window(Lanes x) {
+/// them underflows or overflows, and all heads and tails are exact. The window of cubes ends at 2^250.
+Mask in_window(Lanes x, double greatest = 0x1p480) {
   const Lanes size = magnitude(x);
-  return (not_below(size, same(0x1p-480)) & not_below(same(0x1p480), size)) | equal(size, same(0));
+  return (not_below(size, same(1 / greatest)) & not_below(same(greatest), size)) | equal(size, same(0));
 }
 
 /// 2^620 where the size is less than 2^-240, 2^-620 where it is more than 2^240, 1 elsewhere.

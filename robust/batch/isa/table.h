@@ -4,6 +4,7 @@
 
 #include "robust/batch/isa/close.h"
 #include "robust/batch/isa/close_shapes.h"
+#include "robust/batch/isa/close_triangles.h"
 #include "robust/batch/isa/kernels.h"
 #include "robust/batch/isa/triangles.h"
 
@@ -36,7 +37,12 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .close_spheres_in_plane = close_stage<CloseSpheres<2>>,
                                        .close_spheres_in_space = close_stage<CloseSpheres<3>>,
                                        .close_sphere_and_box_in_plane = close_stage<CloseSphereBox<2>>,
-                                       .close_sphere_and_box_in_space = close_stage<CloseSphereBox<3>>};
+                                       .close_sphere_and_box_in_space = close_stage<CloseSphereBox<3>>,
+                                       .close_ray_and_box_in_plane = close_stage<CloseRayBox<2>>,
+                                       .close_ray_and_box_in_space = close_stage<CloseRayBox<3>>,
+                                       .close_segment_triangle = close_stage<CloseSegmentTriangle>,
+                                       .close_ray_triangle = close_stage<CloseRayTriangle>,
+                                       .close_triangle_triangle = close_stage<CloseTriangleTriangle>};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa

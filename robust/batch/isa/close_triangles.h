@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
+#pragma once
+
+#include "robust/batch/isa/close.h"
+#include "robust/batch/isa/triangles.h"
+
+/// Second stages of triangles in space, as those of close.h. They know nothing of what lies in one plane, nor of
+/// triangles without area: of those every volume is 0.
+namespace touchstone::robust::batch::isa {
+namespace {
+
+#if TOUCHSTONE_LANES > 2
+
+/// A displacement with what rounding left out.
+struct Way {
+  Difference x, y, z;
+  Way(const InSpace& to, const InSpace& from) : x(to.x, from.x), y(to.y, from.y), z(to.z, from.z) {}
+  Lanes tails() const { return magnitude(x.tail) + magnitude(y.tail) + magnitude(z.tail); }
+};
+
+/// v x w of displacements between points in the window of cubes, and the signs of its products with such.
+///
+/// Let p q and r s be the exact products of a coordinate, L + l and R + t those of their heads, S = |L| + |R|, and D +
+/// d the difference of L and R. The coordinate is D and a tail: d, l - t and the four products of a head and a tail.
+/// The tail is at most 4 v S and off by 15 v^2 S: v^2 S for l - t, 2 for the four products, 2 for the sums of two, 2
+/// for the difference of these, 3 and 4 for the last two sums, 1 for the products of two tails, which are left out.
+/// Times the third displacement, h + k, in units of v^2 S |h|: 15 from that, 4 for the product of two tails, left out, 1
+/// and 4 for the products, 5 and 6 for their sums; what is beside D h, rounded, is at most 6 v S |h|. The three of these
+/// are added (12), and to them the errors of the two sums of D h (2 and 8): 57 v^2 P in all, P being the sum of S |h|,
+/// and the last sum cannot make a sign wrong. The bound is 2^7 v^2 P, which pays for all terms of higher order.
+///
+/// Nothing underflows or overflows: all numbers are multiples of 2^-302, so all products are of 2^-906.
+class CloseNormal {
+ public:
+  CloseNormal(const Way& v, const Way& w)
+      : x_(v.y, w.z, v.z, w.y), y_(v.z, w.x, v.x, w.z), z_(v.x, w.y, v.y, w.x), tails_(v.tails() + w.tails()) {}
+
+  /// Where nothing was rounded the sign is that of the value, 0 too.
+  Signs along(const Way& d, Mask asked) const {
+    const Lanes zero = same(0);
+    Lanes low = zero, size = zero, rounded = tails_ + d.tails();
+    const auto add = [&](const Coordinate& n, const Difference& way) {
+      const Product term(n.value.head, way.head);
+      low = low + (term.tail + (n.value.head * way.tail + n.tail * way.head));
+      size = multiply_add(n.size, magnitude(way.head), size);
+      rounded = rounded + (n.rounded + magnitude(term.tail));
+      return term.head;
+    };
+    const Lanes in_x = add(x_, d.x), in_y = add(y_, d.y), in_z = add(z_, d.z);
+    const Sum two(in_x, in_y), all(two.head, in_z);
+    const Lanes value = all.head + ((two.tail + all.tail) + low);
+    rounded = rounded + (magnitude(two.tail) + magnitude(all.tail));
+    const Mask exact = equal(rounded, zero), sure = exact | above(magnitude(value), size * same(128 * v * v));
+    Signs found{sure & above(value, zero), sure & above(zero, value), exact & equal(value, zero)};
+    if ((asked & ~found.known()) != 0) settle(found, d, asked);
+    return found;
+  }
+
+ private:
+  struct Coordinate {
+    Product first, second;
+    Difference value;
+    Lanes tail, size, rounded;
+    Coordinate(const Difference& p, const Difference& q, const Difference& r, const Difference& s)
+        : first(p.head, q.head), second(r.head, s.head), value(first.head, second.head) {
+      const Lanes of_first = multiply_add(p.head, q.tail, p.tail * q.head);
+      const Lanes of_second = multiply_add(r.head, s.tail, r.tail * s.head);
+      tail = value.tail + ((first.tail - second.tail) + (of_first - of_second));
+      size = magnitude(first.head) + magnitude(second.head);
+      rounded = magnitude(value.tail) + magnitude(first.tail) + magnitude(second.tail);
+    }
+    void add_terms(Lanes* terms, Lanes way) const {
+      const Lanes back = opposite(way);
+      const Product great(first.head, way), least(first.tail, way), other(second.head, back), rest(second.tail, back);
+      terms[0] = least.tail, terms[3] = rest.tail, terms[6] = least.head, terms[9] = rest.head;
+      terms[12] = great.tail, terms[15] = other.tail, terms[18] = great.head, terms[21] = other.head;
+    }
+  };
+
+  /// Adds to what is known, exactly, where no displacement was rounded: the sum of twelve products.
+  [[gnu::noinline]] void settle(Signs& found, const Way& d, Mask asked) const {
+    asked &= ~found.known() & equal(tails_ + d.tails(), same(0));
+    if (asked == 0) return;
+    Lanes terms[24];
+    x_.add_terms(terms, d.x.head), y_.add_terms(terms + 1, d.y.head), z_.add_terms(terms + 2, d.z.head);
+    const Signs signs = signs_of_sums(terms, asked);
+    found.positive |= asked & signs.positive;
+    found.negative |= asked & signs.negative;
+    found.zero |= asked & signs.zero;
+  }
+
+  Coordinate x_, y_, z_;
+  Lanes tails_;
+};
+
+/// The lanes in which all numbers are in the window of cubes.
+template <std::size_t n>
+Mask in_window_of_cubes(const Lanes* numbers) {
+  Mask all = all_lanes;
+  for (std::size_t k = 0; k < n; ++k) all &= in_window(numbers[k], 0x1p250);
+  return all;
+}
+
+/// A line that crosses a triangle's plane misses the triangle where it has edges strictly on both sides of itself.
+Decision crossing(const Signs& start, const Signs& end, Mask apart, const Signs& ab, const Signs& bc, const Signs& ca,
+                  Mask valid) {
+  const Mask misses = (ab.positive | bc.positive | ca.positive) & (ab.negative | bc.negative | ca.negative);
+  const Mask decided = apart | misses | (ab.known() & bc.known() & ca.known());
+  const Mask known = valid & start.known() & end.known() & ~(start.zero & end.zero) & decided;
+  return {known, ~(apart | misses), 0};
+}
+
+/// As stages::segment_triangle::decision::lattice.
+struct CloseSegmentTriangle {
+  static constexpr std::size_t columns = 15;
+  static constexpr bool of_lengths = true;
+  static Decision of(const Lanes* n, Mask asked) {
+    const InSpace p(n), q(n + 3), a(n + 6), b(n + 9), c(n + 12);
+    const Mask valid = asked & in_window_of_cubes<columns>(n);
+    const CloseNormal normal(Way(b, a), Way(c, a));
+    const Signs at_p = normal.along(Way(p, a), valid), at_q = normal.along(Way(q, a), valid);
+    const Mask apart = (at_p.positive & at_q.positive) | (at_p.negative & at_q.negative);
+    const Way line(q, p), to_a(a, p), to_b(b, p), to_c(c, p);
+    const Mask open = valid & ~apart & ~(at_p.zero & at_q.zero);
+    return crossing(at_p, at_q, apart, CloseNormal(to_a, to_b).along(line, open),
+                    CloseNormal(to_b, to_c).along(line, open), CloseNormal(to_c, to_a).along(line, open), valid);
+  }
+};
+
+/// As stages::ray_triangle::decision::lattice. A direction of length 0 is to be refused.
+struct CloseRayTriangle {
+  static constexpr std::size_t columns = 15;
+  static constexpr bool of_lengths = true;
+  static Decision of(const Lanes* n, Mask asked) {
+    const Lanes zero = same(0);
+    const InSpace p(n), direction(n + 3), a(n + 6), b(n + 9), c(n + 12);
+    const Mask leads = above(magnitude(direction.x) + magnitude(direction.y) + magnitude(direction.z), zero);
+    const Mask valid = asked & leads & in_window_of_cubes<columns>(n);
+    const CloseNormal normal(Way(b, a), Way(c, a));
+    const Way line(direction, InSpace(zero, zero, zero)), to_a(a, p), to_b(b, p), to_c(c, p);
+    const Signs at_origin = normal.along(Way(p, a), valid), rise = normal.along(line, valid);
+    const Mask apart = rise.zero | (at_origin.positive & rise.positive) | (at_origin.negative & rise.negative);
+    const Mask open = valid & ~apart;
+    return crossing(at_origin, rise, apart, CloseNormal(to_a, to_b).along(line, open),
+                    CloseNormal(to_b, to_c).along(line, open), CloseNormal(to_c, to_a).along(line, open), valid);
+  }
+};
+
+/// The corner that is alone on its side of the other's plane, or on it, and the others (robust/kernel/small_hulls.cpp).
+struct CloseTip {
+  InSpace corner, others[2];
+  Mask on_plane;
+
+  CloseTip(const InSpace* t, const Signs* sides) : corner(t[0]), others{t[1], t[2]} {
+    Mask front[3], back[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Signs &j = sides[(i + 1) % 3], &k = sides[(i + 2) % 3];
+      front[i] = sides[i].positive & ~j.positive & ~k.positive;
+      back[i] = sides[i].negative & ~j.negative & ~k.negative;
+    }
+    const Mask in_front = front[0] | front[1] | front[2], behind = ~in_front & (back[0] | back[1] | back[2]);
+    on_plane = ~(in_front | behind);
+    for (std::size_t i = 1; i < 3; ++i) {
+      const Mask here = front[i] | (behind & back[i]) | (on_plane & sides[i].zero);
+      corner = chosen(here, t[i], corner);
+      others[0] = chosen(here, t[(i + 1) % 3], others[0]), others[1] = chosen(here, t[(i + 2) % 3], others[1]);
+    }
+  }
+
+  static InSpace chosen(Mask here, const InSpace& p, const InSpace& q) {
+    return {isa::chosen(here, p.x, q.x), isa::chosen(here, p.y, q.y), isa::chosen(here, p.z, q.z)};
+  }
+};
+
+/// As robust/kernel/small_hulls.cpp has them, which says why.
+struct CloseTriangleTriangle {
+  static constexpr std::size_t columns = 18;
+  static constexpr bool of_lengths = true;
+
+  /// On which sides of the plane of `own` the corners of `other` are.
+  struct Corners {
+    Signs at[3];
+    Corners(const InSpace* own, const InSpace* other, Mask asked) {
+      const CloseNormal normal(Way(own[1], own[0]), Way(own[2], own[0]));
+      for (std::size_t i = 0; i < 3; ++i) at[i] = normal.along(Way(other[i], own[0]), asked);
+    }
+    Mask apart() const {
+      return (at[0].positive & at[1].positive & at[2].positive) | (at[0].negative & at[1].negative & at[2].negative);
+    }
+    Mask in_plane() const { return at[0].zero & at[1].zero & at[2].zero; }
+    Mask known() const { return at[0].known() & at[1].known() & at[2].known(); }
+  };
+
+  static Decision of(const Lanes* n, Mask asked) {
+    const InSpace a[] = {InSpace(n), InSpace(n + 3), InSpace(n + 6)};
+    const InSpace b[] = {InSpace(n + 9), InSpace(n + 12), InSpace(n + 15)};
+    const Mask valid = asked & in_window_of_cubes<columns>(n);
+    const Corners of_b(a, b, valid), of_a(b, a, valid & ~of_b.apart());
+    const Mask apart = valid & (of_b.apart() | of_a.apart());
+    const Mask open = valid & ~apart & of_b.known() & of_a.known() & ~(of_b.in_plane() | of_a.in_plane());
+    if (open == 0) return {apart, 0, 0};
+    const CloseTip p(a, of_a.at), q(b, of_b.at);
+    const Way to_tip(q.corner, p.corner), ends[] = {Way(q.others[0], p.corner), Way(q.others[1], p.corner)};
+    Mask before = 0, after = 0, together = 0, known = open;
+    for (const InSpace& end : p.others) {
+      const CloseNormal normal(Way(end, p.corner), to_tip);
+      for (const Way& other_end : ends) {
+        const Signs order = normal.along(other_end, open);
+        before |= order.negative, after |= order.positive, together |= order.zero, known &= order.known();
+      }
+    }
+    const Mask cross = before & after, in_a_point = p.on_plane | q.on_plane;
+    return {apart | known, ~apart & ((cross & in_a_point) | (together & ~cross)), ~apart & cross & ~in_a_point};
+  }
+};
+
+#else
+
+struct CloseSegmentTriangle;
+struct CloseRayTriangle;
+struct CloseTriangleTriangle;
+
+#endif
+
+}  // namespace
+}  // namespace touchstone::robust::batch::isa
