@@ -12,8 +12,8 @@
 namespace touchstone::robust::batch {
 namespace {
 
-/// The nine numbers of a face that isa/kernels.h reads: a corner, the normal that points outwards, and the sums of the
-/// magnitudes of its terms, 2^-1000 too large. `outside` is the side of the face that is outside, 1 or -1.
+/// The numbers of a face that isa/beside.h reads: a corner, the normal that points outwards, the sums of the magnitudes
+/// of its terms, 2^-1000 too large, and the other corners. `outside` is the side of the face that is outside, 1 or -1.
 void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<double>& numbers) {
   const Point3d &a = mesh.vertices[face.a], &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
   const Vector3d v = b - a, w = c - a, normal = cross(v, w);
@@ -22,11 +22,13 @@ void add_face(const Meshd& mesh, const Face& face, int outside, std::vector<doub
   for (const double number : {a.x, a.y, a.z, sign * normal.x, sign * normal.y, sign * normal.z,
                               size(v.y * w.z, v.z * w.y), size(v.z * w.x, v.x * w.z), size(v.x * w.y, v.y * w.x)})
     numbers.push_back(number);
+  for (const Point3d* corner : {outside > 0 ? &b : &c, outside > 0 ? &c : &b})
+    for (const double number : {corner->x, corner->y, corner->z}) numbers.push_back(number);
 }
 
 }  // namespace
 
-/// The mesh is validated once, and nine numbers for each face are kept until the call ends.
+/// The mesh is validated once, and fifteen numbers for each face are kept until the call ends.
 void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::size_t count, std::uint8_t* answers,
                                 Instructions at_most) {
   if (count == 0) return;
@@ -34,7 +36,7 @@ void point_in_convex_polyhedron(const Meshd& mesh, const Points3& points, std::s
   Stage latest = Stage::filter;
   const int outside = kernel::validate_convex("mesh", mesh, latest);
   std::vector<double> faces;
-  faces.reserve(9 * mesh.faces.size());
+  faces.reserve(15 * mesh.faces.size());
   for (const Face& face : mesh.faces) add_face(mesh, face, outside, faces);
   const auto decide = [&](const Point3d& point) {
     validation::validate("point", point);

@@ -9,6 +9,13 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
+/// The lanes in which a number is certainly positive, negative, or 0.
+struct Signs {
+  Mask positive = 0, negative = 0, zero = 0;
+  Mask known() const { return positive | negative | zero; }
+  Signs of(Mask asked) const { return {positive & asked, negative & asked, zero & asked}; }
+};
+
 #if TOUCHSTONE_LANES > 2
 
 /// x + y and what rounding left out, exactly: sum and error of Knuth's two-sum. Where anything in it overflows, the
@@ -81,12 +88,6 @@ void bring_near_one(Lanes (&numbers)[n]) {
   }
   for (Lanes& number : numbers) number = number * factor;
 }
-
-/// The lanes in which a number is certainly positive, negative, or 0.
-struct Signs {
-  Mask positive = 0, negative = 0, zero = 0;
-  Mask known() const { return positive | negative | zero; }
-};
 
 /// The signs of sums of terms that are multiples of 2^-1074 and so small that nothing overflows, of those lanes that
 /// are asked. The terms are best in the order of their sizes, the greatest last.

@@ -2,6 +2,7 @@
 // A unit for each instruction set includes this, with TOUCHSTONE_LANES of its own.
 #pragma once
 
+#include "robust/batch/isa/beside.h"
 #include "robust/batch/isa/close.h"
 #include "robust/batch/isa/close_shapes.h"
 #include "robust/batch/isa/close_triangles.h"
