@@ -122,29 +122,27 @@ template <class Integer, std::size_t n>
 struct Stretched {
   std::array<Integer, n> x, y, z;
   Point3<Integer> at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Ray3<Integer> ray(std::size_t i) const { return {at(i), {x[i + 1], y[i + 1], z[i + 1]}}; }
+  HullInSpace<Integer> segment(std::size_t i) const { return hull_of(Segment3<Integer>{at(i), at(i + 1)}); }
   HullInSpace<Integer> triangle(std::size_t i) const {
     return hull_of(Triangle3<Integer>{at(i), at(i + 1), at(i + 2)});
   }
 };
 
 constexpr auto of_triangles = [](const auto& p) { return common_dimension(p.triangle(0), p.triangle(3)); };
-constexpr auto of_segment = [](const auto& p) {
-  return common_dimension(hull_of(Segment3{p.at(0), p.at(1)}), p.triangle(2));
-};
-constexpr auto of_ray = [](const auto& p) {
-  const auto way = p.at(1);
-  return common_dimension(Ray3{p.at(0), Vector3{way.x, way.y, way.z}}, p.triangle(2));
-};
+constexpr auto of_segment = [](const auto& p) { return common_dimension(p.segment(0), p.triangle(2)); };
+constexpr auto of_ray = [](const auto& p) { return common_dimension(p.ray(0), p.triangle(2)); };
 
 template <class Dimension, class... Points>
 std::optional<int> on_lattice(const Dimension& dimension, const Points&... p) {
   const auto x = lattice_of(p.x...), y = lattice_of(p.y...), z = lattice_of(p.z...);
   if (!x || !y || !z) return std::nullopt;
-  return dimension(Stretched{x->at, y->at, z->at});
+  return dimension(Stretched<std::int64_t, sizeof...(p)>{x->at, y->at, z->at});
 }
 template <class Dimension, class... Points>
 int in_integers(const Dimension& dimension, const Points&... p) {
-  return dimension(Stretched{integers_of(p.x...).at, integers_of(p.y...).at, integers_of(p.z...).at});
+  return dimension(
+      Stretched<mpz_class, sizeof...(p)>{integers_of(p.x...).at, integers_of(p.y...).at, integers_of(p.z...).at});
 }
 
 }  // namespace
