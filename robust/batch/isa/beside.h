@@ -9,12 +9,9 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
-/// So many numbers has a face of a solid: a corner a, the normal n, which points outwards, t, the sums of the
-/// magnitudes of n's terms, and the other corners, counter-clockwise as seen from outside
-/// (robust/batch/point_in_convex_polyhedron.cpp).
-constexpr std::size_t of_face = 15;
-
-/// On which side of a face a point is; positive is outside.
+/// On which side of a face a point is; positive is where its normal points to. Its numbers are a corner a, the normal
+/// n, t, the sums of the magnitudes of n's terms, and the other corners, counter-clockwise as seen from there
+/// (robust/batch/isa/faces.h).
 ///
 /// As for FacePlane of robust/kernel/face_filter.h: a product of n . (p - a) goes through eight roundings, the last of
 /// which cannot make a sign wrong, so a value of the wrong sign is at most 7 v times the sum of the magnitudes of the

@@ -18,6 +18,9 @@ struct Shared {
   std::size_t count = 0;
 };
 
+/// So many numbers has a face of a mesh that all rows share, with the box around it and without (faces.h).
+inline constexpr std::size_t of_face = 15, of_boxed_face = of_face + 5;
+
 /// Filters `chunks` chunks: column k starts at columns[k], and its next chunk is steps[k] doubles further on (0: the
 /// same again). answers receives a byte for each row; unknown a number for each chunk, with the bits of those rows that
 /// the filter could not decide, whose bytes mean nothing.
@@ -34,7 +37,7 @@ struct Filters {
   Filter *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
   Filter *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
   Filter *segment_triangle, *ray_triangle, *triangle_triangle;
-  Filter *point_in_ring, *point_in_convex_solid;
+  Filter *point_in_ring, *point_in_convex_solid, *point_in_solid;
   /// Second stages, for the rows that a filter left; nullptr where there is none.
   SecondStage *close_orientation, *close_point_on_segment, *close_segment_segment, *close_point_plane;
   SecondStage *close_boxes_in_plane, *close_boxes_in_space, *close_spheres_in_plane, *close_spheres_in_space;

@@ -7,6 +7,7 @@
 #include "robust/batch/isa/close_shapes.h"
 #include "robust/batch/isa/close_triangles.h"
 #include "robust/batch/isa/kernels.h"
+#include "robust/batch/isa/solid.h"
 #include "robust/batch/isa/triangles.h"
 
 namespace touchstone::robust::batch::isa {
@@ -29,6 +30,7 @@ constexpr Filters filters_of_this_unit{.orientation = filter<Orientation>,
                                        .triangle_triangle = filter<TriangleTriangle>,
                                        .point_in_ring = point_in_ring,
                                        .point_in_convex_solid = point_in_convex_solid,
+                                       .point_in_solid = point_in_solid,
                                        .close_orientation = close_stage<CloseOrientation>,
                                        .close_point_on_segment = close_stage<ClosePointOnSegment>,
                                        .close_segment_segment = close_stage<CloseSegmentSegment>,
