@@ -131,8 +131,10 @@ inline SharedShape solid() {
   SharedShape shape{Question{catalogue::packed(std::tuple(mesh, Point3d{}))}, {}, mesh.faces.size(), {}};
   for (const Face& face : mesh.faces) {
     const Point3d& a = mesh.vertices[face.a];
-    const Vector3d normal = cross(mesh.vertices[face.b] - a, mesh.vertices[face.c] - a);
-    for (const double number : {a.x, a.y, a.z, normal.x, normal.y, normal.z}) shape.numbers.push_back(number);
+    const Point3d &b = mesh.vertices[face.b], &c = mesh.vertices[face.c];
+    const Vector3d normal = cross(b - a, c - a);
+    for (const double number : {a.x, a.y, a.z, normal.x, normal.y, normal.z, b.x, b.y, b.z, c.x, c.y, c.z})
+      shape.numbers.push_back(number);
   }
   shape.on_boundary = [mesh](catalogue::DrawStream& stream) {
     const Face& face = mesh.faces[stream.below(mesh.faces.size())];

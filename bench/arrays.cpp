@@ -53,7 +53,8 @@ struct NaiveBeside {
 };
 constexpr NaiveBeside naive_formulas_beside[] = {{"point_in_polygon", &NaiveLoops::point_in_ring},
                                                  {"point_in_convex_polygon", &NaiveLoops::point_in_convex_ring},
-                                                 {"point_in_convex_polyhedron", &NaiveLoops::point_in_convex_solid}};
+                                                 {"point_in_convex_polyhedron", &NaiveLoops::point_in_convex_solid},
+                                                 {"point_in_polyhedron", &NaiveLoops::point_in_solid}};
 
 void done(benchmark::State& state, std::size_t rows = case_count) {
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(rows));

@@ -147,7 +147,8 @@ constexpr NaiveLoops loops_of_this_unit{.orientation = naive<NaiveOrientation>,
                                         .triangle_triangle = naive<NaiveTriangles>,
                                         .point_in_ring = naive_beside<NaiveRing>,
                                         .point_in_convex_ring = naive_beside<NaiveConvexRing>,
-                                        .point_in_convex_solid = naive_beside<NaiveConvexSolid>};
+                                        .point_in_convex_solid = naive_beside<NaiveConvexSolid>,
+                                        .point_in_solid = naive_beside<NaiveSolid>};
 
 }  // namespace
 }  // namespace touchstone::robust::batch::isa

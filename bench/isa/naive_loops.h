@@ -10,7 +10,8 @@ namespace touchstone::robust::batch::isa {
 
 /// Answers of a plain formula over contiguous columns, the number of rows a multiple of 64.
 using NaiveLoop = void(const double* const* columns, std::size_t count, std::uint8_t* answers);
-/// The same beside one shape that all rows share: a ring's vertices, or a corner and a normal of each face of a solid.
+/// The same beside one shape that all rows share: a ring's vertices, or the corners and a normal of each face of a
+/// solid.
 using NaiveSharedLoop = void(const double* const* columns, const Shared& shape, std::size_t count,
                              std::uint8_t* answers);
 
@@ -19,7 +20,7 @@ struct NaiveLoops {
   NaiveLoop *boxes_in_plane, *boxes_in_space, *spheres_in_plane, *spheres_in_space;
   NaiveLoop *sphere_and_box_in_plane, *sphere_and_box_in_space, *ray_and_box_in_plane, *ray_and_box_in_space;
   NaiveLoop *ray_triangle, *segment_triangle, *triangle_triangle;
-  NaiveSharedLoop *point_in_ring, *point_in_convex_ring, *point_in_convex_solid;
+  NaiveSharedLoop *point_in_ring, *point_in_convex_ring, *point_in_convex_solid, *point_in_solid;
 };
 
 extern const NaiveLoops plain_loops, avx2_loops, avx512_loops;

@@ -114,16 +114,44 @@ struct NaiveConvexRing {
   }
 };
 
-/// Behind all faces: of each a corner and the normal, which points outwards. Where all lanes are outside it is done.
+/// Behind all faces: of each a corner, the normal, which points outwards, and the other corners. Where all lanes are
+/// outside it is done.
 struct NaiveConvexSolid {
   static constexpr std::size_t columns = 3;
   static constexpr std::uint8_t set = 0, clear = 2;
+  static Mask behind(const Lanes* c, const double* n) {
+    return negative(same(n[3]) * (c[0] - same(n[0])) + same(n[4]) * (c[1] - same(n[1])) +
+                    same(n[5]) * (c[2] - same(n[2])));
+  }
   static Mask of(const Lanes* c, const Shared& solid) {
     Mask inside = all_lanes;
-    for (const double* n = solid.numbers; n != solid.numbers + 6 * solid.count && inside != 0; n += 6)
-      inside &= negative(same(n[3]) * (c[0] - same(n[0])) + same(n[4]) * (c[1] - same(n[1])) +
-                         same(n[5]) * (c[2] - same(n[2])));
+    for (const double* n = solid.numbers; n != solid.numbers + 12 * solid.count && inside != 0; n += 12)
+      inside &= behind(c, n);
     return inside;
+  }
+};
+
+/// The ray to +x through all faces: each is crossed where it has the point within it as seen along x, and the plane
+/// ahead.
+struct NaiveSolid {
+  static constexpr std::size_t columns = 3;
+  static constexpr std::uint8_t set = 0, clear = 2;
+  static Mask of(const Lanes* c, const Shared& solid) {
+    Mask inside = 0;
+    for (const double* n = solid.numbers; n != solid.numbers + 12 * solid.count; n += 12) {
+      const double* const corners[] = {n, n + 6, n + 9};
+      Lanes y[3], z[3];
+      for (std::size_t k = 0; k < 3; ++k) y[k] = same(corners[k][1]) - c[1], z[k] = same(corners[k][2]) - c[2];
+      Mask within = 0, left = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t next = (k + 1) % 3;
+        const Mask to_higher = above(z[next], same(0)), crosses = above(z[k], same(0)) ^ to_higher;
+        const Mask right = negative(y[k] * z[next] - z[k] * y[next]), counted = crosses & (right ^ to_higher);
+        within ^= counted, left |= counted & ~right;
+      }
+      inside ^= within & ~(left ^ NaiveConvexSolid::behind(c, n));
+    }
+    return inside & all_lanes;
   }
 };
 

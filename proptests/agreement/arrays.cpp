@@ -225,6 +225,27 @@ TEST_CASE("arrays: decimals whose height in double has the wrong sign") {
   check(operation, table, expected, expected.size(), all_of(table, 1), 0);
 }
 
+TEST_CASE("arrays: points in the plane of one face, and on either side of another by less than is rounded") {
+  // 3 times 0.1, as a double, is greater than 0.3, and 3 times the double before 0.1 is less: x - 3 y + 2 z is outside
+  // where it is positive, and the base has z = 0.
+  const double before = std::nextafter(0.1, 0.0);
+  const Meshd mesh{{{0, 0, 0}, {3, 1, 0}, {0, 3, 0}, {1, 1, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  const std::vector<Point3d> points = {{0.3, 0.1, 0}, {0.3, before, 0}, {0.3, 0.1, 0x1p-70}, {0.3, before, 0x1p-70}};
+  const std::vector<Word> places = {1, 2, 0, 2};  // boundary, outside, inside, outside
+  for (const char* const name : {"point_in_convex_polyhedron", "point_in_polyhedron"}) {
+    const Operation& operation = *catalogue::find_operation(name);
+    Table table;
+    std::vector<Word> expected;
+    for (std::size_t i = 0; i < 70; ++i) {
+      table.questions.emplace_back(catalogue::packed(std::tuple(mesh, points[i % points.size()])));
+      expected.push_back(places[i % points.size()]);
+    }
+    table.columns = operation.row().batch.columns(table.questions[0]);
+    check(operation, table, expected, expected.size(), all_of(table, 1), 0);
+    CHECK(decisions(operation, table) == expected);
+  }
+}
+
 EACH_OPERATION("over arrays it answers as one by one, and as the oracle") {
   if (operation.row().batch.decide == nullptr) return;
   for (const Table& table : tables(operation, asked_of(operation, 20'000))) {

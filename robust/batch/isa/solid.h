@@ -8,9 +8,9 @@
 namespace touchstone::robust::batch::isa {
 namespace {
 
-/// The edges of a face as seen along x, with the ray to +y from each point, as in point_in_ring: y and z stand for x and
-/// y. `crossed` by an odd number of them, the point is within the face as seen; `left`: the edge that was crossed has it
-/// on its left. `doubtful`: a turn in doubt, or a corner at the height of the point.
+/// The edges of a face as seen along x, with the ray to +y from each point: y and z are what x and y are to
+/// point_in_ring. Where an odd number of them is `crossed`, the point is within the face as seen, and `left` of the
+/// edge that was, or right. `doubtful`: a turn in doubt; `level`: a corner at the height of the point.
 struct SeenAlongX {
   Mask crossed = 0, left = 0, doubtful = 0, level = 0;
 
