@@ -55,15 +55,15 @@ void add_square(Lanes (&terms)[6 * count], std::size_t at, Lanes head, Lanes tai
   terms[4 * count + at] = great.tail, terms[5 * count + at] = great.head;
 }
 
-/// The square of the sum of the radii less that of the distance. Radii that are 0, or not valid, are left to the other
-/// stages.
+/// The square of the sum of the radii less that of the distance. A ball of radius 0 has no interior: it can only touch.
 template <std::size_t dimensions>
 struct CloseSpheres {
   static constexpr std::size_t columns = 2 * dimensions + 2;
   static constexpr bool of_lengths = true;
   static Decision of(const Lanes* c, Mask asked) {
     constexpr std::size_t n = dimensions;
-    Mask valid = above(lesser(c[n], c[2 * n + 1]), same(0));
+    const Lanes smaller = lesser(c[n], c[2 * n + 1]);
+    Mask valid = not_below(smaller, same(0));
     for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
     Lanes terms[6 * (n + 1)];
     for (std::size_t k = 0; k < n; ++k) {
@@ -73,12 +73,13 @@ struct CloseSpheres {
     const Sum reach(c[n], c[2 * n + 1]);
     add_square<n + 1>(terms, n, reach.head, reach.tail, false);
     const Signs signs = signs_of_sums(terms, asked & valid);
-    return {valid & signs.known(), signs.zero, signs.positive};
+    const Mask solid = above(smaller, same(0));
+    return {valid & signs.known(), signs.zero | (signs.positive & ~solid), signs.positive & solid};
   }
 };
 
 /// The square of the radius less that of the distance of the center from the nearest point of the box, of which each
-/// coordinate is one of the numbers given. Boxes without an interior are left to the other stages.
+/// coordinate is one of the numbers given. A ball or a box without an interior can only touch.
 template <std::size_t dimensions>
 struct CloseSphereBox {
   static constexpr std::size_t columns = 3 * dimensions + 1;
@@ -86,18 +87,18 @@ struct CloseSphereBox {
   static Decision of(const Lanes* c, Mask asked) {
     constexpr std::size_t n = dimensions;
     const Lanes radius = c[n];
-    Mask valid = above(radius, same(0));
+    Mask valid = not_below(radius, same(0)), solid = above(radius, same(0));
     for (std::size_t k = 0; k < columns; ++k) valid &= in_window(c[k]);
     Lanes terms[6 * (n + 1)];
     for (std::size_t k = 0; k < n; ++k) {
       const Lanes center = c[k], min = c[n + 1 + k], max = c[2 * n + 1 + k];
-      valid &= above(max, min);
+      valid &= not_below(max, min), solid &= above(max, min);
       const Difference way(center, lesser(greater(center, min), max));
       add_square<n + 1>(terms, k, way.head, way.tail, true);
     }
     add_square<n + 1>(terms, n, radius, same(0), false);
     const Signs signs = signs_of_sums(terms, asked & valid);
-    return {valid & signs.known(), signs.zero, signs.positive};
+    return {valid & signs.known(), signs.zero | (signs.positive & ~solid), signs.positive & solid};
   }
 };
 
