@@ -38,14 +38,14 @@ struct Closer {
 
 #if TOUCHSTONE_LANES > 2
 
-/// `doubtful`: points that the filter knows nothing of; `level`: points with the y of the edge's end.
-[[gnu::noinline]] Closer closer_to_edge(const double* from, const double* to, Lanes x, Lanes y, Mask doubtful,
+/// `inconclusive`: points that the filter knows nothing of; `level`: points with the y of the edge's end.
+[[gnu::noinline]] Closer closer_to_edge(const double* from, const double* to, Lanes x, Lanes y, Mask inconclusive,
                                         Mask level) {
   const Lanes a[] = {same(from[0]), same(from[1])}, b[] = {same(to[0]), same(to[1])}, p[] = {x, y};
   Sides turn = close_turn({b[0], a[0]}, {b[1], a[1]}, {y, a[1]}, {x, a[0]});
-  settle(turn, a, b, p, doubtful);
+  settle(turn, a, b, p, inconclusive);
   const Mask between = equal(a[1], y) & (above(a[0], x) ^ above(b[0], x));
-  return {turn.right, (doubtful & turn.on) | (level & (equal(b[0], x) | between)), doubtful & ~turn.known()};
+  return {turn.right, (inconclusive & turn.on) | (level & (equal(b[0], x) | between)), inconclusive & ~turn.known()};
 }
 
 /// The same exactly, of points in the window of cubes.
@@ -76,8 +76,8 @@ Signs exact_side_of_face(const double* numbers, const Lanes* point, Mask asked) 
 
 #else
 
-Closer closer_to_edge(const double*, const double*, Lanes, Lanes, Mask doubtful, Mask level) {
-  return {0, 0, doubtful | level};
+Closer closer_to_edge(const double*, const double*, Lanes, Lanes, Mask inconclusive, Mask level) {
+  return {0, 0, inconclusive | level};
 }
 Signs closer_to_faces(const Shared&, const Lanes*, Mask) { return {}; }
 
@@ -111,12 +111,12 @@ void point_in_ring(const double* const* columns, const std::size_t* steps, std::
         const Mask b_higher = above(by, y), crosses = higher ^ b_higher, level = equal(by, y);
         const Lanes l = from_x * to_y, r = from_y * to_x, value = l - r;
         const Mask certain = above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
-        const Mask doubtful = crosses & ~certain;
+        const Mask inconclusive = crosses & ~certain;
         Mask right = negative(value);
-        if ((doubtful | level) != 0) [[unlikely]] {
-          const Closer found = closer_to_edge(a, b, x, y, doubtful, level);
+        if ((inconclusive | level) != 0) [[unlikely]] {
+          const Closer found = closer_to_edge(a, b, x, y, inconclusive, level);
           on |= found.on, open |= found.open;
-          right = (right & ~doubtful) | (found.right & doubtful);
+          right = (right & ~inconclusive) | (found.right & inconclusive);
         }
         odd ^= crosses & (right ^ b_higher);
         from_x = to_x, from_y = to_y, higher = b_higher;

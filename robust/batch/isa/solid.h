@@ -10,14 +10,14 @@ namespace {
 
 /// The edges of a face as seen along x, with the ray to +y from each point: y and z are what x and y are to
 /// point_in_ring. Where an odd number of them is `crossed`, the point is within the face as seen, and `left` of the
-/// edge that was, or right. `doubtful`: a turn in doubt; `level`: a corner at the height of the point.
+/// edge that was, or right. `inconclusive`: a turn in doubt; `level`: a corner at the height of the point.
 struct SeenAlongX {
-  Mask crossed = 0, left = 0, doubtful = 0, level = 0;
+  Mask crossed = 0, left = 0, inconclusive = 0, level = 0;
 
   void add(Lanes from_y, Lanes from_z, Lanes to_y, Lanes to_z, Mask higher, Mask to_higher) {
     const Lanes l = from_y * to_z, r = from_z * to_y, value = l - r;
     const Mask crosses = higher ^ to_higher, right = negative(value), counted = crosses & (right ^ to_higher);
-    doubtful |= crosses & ~above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
+    inconclusive |= crosses & ~above(magnitude(value), multiply_add(magnitude(l + r), same(4 * v), same(tiny)));
     crossed ^= counted;
     left |= counted & ~right;
   }
@@ -62,7 +62,7 @@ void point_in_solid(const double* const* columns, const std::size_t* steps, std:
         const Certain side = side_of_face(numbers, p);
         const Mask within = near & seen.crossed;
         odd ^= within & ((seen.left & side.negative) | (~seen.left & side.positive));
-        open |= near & (seen.doubtful | seen.level | (seen.crossed & ~(side.positive | side.negative)));
+        open |= near & (seen.inconclusive | seen.level | (seen.crossed & ~(side.positive | side.negative)));
       }
       known |= static_cast<std::uint64_t>(finite & ~open) << i;
       outside |= static_cast<std::uint64_t>(~odd & all_lanes) << i;
