@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 
+#include "geometry/validation.h"
 #include "robust/kernel/flat_hulls.h"
 #include "robust/kernel/plane.h"
 
@@ -133,6 +137,26 @@ constexpr auto of_triangles = [](const auto& p) { return common_dimension(p.tria
 constexpr auto of_segment = [](const auto& p) { return common_dimension(p.segment(0), p.triangle(2)); };
 constexpr auto of_ray = [](const auto& p) { return common_dimension(p.ray(0), p.triangle(2)); };
 
+/// The greatest exponent field of some numbers.
+int top_field(std::initializer_list<double> numbers) {
+  int top = 0;
+  for (const double x : numbers) top = std::max(top, static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff));
+  return top;
+}
+
+/// The direction times 2^by, by the bits; as it is where a number would not be normal.
+Vector3d shifted(const Vector3d& direction, int by) {
+  Vector3d way = direction;
+  for (double* const x : {&way.x, &way.y, &way.z}) {
+    if (validation::zero(*x)) continue;
+    const auto bits = std::bit_cast<std::int64_t>(*x);
+    const int field = static_cast<int>(bits >> 52 & 0x7ff);
+    if (field == 0 || field + by < 1 || field + by > 0x7fe) return direction;
+    *x = std::bit_cast<double>(bits + (static_cast<std::int64_t>(by) << 52));
+  }
+  return way;
+}
+
 template <class Dimension, class... Points>
 std::optional<int> on_lattice(const Dimension& dimension, const Points&... p) {
   const auto x = lattice_of(p.x...), y = lattice_of(p.y...), z = lattice_of(p.z...);
@@ -153,8 +177,12 @@ std::optional<int> common_dimension_on_lattice(const Triangle3d& a, const Triang
 std::optional<int> common_dimension_on_lattice(const Segment3d& s, const Triangle3d& t) {
   return on_lattice(of_segment, s.a, s.b, t.a, t.b, t.c);
 }
+/// A ray is the same in any length of its direction: that of the points needs the least room.
 std::optional<int> common_dimension_on_lattice(const Ray3d& r, const Triangle3d& t) {
-  return on_lattice(of_ray, r.origin, r.direction, t.a, t.b, t.c);
+  const auto& [o, v] = r;
+  const auto& [a, b, c] = t;
+  const int top = top_field({o.x, o.y, o.z, a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z});
+  return on_lattice(of_ray, o, shifted(v, top - top_field({v.x, v.y, v.z})), a, b, c);
 }
 
 int common_dimension_in_integers(const Triangle3d& a, const Triangle3d& b) {
