@@ -27,6 +27,7 @@
 #include "catalogue/families/draw_stream.h"
 #include "catalogue/families/named_meshes.h"
 #include "robust/kernel/integers.h"
+#include "robust/kernel/plane.h"
 #include "robust/mixed/ray_triangle.h"
 #include "robust/polyhedra/point_in_polyhedron.h"
 
