@@ -2,14 +2,15 @@
 """The filters of robust/batch/isa as Coq functions: what their C++ text computes in one lane, operation by operation.
 
 A class of kernels.h is run on names instead of numbers: its `of` becomes one function of the columns, or its
-constructor one of the numbers that it is given. What this does not understand is an error, never left out. See extract.py.
+constructor one of the numbers that it is given. What this does not understand is an error, never left out. See
+extract.py.
 """
 import re
 from fractions import Fraction
 
 from tokens import Tokens
 
-HEADERS = ["robust/batch/isa/kernels.h"]
+HEADERS = ["robust/batch/isa/kernels.h", "robust/batch/isa/triangles.h"]
 LANES = "robust/batch/isa/lanes.h"  # what the functions of lanes.v are; its text is reviewed with each filter
 HEAD = """(* Written by extract.py from robust/batch/isa. *)
 From Coq Require Import Reals ZArith Bool.
@@ -19,7 +20,9 @@ From Filters Require Import floats lanes.
 # Definition, class, its dimensions.
 FILTERS = [("lane_turn", "Turn", None), ("lane_orientation", "Orientation", None),
            ("lane_point_on_segment", "PointOnSegment", None), ("lane_segment_segment", "SegmentSegment", None),
-           ("lane_point_plane", "PointPlane", None), ("lane_spheres_2", "Spheres", 2), ("lane_spheres_3", "Spheres", 3)]
+           ("lane_point_plane", "PointPlane", None), ("lane_spheres_2", "Spheres", 2), ("lane_spheres_3", "Spheres", 3),
+           ("lane_boxes_2", "Boxes", 2), ("lane_boxes_3", "Boxes", 3),
+           ("lane_sphere_box_2", "SphereBox", 2), ("lane_sphere_box_3", "SphereBox", 3)]
 NAMES = {name for name, _, _ in FILTERS}
 FUNCTIONS = {"magnitude": "size", "multiply_add": "multiply_add fused", "above": "above", "not_below": "not_below",
              "equal": "equal", "negative": "negative_lane", "lesser": "lesser", "greater": "greater_of"}
@@ -215,10 +218,7 @@ class Body(Tokens):
                 if self.peek() == ",":
                     self.take()
             self.take("}")
-            if len(fields) != 2:
-                raise SystemExit("braces around what is no verdict")
-            fields = [Truth("false") if x == 0 and not isinstance(x, str) else x for x in fields]
-            value = dict(zip(("known", "set"), fields))
+            value = self.made_of(fields)
         elif token == "~":
             value = Truth(f"(negb {self.unary()})")
         elif token.startswith("0x"):
@@ -232,21 +232,38 @@ class Body(Tokens):
             value = self.run.named("value", value)
             bound = self.run.named("bound", bound)
             value = {"known": Truth(f"(above (size {value}) {bound})"), "set": Truth(f"(negative_lane {value})")}
-        elif token in FUNCTIONS:
+        elif token in FUNCTIONS and self.peek() == "(":
             kind = Truth if token in TRUTHS else Term
             value = kind(f"({FUNCTIONS[token]} {' '.join(self.arguments())})")
-        elif token in self.run.scope:
-            value = self.run.scope[token]
         else:
-            raise SystemExit(f"unknown name {token!r}")
+            value = self.of_name(token)
         while self.peek() in (".", "["):
             if self.take() == ".":
-                value = value[self.take()]
+                value = self.member(value, self.take())
             else:
                 index = self.expression()
                 self.take("]")
-                value = Term(f"{value}{index}")
+                value = self.element(value, index)
         return value
+
+    def of_name(self, name):
+        if name not in self.run.scope:
+            raise SystemExit(f"unknown name {name!r}")
+        return self.run.scope[name]
+
+    @staticmethod
+    def made_of(fields):
+        if len(fields) != 2:
+            raise SystemExit("braces around what is no verdict")
+        fields = [Truth("false") if x == 0 and not isinstance(x, str) else x for x in fields]
+        return dict(zip(("known", "set"), fields))
+
+    def member(self, value, name):
+        return value[name]
+
+    @staticmethod
+    def element(value, index):
+        return Term(f"{value}{index}")
 
 
 def names_of(parameters):

@@ -20,8 +20,8 @@
 ///
 /// With m <= 12 roundings on the way to a bound it is at least (1 - v)^m of the exact one. Each C is a power of two
 /// that exceeds what is needed by a seventh at least, which pays for that and for all terms of higher order in v. The
-/// filters of turns, segments, planes and balls are proved by machine from this text (robust/proofs/lane_*.v); those of
-/// boxes, of balls and rays with boxes, of rings, of solids and of triangles are not.
+/// filters of turns, segments, planes, balls and boxes, and of balls with boxes are proved by machine from this text
+/// (robust/proofs/lane_*.v); those of rays with boxes, of rings and of solids are not. Of triangles see triangles.h.
 namespace touchstone::robust::batch::isa {
 namespace {
 

@@ -4,7 +4,9 @@
 
 #include "robust/batch/isa/kernels.h"
 
-/// Filters of triangles in space: the model and the constants of kernels.h.
+/// Filters of triangles in space: the model and the constants of kernels.h. The sides of planes, and with them the
+/// filters of segments and rays with triangles, are proved by machine from this text (robust/proofs/lane_faces.v and
+/// lane_triangles.v). Of two triangles only the sides are; that these decide is argued below.
 namespace touchstone::robust::batch::isa {
 namespace {
 
