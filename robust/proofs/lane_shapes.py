@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The filters of robust/batch/isa/triangles.h as Coq functions, as lane_text.py those of kernels.h.
+"""The filters of robust/batch/isa with classes of their own, as Coq functions: as lane_text.py does the others.
 
-Points are fields of numbers here, and classes have constructors, methods and operators: each is run from its own text.
-A side of a FacePlane is a function of its own, which the filters that ask for it call.
+Points and axes are fields of numbers here, and classes have constructors, methods and operators: each is run from its
+own text. A side of a FacePlane is a function of its own, which the filters that ask for it call.
 """
+import copy
 import re
 
 import lane_text
@@ -13,11 +14,16 @@ HEADER = "robust/batch/isa/triangles.h"
 HEAD = lane_text.HEAD.replace("Import floats lanes.", "Import floats lanes lane_filters.")
 # Definition, class, method or None, its arguments.
 FILTERS = [("lane_face_side", "FacePlane", "side", "abcp"), ("lane_face_leading", "FacePlane", "leading", "abcd"),
-           ("lane_segment_triangle", "SegmentTriangle", None, 15), ("lane_ray_triangle", "RayTriangle", None, 15)]
+           ("lane_segment_triangle", "SegmentTriangle", None, 15), ("lane_ray_triangle", "RayTriangle", None, 15),
+           ("lane_ray_box_2", "RayBox", None, 8, 2), ("lane_ray_box_3", "RayBox", None, 12, 3)]
 NAMES = {name for name, *_ in FILTERS}
-SIDES = {method: name for name, _, method, _ in FILTERS if method}
+SIDES = {method: name for name, _, method, *_ in FILTERS if method}
 FIELDS = {"Certain": ("positive", "negative"), "Verdict": ("known", "set")}
-KINDS = ("InSpace", "FacePlane", "Certain", "Edges")
+KINDS = ("InSpace", "FacePlane", "Certain", "Edges", "OfAxis")
+
+
+class Break(Exception):
+    """Out of a loop."""
 
 
 class Pointer:
@@ -47,6 +53,14 @@ class Shapes:
     def __init__(self, source, root):
         self.source, text = source, (root / HEADER).read_text(encoding="utf-8")
         self.text = re.sub(r"//.*", "", text)
+        for body in list(source.classes.values()):
+            for kind, inner in re.findall(r"^  struct (\w+) \{\n(.*?)^  \};", body, re.M | re.S):
+                source.classes[kind] = re.sub(r"^  ", "", inner, flags=re.M)
+
+    def members(self, owner):
+        """The names of its fields."""
+        found = re.findall(r"^  (?:Lanes|Mask|InSpace) ([\w, ]+);$", self.source.classes[owner], re.M)
+        return [name for line in found for name in line.split(", ")]
 
     def constructor(self, owner, count):
         """Parameters, initializers and body of the constructor with so many arguments."""
@@ -96,7 +110,7 @@ class Reader(Body):
         if kind == "FacePlane" and not self.run.open:
             self.run.used["FacePlane"] = self.run.source.classes["FacePlane"]
             return Plane(arguments)
-        if kind not in ("InSpace", "FacePlane", "Edges"):
+        if kind not in KINDS:
             return super().constructed(kind, arguments)
         self.run.used[kind] = self.run.source.classes[kind]
         parameters, fields, text = self.run.shapes.constructor(kind, len(arguments))
@@ -112,10 +126,33 @@ class Reader(Body):
                 reader.take(",")
         self.run.scope = outer
         inner = self.call(text, {**scope, **made})
-        return {name: inner[name] for name in made}
+        return {name: inner[name] for name in self.run.shapes.members(kind)}
 
     def statement(self):
-        if self.peek() == "const" and self.peek(1) == "auto":
+        scope = self.run.scope
+        if self.peek() in KINDS and self.peek(2) == "[":  # an array
+            name = [self.take(), self.take()][1]
+            scope[name] = self.array()
+            self.take(";")
+        elif self.peek(1) == "[" and self.peek() in scope:  # one of its elements
+            place, index = scope[self.take()], None
+            while self.peek() == "[":
+                place, index = place if index is None else place[index], self.index()
+            self.take("=")
+            place[index] = self.expression()
+            self.take(";")
+        elif self.peek() == "if":
+            self.take()
+            (condition,) = self.arguments()
+            if not isinstance(condition, bool):
+                raise SystemExit("a branch by what is not a constant")
+            if condition:
+                self.statement()
+            else:
+                self.at = self.after(self.at)
+        elif self.peek() == "break":
+            raise Break
+        elif self.peek() == "const" and self.peek(1) == "auto":
             for token in ("const", "auto"):
                 self.take(token)
             name = self.take()
@@ -127,6 +164,39 @@ class Reader(Body):
             self.take(";")
         else:
             super().statement()
+
+    def index(self):
+        self.take("[")
+        value = self.expression()
+        self.take("]")
+        return value
+
+    def array(self):
+        """With elements that are not there yet."""
+        counts, made = [], None
+        while self.peek() == "[":
+            counts.append(self.index())
+        for count in reversed(counts):
+            made = [copy.deepcopy(made) for _ in range(count)]
+        return made
+
+    def loop(self):
+        outside = self.after(self.at)
+        try:
+            super().loop()
+        except Break:
+            self.at = outside
+
+    def after(self, at):
+        """Where a statement ends."""
+        if self.tokens[at] == "for":
+            return self.after(self.tokens.index(")", at) + 1)
+        depth = 0
+        while True:
+            depth += (self.tokens[at] == "{") - (self.tokens[at] == "}")
+            at += 1
+            if depth == 0 and self.tokens[at - 1] in (";", "}"):
+                return at
 
     def until(self, end):
         """The text before the next such token, which has to match the one taken."""
@@ -196,12 +266,14 @@ class Reader(Body):
     def element(value, index):
         if isinstance(value, Pointer):
             return Term(f"c{value.offset + index}")
+        if isinstance(value, list):
+            return value[index]
         return Body.element(value, index)
 
 
-def extracted(shapes, name, owner, method, arguments):
+def extracted(shapes, name, owner, method, arguments, dimensions=None):
     used = {}
-    run = Run(shapes.source, None, used)
+    run = Run(shapes.source, dimensions, used)
     run.shapes, run.open = shapes, method is not None
     reader = Reader(run, "")
     if method:
@@ -215,10 +287,12 @@ def extracted(shapes, name, owner, method, arguments):
         names = [f"c{i}" for i in range(arguments)]
         run.taken.update({*names, *SIDES.values()})
         used[owner] = shapes.source.classes[owner]
-        if f"columns = {arguments};" not in used[owner]:
+        counted = re.search(r"columns = ([\w +*]+);", used[owner])[1]
+        if eval(counted, {}, {"dimensions": dimensions}) != arguments:  # of digits, names, + and *
             raise SystemExit(f"{owner}: other columns")
         kind, ((given, _),), text = shapes.function(owner, "of")
-        found = reader.call(text, {given: Pointer(0)}, kind)["return"]
+        scope = {given: Pointer(0), "all_lanes": Truth("true"), "dimensions": dimensions}
+        found = reader.call(text, scope, kind)["return"]
         result = f"({found['known']}, {found['set']})"
     lines = [f"Definition {name} (fused : bool) ({' '.join(names)} : float) : bool * bool :=", *run.lets,
              f"  {result}."]

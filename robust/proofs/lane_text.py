@@ -29,7 +29,8 @@ FUNCTIONS = {"magnitude": "size", "multiply_add": "multiply_add fused", "above":
 RESERVED = {*FUNCTIONS.values(), "plus", "minus", "times", "number", "fused", "v", "end", "at", "in"}
 TRUTHS = {"above", "not_below", "equal", "negative"}
 OPERATORS = {"+": "plus", "-": "minus", "*": "times"}
-TOKEN = re.compile(r"\s*(0x[0-9a-f.]+p-?\d+|\d+|[A-Za-z_]\w*(?:::\w+)*|\+=|&=|\|=|==|\+\+|[-+*/(){}\[\],;<>=&|?:.~])")
+TOKEN = re.compile(r"\s*(0x[0-9a-f.]+p-?\d+|\d+|[A-Za-z_]\w*(?:::\w+)*"
+                   r"|\+=|&=|\|=|==|&&|\+\+|[-+*/%(){}\[\],;<>=&|?:.~])")
 
 
 class Term(str):
@@ -133,12 +134,15 @@ class Body(Tokens):
                 self.take()
             kind = self.take()
             while True:
+                if self.peek() == "&":
+                    self.take()
                 name = self.take()
                 if self.peek() == "(":  # a constructor
                     scope[name] = self.constructed(kind, self.arguments())
                 else:
                     self.take("=")
                     value = self.expression()
+                    value = Truth("false") if kind == "Mask" and value == 0 else value
                     scope[name] = self.run.named(name, value) if not isinstance(value, dict) else dict(value)
                 if self.take() == ";":
                     return
@@ -151,8 +155,8 @@ class Body(Tokens):
             value = self.expression()
             self.take(";")
             target = scope if len(path) == 1 else scope[path[0]]
-            if operator == "&=":
-                value = Truth(f"({target[path[-1]]} && {value})")
+            if operator in ("&=", "|="):
+                value = Truth(f"({target[path[-1]]} {operator[0] * 2} {value})")
             elif operator != "=":
                 raise SystemExit(f"assignment not understood: {operator}")
             target[path[-1]] = self.run.named(path[-1], value)
@@ -163,7 +167,7 @@ class Body(Tokens):
         if not found:
             raise SystemExit(f"loop not understood: {head}")
         start = self.at = self.at + 14
-        for i in range(self.run.scope[found[2]]):
+        for i in range(int(found[2]) if found[2].isdigit() else self.run.scope[found[2]]):
             self.at = start
             self.run.scope[found[1]] = i
             self.statement()
@@ -178,7 +182,7 @@ class Body(Tokens):
         return {k: x for k, x in made.items() if k not in self.run.source.constants}
 
     def expression(self, level=0):
-        levels = [("?",), ("|",), ("&",), ("==",), ("+", "-"), ("*",)]
+        levels = [("?",), ("&&",), ("|",), ("&",), ("==",), ("+", "-"), ("*", "%")]
         if level == len(levels):
             return self.unary()
         left = self.expression(level + 1)
@@ -201,8 +205,8 @@ class Body(Tokens):
         if isinstance(left, Term) and isinstance(right, Term) and operator in OPERATORS:
             return Term(f"({OPERATORS[operator]} {left} {right})")
         if isinstance(left, (int, Fraction)) and isinstance(right, (int, Fraction)):
-            if operator == "==":
-                return left == right
+            if operator in ("==", "&&", "%"):
+                return left == right if operator == "==" else left and right if operator == "&&" else left % right
             return left + right if operator == "+" else left - right if operator == "-" else left * right
         raise SystemExit(f"not understood: {left!r} {operator} {right!r}")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Headers with one constant that is smaller, or, of arrays, another comparison: does a run refuse them? See prove.py."""
+"""Headers with a smaller constant, or, of arrays, another comparison: does a run refuse them? See prove.py."""
 import math
 import pathlib
 import re
@@ -23,7 +23,11 @@ OF_LANES = [("flipped", re.compile(r"\blesser\("), "greater("), ("flipped", re.c
             ("flipped", re.compile(r"\babove\((?=\w+(?:\([\w, ]*\))?, same\(0\)\))"), "not_below("),
             ("flipped", re.compile(r"\bnegative\(depth\)"), "above(depth, same(0))"),
             ("left out", re.compile(r"not_below\(same\(0x1\.f+p1023\), [\w +]+\) & "), ""),
-            # and of triangles: what pays for underflow, sides, edges on two sides of a line, ends on one side of a plane
+            # of rays with boxes: touching, no direction, max < min, the value's opposite
+            ("flipped", re.compile(r"\babove\((?=min, from\)|from, max\)|ways, zero\))"), "not_below("),
+            ("left out", re.compile(r" & not_below\(narrowest, zero\)"), ""),
+            ("flipped", re.compile("zero - value"), "value"),
+            # of triangles: what pays for underflow, sides, edges on two sides of a line, ends on one side of a plane
             ("left out", re.compile(r" \+ same\(tiny\)"), ""),
             ("flipped", re.compile(r"known & ~below, known & below"), "known & below, known & ~below"),
             ("flipped", re.compile(r"(?<=ca\.positive\)) & "), " | "),
